@@ -1,0 +1,25 @@
+// Vectors and poses. X_AB is the pose of frame B in frame A: p_A = X_AB * p_B.
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace prehend {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+using Pose = Eigen::Isometry3d;
+
+inline Pose translation(const Vector3& p) { return Pose(Eigen::Translation3d(p)); }
+
+// Pose with the rotation whose columns are the given axes (right-handed, orthonormal).
+inline Pose pose_from(const Matrix3& rotation, const Vector3& p) {
+  Pose pose = Pose::Identity();
+  pose.linear() = rotation;
+  pose.translation() = p;
+  return pose;
+}
+
+// A unit vector orthogonal to `v` (not zero); a pure function of `v`, so that results repeat.
+inline Vector3 any_orthogonal(const Vector3& v) { return v.unitOrthogonal(); }
+
+}  // namespace prehend
