@@ -3,51 +3,50 @@
 
 #include <vector>
 
+#include "planner/picture/camera.h"
+#include "planner/picture/color.h"
 #include "planner/picture/image.h"
+#include "planner/picture/lighting.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
 
-// Linear parts in [0, 1].
-struct Color {
-  double red = 0.5;
-  double green = 0.5;
-  double blue = 0.5;
-  double opacity = 1.0;  // 0 invisible, 1 solid
-};
-
+// Both sides of a surface are drawn, so that a mesh need not be closed. The back of a translucent
+// surface is half as opaque as its front, and a translucent surface is denser where it is seen at
+// an angle, as a thin shell is: its opacity is that of its color where it faces the viewer.
 struct DrawnBody {
-  TriangleMesh mesh;
+  TriangleMesh mesh = {};
   Pose X_WB = Pose::Identity();
-  Color color;
-};
-
-// Looks from `eye` at `target`; `up` need not be orthogonal to the view. World frame, metres.
-struct Camera {
-  Vector3 eye = Vector3(1, -1, 1);
-  Vector3 target = Vector3::Zero();
-  Vector3 up = Vector3::UnitZ();
-  double vertical_field_of_view = 0.6;  // radians
+  Color color = {};
 };
 
 struct DrawOptions {
-  int width = 900;
-  int height = 700;
-  int samples = 2;  // samples x samples per pixel
+  int width = 900;   // pixels, 1 to 16384
+  int height = 700;  // pixels, 1 to 16384
+  int samples = 2;   // samples x samples a pixel, 1 to 8
   Color background = {1.0, 1.0, 1.0, 1.0};
+  Lighting lighting = {};
+  // Faces that meet at less than this angle are shaded as one round surface. Radians.
+  double crease_angle = 0.7;
+  // Width of the dark lines along creases, borders and outlines, in pixels; 0 draws none.
+  double line_width = 1.2;
 };
 
-// Solid bodies are depth-tested; translucent ones are blended in depth order for each pixel, so
-// that the picture does not depend on the order of `bodies`.
+// Solid bodies are depth-tested; translucent ones are blended in depth order for each sample, so
+// that the picture does not depend on the order of `bodies`: surfaces at the very same depth are
+// ordered by how they look. Of the translucent surfaces behind one another in one sample, only the
+// nearest 24 are kept. Triangles without area are skipped; those nearer than
+// Projection::near_depth() are cut off there.
+// Throws InputError for options out of range, a camera that sees nothing, and meshes with vertices
+// that are not finite or indices out of range.
 Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera,
            const DrawOptions& options = {});
 
-// A camera that sees the whole of `box` from `direction` (from the target to the eye).
+// camera_around of camera.h for a picture of the size in `options`: about the vertices of the
+// bodies that are not invisible, or about a box. The vertices fill the picture better than their
+// box does.
+Camera camera_around(const std::vector<DrawnBody>& bodies, const Vector3& direction,
+                     const DrawOptions& options = {});
 Camera camera_around(const Bounds& box, const Vector3& direction, const DrawOptions& options = {});
-
-// Marks as meshes, in the frame of their arguments. `axis` need not be unit.
-TriangleMesh arrow_mesh(const Vector3& from, const Vector3& to, double radius);
-// Cone with its apex at `apex`, opening along `axis`, half angle atan(slope), `length` high.
-TriangleMesh cone_mesh(const Vector3& apex, const Vector3& axis, double slope, double length);
 
 }  // namespace prehend

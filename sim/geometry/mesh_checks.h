@@ -8,24 +8,38 @@ namespace prehend {
 struct MeshChecks {
   int vertices = 0;
   int triangles = 0;
-  int components = 0;          // sets of triangles connected by shared vertices
-  int boundary_edges = 0;      // edges of exactly one triangle
-  int nonmanifold_edges = 0;   // edges of three or more triangles
-  int misoriented_edges = 0;   // edges of two triangles that run through it in the same direction
-  int degenerate_triangles = 0;
-  bool inward = false;         // closed and oriented, but the signed volume is negative
+  int nonfinite_vertices = 0;    // with a coordinate that is infinite or not a number
+  int degenerate_triangles = 0;  // of no area (is_degenerate in weld.h); not counted below
+  int components = 0;            // sets of triangles connected by shared vertices
+  int boundary_edges = 0;        // edges of exactly one triangle
+  int nonmanifold_edges = 0;     // edges of three or more triangles
+  int misoriented_edges = 0;     // edges of two triangles that run through it in the same direction
+  bool inward = false;           // solid, but the signed volume is negative
 
   // Every edge in exactly two triangles.
   bool closed() const { return triangles > 0 && boundary_edges == 0 && nonmanifold_edges == 0; }
-  // Closed, and neighbours agree on outside: the signed volume means something.
-  bool solid() const { return closed() && misoriented_edges == 0; }
+  // Closed, finite, and neighbours agree on outside: the signed volume means something.
+  bool solid() const { return closed() && misoriented_edges == 0 && nonfinite_vertices == 0; }
 };
 
+// Throws InputError when a triangle refers to a vertex that is not there.
 MeshChecks check_mesh(const TriangleMesh& mesh);
 
-// Makes neighbours agree on orientation where the surface allows it and turns every closed
-// component outward; open components are turned so that most of their area faces away from their
-// centroid. Returns the number of triangles turned.
+// Sum of the signed volumes of the tetrahedra between the centre of the bounds and each triangle
+// [m^3]: the volume enclosed by a solid mesh, negative when it is inside out.
+double signed_volume(const TriangleMesh& mesh);
+
+// Turns triangles so that the surface faces outward. Returns the number of triangles turned.
+//
+// 1. Triangles joined over edges of exactly two triangles form a sheet; each sheet is made to agree
+//    with itself (a one-sided sheet, like a Moebius strip, as far as it goes).
+// 2. Each sheet is turned so that its signed volume about its own centroid is positive: outward for
+//    a closed sheet, most of its area facing away from its centroid for an open one. A sheet
+//    without such a volume (flat) keeps the winding of its first triangle.
+// 3. Except cavities: a closed sheet that the file wound consistently, opposite to the closed sheet
+//    around it (the smallest one that contains it and is no cavity itself), bounds a hollow of that
+//    solid and is turned inward. With the same winding it is a part inside another part and is
+//    turned outward.
 int orient_outward(TriangleMesh& mesh);
 
 }  // namespace prehend

@@ -21,9 +21,9 @@ struct MeshFileOptions {
 };
 
 struct LoadedMesh {
-  TriangleMesh mesh;             // welded; every vertex finite and used; metres
-  int degenerate_removed = 0;    // triangles of no area or with a repeated vertex, left out
-  int duplicates_removed = 0;    // triangles with the same three vertices as an earlier one, left out
+  TriangleMesh mesh;           // welded; every vertex finite and used; metres
+  int degenerate_removed = 0;  // triangles of no area or with a repeated vertex, left out
+  int duplicates_removed = 0;  // triangles with the same three vertices as an earlier one, left out
 };
 
 // All triangles of all parts of the file, in the file's own frame and axes, scaled to metres.

@@ -1,21 +1,25 @@
-// The largest ball around the origin inside the convex hull of wrenches, without the hull.
+// The largest ball around the origin inside a convex set of wrenches, without its hull.
 #pragma once
 
+#include "sim/quality/support.h"
 #include "sim/quality/wrench.h"
 
 namespace prehend {
 
 enum class EpsilonStatus {
-  converged,         // force closure; upper - lower <= tolerance * upper
-  no_force_closure,  // proved: some direction has no support above zero, or the hull is flat
+  converged,         // force closure; upper - lower <= tolerance * upper, or is rounding
+  no_force_closure,  // proved: some direction has no support above zero, or the set is flat
   below_cutoff,      // upper fell below the caller's cutoff; lower is what was proved until then
-  limit,             // iterations used up; the bracket stands
+  limit,             // facets used up; the bracket stands
+  stalled,  // rounding leaves no better polytope; the bracket stands (never from epsilon_l1
+            // unless qhull fails on the same wrenches)
 };
 
 struct EpsilonOptions {
-  double relative_tolerance = 1e-9;
-  double cutoff = 0.0;         // stop as soon as the upper bound is below this
-  int max_facets = 200000;     // facets made before giving up
+  double relative_tolerance =
+      1e-9;                 // >= 0; of upper - lower. Rounding ends it at 1e-14 of the set's size
+  double cutoff = 0.0;      // stop as soon as the upper bound is below this
+  int max_facets = 200000;  // facets made before giving up
 };
 
 // lower <= epsilon <= upper. Without force closure both are 0.
@@ -25,11 +29,22 @@ struct EpsilonBracket {
   EpsilonStatus status = EpsilonStatus::no_force_closure;
   // The disturbance that the grasp resists least: -upper * (unit normal of the nearest facet).
   Wrench weakest = Wrench::Zero();
+
+  // Whether force closure was proved: also before convergence.
+  bool force_closure() const { return lower > 0.0; }
 };
 
-// Ferrari and Canny's L1 measure of the hull of the columns of `wrenches`: grows a polytope from an
-// inner simplex and expands the facet nearest to the origin until it is final (the expanding polytope
-// algorithm, van den Bergen 2001, in six dimensions). Columns must be finite.
+// Grows a polytope from an inner simplex and expands the facet nearest to the origin until it is
+// final: the expanding polytope algorithm (van den Bergen 2001), in six dimensions. The smallest
+// support value seen is the upper bound, the smallest facet offset the lower one. Deterministic.
+//
+// A set whose smallest support value is below 1e-11 of its size (kFlatness) has no force closure.
+// Throws std::invalid_argument for a tolerance that is negative or not a number.
+EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
+
+// Ferrari and Canny's L1 measure of the hull of the columns of `wrenches` (ICRA 1992): their hull's
+// smallest facet offset. Where rounding stalls the growth, wrench_hull decides.
+// No columns: no force closure. Throws std::invalid_argument where a column is not finite.
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
 
 }  // namespace prehend

@@ -1,8 +1,6 @@
 // The full convex hull of wrenches by qhull: the oracle for epsilon, and the volume.
 #pragma once
 
-#include <string>
-
 #include "sim/quality/wrench.h"
 
 namespace prehend {
@@ -16,12 +14,20 @@ struct WrenchHull {
   HullStatus status = HullStatus::flat;
   double min_offset = 0.0;  // smallest signed facet offset: negative when the origin is outside
   double volume = 0.0;      // of the 6-D hull
-  Wrench weakest = Wrench::Zero();  // -min_offset * unit normal of that facet (solid only)
+  // -min_offset * unit normal of that facet (solid only): with force closure, the disturbance that
+  // the grasp resists least.
+  Wrench weakest = Wrench::Zero();
+  // What min_offset must exceed for the origin to be inside beyond doubt: kFlatness times the size
+  // of the wrenches, more where qhull had to joggle them.
+  double doubt = 0.0;
 
-  bool force_closure() const { return status == HullStatus::solid && min_offset > 0.0; }
+  bool force_closure() const { return status == HullStatus::solid && min_offset > doubt; }
 };
 
-// Thread-safe (one qhull state a call). Throws std::invalid_argument on a value that is not finite,
+// Wrenches thinner than kFlatness times their size in some direction are flat. Where qhull fails on
+// others (near-duplicates), it is asked again with joggled input (QJ), of which min_offset and
+// volume are then taken; a joggled hull shows force closure only beyond the joggle. Thread-safe
+// (one qhull state a call). Throws std::invalid_argument on a value that is not finite,
 // std::runtime_error (with qhull's message) where qhull fails for another reason than flatness.
 WrenchHull wrench_hull(const Wrenches& wrenches);
 

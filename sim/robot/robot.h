@@ -26,7 +26,7 @@ struct Joint {
   int dof = 0;         // the degree of freedom that drives it
   double ratio = 1.0;  // value = ratio * dof + offset
   double offset = 0.0;
-  int parent = -1;     // the joint before it in its chain, -1 for the first
+  int parent = -1;  // the joint before it in its chain, -1 for the first
   int chain = 0;
 };
 
@@ -69,13 +69,13 @@ struct Preshape {
   std::vector<double> dofs;
   double min_width = 0.0;  // sizes of object that it can close on, across the fingers [m]
   double max_width = 0.0;
-  double depth = 0.0;      // from the hand's origin along the approach axis to where fingers meet [m]
+  double depth = 0.0;  // from the hand's origin along the approach axis to where fingers meet [m]
 };
 
 // What makes a robot a hand.
 struct Hand {
   Vector3 approach = Vector3::UnitZ();  // unit, base frame: the palm moves this way to the object
-  Vector3 closing = Vector3::UnitX();   // unit, orthogonal to approach: fingers (the thumb) close along it
+  Vector3 closing = Vector3::UnitX();   // unit, orthogonal to approach: the fingers close along it
   Vector3 origin = Vector3::Zero();     // point of the palm that is aimed, base frame [m]
   std::vector<Preshape> preshapes;
 };

@@ -1,0 +1,118 @@
+#include "planner/picture/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+// Rows: the axes of the camera frame (right, down, forward) in the world. `forward` is unit.
+Matrix3 camera_axes(const Vector3& forward, const Vector3& up) {
+  constexpr double kParallel = 1e-9;
+  Vector3 right = forward.cross(up);
+  if (!(right.norm() > kParallel * up.norm())) right = any_orthogonal(forward);
+  right.normalize();
+  Matrix3 axes;
+  axes << right.transpose(), forward.cross(right).transpose(), forward.transpose();
+  return axes;
+}
+
+}  // namespace
+
+Projection::Projection(const Camera& camera, int width, int height) {
+  const Vector3 view = camera.target - camera.eye;
+  const double distance = view.norm();
+  if (!camera.eye.allFinite() || !camera.up.allFinite() || !std::isfinite(distance) ||
+      !(distance > 0.0)) {
+    throw InputError("camera: target: must be finite and apart from the eye (distance " +
+                     std::to_string(distance) + ")");
+  }
+  const double angle = camera.vertical_field_of_view;
+  if (!(angle > 0.0) || !(angle < std::numbers::pi)) {
+    throw InputError("camera: vertical_field_of_view: must be in (0, pi) (" +
+                     std::to_string(angle) + ")");
+  }
+  // Near enough not to be noticed, far enough that pixel coordinates stay moderate numbers.
+  constexpr double kNearPerDistance = 1e-3;
+  const Matrix3 R_CW = camera_axes(view / distance, camera.up);
+  X_CW_ = pose_from(R_CW, -(R_CW * camera.eye));
+  center_ = 0.5 * Eigen::Vector2d(width, height);
+  focal_length_ = 0.5 * height / std::tan(0.5 * angle);
+  near_depth_ = kNearPerDistance * distance;
+}
+
+Eigen::Vector2d Projection::pixel(const Vector3& p_C) const {
+  return center_ + (focal_length_ / p_C.z()) * p_C.head<2>();
+}
+
+Vector3 Projection::line_of_sight(const Eigen::Vector2d& pixel) const {
+  const Eigen::Vector2d across = (pixel - center_) / focal_length_;
+  return {across.x(), across.y(), 1.0};
+}
+
+Camera camera_around(const std::vector<Vector3>& points, const Vector3& direction, int width,
+                     int height) {
+  const double norm = direction.norm();
+  if (!std::isfinite(norm) || !(norm > 0.0)) {
+    throw InputError("camera_around: direction: must be finite and not zero (length " +
+                     std::to_string(norm) + ")");
+  }
+  if (points.empty()) throw InputError("camera_around: there is nothing to look at (0 points)");
+  constexpr double kAlongZ = 0.999;
+  constexpr double kUsedPart = 0.9;     // of the picture: a margin of 5 % on each side
+  constexpr double kLeastDepth = 1e-3;  // for points that are one
+  const Vector3 backward = direction / norm;
+  Camera camera;
+  if (std::abs(backward.z()) > kAlongZ) camera.up = Vector3::UnitY();
+  const Matrix3 axes = camera_axes(-backward, camera.up);
+  Eigen::Vector2d slope;  // of the four planes that bound the view, against the line of sight
+  slope.y() = kUsedPart * std::tan(0.5 * camera.vertical_field_of_view);
+  slope.x() = slope.y() * width / height;
+
+  // With the eye at (e, -d) in axes through the first point, a point (p, z) is inside when
+  // |p - e| <= slope (z + d), for x and y apart: an upper bound on -slope d - e and one on
+  // -slope d + e. Both are met with equality at the least distance, by the eye in the middle.
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
+  Eigen::Vector2d high = low;
+  Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 most = -least;
+  for (const Vector3& p : points) {
+    if (!p.allFinite()) throw InputError("camera_around: points must be finite");
+    const Vector3 q = axes * (p - points.front());
+    low = low.cwiseMax(-q.head<2>() - slope * q.z());
+    high = high.cwiseMax(q.head<2>() - slope * q.z());
+    least = least.cwiseMin(q);
+    most = most.cwiseMax(q);
+  }
+  const double clearance = std::max(0.25 * (most - least).norm(), kLeastDepth);
+  const double distance =
+      std::max((0.5 * (low + high)).cwiseQuotient(slope).maxCoeff(), clearance - least.z());
+  const Eigen::Vector2d aside = 0.5 * (high - low);
+  const double middle = 0.5 * (least.z() + most.z());
+  camera.eye = points.front() + axes.transpose() * Vector3(aside.x(), aside.y(), -distance);
+  camera.target = points.front() + axes.transpose() * Vector3(aside.x(), aside.y(), middle);
+  return camera;
+}
+
+Camera camera_around(const Bounds& box, const Vector3& direction, int width, int height) {
+  if (!(box.lower.array() <= box.upper.array()).all()) {
+    throw InputError("camera_around: box: must not be empty (diagonal " +
+                     std::to_string(box.diagonal()) + ")");
+  }
+  std::vector<Vector3> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    Vector3 p = box.lower;
+    for (int k = 0; k < 3; ++k) {
+      if (((corner >> k) & 1) != 0) p[k] = box.upper[k];
+    }
+    corners.push_back(p);
+  }
+  return camera_around(corners, direction, width, height);
+}
+
+}  // namespace prehend

@@ -1,0 +1,189 @@
+#include "primitives/decompose.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "primitives/fit.h"
+#include "primitives/inscribed.h"
+#include "primitives/polish.h"
+#include "primitives/split.h"
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
+  if (!(options.tolerance > 0.0 && options.tolerance <= 1.0)) {
+    throw InputError("decompose: tolerance: must be in (0, 1] (" +
+                     std::to_string(options.tolerance) + ")");
+  }
+  if (!(options.coverage > 0.0 && options.coverage <= 1.0)) {
+    throw InputError("decompose: coverage: must be in (0, 1] (" + std::to_string(options.coverage) +
+                     ")");
+  }
+  if (options.max_primitives < 1) {
+    throw InputError("decompose: max_primitives: must be at least 1 (" +
+                     std::to_string(options.max_primitives) + ")");
+  }
+  for (const Triangle& t : mesh.triangles) {
+    for (const int v : t) {
+      if (v < 0 || static_cast<std::size_t>(v) >= mesh.vertices.size()) {
+        throw InputError("decompose: mesh: triangle with an unknown vertex (" + std::to_string(v) +
+                         ")");
+      }
+      if (!mesh.vertices[static_cast<std::size_t>(v)].allFinite()) {
+        throw InputError("decompose: mesh: vertex is not finite (" + std::to_string(v) + ")");
+      }
+    }
+  }
+}
+
+// The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1.
+struct UnitMesh {
+  TriangleMesh mesh;
+  Vector3 center = Vector3::Zero();
+  double diagonal = 0.0;
+};
+
+UnitMesh unit_mesh(const TriangleMesh& mesh) {
+  Bounds used;
+  for (const Triangle& t : mesh.triangles) {
+    for (const int v : t) {
+      used.lower = used.lower.cwiseMin(mesh.vertices[static_cast<std::size_t>(v)]);
+      used.upper = used.upper.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)]);
+    }
+  }
+  UnitMesh unit{mesh, used.center(), used.diagonal()};
+  if (mesh.empty() || !(unit.diagonal > 0.0) || !std::isfinite(unit.diagonal)) {
+    throw InputError("decompose: mesh: no area (" + std::to_string(mesh.triangles.size()) +
+                     " triangles)");
+  }
+  for (Vector3& p : unit.mesh.vertices) p = (p - unit.center) / unit.diagonal;
+  return unit;
+}
+
+Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options) {
+  constexpr int kPoints = 3000;
+  // A primitive may leave the surface by as much as a point may leave the primitive, but not by
+  // less than the gaps between the points.
+  constexpr double kGaps = 2.0;
+  constexpr double kFinestGrid = 0.02;
+  std::vector<SurfacePoint> points = sample_surface(mesh, kPoints, options.seed);
+  if (points.empty()) {
+    throw InputError("decompose: mesh: no area (" + std::to_string(mesh.triangles.size()) +
+                     " triangles)");
+  }
+  const double area = surface_area(mesh);
+  const double gap = std::sqrt(area / kPoints);
+  const double radius = std::max({options.tolerance, kGaps * gap, kFinestGrid});
+  NearSurface near(points, radius);
+  return {std::move(points), std::move(near), area, options.tolerance, options.coverage};
+}
+
+struct Leaf {
+  Region region;
+  bool tried = false;
+  std::optional<Split> split;
+
+  double gain() const { return split ? region.cost - split->cost() - kPieceCost : -1.0; }
+};
+
+double explained_share(const std::vector<Leaf>& leaves, const Surface& surface) {
+  std::size_t explained = 0;
+  for (const SurfacePoint& s : surface.points) {
+    explained += std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& leaf) {
+      return std::abs(signed_distance(leaf.region.primitive, s.p_O)) <= surface.tolerance;
+    });
+  }
+  return static_cast<double>(explained) / static_cast<double>(surface.points.size());
+}
+
+// Splits where the objective falls most, until no split pays for its piece; short of the coverage
+// asked for, a tenth of that must do.
+std::vector<Region> grown(const Surface& surface, const DecomposeOptions& options) {
+  // More pieces than asked for, since merging afterwards finds the better few.
+  const std::size_t most = static_cast<std::size_t>(options.max_primitives) + 4;
+  std::vector<Leaf> leaves;
+  leaves.push_back({fit_region(surface.points, surface, Effort::kThorough), false, std::nullopt});
+  while (leaves.size() < most) {
+    for (Leaf& leaf : leaves) {
+      // Splitting cannot win more than the region costs.
+      if (leaf.tried || leaf.region.cost < 0.5 * kPieceCost) continue;
+      leaf.split = best_split(leaf.region, surface);
+      leaf.tried = true;
+    }
+    const auto best =
+        std::max_element(leaves.begin(), leaves.end(),
+                         [](const Leaf& a, const Leaf& b) { return a.gain() < b.gain(); });
+    if (!best->split) break;
+    if (best->gain() < 0.0) {
+      if (best->gain() < -0.9 * kPieceCost ||
+          explained_share(leaves, surface) >= options.coverage) {
+        break;
+      }
+    }
+    Split split = std::move(*best->split);
+    *best = {std::move(split.first), false, std::nullopt};
+    leaves.push_back({std::move(split.second), false, std::nullopt});
+  }
+  std::vector<Region> regions;
+  for (Leaf& leaf : leaves) regions.push_back(std::move(leaf.region));
+  return regions;
+}
+
+Primitive rescaled(Primitive primitive, const UnitMesh& unit) {
+  if (auto* box = std::get_if<Box>(&primitive.shape)) box->size *= unit.diagonal;
+  if (auto* sphere = std::get_if<Sphere>(&primitive.shape)) sphere->radius *= unit.diagonal;
+  if (auto* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
+    cylinder->radius *= unit.diagonal;
+    cylinder->height *= unit.diagonal;
+  }
+  primitive.X_OP.translation() = primitive.X_OP.translation() * unit.diagonal + unit.center;
+  return primitive;
+}
+
+Decomposition result_of(const std::vector<Region>& regions, const Surface& surface,
+                        const UnitMesh& unit) {
+  std::vector<double> share(regions.size(), 0.0);
+  const double one = 1.0 / static_cast<double>(surface.points.size());
+  for (const SurfacePoint& s : surface.points) {
+    double nearest = surface.tolerance;
+    std::optional<std::size_t> owner;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+      const double d = std::abs(signed_distance(regions[k].primitive, s.p_O));
+      if (d <= nearest) {
+        nearest = d;
+        owner = k;
+      }
+    }
+    if (owner) share[*owner] += one;
+  }
+  std::vector<std::size_t> order(regions.size());
+  for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return share[a] > share[b]; });
+  Decomposition result;
+  for (const std::size_t k : order) {
+    const Primitive fitted = on_vertices(regions[k].primitive, regions[k].points, unit.mesh);
+    result.primitives.push_back(rescaled(fitted, unit));
+    result.share.push_back(share[k]);
+    result.explained += share[k];
+  }
+  return result;
+}
+
+}  // namespace
+
+Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options) {
+  check(mesh, options);
+  const UnitMesh unit = unit_mesh(mesh);
+  const Surface surface = surface_of(unit.mesh, options);
+  std::vector<Region> regions = grown(surface, options);
+  if (regions.size() > 1) regions = polished(std::move(regions), surface);
+  regions = reduced(std::move(regions), surface, static_cast<std::size_t>(options.max_primitives));
+  return result_of(regions, surface, unit);
+}
+
+}  // namespace prehend

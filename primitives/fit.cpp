@@ -1,0 +1,114 @@
+#include "primitives/fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Eigenvalues>
+
+namespace prehend {
+namespace {
+
+Matrix3 right_handed_eigenvectors(const Matrix3& symmetric) {
+  Eigen::SelfAdjointEigenSolver<Matrix3> solver;
+  solver.computeDirect(symmetric);
+  Matrix3 axes = solver.eigenvectors();
+  if (!axes.allFinite()) return Matrix3::Identity();
+  // The closed-form solver loses orthogonality for close eigenvalues.
+  axes.col(0).normalize();
+  axes.col(1) = (axes.col(1) - axes.col(0) * axes.col(0).dot(axes.col(1))).normalized();
+  if (!axes.allFinite() || axes.col(1).norm() < 0.5) axes.col(1) = any_orthogonal(axes.col(0));
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+}  // namespace
+
+double point_loss(double distance, double tolerance) {
+  // The step at the tolerance makes a piece that explains new surface worth more than one that
+  // only brings explained surface closer.
+  constexpr double kAtTolerance = 0.4;
+  const double relative = distance / tolerance;
+  return std::abs(relative) < 1.0 ? kAtTolerance * relative * relative : 1.0;
+}
+
+double misfit(std::span<const SurfacePoint> points, const Primitive& primitive, double tolerance) {
+  if (points.empty()) return 0.0;
+  double sum = 0.0;
+  for (const SurfacePoint& s : points) {
+    sum += point_loss(signed_distance(primitive, s.p_O), tolerance);
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> points, std::size_t count) {
+  if (points.size() <= count) return {points.begin(), points.end()};
+  std::vector<SurfacePoint> kept;
+  kept.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) kept.push_back(points[i * points.size() / count]);
+  return kept;
+}
+
+double quantile(std::vector<double>& values, double q) {
+  const double last = static_cast<double>(values.size() - 1);
+  const auto at = static_cast<std::ptrdiff_t>(std::lround(q * last));
+  std::nth_element(values.begin(), values.begin() + at, values.end());
+  return values[static_cast<std::size_t>(at)];
+}
+
+double biweight(double residual, double cutoff) {
+  const double x = residual / cutoff;
+  if (!(std::abs(x) < 1.0)) return 0.0;
+  const double left = 1.0 - x * x;
+  return left * left;
+}
+
+double robust_cutoff(std::span<const double> residuals, const FitOptions& options) {
+  // 4.685 standard deviations, each 1.48 median deviations: 95 % efficient for Gaussian noise.
+  constexpr double kMedians = 4.685 * 1.4826;
+  // Below this share of the tolerance residuals are tessellation, not outliers.
+  constexpr double kLowest = 0.05;
+  std::vector<double> sizes(residuals.size());
+  std::transform(residuals.begin(), residuals.end(), sizes.begin(),
+                 [](double r) { return std::abs(r); });
+  const double median = sizes.empty() ? 0.0 : quantile(sizes, 0.5);
+  const double highest = 2.0 * std::max(options.outlier, median);
+  return std::clamp(kMedians * median, kLowest * options.outlier, highest);
+}
+
+double facing_weight(const SurfacePoint& point, const Vector3& n_patch_O) {
+  constexpr double kOpposed = -0.3;
+  constexpr double kOpposedWeight = 0.05;
+  return point.n_O.dot(n_patch_O) < kOpposed ? kOpposedWeight : 1.0;
+}
+
+Matrix3 point_axes(std::span<const SurfacePoint> points) {
+  Vector3 mean = Vector3::Zero();
+  for (const SurfacePoint& s : points) mean += s.p_O;
+  mean /= static_cast<double>(std::max<std::size_t>(points.size(), 1));
+  Matrix3 scatter = Matrix3::Zero();
+  for (const SurfacePoint& s : points) {
+    const Vector3 d = s.p_O - mean;
+    scatter += d * d.transpose();
+  }
+  return right_handed_eigenvectors(scatter);
+}
+
+Matrix3 normal_axes(std::span<const SurfacePoint> points) {
+  Matrix3 scatter = Matrix3::Zero();
+  for (const SurfacePoint& s : points) scatter += s.n_O * s.n_O.transpose();
+  return right_handed_eigenvectors(scatter);
+}
+
+std::vector<Vector3> half_sphere_directions(int count) {
+  std::vector<Vector3> directions;
+  for (int i = 0; i < count; ++i) {
+    const double z = (i + 0.5) / count;
+    const double rho = std::sqrt(1.0 - z * z);
+    const double angle = 2.0 * std::numbers::pi * std::numbers::phi * i;
+    directions.emplace_back(rho * std::cos(angle), rho * std::sin(angle), z);
+  }
+  return directions;
+}
+
+}  // namespace prehend

@@ -1,0 +1,231 @@
+#include "primitives/fit_box.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+namespace prehend {
+namespace {
+
+using Vector9 = Eigen::Matrix<double, 9, 1>;
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
+
+struct Slabs {
+  Matrix3 R_OP = Matrix3::Identity();  // axes as columns
+  Vector3 low = Vector3::Zero();       // face positions along the axes
+  Vector3 high = Vector3::Zero();
+};
+
+// A point as seen by the box: which face it is nearest to (axis, +3 for the low side) and the
+// signed distance from that face's plane.
+struct Seen {
+  Vector3 q = Vector3::Zero();
+  int face = 0;
+  double residual = 0.0;
+};
+
+Seen seen_from(const Slabs& box, const Vector3& p_O) {
+  Seen seen;
+  seen.q = box.R_OP.transpose() * p_O;
+  Eigen::Matrix<double, 6, 1> beyond;
+  beyond << seen.q - box.high, box.low - seen.q;
+  seen.residual = beyond.maxCoeff(&seen.face);
+  return seen;
+}
+
+Primitive primitive_of(const Slabs& box, double min_extent) {
+  const Vector3 size = (box.high - box.low).cwiseMax(min_extent);
+  return {Box{size}, pose_from(box.R_OP, box.R_OP * (0.5 * (box.low + box.high)))};
+}
+
+// Face positions that leave the fraction `tail` of the points outside of each.
+Slabs slabs_in_frame(const Matrix3& R_OP, std::span<const SurfacePoint> points, double tail) {
+  Slabs box{R_OP, Vector3::Zero(), Vector3::Zero()};
+  std::vector<double> along(points.size());
+  for (int axis = 0; axis < 3; ++axis) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      along[i] = R_OP.col(axis).dot(points[i].p_O);
+    }
+    box.low[axis] = quantile(along, tail);
+    box.high[axis] = quantile(along, 1.0 - tail);
+  }
+  return box;
+}
+
+// Frames with one axis along each direction, turned about it in equal steps of a quarter turn.
+void add_turned_frames(const Vector3& axis, std::vector<Matrix3>& frames) {
+  constexpr int kTurns = 6;
+  const Vector3 u = any_orthogonal(axis);
+  const Vector3 v = axis.cross(u);
+  for (int i = 0; i < kTurns; ++i) {
+    const double angle = 0.5 * std::numbers::pi * i / kTurns;
+    Matrix3 frame;
+    frame.col(0) = std::cos(angle) * u + std::sin(angle) * v;
+    frame.col(2) = axis;
+    frame.col(1) = axis.cross(frame.col(0));
+    frames.push_back(frame);
+  }
+}
+
+std::vector<Slabs> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+  constexpr int kDirections = 12;
+  constexpr std::size_t kQuickPoints = 96;
+  constexpr double kTail = 0.01;
+  const std::size_t kept = options.thorough ? 3 : 1;
+  std::vector<Matrix3> frames = {point_axes(points), normal_axes(points)};
+  if (options.thorough) {
+    for (const Vector3& d : half_sphere_directions(kDirections)) add_turned_frames(d, frames);
+  }
+  for (const Matrix3& axes : {point_axes(points), normal_axes(points)}) {
+    for (int i = 0; i < 3; ++i) add_turned_frames(axes.col(i), frames);
+  }
+  const std::vector<SurfacePoint> few = thinned(points, kQuickPoints);
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const Slabs box = slabs_in_frame(frames[i], few, kTail);
+    double sum = 0.0;
+    for (const SurfacePoint& s : few) {
+      sum += std::min(std::abs(seen_from(box, s.p_O).residual), 2.0 * options.outlier);
+    }
+    ranked.emplace_back(sum, i);
+  }
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<Slabs> starts;
+  for (std::size_t i = 0; i < kept; ++i) {
+    starts.push_back(slabs_in_frame(frames[ranked[i].second], points, kTail));
+  }
+  return starts;
+}
+
+// Faces with fewer points than their area deserves.
+std::array<bool, 6> open_faces(const Slabs& box, const std::array<double, 6>& support) {
+  constexpr double kCovered = 0.25;
+  const Vector3 size = (box.high - box.low).cwiseMax(0.0);
+  const Vector3 area(size.y() * size.z(), size.z() * size.x(), size.x() * size.y());
+  double total = 0.0;
+  for (const double weight : support) total += weight;
+  std::array<bool, 6> open{};
+  for (std::size_t face = 0; face < 6; ++face) {
+    const double expected = total * area[static_cast<int>(face % 3)] / (2.0 * area.sum());
+    open[face] = !(support[face] > kCovered * expected);
+  }
+  return open;
+}
+
+struct System {
+  Matrix9 normal = Matrix9::Zero();
+  Vector9 right = Vector9::Zero();
+};
+
+// Adds one point. Unknowns: a small turn about each axis (0-2), high faces (3-5), low faces (6-8).
+void add_point(System& system, const Seen& seen, double weight) {
+  const int axis = seen.face % 3;
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  const double sign = seen.face < 3 ? 1.0 : -1.0;
+  // A turn w of the frame moves the point's coordinates by q x w.
+  const std::array<int, 3> unknown = {u, v, 3 + seen.face};
+  const std::array<double, 3> slope = {-sign * seen.q[v], sign * seen.q[u], -sign};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      system.normal(unknown[i], unknown[j]) += weight * slope[i] * slope[j];
+    }
+    system.right[unknown[i]] -= weight * slope[i] * seen.residual;
+  }
+}
+
+void fix_unknown(System& system, int k) {
+  system.normal.row(k).setZero();
+  system.normal.col(k).setZero();
+  system.normal(k, k) = 1.0;
+  system.right[k] = 0.0;
+}
+
+// Puts an uncovered face where the points that the box explains end.
+void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff) {
+  constexpr double kTail = 0.01;
+  const int axis = face % 3;
+  std::vector<double> along;
+  for (const Seen& s : seen) {
+    if (std::abs(s.residual) < cutoff) along.push_back(s.q[axis]);
+  }
+  if (along.empty()) return;
+  if (face < 3) {
+    box.high[axis] = quantile(along, 1.0 - kTail);
+  } else {
+    box.low[axis] = quantile(along, kTail);
+  }
+}
+
+// One Gauss-Newton step about the points' own centre; returns the size of the change.
+double improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions& options) {
+  std::vector<Seen> seen;
+  std::vector<double> residuals;
+  for (const SurfacePoint& s : points) {
+    seen.push_back(seen_from(box, s.p_O));
+    residuals.push_back(seen.back().residual);
+  }
+  const double cutoff = robust_cutoff(residuals, options);
+  System system;
+  std::array<double, 6> support{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double sign = seen[i].face < 3 ? 1.0 : -1.0;
+    const double weight = biweight(residuals[i], cutoff) *
+                          facing_weight(points[i], sign * box.R_OP.col(seen[i].face % 3));
+    support[static_cast<std::size_t>(seen[i].face)] += weight;
+    add_point(system, seen[i], weight);
+  }
+  const std::array<bool, 6> open = open_faces(box, support);
+  for (int face = 0; face < 6; ++face) {
+    if (!open[static_cast<std::size_t>(face)]) continue;
+    fix_unknown(system, 3 + face);
+    close_face(box, face, seen, cutoff);
+  }
+  constexpr double kDamping = 1e-4;
+  constexpr double kLargestTurn = 0.25;
+  system.normal.diagonal() *= 1.0 + kDamping;
+  system.normal.diagonal().array() += 1e-12;
+  const Vector9 change = system.normal.ldlt().solve(system.right);
+  if (!change.allFinite()) return 0.0;
+  Vector3 turn = change.head<3>();
+  if (turn.norm() > kLargestTurn) turn *= kLargestTurn / turn.norm();
+  if (turn.norm() > 0.0) {
+    box.R_OP = box.R_OP * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  }
+  box.high += change.segment<3>(3);
+  box.low += change.segment<3>(6);
+  return change.norm();
+}
+
+}  // namespace
+
+Primitive fit_box(std::span<const SurfacePoint> points, const FitOptions& options) {
+  constexpr double kConverged = 1e-10;
+  // About the points' mean, so that turning the frame does not also move the box.
+  Vector3 mean = Vector3::Zero();
+  for (const SurfacePoint& s : points) mean += s.p_O / static_cast<double>(points.size());
+  std::vector<SurfacePoint> centered(points.begin(), points.end());
+  for (SurfacePoint& s : centered) s.p_O -= mean;
+
+  Primitive best;
+  double best_misfit = std::numeric_limits<double>::infinity();
+  for (Slabs box : best_starts(centered, options)) {
+    for (int i = 0; i <= options.steps; ++i) {
+      const Primitive candidate = primitive_of(box, options.min_extent);
+      const double candidate_misfit = misfit(centered, candidate, options.outlier);
+      if (candidate_misfit < best_misfit) {
+        best = candidate;
+        best_misfit = candidate_misfit;
+      }
+      if (improve(box, centered, options) < kConverged) break;
+      if ((box.high - box.low).minCoeff() < 0.0) break;
+    }
+  }
+  best.X_OP.pretranslate(mean);
+  return best;
+}
+
+}  // namespace prehend

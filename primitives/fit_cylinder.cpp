@@ -1,0 +1,272 @@
+#include "primitives/fit_cylinder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Cholesky>
+
+namespace prehend {
+namespace {
+
+using Vector7 = Eigen::Matrix<double, 7, 1>;
+using Matrix7 = Eigen::Matrix<double, 7, 7>;
+
+struct Tube {
+  Matrix3 R_OP = Matrix3::Identity();  // the axis is the third column
+  Vector3 base = Vector3::Zero();      // a point of the axis
+  double radius = 0.0;
+  double low = 0.0;  // caps along the axis, from the base
+  double high = 0.0;
+};
+
+enum class Part { kSide, kHigh, kLow };
+
+struct Seen {
+  Vector3 q = Vector3::Zero();
+  double rho = 0.0;
+  Part part = Part::kSide;
+  double residual = 0.0;
+};
+
+Seen seen_from(const Tube& tube, const Vector3& p_O) {
+  Seen seen;
+  seen.q = tube.R_OP.transpose() * (p_O - tube.base);
+  seen.rho = std::hypot(seen.q.x(), seen.q.y());
+  seen.residual = seen.rho - tube.radius;
+  if (seen.q.z() - tube.high > seen.residual) {
+    seen.part = Part::kHigh;
+    seen.residual = seen.q.z() - tube.high;
+  }
+  if (tube.low - seen.q.z() > seen.residual) {
+    seen.part = Part::kLow;
+    seen.residual = tube.low - seen.q.z();
+  }
+  return seen;
+}
+
+Vector3 outward(const Tube& tube, const Seen& seen) {
+  switch (seen.part) {
+    case Part::kHigh:
+      return tube.R_OP.col(2);
+    case Part::kLow:
+      return -tube.R_OP.col(2);
+    case Part::kSide:
+      break;
+  }
+  if (!(seen.rho > 0.0)) return tube.R_OP.col(0);
+  return (tube.R_OP.col(0) * seen.q.x() + tube.R_OP.col(1) * seen.q.y()) / seen.rho;
+}
+
+Primitive primitive_of(const Tube& tube, double min_extent) {
+  const Vector3 center = tube.base + tube.R_OP.col(2) * (0.5 * (tube.low + tube.high));
+  return {
+      Cylinder{std::max(tube.radius, 0.5 * min_extent), std::max(tube.high - tube.low, min_extent)},
+      pose_from(tube.R_OP, center)};
+}
+
+// Least-squares circle (Kasa) of the points that face sideways; the caps would fill it.
+Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points) {
+  constexpr double kSideways = 0.6;
+  constexpr double kTail = 0.01;
+  Tube tube;
+  tube.R_OP.col(2) = axis;
+  tube.R_OP.col(0) = any_orthogonal(axis);
+  tube.R_OP.col(1) = axis.cross(tube.R_OP.col(0));
+  Matrix3 normal = Matrix3::Zero();
+  Vector3 right = Vector3::Zero();
+  double radius_sum = 0.0;
+  std::vector<double> along;
+  for (const SurfacePoint& s : points) {
+    const Vector3 q = tube.R_OP.transpose() * s.p_O;
+    along.push_back(q.z());
+    radius_sum += std::hypot(q.x(), q.y());
+    if (std::abs(s.n_O.dot(axis)) > kSideways) continue;
+    const Vector3 row(2.0 * q.x(), 2.0 * q.y(), 1.0);
+    normal += row * row.transpose();
+    right += row * q.head<2>().squaredNorm();
+  }
+  tube.low = quantile(along, kTail);
+  tube.high = quantile(along, 1.0 - kTail);
+  const double mean_radius = radius_sum / static_cast<double>(points.size());
+  tube.radius = mean_radius;
+  const Vector3 x = normal.ldlt().solve(right);
+  const double squared = x[2] + x.head<2>().squaredNorm();
+  // Too few or too flat a set of points gives circles far beyond their own extent.
+  constexpr double kLargest = 4.0;
+  if (x.allFinite() && squared > 0.0 && std::sqrt(squared) < kLargest * mean_radius) {
+    tube.base = tube.R_OP.col(0) * x[0] + tube.R_OP.col(1) * x[1];
+    tube.radius = std::sqrt(squared);
+  }
+  return tube;
+}
+
+std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+  constexpr int kDirections = 32;
+  constexpr std::size_t kQuickPoints = 96;
+  const std::size_t kept = options.thorough ? 3 : 1;
+  std::vector<Vector3> axes;
+  for (const Matrix3& frame : {point_axes(points), normal_axes(points)}) {
+    for (int i = 0; i < 3; ++i) axes.push_back(frame.col(i));
+  }
+  if (options.thorough) {
+    for (const Vector3& d : half_sphere_directions(kDirections)) axes.push_back(d);
+  }
+  const std::vector<SurfacePoint> few = thinned(points, kQuickPoints);
+  std::vector<std::pair<double, std::size_t>> ranked;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Tube tube = tube_along(axes[i], few);
+    double sum = 0.0;
+    for (const SurfacePoint& s : few) {
+      sum += std::min(std::abs(seen_from(tube, s.p_O).residual), 2.0 * options.outlier);
+    }
+    ranked.emplace_back(sum, i);
+  }
+  std::sort(ranked.begin(), ranked.end());
+  std::vector<Tube> starts;
+  for (std::size_t i = 0; i < kept; ++i) {
+    starts.push_back(tube_along(axes[ranked[i].second], points));
+  }
+  return starts;
+}
+
+// Unknowns: turns about the first two axes (0, 1), the base across the axis (2, 3), radius (4),
+// caps (5 high, 6 low). A turn w of the frame moves the point's coordinates by q x w.
+Vector7 slope_of(const Seen& seen) {
+  Vector7 slope = Vector7::Zero();
+  if (seen.part == Part::kSide) {
+    if (!(seen.rho > 0.0)) return slope;
+    const double ux = seen.q.x() / seen.rho;
+    const double uy = seen.q.y() / seen.rho;
+    slope << uy * seen.q.z(), -ux * seen.q.z(), -ux, -uy, -1.0, 0.0, 0.0;
+  } else {
+    const double sign = seen.part == Part::kHigh ? 1.0 : -1.0;
+    slope[0] = -sign * seen.q.y();
+    slope[1] = sign * seen.q.x();
+    slope[seen.part == Part::kHigh ? 5 : 6] = -sign;
+  }
+  return slope;
+}
+
+// Puts an uncovered cap where the points that the cylinder explains end.
+void close_end(Tube& tube, Part end, std::span<const Seen> seen, double cutoff) {
+  constexpr double kTail = 0.01;
+  std::vector<double> along;
+  for (const Seen& s : seen) {
+    if (std::abs(s.residual) < cutoff) along.push_back(s.q.z());
+  }
+  if (along.empty()) return;
+  if (end == Part::kHigh) {
+    tube.high = quantile(along, 1.0 - kTail);
+  } else {
+    tube.low = quantile(along, kTail);
+  }
+}
+
+struct System {
+  Matrix7 normal = Matrix7::Zero();
+  Vector7 right = Vector7::Zero();
+  double side = 0.0;  // weight of the points on each part
+  double high = 0.0;
+  double low = 0.0;
+};
+
+System system_of(const Tube& tube, std::span<const SurfacePoint> points, std::span<const Seen> seen,
+                 double cutoff) {
+  System system;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double weight =
+        biweight(seen[i].residual, cutoff) * facing_weight(points[i], outward(tube, seen[i]));
+    if (!(weight > 0.0)) continue;
+    if (seen[i].part == Part::kSide) system.side += weight;
+    if (seen[i].part == Part::kHigh) system.high += weight;
+    if (seen[i].part == Part::kLow) system.low += weight;
+    const Vector7 slope = slope_of(seen[i]);
+    system.normal += weight * slope * slope.transpose();
+    system.right -= (weight * seen[i].residual) * slope;
+  }
+  return system;
+}
+
+void fix_unknown(System& system, int k) {
+  system.normal.row(k).setZero();
+  system.normal.col(k).setZero();
+  system.normal(k, k) = 1.0;
+  system.right[k] = 0.0;
+}
+
+// One Gauss-Newton step; returns the size of the change.
+double improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions& options) {
+  constexpr double kCovered = 0.25;
+  constexpr double kDamping = 1e-4;
+  constexpr double kLargestTurn = 0.25;
+  std::vector<Seen> seen;
+  std::vector<double> residuals;
+  for (const SurfacePoint& s : points) {
+    seen.push_back(seen_from(tube, s.p_O));
+    residuals.push_back(seen.back().residual);
+  }
+  const double cutoff = robust_cutoff(residuals, options);
+  System system = system_of(tube, points, seen, cutoff);
+  const double cap = tube.radius;  // in units of pi * radius, as the side below
+  const double side = 2.0 * std::max(tube.high - tube.low, 0.0);
+  const double expected =
+      (system.side + system.high + system.low) * cap / std::max(side + 2.0 * cap, 1e-300);
+  if (!(system.high > kCovered * expected)) {
+    fix_unknown(system, 5);
+    close_end(tube, Part::kHigh, seen, cutoff);
+  }
+  if (!(system.low > kCovered * expected)) {
+    fix_unknown(system, 6);
+    close_end(tube, Part::kLow, seen, cutoff);
+  }
+  system.normal.diagonal() *= 1.0 + kDamping;
+  system.normal.diagonal().array() += 1e-12;
+  const Vector7 change = system.normal.ldlt().solve(system.right);
+  if (!change.allFinite()) return 0.0;
+  Vector3 turn(change[0], change[1], 0.0);
+  if (turn.norm() > kLargestTurn) turn *= kLargestTurn / turn.norm();
+  tube.base += tube.R_OP.col(0) * change[2] + tube.R_OP.col(1) * change[3];
+  if (turn.norm() > 0.0) {
+    tube.R_OP = tube.R_OP * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
+  }
+  tube.radius += change[4];
+  tube.high += change[5];
+  tube.low += change[6];
+  return change.norm();
+}
+
+}  // namespace
+
+Primitive fit_cylinder(std::span<const SurfacePoint> points, const FitOptions& options) {
+  constexpr double kConverged = 1e-10;
+  // A nearly flat patch fits a cylinder of any radius; stay near the points' own extent.
+  constexpr double kLargest = 3.0;
+  // About the points' mean, so that turning the frame does not also move the cylinder.
+  Vector3 mean = Vector3::Zero();
+  for (const SurfacePoint& s : points) mean += s.p_O / static_cast<double>(points.size());
+  std::vector<SurfacePoint> centered(points.begin(), points.end());
+  double extent = 0.0;
+  for (SurfacePoint& s : centered) {
+    s.p_O -= mean;
+    extent = std::max(extent, s.p_O.norm());
+  }
+  Primitive best;
+  double best_misfit = std::numeric_limits<double>::infinity();
+  for (Tube tube : best_starts(centered, options)) {
+    for (int i = 0; i <= options.steps; ++i) {
+      const Primitive candidate = primitive_of(tube, options.min_extent);
+      const double candidate_misfit = misfit(centered, candidate, options.outlier);
+      if (candidate_misfit < best_misfit) {
+        best = candidate;
+        best_misfit = candidate_misfit;
+      }
+      if (improve(tube, centered, options) < kConverged) break;
+      if (!(tube.radius > 0.0) || tube.radius > kLargest * extent || tube.high < tube.low) break;
+    }
+  }
+  best.X_OP.pretranslate(mean);
+  return best;
+}
+
+}  // namespace prehend

@@ -1,0 +1,99 @@
+#include "primitives/fit_sphere.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace prehend {
+namespace {
+
+using Vector4 = Eigen::Vector4d;
+using Matrix4 = Eigen::Matrix4d;
+
+struct Ball {
+  Vector3 center = Vector3::Zero();
+  double radius = 0.0;
+};
+
+Ball mean_ball(std::span<const SurfacePoint> points) {
+  Ball ball;
+  const double n = static_cast<double>(points.size());
+  for (const SurfacePoint& s : points) ball.center += s.p_O / n;
+  for (const SurfacePoint& s : points) ball.radius += (s.p_O - ball.center).norm() / n;
+  return ball;
+}
+
+// Linear least squares on |p|^2 = 2 c.p + k, about the mean for conditioning.
+Ball algebraic_ball(std::span<const SurfacePoint> points, const Ball& start) {
+  Matrix4 normal = Matrix4::Zero();
+  Vector4 right = Vector4::Zero();
+  for (const SurfacePoint& s : points) {
+    const Vector3 d = s.p_O - start.center;
+    Vector4 row;
+    row << 2.0 * d, 1.0;
+    normal += row * row.transpose();
+    right += row * d.squaredNorm();
+  }
+  const Vector4 x = normal.ldlt().solve(right);
+  const Vector3 shift = x.head<3>();
+  const double squared = x[3] + shift.squaredNorm();
+  if (!x.allFinite() || !(squared > 0.0)) return start;
+  return {start.center + shift, std::sqrt(squared)};
+}
+
+Primitive primitive_of(const Ball& ball, double largest, double smallest) {
+  const double radius = std::max(std::min(ball.radius, largest), 0.5 * smallest);
+  return {Sphere{radius}, translation(ball.center)};
+}
+
+Vector4 step(const Ball& ball, std::span<const SurfacePoint> points, const FitOptions& options) {
+  std::vector<double> residuals(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    residuals[i] = (points[i].p_O - ball.center).norm() - ball.radius;
+  }
+  const double cutoff = robust_cutoff(residuals, options);
+  Matrix4 normal = Matrix4::Zero();
+  Vector4 right = Vector4::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector3 out = (points[i].p_O - ball.center).stableNormalized();
+    const double weight = biweight(residuals[i], cutoff) * facing_weight(points[i], out);
+    Vector4 row;
+    row << -out, -1.0;
+    normal += weight * row * row.transpose();
+    right -= weight * residuals[i] * row;
+  }
+  constexpr double kDamping = 1e-6;
+  normal.diagonal() += Vector4::Constant(kDamping * normal.trace() + 1e-300);
+  return normal.ldlt().solve(right);
+}
+
+}  // namespace
+
+Primitive fit_sphere(std::span<const SurfacePoint> points, const FitOptions& options) {
+  // A flat patch fits a sphere of any size; keep those that resemble the points' own extent.
+  constexpr double kLargest = 3.0;
+  const Ball mean = mean_ball(points);
+  const double largest = kLargest * mean.radius;
+  Primitive best = primitive_of(mean, largest, options.min_extent);
+  double best_misfit = misfit(points, best, options.outlier);
+  for (Ball ball : std::array{algebraic_ball(points, mean), mean}) {
+    for (int i = 0; i <= options.steps; ++i) {
+      if (!(ball.radius > 0.0) || ball.radius > largest) break;
+      const Primitive candidate = primitive_of(ball, largest, options.min_extent);
+      const double candidate_misfit = misfit(points, candidate, options.outlier);
+      if (candidate_misfit < best_misfit) {
+        best = candidate;
+        best_misfit = candidate_misfit;
+      }
+      const Vector4 change = step(ball, points, options);
+      if (!change.allFinite() || change.norm() < 1e-9 * ball.radius) break;
+      ball.center += change.head<3>();
+      ball.radius += change[3];
+    }
+  }
+  return best;
+}
+
+}  // namespace prehend

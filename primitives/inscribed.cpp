@@ -1,0 +1,72 @@
+#include "primitives/inscribed.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "primitives/fit.h"
+
+namespace prehend {
+namespace {
+
+// Distances of the vertices behind the points from the sphere's centre.
+std::vector<double> vertex_radii(const Sphere&, const Pose& X_OP,
+                                 std::span<const SurfacePoint> points, const TriangleMesh& mesh) {
+  std::vector<double> radii;
+  for (const SurfacePoint& s : points) {
+    for (const int v : mesh.triangles[static_cast<std::size_t>(s.triangle)]) {
+      radii.push_back((mesh.vertices[static_cast<std::size_t>(v)] - X_OP.translation()).norm());
+    }
+  }
+  return radii;
+}
+
+// The same from a cylinder's axis, for the points of its side.
+std::vector<double> vertex_radii(const Cylinder& cylinder, const Pose& X_OP,
+                                 std::span<const SurfacePoint> points, const TriangleMesh& mesh) {
+  const Pose X_PO = X_OP.inverse();
+  const auto rho = [](const Vector3& p) { return std::hypot(p.x(), p.y()); };
+  std::vector<double> radii;
+  for (const SurfacePoint& s : points) {
+    const Vector3 p = X_PO * s.p_O;
+    const double to_side = std::abs(rho(p) - cylinder.radius);
+    const double to_cap = std::abs(0.5 * cylinder.height - std::abs(p.z()));
+    if (to_side > to_cap) continue;
+    for (const int v : mesh.triangles[static_cast<std::size_t>(s.triangle)]) {
+      radii.push_back(rho(X_PO * mesh.vertices[static_cast<std::size_t>(v)]));
+    }
+  }
+  return radii;
+}
+
+// The robust mean of the radii that differ little from `radius`; `radius` when there are few.
+double refined_radius(double radius, const std::vector<double>& radii) {
+  constexpr double kNear = 0.05;  // more than the sagitta of a 12-sided polygon
+  double weight = 0.0;
+  double sum = 0.0;
+  for (const double r : radii) {
+    const double w = biweight(r - radius, kNear * radius);
+    weight += w;
+    sum += w * r;
+  }
+  // Most of the vertices, or the region is not of this shape closely enough to tell.
+  constexpr double kEnough = 0.5;
+  return weight > kEnough * static_cast<double>(radii.size()) ? sum / weight : radius;
+}
+
+}  // namespace
+
+Primitive on_vertices(const Primitive& primitive, std::span<const SurfacePoint> points,
+                      const TriangleMesh& mesh) {
+  Primitive result = primitive;
+  if (auto* sphere = std::get_if<Sphere>(&result.shape)) {
+    sphere->radius =
+        refined_radius(sphere->radius, vertex_radii(*sphere, result.X_OP, points, mesh));
+  }
+  if (auto* cylinder = std::get_if<Cylinder>(&result.shape)) {
+    cylinder->radius =
+        refined_radius(cylinder->radius, vertex_radii(*cylinder, result.X_OP, points, mesh));
+  }
+  return result;
+}
+
+}  // namespace prehend

@@ -1,0 +1,16 @@
+// Triangles cut across curved surfaces; their vertices lie on them.
+#pragma once
+
+#include <span>
+
+#include "primitives/primitive.h"
+#include "primitives/surface_sample.h"
+
+namespace prehend {
+
+// The primitive with its radius, if it has one, measured at the vertices of the triangles that its
+// points come from: points inside the facets of a polyhedron make it too small. Boxes stay.
+Primitive on_vertices(const Primitive& primitive, std::span<const SurfacePoint> points,
+                      const TriangleMesh& mesh);
+
+}  // namespace prehend

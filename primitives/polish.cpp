@@ -1,0 +1,153 @@
+#include "primitives/polish.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "primitives/fit.h"
+
+namespace prehend {
+namespace {
+
+using Regions = std::vector<Region>;
+
+// What the primitives cost, from each one's distances to all points and its phantom surface.
+double total_cost(const std::vector<std::vector<double>>& distance,
+                  const std::vector<double>& phantom, const std::vector<bool>& used,
+                  const Surface& surface) {
+  double cost = 0.0;
+  for (std::size_t k = 0; k < phantom.size(); ++k) {
+    if (used[k]) cost += phantom[k] + kPieceCost;
+  }
+  double sum = 0.0;
+  std::size_t explained = 0;
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < distance.size(); ++k) {
+      if (used[k]) nearest = std::min(nearest, distance[k][i]);
+    }
+    sum += point_loss(nearest, surface.tolerance);
+    if (nearest <= surface.tolerance) ++explained;
+  }
+  const double count = static_cast<double>(surface.points.size());
+  const double shortfall = std::max(surface.coverage - static_cast<double>(explained) / count, 0.0);
+  return cost + sum / count + kShortfallCost * shortfall;
+}
+
+struct Costs {
+  std::vector<std::vector<double>> distance;
+  std::vector<double> phantom;
+};
+
+Costs costs_of(const Regions& regions, const Surface& surface) {
+  Costs costs;
+  for (const Region& region : regions) {
+    costs.distance.push_back(distances(region.primitive, surface));
+    costs.phantom.push_back(phantom_cost(region.primitive, surface));
+  }
+  return costs;
+}
+
+// Each point to the primitive whose surface is nearest, then each primitive to its points.
+Regions reassigned(const Regions& regions, const Surface& surface) {
+  const Costs costs = costs_of(regions, surface);
+  std::vector<std::vector<SurfacePoint>> points(regions.size());
+  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+    std::size_t nearest = 0;
+    for (std::size_t k = 1; k < regions.size(); ++k) {
+      if (costs.distance[k][i] < costs.distance[nearest][i]) nearest = k;
+    }
+    points[nearest].push_back(surface.points[i]);
+  }
+  Regions result;
+  for (std::vector<SurfacePoint>& own : points) {
+    if (!own.empty()) result.push_back(fit_region(std::move(own), surface, Effort::kThorough));
+  }
+  return result;
+}
+
+// The removal that lowers the objective most; with `always`, the one that raises it least.
+bool drop_one(Regions& regions, const Surface& surface, bool always) {
+  if (regions.size() < 2) return false;
+  const Costs costs = costs_of(regions, surface);
+  std::vector<bool> used(regions.size(), true);
+  double best = always ? std::numeric_limits<double>::infinity()
+                       : total_cost(costs.distance, costs.phantom, used, surface);
+  std::optional<std::size_t> dropped;
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    used[k] = false;
+    const double cost = total_cost(costs.distance, costs.phantom, used, surface);
+    used[k] = true;
+    if (cost < best) {
+      best = cost;
+      dropped = k;
+    }
+  }
+  if (!dropped) return false;
+  regions.erase(regions.begin() + static_cast<std::ptrdiff_t>(*dropped));
+  return true;
+}
+
+Region united(const Region& a, const Region& b, const Surface& surface, Effort effort) {
+  std::vector<SurfacePoint> points = a.points;
+  points.insert(points.end(), b.points.begin(), b.points.end());
+  return fit_region(std::move(points), surface, effort);
+}
+
+// Replaces the pair that one primitive explains best, when that lowers the objective.
+bool merge_one(Regions& regions, const Surface& surface) {
+  const double before = objective(regions, surface);
+  // A region's cost knows only its own points; leave the last word to the objective.
+  double best_rise = kPieceCost;
+  std::optional<std::pair<std::size_t, std::size_t>> pair;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t j = i + 1; j < regions.size(); ++j) {
+      const Region both = united(regions[i], regions[j], surface, Effort::kQuick);
+      const double rise = both.cost - regions[i].cost - regions[j].cost;
+      if (rise < best_rise) {
+        best_rise = rise;
+        pair = {i, j};
+      }
+    }
+  }
+  if (!pair) return false;
+  Regions merged = regions;
+  merged[pair->first] =
+      united(regions[pair->first], regions[pair->second], surface, Effort::kThorough);
+  merged.erase(merged.begin() + static_cast<std::ptrdiff_t>(pair->second));
+  if (objective(merged, surface) >= before) return false;
+  regions = std::move(merged);
+  return true;
+}
+
+}  // namespace
+
+double objective(const Regions& regions, const Surface& surface) {
+  const Costs costs = costs_of(regions, surface);
+  return total_cost(costs.distance, costs.phantom, std::vector<bool>(regions.size(), true),
+                    surface);
+}
+
+Regions polished(Regions regions, const Surface& surface) {
+  constexpr int kRounds = 3;
+  for (int round = 0; round < kRounds; ++round) {
+    const double before = objective(regions, surface);
+    Regions candidate = reassigned(regions, surface);
+    if (objective(candidate, surface) < before) regions = std::move(candidate);
+    while (drop_one(regions, surface, false)) {
+    }
+    while (merge_one(regions, surface)) {
+    }
+    constexpr double kWorthwhile = 1e-3;
+    if (objective(regions, surface) > before - kWorthwhile) break;
+  }
+  return regions;
+}
+
+Regions reduced(Regions regions, const Surface& surface, std::size_t count) {
+  while (regions.size() > count && drop_one(regions, surface, true)) {
+  }
+  return regions;
+}
+
+}  // namespace prehend

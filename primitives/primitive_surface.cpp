@@ -1,0 +1,84 @@
+#include "primitives/primitive_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace prehend {
+namespace {
+
+using std::numbers::pi;
+
+// Successive multiples of the golden ratio fill a circle or an interval as evenly as any sequence.
+constexpr double kTurn = std::numbers::phi - 1.0;
+
+double fraction(double x) { return x - std::floor(x); }
+
+int share(double area, double total, int count) {
+  return std::max(1, static_cast<int>(std::lround(count * area / total)));
+}
+
+// Calls place(i-th even fraction, i-th golden fraction) for `n` points that stand for `area`.
+template <class Place>
+void spread(std::vector<PatchPoint>& points, double area, int n, const Place& place) {
+  for (int i = 0; i < n; ++i) {
+    points.push_back({place((i + 0.5) / n, fraction((i + 0.5) * kTurn)), area / n});
+  }
+}
+
+void spread_over(const Box& box, int count, std::vector<PatchPoint>& points) {
+  const double total = surface_area(Shape(box));
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    const double area = box.size[u] * box.size[v];
+    for (const double side : {-0.5, 0.5}) {
+      spread(points, area, share(area, total, count), [&](double s, double t) {
+        Vector3 p;
+        p[axis] = side * box.size[axis];
+        p[u] = (s - 0.5) * box.size[u];
+        p[v] = (t - 0.5) * box.size[v];
+        return p;
+      });
+    }
+  }
+}
+
+void spread_over(const Sphere& sphere, int count, std::vector<PatchPoint>& points) {
+  spread(points, surface_area(Shape(sphere)), count, [&](double s, double t) {
+    const double z = 2.0 * s - 1.0;
+    const double rho = std::sqrt(1.0 - z * z);
+    const double angle = 2.0 * pi * t;
+    return Vector3(sphere.radius * Vector3(rho * std::cos(angle), rho * std::sin(angle), z));
+  });
+}
+
+void spread_over(const Cylinder& cylinder, int count, std::vector<PatchPoint>& points) {
+  const double total = surface_area(Shape(cylinder));
+  const double r = cylinder.radius;
+  const double side = 2.0 * pi * r * cylinder.height;
+  const double cap = pi * r * r;
+  spread(points, side, share(side, total, count), [&](double s, double t) {
+    const double angle = 2.0 * pi * t;
+    return Vector3(r * std::cos(angle), r * std::sin(angle), (s - 0.5) * cylinder.height);
+  });
+  for (const double end : {-0.5, 0.5}) {
+    spread(points, cap, share(cap, total, count), [&](double s, double t) {
+      const double rho = r * std::sqrt(s);
+      const double angle = 2.0 * pi * t;
+      return Vector3(rho * std::cos(angle), rho * std::sin(angle), end * cylinder.height);
+    });
+  }
+}
+
+}  // namespace
+
+std::vector<PatchPoint> spread_points(const Primitive& primitive, int count) {
+  std::vector<PatchPoint> points;
+  points.reserve(static_cast<std::size_t>(count) + 6);
+  std::visit([&](const auto& s) { spread_over(s, count, points); }, primitive.shape);
+  for (PatchPoint& point : points) point.p_O = primitive.X_OP * point.p_O;
+  return points;
+}
+
+}  // namespace prehend

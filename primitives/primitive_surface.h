@@ -1,0 +1,18 @@
+// Points spread over a primitive's own surface, to ask where it lies off the mesh.
+#pragma once
+
+#include <vector>
+
+#include "primitives/primitive.h"
+
+namespace prehend {
+
+struct PatchPoint {
+  Vector3 p_O = Vector3::Zero();
+  double area = 0.0;  // the part of the primitive's surface that the point stands for
+};
+
+// About `count` points, evenly spread; their areas add up to surface_area(primitive.shape).
+std::vector<PatchPoint> spread_points(const Primitive& primitive, int count);
+
+}  // namespace prehend

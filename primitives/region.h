@@ -1,0 +1,53 @@
+// A piece of the surface, the primitive that fits it best, and what that choice costs.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "primitives/near_surface.h"
+#include "primitives/primitive.h"
+#include "primitives/surface_sample.h"
+
+namespace prehend {
+
+// The sampled object, in a frame where its bounding box is about one unit long, and what a
+// decomposition of it must explain. The objective that a decomposition minimises is the sum of
+//   the mean over all points of point_loss(distance to the nearest primitive's surface),
+//   0.6 * (area of the primitives' surfaces far from any mesh surface) / (the mesh's area),
+//   kPieceCost for each primitive, and
+//   kShortfallCost * (share of the points that is missing from the coverage asked for).
+struct Surface {
+  std::vector<SurfacePoint> points;
+  NearSurface near;
+  double area = 0.0;
+  double tolerance = 0.0;
+  double coverage = 0.0;
+};
+
+// One more primitive must lower the rest of the objective by this much.
+constexpr double kPieceCost = 0.015;
+
+// Short of the coverage, a piece pays for itself with well under one percent of the surface.
+constexpr double kShortfallCost = 2.0;
+
+struct Region {
+  std::vector<SurfacePoint> points;
+  Primitive primitive;
+  double cost = 0.0;  // its share of the objective without the cost of the piece
+};
+
+enum class Effort {
+  kQuick,     // few points, few starts: to compare many candidates
+  kThorough,  // all points
+};
+
+// The box, sphere or cylinder of least cost for these points (at least one).
+Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort);
+
+// The phantom term of the objective for one primitive.
+double phantom_cost(const Primitive& primitive, const Surface& surface);
+
+// How far each point of the whole surface is from the primitive's surface, unsigned.
+std::vector<double> distances(const Primitive& primitive, const Surface& surface);
+
+}  // namespace prehend

@@ -1,0 +1,102 @@
+#include "primitives/split.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "primitives/fit.h"
+
+namespace prehend {
+namespace {
+
+using Points = std::vector<SurfacePoint>;
+
+// Fewer points than this share of the surface do not make a piece.
+constexpr double kSmallestShare = 0.008;
+
+struct Cut {
+  Vector3 direction = Vector3::Zero();
+  double offset = 0.0;
+};
+
+std::size_t smallest(const Surface& surface) {
+  return std::max<std::size_t>(
+      4, static_cast<std::size_t>(kSmallestShare * static_cast<double>(surface.points.size())));
+}
+
+// Splits by a predicate, fits both sides quickly, and keeps the split when it is the cheapest yet.
+template <class Predicate>
+bool consider(const Region& region, const Surface& surface, const Predicate& in_first,
+              std::optional<Split>& best) {
+  Points first;
+  Points second;
+  for (const SurfacePoint& s : region.points) (in_first(s) ? first : second).push_back(s);
+  if (std::min(first.size(), second.size()) < smallest(surface)) return false;
+  Split split;
+  split.first = fit_region(std::move(first), surface, Effort::kQuick);
+  if (best && split.first.cost >= best->cost()) return false;
+  split.second = fit_region(std::move(second), surface, Effort::kQuick);
+  if (best && split.cost() >= best->cost()) return false;
+  best = std::move(split);
+  return true;
+}
+
+bool consider_cut(const Region& region, const Surface& surface, const Cut& cut,
+                  std::optional<Split>& best) {
+  return consider(
+      region, surface,
+      [&cut](const SurfacePoint& s) { return cut.direction.dot(s.p_O) < cut.offset; }, best);
+}
+
+void consider_cuts_along(const Vector3& direction, const Region& region, const Surface& surface,
+                         std::optional<Split>& best) {
+  constexpr int kStations = 8;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (const SurfacePoint& s : region.points) {
+    low = std::min(low, direction.dot(s.p_O));
+    high = std::max(high, direction.dot(s.p_O));
+  }
+  double spacing = (high - low) / (kStations + 1);
+  double at = 0.0;
+  bool found = false;
+  for (int i = 1; i <= kStations; ++i) {
+    const double offset = low + spacing * i;
+    if (consider_cut(region, surface, {direction, offset}, best)) {
+      at = offset;
+      found = true;
+    }
+  }
+  if (!found) return;
+  for (int halving = 0; halving < 2; ++halving) {
+    spacing *= 0.5;
+    const double middle = at;
+    for (const double offset : {middle - spacing, middle + spacing}) {
+      if (consider_cut(region, surface, {direction, offset}, best)) at = offset;
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Split> best_split(const Region& region, const Surface& surface) {
+  std::optional<Split> best;
+  if (region.points.size() < 2 * smallest(surface)) return best;
+  const Matrix3 axes = point_axes(region.points);
+  for (int i = 2; i >= 0; --i) consider_cuts_along(axes.col(i), region, surface, best);
+  for (const double share_of_tolerance : {0.5, 1.0}) {
+    const double band = share_of_tolerance * surface.tolerance;
+    consider(
+        region, surface,
+        [&](const SurfacePoint& s) {
+          return std::abs(signed_distance(region.primitive, s.p_O)) < band;
+        },
+        best);
+  }
+  if (best) {
+    best->first = fit_region(std::move(best->first.points), surface, Effort::kThorough);
+    best->second = fit_region(std::move(best->second.points), surface, Effort::kThorough);
+  }
+  return best;
+}
+
+}  // namespace prehend

@@ -1,0 +1,142 @@
+#include "sim/contact/contact_region.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+using Point2 = Eigen::Vector2d;
+
+struct Corner {
+  Point2 p;
+  std::size_t contact = 0;
+};
+
+double turn(const Point2& a, const Point2& b, const Point2& c) {
+  const Point2 ab = b - a;
+  const Point2 ac = c - a;
+  return ab.x() * ac.y() - ab.y() * ac.x();
+}
+
+// True when b adds less than `width` to the outline from a to c.
+bool is_flat(const Point2& a, const Point2& b, const Point2& c, double width) {
+  return turn(a, b, c) <= width * (c - a).norm();
+}
+
+// Counter-clockwise hull (Andrew's monotone chain); corners that stand out by less than `width` are
+// left out.
+std::vector<Corner> hull(std::vector<Corner> points, double width) {
+  std::sort(points.begin(), points.end(), [](const Corner& a, const Corner& b) {
+    return a.p.x() != b.p.x() ? a.p.x() < b.p.x() : a.p.y() < b.p.y();
+  });
+  std::vector<Corner> chain;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = chain.size();
+    for (const Corner& point : points) {
+      while (chain.size() >= start + 2 &&
+             is_flat(chain[chain.size() - 2].p, chain.back().p, point.p, width)) {
+        chain.pop_back();
+      }
+      chain.push_back(point);
+    }
+    chain.pop_back();  // it starts the other side
+    std::reverse(points.begin(), points.end());
+  }
+  return chain;
+}
+
+void drop_least_corners(std::vector<Corner>& polygon, std::size_t keep) {
+  while (polygon.size() > keep) {
+    const std::size_t n = polygon.size();
+    std::size_t least = 0;
+    double least_area = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n; ++i) {
+      const double area = turn(polygon[(i + n - 1) % n].p, polygon[i].p, polygon[(i + 1) % n].p);
+      if (area < least_area) {
+        least_area = area;
+        least = i;
+      }
+    }
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(least));
+  }
+}
+
+// Indices of the two points farthest apart along the longest direction of the group.
+std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
+  const auto farthest_from = [&](const Point2& p) {
+    std::size_t far = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if ((points[i].p - p).squaredNorm() > (points[far].p - p).squaredNorm()) far = i;
+    }
+    return far;
+  };
+  const std::size_t first = farthest_from(points.front().p);
+  return {first, farthest_from(points[first].p)};
+}
+
+void reduce_group(const std::vector<SurfaceContact>& contacts, const std::vector<std::size_t>& group,
+                  const ContactOptions& options, std::vector<SurfaceContact>& reduced) {
+  if (group.size() <= 2) {
+    for (std::size_t i : group) reduced.push_back(contacts[i]);
+    return;
+  }
+  const Vector3& normal = contacts[group.front()].normal;
+  const Vector3 x = any_orthogonal(normal);
+  const Vector3 y = normal.cross(x);
+  std::vector<Corner> points;
+  for (std::size_t i : group) {
+    const Vector3& p = contacts[i].position;
+    points.push_back({Point2(p.dot(x), p.dot(y)), i});
+  }
+  const auto [first, last] = ends(points);
+  const Point2 along = points[last].p - points[first].p;
+  const auto off_line = [&](const Corner& c) {
+    return std::abs(turn(points[first].p, points[last].p, c.p)) / along.norm();
+  };
+  const bool on_a_line = std::all_of(points.begin(), points.end(), [&](const Corner& c) {
+    return off_line(c) <= options.threshold;
+  });
+  if (on_a_line) {
+    reduced.push_back(contacts[points[first].contact]);
+    reduced.push_back(contacts[points[last].contact]);
+    return;
+  }
+  std::vector<Corner> outline = hull(points, 0.1 * options.threshold);
+  drop_least_corners(outline, static_cast<std::size_t>(options.max_region_corners));
+  for (const Corner& corner : outline) reduced.push_back(contacts[corner.contact]);
+}
+
+}  // namespace
+
+std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,
+                                            const ContactOptions& options) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto same_normal = [&](const std::vector<std::size_t>& group) {
+      const Vector3& n = contacts[group.front()].normal;
+      return n.dot(contacts[i].normal) > 0.0 &&
+             n.cross(contacts[i].normal).norm() <= options.angular_tolerance;
+    };
+    const auto found = std::find_if(groups.begin(), groups.end(), same_normal);
+    if (found != groups.end()) {
+      found->push_back(i);
+    } else {
+      groups.push_back({i});
+    }
+  }
+  std::vector<SurfaceContact> reduced;
+  for (const auto& group : groups) reduce_group(contacts, group, options, reduced);
+  return reduced;
+}
+
+std::vector<SurfaceContact> find_contacts(const ProximityMesh& object, const ProximityMesh& link,
+                                          const Pose& X_OL, const ContactOptions& options,
+                                          ContactWorkspace& workspace) {
+  std::vector<SurfaceContact> points;
+  find_contact_points(object, link, X_OL, options, workspace, points);
+  return contact_regions(points, options);
+}
+
+}  // namespace prehend

@@ -1,0 +1,194 @@
+#include "sim/contact/surface_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+// Points nearer than this to an edge or a vertex are on it [m].
+constexpr double kOnFeature = 1e-7;
+
+using Corners = std::array<Vector3, 3>;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Corners corners(const TriangleMesh& mesh, int t) {
+  const Triangle& v = mesh.triangles[index(t)];
+  return {mesh.vertices[index(v[0])], mesh.vertices[index(v[1])], mesh.vertices[index(v[2])]};
+}
+
+Corners moved(const Corners& c, const Pose& X) { return {X * c[0], X * c[1], X * c[2]}; }
+
+Vector3 unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
+
+double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 ab = b - a;
+  const double s = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+  return (p - a - s * ab).norm();
+}
+
+// True when no vertex of triangle `t` rises above the plane through p with normal n.
+bool is_below(const TriangleMesh& mesh, int t, const Vector3& p, const Vector3& n, double slope) {
+  return std::all_of(mesh.triangles[index(t)].begin(), mesh.triangles[index(t)].end(), [&](int v) {
+    const Vector3 d = mesh.vertices[index(v)] - p;
+    return d.dot(n) <= slope * d.norm() + kOnFeature;
+  });
+}
+
+// True when the surface around p, a point of triangle t, lies below the plane with normal n: around a
+// point inside a face that is the face, on an edge the faces of that edge, on a vertex all its faces.
+// A contact where this fails has a nearer one beside it (figure 7 of the paper).
+bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3& n, double slope) {
+  const TriangleMesh& mesh = body.mesh();
+  if (!is_below(mesh, t, p, n, slope)) return false;
+  const Triangle& v = mesh.triangles[index(t)];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3& a = mesh.vertices[index(v[k])];
+    if ((p - a).norm() <= kOnFeature) {
+      const auto around = body.triangles_at(v[k]);
+      return std::all_of(around.begin(), around.end(),
+                         [&](int u) { return is_below(mesh, u, p, n, slope); });
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int va = v[k];
+    const int vb = v[(k + 1) % 3];
+    if (distance_to_segment(p, mesh.vertices[index(va)], mesh.vertices[index(vb)]) > kOnFeature) {
+      continue;
+    }
+    for (int u : body.triangles_at(va)) {
+      const Triangle& w = mesh.triangles[index(u)];
+      const bool shares_edge = std::find(w.begin(), w.end(), vb) != w.end();
+      if (shares_edge && !is_below(mesh, u, p, n, slope)) return false;
+    }
+  }
+  return true;
+}
+
+// A triangle cut by three half-spaces has at most six corners.
+struct Polygon {
+  std::array<Vector3, 8> corner;
+  std::size_t size = 0;
+  void push(const Vector3& p) {
+    if (size < corner.size()) corner[size++] = p;
+  }
+};
+
+// The part of `other` whose projection along the face's normal falls on the face.
+Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other) {
+  Polygon polygon;
+  for (const Vector3& p : other) polygon.push(p);
+  for (std::size_t k = 0; k < 3 && polygon.size > 0; ++k) {
+    const Vector3& a = face[k];
+    const Vector3 inward = normal.cross(face[(k + 1) % 3] - a).normalized();
+    Polygon cut;
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+      const Vector3& p = polygon.corner[i];
+      const Vector3& q = polygon.corner[(i + 1) % polygon.size];
+      const double dp = (p - a).dot(inward);
+      const double dq = (q - a).dot(inward);
+      if (dp >= 0.0) cut.push(p);
+      if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0)) cut.push(p + (dp / (dp - dq)) * (q - p));
+    }
+    polygon = cut;
+  }
+  return polygon;
+}
+
+class PairContacts {
+ public:
+  PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+               const ContactOptions& options, std::vector<SurfaceContact>& points)
+      : object_(object), link_(link), X_OL_(X_OL), X_LO_(X_OL.inverse()), options_(options),
+        points_(points) {}
+
+  void add(TrianglePair pair) {
+    const Corners on_object = corners(object_.mesh(), pair.a);
+    const Corners on_link = moved(corners(link_.mesh(), pair.b), X_OL_);
+    const Vector3 object_normal = unit_normal(on_object);
+    const Vector3 link_normal = unit_normal(on_link);
+    add_face_points(pair, on_object, object_normal, on_link, true);
+    add_face_points(pair, on_link, link_normal, on_object, false);
+    add_nearest_point(pair);
+  }
+
+ private:
+  // Contacts with the normal of `face`, which belongs to the object or to the link.
+  void add_face_points(TrianglePair pair, const Corners& face, const Vector3& face_normal,
+                       const Corners& other, bool face_is_objects) {
+    const Polygon polygon = over_face(face, face_normal, other);
+    double lowest = options_.threshold;
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+      lowest = std::min(lowest, (polygon.corner[i] - face[0]).dot(face_normal));
+    }
+    if (lowest < 0.0) return;  // the face's back
+    const double limit = std::min(options_.threshold, lowest + options_.evenness);
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+      const Vector3& p = polygon.corner[i];
+      const double height = (p - face[0]).dot(face_normal);
+      if (height > limit) continue;
+      const Vector3 foot = p - height * face_normal;
+      if (face_is_objects) {
+        add_if_supported(pair, foot, p, -face_normal, height);
+      } else {
+        add_if_supported(pair, p, foot, face_normal, height);
+      }
+    }
+  }
+
+  // Edge and vertex contacts: the nearest points and the direction between them.
+  void add_nearest_point(TrianglePair pair) {
+    const TriangleGap gap = triangle_gap(object_, link_, X_OL_, pair);
+    if (gap.distance <= kOnFeature) return;  // no direction
+    const Vector3 p_link = X_OL_ * gap.p_B;
+    const Vector3 normal = (gap.p_A - p_link) / gap.distance;
+    add_if_supported(pair, gap.p_A, p_link, normal, gap.distance);
+  }
+
+  // Both points in O; `normal` from the link into the object.
+  void add_if_supported(TrianglePair pair, const Vector3& on_object, const Vector3& on_link,
+                        const Vector3& normal, double gap) {
+    const double slope = options_.angular_tolerance;
+    if (!supports(object_, pair.a, on_object, -normal, slope)) return;
+    if (!supports(link_, pair.b, X_LO_ * on_link, X_LO_.linear() * normal, slope)) return;
+    points_.push_back({on_object, normal, gap});
+  }
+
+  const ProximityMesh& object_;
+  const ProximityMesh& link_;
+  const Pose X_OL_;
+  const Pose X_LO_;
+  const ContactOptions& options_;
+  std::vector<SurfaceContact>& points_;
+};
+
+bool nearer(const SurfaceContact& a, const SurfaceContact& b) {
+  if (a.gap != b.gap) return a.gap < b.gap;
+  return std::lexicographical_compare(a.position.data(), a.position.data() + 3, b.position.data(),
+                                      b.position.data() + 3);
+}
+
+}  // namespace
+
+void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+                         const ContactOptions& options, ContactWorkspace& workspace,
+                         std::vector<SurfaceContact>& points) {
+  points.clear();
+  find_pairs_within(object, link, X_OL, options.threshold, workspace.pairs);
+  workspace.points.clear();
+  PairContacts contacts(object, link, X_OL, options, workspace.points);
+  for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
+  std::sort(workspace.points.begin(), workspace.points.end(), nearer);
+  for (const SurfaceContact& contact : workspace.points) {
+    const bool known = std::any_of(points.begin(), points.end(), [&](const SurfaceContact& other) {
+      return (other.position - contact.position).norm() <= options.threshold &&
+             other.normal.cross(contact.normal).norm() <= 2.0 * options.angular_tolerance &&
+             other.normal.dot(contact.normal) > 0.0;
+    });
+    if (!known) points.push_back(contact);
+  }
+}
+
+}  // namespace prehend

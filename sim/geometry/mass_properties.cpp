@@ -1,0 +1,181 @@
+#include "sim/geometry/mass_properties.h"
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+
+#include "sim/geometry/convex_hull.h"
+#include "sim/geometry/disjoint_sets.h"
+#include "sim/geometry/edge_table.h"
+#include "sim/geometry/input_error.h"
+#include "sim/geometry/mesh_checks.h"
+#include "sim/geometry/weld.h"
+
+namespace prehend {
+namespace {
+
+// Integrals over a body of 1, x and x x^T.
+struct Moments {
+  double zeroth = 0.0;
+  Vector3 first = Vector3::Zero();
+  Matrix3 second = Matrix3::Zero();
+
+  Vector3 center() const { return first / zeroth; }
+  // About the centre, for a mass of 1.
+  Matrix3 unit_inertia() const {
+    const Matrix3 spread = second / zeroth - center() * center().transpose();
+    return spread.trace() * Matrix3::Identity() - spread;
+  }
+};
+
+const Vector3& corner(const TriangleMesh& mesh, std::size_t t, std::size_t k) {
+  return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][k])];
+}
+
+Matrix3 square(const Vector3& v) { return v * v.transpose(); }
+
+// Adds the tetrahedron from the origin to the triangle a b c, negative when it is seen from behind.
+void add_tetrahedron(Moments& sum, const Vector3& a, const Vector3& b, const Vector3& c) {
+  const double sextuple = a.cross(b).dot(c);
+  sum.zeroth += sextuple / 6.0;
+  sum.first += sextuple / 24.0 * (a + b + c);
+  sum.second += sextuple / 120.0 * (square(a) + square(b) + square(c) + square(a + b + c));
+}
+
+Moments solid_moments(const TriangleMesh& mesh) {
+  Moments sum;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    add_tetrahedron(sum, corner(mesh, t, 0), corner(mesh, t, 1), corner(mesh, t, 2));
+  }
+  return sum;
+}
+
+Moments surface_moments(const TriangleMesh& mesh) {
+  Moments sum;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const double area = 0.5 * doubled_area_vector(mesh, t).norm();
+    const Vector3& a = corner(mesh, t, 0);
+    const Vector3& b = corner(mesh, t, 1);
+    const Vector3& c = corner(mesh, t, 2);
+    sum.zeroth += area;
+    sum.first += area / 3.0 * (a + b + c);
+    sum.second += area / 12.0 * (square(a) + square(b) + square(c) + square(a + b + c));
+  }
+  return sum;
+}
+
+// The triangles that close the surface: from every edge run through more often one way than the
+// other to the mean of the vertices of all such edges connected with it.
+TriangleMesh caps(const TriangleMesh& mesh) {
+  struct Rim {
+    int from;
+    int to;
+    int times;
+  };
+  std::vector<Rim> rims;
+  DisjointSets holes(mesh.vertices.size());
+  for_each_edge(edge_uses(mesh), [&](std::span<const EdgeUse> edge) {
+    const int net = net_direction(edge);
+    if (net == 0) return;
+    // A cap runs through the edge against the surface.
+    rims.push_back(net > 0 ? Rim{edge[0].high, edge[0].low, net}
+                           : Rim{edge[0].low, edge[0].high, -net});
+    holes.merge(static_cast<std::size_t>(edge[0].low), static_cast<std::size_t>(edge[0].high));
+  });
+  struct Mean {
+    Vector3 sum = Vector3::Zero();
+    int count = 0;
+    int vertex = -1;
+  };
+  std::map<std::size_t, Mean> mean_of;
+  for (const Rim& rim : rims) {
+    Mean& mean = mean_of[holes.find(static_cast<std::size_t>(rim.from))];
+    mean.sum += mesh.vertices[static_cast<std::size_t>(rim.from)] +
+                mesh.vertices[static_cast<std::size_t>(rim.to)];
+    mean.count += 2;
+  }
+  TriangleMesh closing{mesh.vertices, {}};
+  for (auto& [root, mean] : mean_of) {
+    mean.vertex = static_cast<int>(closing.vertices.size());
+    closing.vertices.push_back(mean.sum / mean.count);
+  }
+  for (const Rim& rim : rims) {
+    const int apex = mean_of.at(holes.find(static_cast<std::size_t>(rim.from))).vertex;
+    for (int i = 0; i < rim.times; ++i) closing.triangles.push_back({rim.from, rim.to, apex});
+  }
+  return closing;
+}
+
+bool plausible(const Moments& solid, const TriangleMesh& mesh) {
+  const Bounds box = bounds(mesh);
+  const double box_volume = box.size().prod();
+  constexpr double kRounding = 1e-9;
+  if (!(solid.zeroth > 1e-6 * box_volume)) return false;
+  if (!(solid.zeroth <= (1.0 + kRounding) * box_volume)) return false;
+  const Vector3 center = solid.center();
+  if (((center - box.lower).array() < 0.0).any() || ((box.upper - center).array() < 0.0).any()) {
+    return false;
+  }
+  // A body has mass spread in every direction: x x^T about the centre is positive.
+  const Matrix3 spread = solid.second / solid.zeroth - square(center);
+  const Vector3 eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvalues();
+  return eigenvalues.minCoeff() > 0.0 && spread.trace() <= box.size().squaredNorm();
+}
+
+// Of the solid that the mesh bounds as it is wound, holes closed; none when implausible.
+std::optional<MassProperties> enclosed(const TriangleMesh& mesh) {
+  constexpr double kMostCapped = 0.25;
+  const TriangleMesh closing = caps(mesh);
+  if (surface_area(closing) > kMostCapped * surface_area(mesh)) return std::nullopt;
+  TriangleMesh whole{closing.vertices, mesh.triangles};
+  whole.triangles.insert(whole.triangles.end(), closing.triangles.begin(), closing.triangles.end());
+  const Moments solid = solid_moments(whole);
+  if (!plausible(solid, mesh)) return std::nullopt;
+  const MassSource source = closing.empty() ? MassSource::signed_volume : MassSource::closed_holes;
+  return MassProperties{source, solid.zeroth, solid.center(), solid.unit_inertia()};
+}
+
+MassProperties of_unit_size(TriangleMesh mesh) {
+  orient_outward(mesh);
+  if (const std::optional<MassProperties> found = enclosed(mesh)) return *found;
+  const TriangleMesh hull = convex_hull(mesh.vertices);
+  if (!hull.empty()) {
+    const Moments solid = solid_moments(hull);
+    if (plausible(solid, mesh)) {
+      return {MassSource::convex_hull, solid.zeroth, solid.center(), solid.unit_inertia()};
+    }
+  }
+  const Moments sheet = surface_moments(mesh);
+  return {MassSource::surface, 0.0, sheet.center(), sheet.unit_inertia()};
+}
+
+}  // namespace
+
+MassProperties mass_properties(const TriangleMesh& mesh) {
+  const MeshChecks checks = check_mesh(mesh);
+  if (checks.nonfinite_vertices > 0) throw InputError("mesh: has vertices that are not finite");
+  if (checks.triangles == checks.degenerate_triangles) {
+    throw InputError("mesh: has no triangle of positive area (" + std::to_string(checks.triangles) +
+                     " triangles)");
+  }
+  // About the middle and at unit size, so that neither far nor tiny meshes lose digits.
+  TriangleMesh unit = mesh;
+  drop_unused_vertices(unit);
+  const Bounds box = bounds(unit);
+  const double size = box.diagonal();
+  for (Vector3& p : unit.vertices) p = (p - box.center()) / size;
+  MassProperties mass = of_unit_size(std::move(unit));
+  mass.volume *= size * size * size;
+  mass.center_of_mass = box.center() + size * mass.center_of_mass;
+  mass.unit_inertia *= size * size;
+  return mass;
+}
+
+}  // namespace prehend

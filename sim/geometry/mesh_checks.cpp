@@ -1,0 +1,76 @@
+#include "sim/geometry/mesh_checks.h"
+
+#include <cstddef>
+#include <set>
+#include <span>
+#include <string>
+
+#include "sim/geometry/disjoint_sets.h"
+#include "sim/geometry/edge_table.h"
+#include "sim/geometry/input_error.h"
+#include "sim/geometry/weld.h"
+
+namespace prehend {
+namespace {
+
+int count_components(const TriangleMesh& mesh) {
+  DisjointSets sets(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    sets.merge(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]));
+    sets.merge(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[2]));
+  }
+  std::set<std::size_t> roots;
+  for (const Triangle& t : mesh.triangles) roots.insert(sets.find(static_cast<std::size_t>(t[0])));
+  return static_cast<int>(roots.size());
+}
+
+void need_valid_indices(const TriangleMesh& mesh) {
+  const int n = static_cast<int>(mesh.vertices.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const int v : mesh.triangles[t]) {
+      if (v >= 0 && v < n) continue;
+      throw InputError("triangle " + std::to_string(t) + ": refers to vertex " + std::to_string(v) +
+                       " of " + std::to_string(n));
+    }
+  }
+}
+
+}  // namespace
+
+MeshChecks check_mesh(const TriangleMesh& mesh) {
+  need_valid_indices(mesh);
+  MeshChecks checks;
+  checks.vertices = static_cast<int>(mesh.vertices.size());
+  checks.triangles = static_cast<int>(mesh.triangles.size());
+  for (const Vector3& p : mesh.vertices) checks.nonfinite_vertices += p.allFinite() ? 0 : 1;
+
+  TriangleMesh sound{mesh.vertices, {}};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (is_degenerate(mesh, t)) {
+      ++checks.degenerate_triangles;
+    } else {
+      sound.triangles.push_back(mesh.triangles[t]);
+    }
+  }
+  checks.components = count_components(sound);
+  for_each_edge(edge_uses(sound), [&](std::span<const EdgeUse> edge) {
+    if (edge.size() == 1) ++checks.boundary_edges;
+    if (edge.size() > 2) ++checks.nonmanifold_edges;
+    if (edge.size() == 2 && net_direction(edge) != 0) ++checks.misoriented_edges;
+  });
+  checks.inward = checks.solid() && signed_volume(sound) < 0.0;
+  return checks;
+}
+
+double signed_volume(const TriangleMesh& mesh) {
+  if (mesh.empty()) return 0.0;
+  const Vector3 center = bounds(mesh).center();
+  double sextuple = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vector3& a = mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][0])];
+    sextuple += (a - center).dot(doubled_area_vector(mesh, t));
+  }
+  return sextuple / 6.0;
+}
+
+}  // namespace prehend

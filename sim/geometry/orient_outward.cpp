@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/geometry/edge_table.h"
+#include "sim/geometry/mesh_checks.h"
+
+namespace prehend {
+namespace {
+
+// Triangles joined over edges of two triangles.
+struct Sheet {
+  std::vector<int> triangles;
+  bool as_wound = true;  // neighbours agreed already in the file
+  bool closed = true;
+  double volume = 0.0;  // signed, after step 1
+  Bounds box;
+  bool cavity = false;
+};
+
+struct Neighbour {
+  int triangle = -1;
+  bool agrees = true;
+};
+
+class Orienter {
+ public:
+  explicit Orienter(TriangleMesh& mesh) : mesh_(mesh), uses_(edge_uses(mesh)) {}
+
+  int run() {
+    find_neighbours();
+    find_sheets();
+    find_open_sheets();
+    for (Sheet& sheet : sheets_) measure(sheet);
+    find_cavities();
+    for (const Sheet& sheet : sheets_) turn_outward(sheet);
+    int turned = 0;
+    for (std::size_t t = 0; t < flip_.size(); ++t) {
+      if (!flip_[t]) continue;
+      std::swap(mesh_.triangles[t][1], mesh_.triangles[t][2]);
+      ++turned;
+    }
+    return turned;
+  }
+
+ private:
+  void find_neighbours() {
+    neighbours_.resize(mesh_.triangles.size());
+    for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
+      if (edge.size() != 2) return;
+      const bool agrees = edge[0].forward != edge[1].forward;
+      neighbours_[static_cast<std::size_t>(edge[0].triangle)].push_back({edge[1].triangle, agrees});
+      neighbours_[static_cast<std::size_t>(edge[1].triangle)].push_back({edge[0].triangle, agrees});
+    });
+  }
+
+  void find_sheets() {
+    const std::size_t n = mesh_.triangles.size();
+    flip_.assign(n, false);
+    sheet_of_.assign(n, -1);
+    for (std::size_t seed = 0; seed < n; ++seed) {
+      if (sheet_of_[seed] >= 0) continue;
+      const int name = static_cast<int>(sheets_.size());
+      Sheet sheet;
+      sheet.triangles.push_back(static_cast<int>(seed));
+      sheet_of_[seed] = name;
+      for (std::size_t i = 0; i < sheet.triangles.size(); ++i) {
+        const std::size_t t = static_cast<std::size_t>(sheet.triangles[i]);
+        for (const Neighbour& next : neighbours_[t]) {
+          const std::size_t other = static_cast<std::size_t>(next.triangle);
+          if (sheet_of_[other] >= 0) continue;
+          sheet_of_[other] = name;
+          flip_[other] = next.agrees ? flip_[t] : !flip_[t];
+          if (flip_[other]) sheet.as_wound = false;
+          sheet.triangles.push_back(next.triangle);
+        }
+      }
+      sheets_.push_back(std::move(sheet));
+    }
+  }
+
+  // A sheet closes up when every edge is run through as often forward as backward.
+  void find_open_sheets() {
+    for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
+      std::map<int, int> net;
+      for (const EdgeUse& use : edge) {
+        const std::size_t t = static_cast<std::size_t>(use.triangle);
+        net[sheet_of_[t]] += use.forward != flip_[t] ? 1 : -1;
+      }
+      for (const auto& [name, direction] : net) {
+        if (direction != 0) sheets_[static_cast<std::size_t>(name)].closed = false;
+      }
+    });
+  }
+
+  const Vector3& corner(int triangle, std::size_t k) const {
+    const Triangle& t = mesh_.triangles[static_cast<std::size_t>(triangle)];
+    return mesh_.vertices[static_cast<std::size_t>(t[k])];
+  }
+
+  void measure(Sheet& sheet) const {
+    Vector3 weighted = Vector3::Zero();
+    double area = 0.0;
+    for (const int t : sheet.triangles) {
+      const double part = doubled_area_vector(mesh_, static_cast<std::size_t>(t)).norm();
+      for (std::size_t k = 0; k < 3; ++k) {
+        weighted += part / 3.0 * corner(t, k);
+        sheet.box.lower = sheet.box.lower.cwiseMin(corner(t, k));
+        sheet.box.upper = sheet.box.upper.cwiseMax(corner(t, k));
+      }
+      area += part;
+    }
+    if (!(area > 0.0)) return;
+    const Vector3 center = weighted / area;
+    for (const int t : sheet.triangles) {
+      const std::size_t i = static_cast<std::size_t>(t);
+      const double part = (corner(t, 0) - center).dot(doubled_area_vector(mesh_, i)) / 6.0;
+      sheet.volume += flip_[i] ? -part : part;
+    }
+    // Rounding of a flat sheet is no volume.
+    if (std::abs(sheet.volume) < 1e-9 * area * sheet.box.diagonal()) sheet.volume = 0.0;
+  }
+
+  // Whether a ray from `p` along +z leaves the closed sheet an odd number of times. Each side of a
+  // triangle is judged from its lower to its higher vertex index, so neighbours judge it alike.
+  bool contains(const Sheet& sheet, const Vector3& p) const {
+    bool odd = false;
+    for (const int t : sheet.triangles) {
+      const Triangle& v = mesh_.triangles[static_cast<std::size_t>(t)];
+      bool inside = false;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int low = std::min(v[k], v[(k + 1) % 3]);
+        const int high = std::max(v[k], v[(k + 1) % 3]);
+        const Vector3& a = mesh_.vertices[static_cast<std::size_t>(low)];
+        const Vector3& b = mesh_.vertices[static_cast<std::size_t>(high)];
+        if ((a.y() > p.y()) == (b.y() > p.y())) continue;
+        const double x = a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+        if (p.x() < x) inside = !inside;
+      }
+      if (!inside) continue;
+      const Vector3 normal = doubled_area_vector(mesh_, static_cast<std::size_t>(t));
+      if (normal.z() == 0.0) continue;
+      if (normal.dot(corner(t, 0) - p) / normal.z() > 0.0) odd = !odd;
+    }
+    return odd;
+  }
+
+  void find_cavities() {
+    std::vector<std::size_t> solids;
+    bool positive = false;
+    bool negative = false;
+    for (std::size_t i = 0; i < sheets_.size(); ++i) {
+      const Sheet& sheet = sheets_[i];
+      if (!sheet.closed || !sheet.as_wound || sheet.volume == 0.0) continue;
+      solids.push_back(i);
+      (sheet.volume > 0.0 ? positive : negative) = true;
+    }
+    if (!positive || !negative) return;
+    std::stable_sort(solids.begin(), solids.end(), [&](std::size_t a, std::size_t b) {
+      return std::abs(sheets_[a].volume) > std::abs(sheets_[b].volume);
+    });
+    for (std::size_t i = 1; i < solids.size(); ++i) {
+      Sheet& inner = sheets_[solids[i]];
+      // From the smallest larger sheet on: the first that contains it is the one around it.
+      for (std::size_t j = i; j-- > 0;) {
+        const Sheet& outer = sheets_[solids[j]];
+        const bool boxed = (outer.box.lower.array() <= inner.box.lower.array()).all() &&
+                           (outer.box.upper.array() >= inner.box.upper.array()).all();
+        if (!boxed || !contains(outer, corner(inner.triangles.front(), 0))) continue;
+        inner.cavity = !outer.cavity && (outer.volume > 0.0) != (inner.volume > 0.0);
+        break;
+      }
+    }
+  }
+
+  void turn_outward(const Sheet& sheet) {
+    const bool wrong = sheet.cavity ? sheet.volume > 0.0 : sheet.volume < 0.0;
+    if (!wrong) return;
+    for (const int t : sheet.triangles) {
+      const std::size_t i = static_cast<std::size_t>(t);
+      flip_[i] = !flip_[i];
+    }
+  }
+
+  TriangleMesh& mesh_;
+  std::vector<EdgeUse> uses_;
+  std::vector<std::vector<Neighbour>> neighbours_;
+  std::vector<int> sheet_of_;
+  std::vector<bool> flip_;
+  std::vector<Sheet> sheets_;
+};
+
+}  // namespace
+
+int orient_outward(TriangleMesh& mesh) { return Orienter(mesh).run(); }
+
+}  // namespace prehend

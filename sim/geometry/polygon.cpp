@@ -1,0 +1,109 @@
+#include "sim/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace prehend {
+namespace {
+
+using Eigen::Vector2d;
+
+// Twice the signed area of the triangle a b c.
+double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+// The ring of corners not yet clipped, with the quality of the ear at each (0: no ear).
+struct Ring {
+  const std::vector<Vector2d>& corners;
+  std::vector<int> left;
+  std::vector<double> quality;
+
+  std::size_t before(std::size_t i) const { return (i + left.size() - 1) % left.size(); }
+  std::size_t after(std::size_t i) const { return (i + 1) % left.size(); }
+  const Vector2d& at(std::size_t i) const { return corners[static_cast<std::size_t>(left[i])]; }
+
+  bool convex(std::size_t i) const { return turn(at(before(i)), at(i), at(after(i))) > 0.0; }
+
+  // Doubled area over squared longest side, or 0 when clipping corner i would leave the polygon.
+  double ear_quality(std::size_t i) const {
+    const Vector2d& a = at(before(i));
+    const Vector2d& b = at(i);
+    const Vector2d& c = at(after(i));
+    const double area = turn(a, b, c);
+    if (!(area > 0.0)) return 0.0;
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const Vector2d& p = at(k);
+      if (p == a || p == b || p == c) continue;
+      const bool inside = turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+      if (inside && !convex(k)) return 0.0;
+    }
+    const double longest =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    return area / longest;
+  }
+
+  void clip(std::size_t i) {
+    left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+    quality.erase(quality.begin() + static_cast<std::ptrdiff_t>(i));
+    const std::size_t next = i % left.size();
+    quality[before(next)] = ear_quality(before(next));
+    quality[next] = ear_quality(next);
+  }
+};
+
+}  // namespace
+
+double doubled_area(const std::vector<Vector2d>& corners) {
+  double sum = 0.0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    sum += turn(corners[0], corners[i], corners[i + 1]);
+  }
+  return sum;
+}
+
+std::vector<Triangle> triangulate_polygon(const std::vector<Vector2d>& corners) {
+  if (corners.size() < 3 || !(doubled_area(corners) > 0.0)) return {};
+  Ring ring{corners, std::vector<int>(corners.size()), {}};
+  std::iota(ring.left.begin(), ring.left.end(), 0);
+  for (std::size_t i = 0; i < corners.size(); ++i) ring.quality.push_back(ring.ear_quality(i));
+
+  std::vector<Triangle> triangles;
+  while (ring.left.size() >= 3) {
+    const auto best = std::max_element(ring.quality.begin(), ring.quality.end());
+    if (!(*best > 0.0)) return {};
+    const std::size_t i = static_cast<std::size_t>(best - ring.quality.begin());
+    triangles.push_back({ring.left[ring.before(i)], ring.left[i], ring.left[ring.after(i)]});
+    ring.clip(i);
+  }
+  return triangles;
+}
+
+std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners) {
+  const int n = static_cast<int>(corners.size());
+  if (n > 3) {
+    Vector3 normal = Vector3::Zero();
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+      normal += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
+    }
+    const double length = normal.norm();
+    if (length > 0.0 && std::isfinite(length)) {
+      normal /= length;
+      const Vector3 u = any_orthogonal(normal);
+      const Vector3 v = normal.cross(u);
+      std::vector<Vector2d> flat;
+      for (const Vector3& p : corners) {
+        flat.emplace_back((p - corners[0]).dot(u), (p - corners[0]).dot(v));
+      }
+      std::vector<Triangle> ears = triangulate_polygon(flat);
+      if (!ears.empty()) return ears;
+    }
+  }
+  std::vector<Triangle> fan;
+  for (int k = 1; k + 1 < n; ++k) fan.push_back({0, k, k + 1});
+  return fan;
+}
+
+}  // namespace prehend

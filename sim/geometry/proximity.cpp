@@ -1,0 +1,312 @@
+#include "sim/geometry/proximity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
+
+#include "sim/geometry/box_tree.h"
+#include "sim/geometry/convex_hull.h"
+#include "sim/geometry/disjoint_sets.h"
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+// FCL's triangle distance has absolute thresholds that suit millimetres.
+constexpr double kMillimetres = 1000.0;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+struct ProximityMesh::Data {
+  TriangleMesh mesh;
+  std::vector<BoxNode> tree;
+  std::vector<std::array<Vector3, 3>> corners_mm;  // per triangle
+  std::vector<int> first_triangle_at;  // per vertex, start of its run in triangles_at
+  std::vector<int> triangles_at;
+  Vector3 ball_center = Vector3::Zero();
+  double ball_radius = 0.0;
+  std::vector<ConvexPoints> parts;
+};
+
+namespace {
+
+std::vector<std::array<Vector3, 3>> corners_in_mm(const TriangleMesh& mesh) {
+  std::vector<std::array<Vector3, 3>> corners;
+  corners.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    corners.push_back({mesh.vertices[index(t[0])] * kMillimetres,
+                       mesh.vertices[index(t[1])] * kMillimetres,
+                       mesh.vertices[index(t[2])] * kMillimetres});
+  }
+  return corners;
+}
+
+void build_incidence(ProximityMesh::Data& data) {
+  const std::size_t n = data.mesh.vertices.size();
+  data.first_triangle_at.assign(n + 1, 0);
+  for (const Triangle& t : data.mesh.triangles) {
+    for (int v : t) ++data.first_triangle_at[index(v) + 1];
+  }
+  for (std::size_t v = 0; v < n; ++v) data.first_triangle_at[v + 1] += data.first_triangle_at[v];
+  data.triangles_at.resize(3 * data.mesh.triangles.size());
+  std::vector<int> next(data.first_triangle_at.begin(), data.first_triangle_at.end() - 1);
+  for (std::size_t t = 0; t < data.mesh.triangles.size(); ++t) {
+    for (int v : data.mesh.triangles[t]) {
+      data.triangles_at[index(next[index(v)]++)] = static_cast<int>(t);
+    }
+  }
+}
+
+// A surface with more components than this is bounded by one hull.
+constexpr std::size_t kMostParts = 4;
+// Sets of at most this many points are kept as they are: all of them are looked at anyway.
+constexpr std::size_t kFewPoints = 64;
+
+ConvexPoints corners_of(const std::vector<Vector3>& points) {
+  if (points.size() <= kFewPoints) return {points};
+  const TriangleMesh hull = convex_hull(points);
+  if (hull.empty()) return {points};
+  std::vector<bool> used(hull.vertices.size(), false);
+  ConvexPoints corners;
+  for (const Triangle& t : hull.triangles) {
+    for (int v : t) {
+      if (!used[index(v)]) corners.points.push_back(hull.vertices[index(v)]);
+      used[index(v)] = true;
+    }
+  }
+  return corners;
+}
+
+std::vector<ConvexPoints> convex_parts(const TriangleMesh& mesh) {
+  DisjointSets sets(mesh.vertices.size());
+  for (const Triangle& t : mesh.triangles) {
+    sets.merge(index(t[0]), index(t[1]));
+    sets.merge(index(t[0]), index(t[2]));
+  }
+  std::map<std::size_t, std::vector<Vector3>> components;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    components[sets.find(v)].push_back(mesh.vertices[v]);
+  }
+  if (components.size() > kMostParts) return {corners_of(mesh.vertices)};
+  std::vector<ConvexPoints> parts;
+  for (const auto& [root, points] : components) parts.push_back(corners_of(points));
+  return parts;
+}
+
+// Walks both trees, nearer children first. `Visitor` has:
+//   bool prune(double squared)   nothing at this squared distance [m^2] or beyond is wanted
+//   void visit(int a, int b)     a pair of triangles that could be wanted
+template <typename Visitor>
+class PairWalk {
+ public:
+  PairWalk(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, Visitor& visitor)
+      : a_(a.data().tree), b_(b.data().tree), distance_(X_AB), visitor_(visitor) {}
+
+  void run() {
+    if (!visitor_.prune(squared(0, 0))) descend(0, 0);
+  }
+
+ private:
+  double squared(int node_a, int node_b) const {
+    return distance_.squared(a_[index(node_a)], b_[index(node_b)]);
+  }
+
+  void descend(int node_a, int node_b) {
+    const BoxNode& a = a_[index(node_a)];
+    const BoxNode& b = b_[index(node_b)];
+    if (a.is_leaf() && b.is_leaf()) {
+      visitor_.visit(a.triangle, b.triangle);
+      return;
+    }
+    const bool split_a =
+        b.is_leaf() || (!a.is_leaf() && a.half.squaredNorm() > b.half.squaredNorm());
+    int near_a = split_a ? a.left : node_a;
+    int near_b = split_a ? node_b : b.left;
+    int far_a = split_a ? a.left + 1 : node_a;
+    int far_b = split_a ? node_b : b.left + 1;
+    double near = squared(near_a, near_b);
+    double far = squared(far_a, far_b);
+    if (far < near) {
+      std::swap(near, far);
+      std::swap(near_a, far_a);
+      std::swap(near_b, far_b);
+    }
+    if (!visitor_.prune(near)) descend(near_a, near_b);
+    if (!visitor_.prune(far)) descend(far_a, far_b);
+  }
+
+  const std::vector<BoxNode>& a_;
+  const std::vector<BoxNode>& b_;
+  const BoxDistance distance_;
+  Visitor& visitor_;
+};
+
+// Distance between a triangle of each mesh [m].
+class PairDistance {
+ public:
+  PairDistance(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB)
+      : a_(a.data().corners_mm), b_(b.data().corners_mm), rotation_(X_AB.linear()),
+        shift_(X_AB.translation() * kMillimetres) {}
+
+  double operator()(int ta, int tb) const {
+    Vector3 p_A;
+    Vector3 p_B;
+    return (*this)(ta, tb, p_A, p_B);
+  }
+
+  // Nearest points both in a's frame [m].
+  double operator()(int ta, int tb, Vector3& p_A, Vector3& q_A) const {
+    const auto& u = a_[index(ta)];
+    const auto& v = b_[index(tb)];
+    const double d = fcl::detail::TriangleDistance<double>::triDistance(
+        u[0], u[1], u[2], v[0], v[1], v[2], rotation_, shift_, p_A, q_A);
+    p_A /= kMillimetres;
+    q_A /= kMillimetres;
+    return d / kMillimetres;
+  }
+
+ private:
+  const std::vector<std::array<Vector3, 3>>& a_;
+  const std::vector<std::array<Vector3, 3>>& b_;
+  Matrix3 rotation_;
+  Vector3 shift_;
+};
+
+struct NearestVisitor {
+  const PairDistance& distance;
+  double cap;
+  double factor;                // 1 / (1 + relative error)
+  double best = std::numeric_limits<double>::infinity();    // smallest triangle distance found
+  double pruned = std::numeric_limits<double>::infinity();  // smallest squared bound left out
+  TrianglePair pair = {};
+
+  bool prune(double squared) {
+    const double wanted = std::min(cap, best * factor);
+    if (squared < wanted * wanted) return false;
+    pruned = std::min(pruned, squared);
+    return true;
+  }
+
+  void visit(int ta, int tb) {
+    const double d = distance(ta, tb);
+    if (d < best) {
+      best = d;
+      pair = {ta, tb};
+    }
+  }
+};
+
+struct CrossVisitor {
+  const PairDistance& distance;
+  bool crossed = false;
+
+  bool prune(double squared) const { return crossed || squared > 0.0; }
+  void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
+};
+
+struct CollectVisitor {
+  const PairDistance& distance;
+  double limit;
+  std::vector<TrianglePair>& pairs;
+
+  bool prune(double squared) const { return squared > limit * limit; }
+  void visit(int ta, int tb) {
+    if (distance(ta, tb) <= limit) pairs.push_back({ta, tb});
+  }
+};
+
+}  // namespace
+
+ProximityMesh::ProximityMesh(TriangleMesh mesh) {
+  if (mesh.empty()) throw InputError("proximity: a mesh without triangles");
+  auto data = std::make_shared<Data>();
+  data->mesh = std::move(mesh);
+  data->tree = build_box_tree(data->mesh);
+  data->corners_mm = corners_in_mm(data->mesh);
+  build_incidence(*data);
+  data->ball_center = bounds(data->mesh).center();
+  data->ball_radius = max_distance(data->mesh, data->ball_center);
+  data->parts = convex_parts(data->mesh);
+  data_ = std::move(data);
+}
+
+const TriangleMesh& ProximityMesh::mesh() const { return data_->mesh; }
+const Vector3& ProximityMesh::ball_center() const { return data_->ball_center; }
+double ProximityMesh::ball_radius() const { return data_->ball_radius; }
+const std::vector<ConvexPoints>& ProximityMesh::parts() const { return data_->parts; }
+
+std::span<const int> ProximityMesh::triangles_at(int v) const {
+  const int first = data_->first_triangle_at[index(v)];
+  const int last = data_->first_triangle_at[index(v) + 1];
+  return std::span<const int>(data_->triangles_at).subspan(index(first), index(last - first));
+}
+
+Gap find_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+             const GapOptions& options) {
+  const PairDistance distance(a, b, X_AB);
+  NearestVisitor visitor{distance, options.cap, 1.0 / (1.0 + options.relative_error)};
+  if (options.hint.a >= 0 && options.hint.b >= 0) visitor.visit(options.hint.a, options.hint.b);
+  PairWalk(a, b, X_AB, visitor).run();
+  return {std::min(visitor.best, std::sqrt(visitor.pruned)), visitor.best, visitor.pair};
+}
+
+bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB) {
+  const PairDistance distance(a, b, X_AB);
+  CrossVisitor visitor{distance};
+  PairWalk(a, b, X_AB, visitor).run();
+  return visitor.crossed;
+}
+
+void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                       double distance, std::vector<TrianglePair>& pairs) {
+  pairs.clear();
+  const PairDistance pair_distance(a, b, X_AB);
+  CollectVisitor visitor{pair_distance, distance, pairs};
+  PairWalk(a, b, X_AB, visitor).run();
+}
+
+Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                 std::span<const TrianglePair> pairs) {
+  const PairDistance distance(a, b, X_AB);
+  Gap gap{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), {}};
+  for (const TrianglePair& pair : pairs) {
+    const double d = distance(pair.a, pair.b);
+    if (d < gap.upper) gap = {d, d, pair};
+  }
+  return gap;
+}
+
+TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                         TrianglePair pair) {
+  TriangleGap gap;
+  Vector3 q_A;
+  gap.distance = PairDistance(a, b, X_AB)(pair.a, pair.b, gap.p_A, q_A);
+  gap.p_B = X_AB.inverse() * q_A;
+  return gap;
+}
+
+bool is_inside(const ProximityMesh& mesh, const Vector3& p_M) {
+  const TriangleMesh& m = mesh.mesh();
+  if ((p_M - mesh.ball_center()).norm() > mesh.ball_radius()) return false;
+  double solid_angle = 0.0;
+  for (const Triangle& t : m.triangles) {
+    const Vector3 a = m.vertices[index(t[0])] - p_M;
+    const Vector3 b = m.vertices[index(t[1])] - p_M;
+    const Vector3 c = m.vertices[index(t[2])] - p_M;
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    // Van Oosterom and Strackee 1983.
+    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    solid_angle += 2.0 * std::atan2(a.dot(b.cross(c)), denominator);
+  }
+  return solid_angle >= 2.0 * std::numbers::pi;
+}
+
+}  // namespace prehend

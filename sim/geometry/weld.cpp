@@ -1,0 +1,198 @@
+#include "sim/geometry/weld.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace prehend {
+namespace {
+
+// Cells much wider than the tolerance: a point seldom has to look beyond its own.
+constexpr double kCellInTolerances = 32.0;
+
+using Cell = std::array<std::int64_t, 3>;
+
+struct CellHash {
+  std::size_t operator()(const Cell& cell) const {
+    std::uint64_t h = 0;
+    for (const std::int64_t k : cell) {
+      h = (h ^ static_cast<std::uint64_t>(k)) * 0x9E3779B97F4A7C15ULL;
+      h ^= h >> 29;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+// Kept points by cell; answers "the first kept point within the tolerance".
+class PointGrid {
+ public:
+  PointGrid(const Vector3& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
+
+  int find(const Vector3& p, const std::vector<Vector3>& kept) const {
+    const Cell low = cell(p - Vector3::Constant(tolerance_));
+    const Cell high = cell(p + Vector3::Constant(tolerance_));
+    int found = -1;
+    for (std::int64_t x = low[0]; x <= high[0]; ++x) {
+      for (std::int64_t y = low[1]; y <= high[1]; ++y) {
+        for (std::int64_t z = low[2]; z <= high[2]; ++z) {
+          const auto place = cells_.find({x, y, z});
+          if (place == cells_.end()) continue;
+          for (const int i : place->second) {
+            const bool near =
+                (kept[static_cast<std::size_t>(i)] - p).squaredNorm() <= tolerance_ * tolerance_;
+            if (near && (found < 0 || i < found)) found = i;
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  void add(const Vector3& p, int index) { cells_[cell(p)].push_back(index); }
+
+ private:
+  Cell cell(const Vector3& p) const {
+    Cell c;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Eigen::Index axis = static_cast<Eigen::Index>(k);
+      c[k] = static_cast<std::int64_t>(
+          std::floor((p[axis] - origin_[axis]) / (kCellInTolerances * tolerance_)));
+    }
+    return c;
+  }
+
+  Vector3 origin_;
+  double tolerance_;
+  std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
+};
+
+// Smallest vertex first, winding kept.
+Triangle rotated(const Triangle& t) {
+  const std::size_t k = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
+  return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+}
+
+// Marks the two-sided triangles of which just one side meets others, and then those that this
+// leaves so.
+void mark_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided,
+               std::vector<bool>& removed) {
+  std::map<std::pair<int, int>, int> uses;
+  const auto side = [&](const Triangle& t, std::size_t k) -> int& {
+    return uses[std::minmax(t[k], t[(k + 1) % 3])];
+  };
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) ++side(t, k);
+  }
+  for (bool found = true; found;) {
+    found = false;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      if (!two_sided[i] || removed[i]) continue;
+      const Triangle& t = mesh.triangles[i];
+      int free_sides = 0;
+      for (std::size_t k = 0; k < 3; ++k) free_sides += side(t, k) == 1 ? 1 : 0;
+      if (free_sides != 2) continue;
+      for (std::size_t k = 0; k < 3; ++k) --side(t, k);
+      removed[i] = true;
+      found = true;
+    }
+  }
+}
+
+// Returns the number of triangles removed.
+int remove_duplicates(TriangleMesh& mesh) {
+  struct Seen {
+    std::size_t first = 0;
+    int net = 0;  // copies wound like the first less those wound against it
+  };
+  std::map<Triangle, Seen> seen;
+  TriangleMesh single;
+  for (const Triangle& t : mesh.triangles) {
+    Triangle sorted = t;
+    std::sort(sorted.begin(), sorted.end());
+    const auto [place, fresh] = seen.try_emplace(sorted, Seen{single.triangles.size(), 0});
+    if (fresh) single.triangles.push_back(t);
+    const Triangle& first = single.triangles[place->second.first];
+    place->second.net += rotated(t) == rotated(first) ? 1 : -1;
+  }
+  const int before = static_cast<int>(mesh.triangles.size());
+  std::vector<bool> removed(single.triangles.size(), false);
+  if (single.triangles.size() < mesh.triangles.size()) {
+    std::vector<bool> two_sided(single.triangles.size(), false);
+    for (const auto& [corners, copies] : seen) two_sided[copies.first] = copies.net == 0;
+    mark_fins(single, two_sided, removed);
+  }
+  mesh.triangles.clear();
+  for (std::size_t i = 0; i < single.triangles.size(); ++i) {
+    if (!removed[i]) mesh.triangles.push_back(single.triangles[i]);
+  }
+  return before - static_cast<int>(mesh.triangles.size());
+}
+
+}  // namespace
+
+bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle) {
+  constexpr double kFlattest = 1e-7;
+  const Triangle& t = mesh.triangles[triangle];
+  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
+  const Vector3& a = mesh.vertices[static_cast<std::size_t>(t[0])];
+  const Vector3& b = mesh.vertices[static_cast<std::size_t>(t[1])];
+  const Vector3& c = mesh.vertices[static_cast<std::size_t>(t[2])];
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  return !(doubled_area_vector(mesh, triangle).norm() > kFlattest * longest);
+}
+
+WeldedMesh weld(const TriangleMesh& mesh, double tolerance) {
+  WeldedMesh result;
+  PointGrid grid(bounds(mesh).lower, tolerance);
+  std::vector<int> kept_as;
+  kept_as.reserve(mesh.vertices.size());
+  for (const Vector3& p : mesh.vertices) {
+    int index = grid.find(p, result.mesh.vertices);
+    if (index < 0) {
+      index = static_cast<int>(result.mesh.vertices.size());
+      result.mesh.vertices.push_back(p);
+      grid.add(p, index);
+    } else {
+      ++result.vertices_merged;
+    }
+    kept_as.push_back(index);
+  }
+  for (const Triangle& t : mesh.triangles) {
+    Triangle renamed;
+    for (std::size_t k = 0; k < 3; ++k) renamed[k] = kept_as[static_cast<std::size_t>(t[k])];
+    result.mesh.triangles.push_back(renamed);
+    if (is_degenerate(result.mesh, result.mesh.triangles.size() - 1)) {
+      result.mesh.triangles.pop_back();
+      ++result.degenerate_removed;
+    }
+  }
+  result.duplicates_removed = remove_duplicates(result.mesh);
+  drop_unused_vertices(result.mesh);
+  return result;
+}
+
+void drop_unused_vertices(TriangleMesh& mesh) {
+  std::vector<int> place(mesh.vertices.size(), -1);
+  for (const Triangle& t : mesh.triangles) {
+    for (const int v : t) place[static_cast<std::size_t>(v)] = 0;
+  }
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    if (place[i] < 0) continue;
+    place[i] = static_cast<int>(used);
+    mesh.vertices[used++] = mesh.vertices[i];
+  }
+  mesh.vertices.resize(used);
+  for (Triangle& t : mesh.triangles) {
+    for (int& v : t) v = place[static_cast<std::size_t>(v)];
+  }
+}
+
+}  // namespace prehend

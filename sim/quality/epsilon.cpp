@@ -1,0 +1,106 @@
+#include "sim/quality/epsilon.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "sim/quality/expanding_polytope.h"
+#include "sim/quality/start_simplex.h"
+#include "sim/quality/wrench_hull.h"
+
+namespace prehend {
+namespace {
+
+void check(const EpsilonOptions& options) {
+  if (!(options.relative_tolerance >= 0.0)) {
+    throw std::invalid_argument("relative_tolerance: must not be negative (" +
+                                std::to_string(options.relative_tolerance) + ")");
+  }
+}
+
+// The bracket of a set in growth.
+class Growth {
+ public:
+  Growth(const SupportMap& set, const StartSimplex& start, const EpsilonOptions& options)
+      : set_(set),
+        options_(options),
+        zero_(kFlatness * start.scale),
+        rounding_(2.0 * ExpandingPolytope::kRounding * start.scale),
+        upper_(start.upper),
+        upper_normal_(start.upper_normal),
+        polytope_(start.points, start.scale) {}
+
+  EpsilonBracket run() {
+    while (true) {
+      if (upper_ <= zero_) return {};
+      polytope_.set_bound(upper_);
+      const ExpandingPolytope::Nearest nearest = polytope_.nearest();
+      const double lower = nearest.facet < 0 ? upper_ : std::min(nearest.plane.offset, upper_);
+      if (upper_ - lower <= slack()) return bracket(lower, EpsilonStatus::converged);
+      if (upper_ < options_.cutoff) return bracket(lower, EpsilonStatus::below_cutoff);
+      if (polytope_.facets_made() >= options_.max_facets) {
+        return bracket(lower, EpsilonStatus::limit);
+      }
+      const Wrench point = set_.support(nearest.plane.normal);
+      const double value = nearest.plane.normal.dot(point);
+      if (value < upper_) {
+        upper_ = value;
+        upper_normal_ = nearest.plane.normal;
+      }
+      // The facet is final; the loop's tests see that.
+      if (value - nearest.plane.offset <= slack()) continue;
+      if (upper_ <= zero_) continue;
+      if (!polytope_.expand(nearest.facet, point)) return bracket(lower, EpsilonStatus::stalled);
+    }
+  }
+
+ private:
+  double slack() const { return std::max(options_.relative_tolerance * upper_, rounding_); }
+
+  EpsilonBracket bracket(double lower, EpsilonStatus status) const {
+    return {std::max(lower, 0.0), upper_, status, -upper_ * upper_normal_};
+  }
+
+  const SupportMap& set_;
+  const EpsilonOptions& options_;
+  double zero_;
+  double rounding_;
+  double upper_;
+  Wrench upper_normal_;
+  ExpandingPolytope polytope_;
+};
+
+// What the full hull says about a set on which growth stalled at `bracket`.
+EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options,
+                         const EpsilonBracket& bracket) {
+  WrenchHull hull;
+  try {
+    hull = wrench_hull(wrenches);
+  } catch (const std::runtime_error&) {
+    return bracket;
+  }
+  if (!hull.force_closure()) return {};
+  const double epsilon = std::clamp(hull.min_offset, bracket.lower, bracket.upper);
+  const bool dropped = epsilon < options.cutoff;
+  return {epsilon, epsilon, dropped ? EpsilonStatus::below_cutoff : EpsilonStatus::converged,
+          hull.weakest};
+}
+
+}  // namespace
+
+EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options) {
+  check(options);
+  const StartSimplex start = start_simplex(set, true);
+  if (start.flat) return {};
+  return Growth(set, start, options).run();
+}
+
+EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options) {
+  check(options);
+  if (wrenches.cols() == 0) return {};
+  const EpsilonBracket bracket = epsilon(ColumnSupport(wrenches), options);
+  if (bracket.status != EpsilonStatus::stalled) return bracket;
+  return from_hull(wrenches, options, bracket);
+}
+
+}  // namespace prehend

@@ -1,0 +1,70 @@
+#include "sim/quality/hyperplane.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace prehend {
+namespace {
+
+// Directions shorter than this, relative to the longest, are rounding noise.
+constexpr double kNoise = 1e-15;
+
+using Directions = Eigen::Matrix<double, 6, 5>;
+
+// Orthonormalises the edges of a facet, longest remainder first; returns how many are independent.
+int orthonormalise(Directions& edges) {
+  const double longest = edges.colwise().norm().maxCoeff();
+  for (int rank = 0; rank < 5; ++rank) {
+    Eigen::Index pivot = 0;
+    edges.rightCols(5 - rank).colwise().squaredNorm().maxCoeff(&pivot);
+    if (pivot != 0) edges.col(rank).swap(edges.col(rank + pivot));
+    const auto done = edges.leftCols(rank);
+    for (int pass = 0; pass < 2; ++pass) {
+      edges.col(rank) -= done * (done.transpose() * edges.col(rank));
+    }
+    const double length = edges.col(rank).norm();
+    if (length <= kNoise * longest) return rank;
+    edges.col(rank) /= length;
+    for (int k = rank + 1; k < 5; ++k) {
+      edges.col(k) -= edges.col(rank).dot(edges.col(k)) * edges.col(rank);
+    }
+  }
+  return 5;
+}
+
+}  // namespace
+
+FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners) {
+  FittedPlane fitted;
+  fitted.plane.normal = normal / normal.norm();
+  double lowest = fitted.plane.normal.dot(*corners[0]);
+  double highest = lowest;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const double height = fitted.plane.normal.dot(*corners[i]);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
+  fitted.plane.offset = lowest;
+  fitted.spread = highest - lowest;
+  return fitted;
+}
+
+FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners) {
+  Directions edges;
+  for (int k = 0; k < 5; ++k) {
+    edges.col(k) = *corners[static_cast<std::size_t>(k) + 1] - *corners[0];
+  }
+  const int rank = orthonormalise(edges);
+  const auto span = edges.leftCols(rank);
+  Wrench normal = guess.normalized();
+  for (int pass = 0; pass < 3; ++pass) {
+    normal -= span * (span.transpose() * normal);
+    const double length = normal.norm();
+    // The guess lies in the facet: nothing better to say than the guess itself.
+    if (length < kNoise) return fit_offset(guess, corners);
+    normal /= length;
+  }
+  return fit_offset(normal, corners);
+}
+
+}  // namespace prehend

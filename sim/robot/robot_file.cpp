@@ -1,0 +1,247 @@
+#include "sim/robot/robot_file.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "sim/geometry/input_error.h"
+#include "sim/robot/hand_file.h"
+#include "sim/robot/json_field.h"
+#include "sim/robot/robot_geometry.h"
+
+namespace prehend {
+namespace {
+
+constexpr int kUndriven = -1;
+// Limits and values pass through different sums; a limit itself must count as inside.
+constexpr double kRounding = 1e-9;  // rad or m
+
+// Reads one file into one robot, in the order that later parts need earlier ones:
+// named geometry, base, joints, degrees of freedom, links, hand.
+class RobotReader {
+ public:
+  explicit RobotReader(const JsonField& root) : root_(root) {}
+
+  Robot read();
+
+ private:
+  void read_named_geometry();
+  void read_link(const JsonField& field, int joint);
+  void read_chain(const JsonField& field);
+  void read_joint(const JsonField& field, int parent);
+  void read_dof(const JsonField& field);
+  void read_drive(const JsonField& field, int dof);
+  void derive_limits(const JsonField& field, int dof);
+  void read_motion(const JsonField& field, int dof);
+  Coupling read_coupling(const JsonField& field, int dof) const;
+  void read_chain_links(const JsonField& chain_field, const Chain& chain);
+
+  double unit_of(JointType type) const {
+    return type == JointType::revolute ? units_.angle : units_.length;
+  }
+
+  JsonField root_;
+  FileUnits units_;
+  NamedGeometry named_;
+  std::map<std::string, int> joint_index_;
+  std::vector<std::string> joint_field_;  // where each joint stands in the file
+  Robot robot_;
+};
+
+template <typename Named>
+void require_new_name(const JsonField& field, const std::vector<Named>& others) {
+  const std::string name = field.text();
+  for (const Named& other : others) {
+    if (other.name == name) field.fail("name used twice");
+  }
+}
+
+JointType read_type(const JsonField& field) {
+  if (field.text() == "revolute") return JointType::revolute;
+  if (field.text() == "prismatic") return JointType::prismatic;
+  field.fail("unknown joint type, known are revolute and prismatic");
+}
+
+Robot RobotReader::read() {
+  root_.allow_only({"name", "units", "geometries", "base", "chains", "dofs", "hand"});
+  robot_.name = root_["name"].text();
+  units_ = read_units(root_);
+  if (root_.has("geometries")) read_named_geometry();
+  const JsonField base = root_["base"];
+  base.allow_only({"name", "material", "geometry"});
+  read_link(base, -1);
+  const std::vector<JsonField> chains = root_["chains"].items();
+  for (const JsonField& chain : chains) read_chain(chain);
+  for (const JsonField& dof : root_["dofs"].items()) read_dof(dof);
+  for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
+    if (robot_.joints[j].dof != kUndriven) continue;
+    throw InputError(root_.file().string() + ": " + joint_field_[j] +
+                     ".name: no degree of freedom drives this joint (" + robot_.joints[j].name +
+                     ")");
+  }
+  for (std::size_t c = 0; c < chains.size(); ++c) read_chain_links(chains[c], robot_.chains[c]);
+  if (root_.has("hand")) robot_.hand = read_hand(root_["hand"], units_, robot_);
+  return std::move(robot_);
+}
+
+void RobotReader::read_named_geometry() {
+  const JsonField all = root_["geometries"];
+  for (const std::string& name : all.keys()) {
+    named_.emplace(name, read_geometry(all[name], units_, {}));  // these do not refer to each other
+  }
+}
+
+void RobotReader::read_link(const JsonField& field, int joint) {
+  require_new_name(field["name"], robot_.links);
+  robot_.links.push_back({.name = field["name"].text(),
+                          .material = field["material"].text(),
+                          .joint = joint,
+                          .mesh = read_geometry(field["geometry"], units_, named_)});
+}
+
+void RobotReader::read_chain(const JsonField& field) {
+  field.allow_only({"name", "base", "joints", "links"});
+  require_new_name(field["name"], robot_.chains);
+  Chain chain{.name = field["name"].text()};
+  if (field.has("base")) chain.X_BC = read_pose(field["base"], units_);
+  chain.first_joint = static_cast<int>(robot_.joints.size());
+  const std::vector<JsonField> joints = field["joints"].items();
+  if (joints.empty()) field["joints"].fail("a chain needs at least one joint");
+  chain.joint_count = static_cast<int>(joints.size());
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    read_joint(joints[k], k == 0 ? -1 : chain.first_joint + static_cast<int>(k) - 1);
+  }
+  robot_.chains.push_back(std::move(chain));
+}
+
+void RobotReader::read_joint(const JsonField& field, int parent) {
+  field.allow_only({"name", "type", "theta", "d", "a", "alpha", "limits"});
+  require_new_name(field["name"], robot_.joints);
+  Joint joint{.name = field["name"].text(), .type = read_type(field["type"])};
+  joint.theta = field["theta"].number() * units_.angle;
+  joint.d = field["d"].number() * units_.length;
+  joint.a = field["a"].number() * units_.length;
+  joint.alpha = field["alpha"].number() * units_.angle;
+  const JsonField limits = field["limits"];
+  const std::vector<double> range = limits.numbers(2);
+  if (range[0] > range[1]) limits.fail("limits the wrong way round");
+  joint.lower = range[0] * unit_of(joint.type);
+  joint.upper = range[1] * unit_of(joint.type);
+  joint.dof = kUndriven;
+  joint.parent = parent;
+  joint.chain = static_cast<int>(robot_.chains.size());
+  joint_index_.emplace(joint.name, static_cast<int>(robot_.joints.size()));
+  joint_field_.push_back(field.name());
+  robot_.joints.push_back(std::move(joint));
+}
+
+void RobotReader::read_dof(const JsonField& field) {
+  field.allow_only({"name", "drives", "initial", "closing_velocity", "coupling"});
+  require_new_name(field["name"], robot_.dofs);
+  const int dof = static_cast<int>(robot_.dofs.size());
+  robot_.dofs.push_back({.name = field["name"].text()});
+  const std::vector<JsonField> drives = field["drives"].items();
+  if (drives.empty()) field["drives"].fail("a degree of freedom must drive at least one joint");
+  for (const JsonField& drive : drives) read_drive(drive, dof);
+  derive_limits(field, dof);
+  read_motion(field, dof);
+}
+
+void RobotReader::read_drive(const JsonField& field, int dof) {
+  field.allow_only({"joint", "ratio", "offset"});
+  const JsonField name = field["joint"];
+  const auto found = joint_index_.find(name.text());
+  if (found == joint_index_.end()) name.fail("no joint of this name");
+  Joint& joint = robot_.joints[static_cast<std::size_t>(found->second)];
+  if (joint.dof != kUndriven) name.fail("joint is driven twice");
+  for (const Joint& other : robot_.joints) {
+    if (other.dof == dof && other.type != joint.type) {
+      name.fail("a degree of freedom drives joints of one type only");
+    }
+  }
+  joint.ratio = field.number_or("ratio", 1.0);
+  if (joint.ratio == 0.0) field["ratio"].fail("must not be 0, the joint would never move");
+  joint.offset = field.number_or("offset", 0.0) * unit_of(joint.type);
+  joint.dof = dof;
+}
+
+// The values at which ratio * value + offset is inside the limits of every driven joint.
+void RobotReader::derive_limits(const JsonField& field, int dof) {
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  for (const Joint& joint : robot_.joints) {
+    if (joint.dof != dof) continue;
+    const double from = (joint.lower - joint.offset) / joint.ratio;
+    const double to = (joint.upper - joint.offset) / joint.ratio;
+    lower = std::max(lower, std::min(from, to));
+    upper = std::min(upper, std::max(from, to));
+  }
+  if (lower > upper) {
+    field["drives"].fail("no value keeps every driven joint inside its limits");
+  }
+  robot_.dofs[static_cast<std::size_t>(dof)].lower = lower;
+  robot_.dofs[static_cast<std::size_t>(dof)].upper = upper;
+}
+
+void RobotReader::read_motion(const JsonField& field, int dof) {
+  DegreeOfFreedom& motion = robot_.dofs[static_cast<std::size_t>(dof)];
+  const double unit = value_unit(robot_, static_cast<std::size_t>(dof), units_);
+  motion.initial = std::clamp(0.0, motion.lower, motion.upper);
+  if (field.has("initial")) {
+    const double value = field["initial"].number() * unit;
+    if (value < motion.lower - kRounding || value > motion.upper + kRounding) {
+      field["initial"].fail("outside the limits " + std::to_string(motion.lower) + " to " +
+                            std::to_string(motion.upper) + " rad or m");
+    }
+    motion.initial = std::clamp(value, motion.lower, motion.upper);
+  }
+  const bool turns = std::any_of(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& j) {
+    return j.dof == dof && j.type == JointType::revolute;
+  });
+  motion.closing_velocity =
+      field["closing_velocity"].number() * (turns ? units_.angular_velocity : units_.length);
+  if (field.has("coupling")) motion.coupling = read_coupling(field["coupling"], dof);
+}
+
+Coupling RobotReader::read_coupling(const JsonField& field, int dof) const {
+  const std::string name = field.text();
+  if (name == "rigid") return Coupling::rigid;
+  if (name == "breakaway") return Coupling::breakaway;
+  if (name != "self_centering") {
+    field.fail("unknown coupling, known are rigid, breakaway and self_centering");
+  }
+  int count = 0;
+  bool sliding = true;
+  for (const Joint& joint : robot_.joints) {
+    if (joint.dof != dof) continue;
+    ++count;
+    sliding = sliding && joint.type == JointType::prismatic && joint.parent == -1;
+  }
+  if (count != 2 || !sliding) {
+    field.fail("needs two prismatic joints, each the first of its chain");
+  }
+  return Coupling::self_centering;
+}
+
+void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& chain) {
+  for (const JsonField& field : chain_field["links"].items()) {
+    field.allow_only({"name", "joint", "material", "geometry"});
+    const JsonField name = field["joint"];
+    const auto found = joint_index_.find(name.text());
+    if (found == joint_index_.end() || found->second < chain.first_joint ||
+        found->second >= chain.first_joint + chain.joint_count) {
+      name.fail("no joint of this name in the link's chain");
+    }
+    read_link(field, found->second);
+  }
+}
+
+}  // namespace
+
+Robot load_robot(const std::filesystem::path& file) {
+  const JsonFile json(file);
+  return RobotReader(json.root()).read();
+}
+
+}  // namespace prehend

@@ -1,0 +1,182 @@
+#include "sim/robot/robot_geometry.h"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "sim/geometry/basic_shapes.h"
+#include "sim/geometry/input_error.h"
+#include "sim/geometry/mesh_file.h"
+#include "sim/geometry/polygon.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr int kCylinderSides = 24;
+constexpr int kMostCylinderSides = 360;
+constexpr int kSphereSubdivisions = 2;
+constexpr int kMostSphereSubdivisions = 5;
+
+// The library's own complaint, with the place in the robot file in front.
+template <typename Make>
+auto in_field(const JsonField& field, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(field.file().string() + ": " + field.name() + ": " + error.what());
+  }
+}
+
+double positive(const JsonField& field, double unit) {
+  if (field.number() <= 0.0) field.fail("must be greater than 0");
+  return field.number() * unit;
+}
+
+int integer_or(const JsonField& object, std::string_view key, int otherwise, int low, int high) {
+  if (!object.has(key)) return otherwise;
+  const JsonField field = object[key];
+  const int value = field.integer();
+  if (value < low || value > high) {
+    field.fail("must be " + std::to_string(low) + " to " + std::to_string(high));
+  }
+  return value;
+}
+
+double angle_unit(const JsonField& field, const std::string& suffix) {
+  if (field.text() == "rad" + suffix) return 1.0;
+  if (field.text() == "deg" + suffix) return kDegree;
+  field.fail("unknown unit, known are rad" + suffix + " and deg" + suffix);
+}
+
+TriangleMesh box(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "size", "pose"});
+  const JsonField size = shape["size"];
+  if ((size.vector3().array() <= 0.0).any()) size.fail("must be greater than 0");
+  return make_box(size.vector3() * units.length);
+}
+
+TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "radius", "height", "sides", "pose"});
+  return make_cylinder(positive(shape["radius"], units.length),
+                       positive(shape["height"], units.length),
+                       integer_or(shape, "sides", kCylinderSides, 3, kMostCylinderSides));
+}
+
+TriangleMesh sphere(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "radius", "subdivisions", "pose"});
+  return make_sphere(
+      positive(shape["radius"], units.length),
+      integer_or(shape, "subdivisions", kSphereSubdivisions, 0, kMostSphereSubdivisions));
+}
+
+// Turns x, y, z into the axes of the named plane and its normal.
+Pose plane_pose(const JsonField& shape) {
+  const std::string plane = shape.text_or("plane", "xy");
+  Matrix3 axes = Matrix3::Identity();
+  if (plane == "yz") {
+    axes << Vector3::UnitY(), Vector3::UnitZ(), Vector3::UnitX();
+  } else if (plane == "zx") {
+    axes << Vector3::UnitZ(), Vector3::UnitX(), Vector3::UnitY();
+  } else if (plane != "xy") {
+    shape["plane"].fail("unknown plane, known are xy, yz and zx");
+  }
+  return pose_from(axes, Vector3::Zero());
+}
+
+TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "plane", "profile", "sweep", "pose"});
+  const JsonField profile = shape["profile"];
+  std::vector<Eigen::Vector2d> corners;
+  for (const JsonField& corner : profile.items()) {
+    const std::vector<double> uv = corner.numbers(2);
+    corners.push_back(Eigen::Vector2d(uv[0], uv[1]) * units.length);
+  }
+  // Either sense is fine in a file.
+  if (corners.size() >= 3 && doubled_area(corners) < 0.0) {
+    std::reverse(corners.begin(), corners.end());
+  }
+  const JsonField sweep = shape["sweep"];
+  const std::vector<double> range = sweep.numbers(2);
+  if (range[0] >= range[1]) sweep.fail("must be two numbers, the lower one first");
+  const TriangleMesh mesh = in_field(profile, [&] {
+    return make_prism(corners, range[0] * units.length, range[1] * units.length);
+  });
+  return transformed(mesh, plane_pose(shape));
+}
+
+TriangleMesh mesh_from_file(const JsonField& part, const FileUnits& units) {
+  part.allow_only({"mesh", "unit", "pose"});
+  const JsonField name = part["mesh"];
+  MeshFileOptions options{.metres_per_unit = units.length};
+  if (part.has("unit")) {
+    const JsonField unit = part["unit"];
+    options.metres_per_unit = in_field(unit, [&] { return metres_per_unit(unit.text()); });
+  }
+  const std::filesystem::path path = part.file().parent_path() / name.text();
+  return in_field(name, [&] { return load_mesh(path, options).mesh; });
+}
+
+TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
+  if (part.has("mesh")) return mesh_from_file(part, units);
+  const JsonField shape = part["shape"];
+  const std::string name = shape.text();
+  if (name == "box") return box(part, units);
+  if (name == "cylinder") return cylinder(part, units);
+  if (name == "sphere") return sphere(part, units);
+  if (name == "prism") return prism(part, units);
+  shape.fail("unknown shape, known are box, cylinder, sphere and prism");
+}
+
+}  // namespace
+
+FileUnits read_units(const JsonField& root) {
+  FileUnits units;
+  if (!root.has("units")) return units;
+  const JsonField field = root["units"];
+  field.allow_only({"length", "angle", "angular_velocity"});
+  if (field.has("length")) {
+    const JsonField length = field["length"];
+    units.length = in_field(length, [&] { return metres_per_unit(length.text()); });
+  }
+  if (field.has("angle")) units.angle = angle_unit(field["angle"], "");
+  units.angular_velocity =
+      field.has("angular_velocity") ? angle_unit(field["angular_velocity"], "/s") : units.angle;
+  return units;
+}
+
+Pose read_pose(const JsonField& steps, const FileUnits& units) {
+  Pose pose = Pose::Identity();
+  for (const JsonField& step : steps.items()) {
+    step.allow_only({"translate", "rotate_x", "rotate_y", "rotate_z"});
+    const std::vector<std::string> keys = step.keys();
+    if (keys.size() != 1) step.fail("must be one translation or one rotation");
+    const JsonField amount = step[keys.front()];
+    if (keys.front() == "translate") {
+      pose = pose * translation(amount.vector3() * units.length);
+      continue;
+    }
+    const Eigen::Index axis = keys.front().back() - 'x';
+    pose = pose * Eigen::AngleAxisd(amount.number() * units.angle, Vector3::Unit(axis));
+  }
+  return pose;
+}
+
+TriangleMesh read_geometry(const JsonField& field, const FileUnits& units,
+                           const NamedGeometry& named) {
+  if (field.is_text()) {
+    const auto found = named.find(field.text());
+    if (found == named.end()) field.fail("no geometry of this name in \"geometries\"");
+    return found->second;
+  }
+  TriangleMesh mesh;
+  for (const JsonField& part : field.items()) {
+    TriangleMesh piece = read_part(part, units);
+    if (part.has("pose")) piece = transformed(piece, read_pose(part["pose"], units));
+    append(mesh, piece);
+  }
+  if (mesh.empty()) field.fail("a link needs at least one triangle");
+  return mesh;
+}
+
+}  // namespace prehend

@@ -1,0 +1,45 @@
+#include "sim/scene/material.h"
+
+#include <cmath>
+
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+constexpr std::array<std::string_view, 5> kNames = {"glass", "metal", "plastic", "wood", "rubber"};
+
+std::size_t index(Material material) { return static_cast<std::size_t>(material); }
+
+}  // namespace
+
+std::string_view material_name(Material material) { return kNames.at(index(material)); }
+
+Material material_named(std::string_view name) {
+  for (Material material : kMaterials) {
+    if (material_name(material) == name) return material;
+  }
+  throw InputError("unknown material \"" + std::string(name) +
+                   "\" (known: glass, metal, plastic, wood, rubber)");
+}
+
+FrictionTable::FrictionTable()
+    : values_{{{0.2, 0.2, 0.2, 0.3, 1.0},
+               {0.2, 0.2, 0.2, 0.3, 1.0},
+               {0.2, 0.2, 0.3, 0.4, 1.0},
+               {0.3, 0.3, 0.4, 0.4, 1.0},
+               {1.0, 1.0, 1.0, 1.0, 2.0}}} {}
+
+double FrictionTable::between(Material a, Material b) const { return values_[index(a)][index(b)]; }
+
+void FrictionTable::set(Material a, Material b, double friction) {
+  if (!std::isfinite(friction) || friction < 0.0) {
+    throw InputError("friction between " + std::string(material_name(a)) + " and " +
+                     std::string(material_name(b)) + " must be finite and not negative (" +
+                     std::to_string(friction) + ")");
+  }
+  values_[index(a)][index(b)] = friction;
+  values_[index(b)][index(a)] = friction;
+}
+
+}  // namespace prehend

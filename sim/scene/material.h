@@ -1,0 +1,34 @@
+// Materials and the static friction between them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace prehend {
+
+enum class Material { glass, metal, plastic, wood, rubber };
+
+inline constexpr std::array<Material, 5> kMaterials = {
+    Material::glass, Material::metal, Material::plastic, Material::wood, Material::rubber};
+
+std::string_view material_name(Material material);
+
+// Throws InputError that lists the names.
+Material material_named(std::string_view name);
+
+// Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default materials
+// (Miller and Allen 2004, section "Contacts and Friction"; docs/scene-file.md).
+class FrictionTable {
+ public:
+  FrictionTable();
+
+  double between(Material a, Material b) const;
+  // Throws InputError unless `friction` is finite and >= 0.
+  void set(Material a, Material b, double friction);
+
+ private:
+  std::array<std::array<double, 5>, 5> values_;
+};
+
+}  // namespace prehend

@@ -1,0 +1,52 @@
+// What a question is about: an object to grasp, a hand, the things around them, friction.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "primitives/primitive.h"
+#include "sim/geometry/mass_properties.h"
+#include "sim/geometry/triangle_mesh.h"
+#include "sim/robot/robot.h"
+#include "sim/scene/material.h"
+
+namespace prehend {
+
+// A body that does not move: it can be touched and stands in the way.
+struct StaticBody {
+  std::string name;
+  TriangleMesh mesh;  // body frame
+  Pose X_WB = Pose::Identity();
+  Material material = Material::wood;
+};
+
+// The body to grasp.
+struct GraspableBody {
+  std::string name;
+  TriangleMesh mesh;  // frame O
+  Pose X_WO = Pose::Identity();
+  Material material = Material::plastic;
+  double mass = 0.0;                        // kg
+  Vector3 center_of_mass = Vector3::Zero();  // frame O
+  Matrix3 inertia = Matrix3::Zero();        // about the centre of mass, axes of O [kg m^2]
+  MassSource mass_source = MassSource::signed_volume;
+};
+
+struct Scene {
+  std::string name;
+  GraspableBody object;
+  Robot hand;
+  std::vector<StaticBody> obstacles;
+  FrictionTable friction;
+  std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
+};
+
+// The mass of an object whose scene does not say: a household object, not a block of solid matter.
+inline constexpr double kDefaultObjectMass = 0.3;
+
+// A body at the identity with the mesh's centre of mass and inertia at `mass` kg (> 0).
+GraspableBody make_graspable(std::string name, TriangleMesh mesh, Material material,
+                             double mass = kDefaultObjectMass);
+
+}  // namespace prehend

@@ -1,0 +1,105 @@
+#include "sim/trial/approach.h"
+
+#include <algorithm>
+
+#include "sim/trial/gap_tracker.h"
+
+namespace prehend {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// One link against the object or an obstacle.
+struct Pairing {
+  int link = 0;
+  int obstacle = -1;
+  GapTracker tracker;
+  double asked_at = 0.0;
+  double safe_until = 0.0;  // proven free of contact up to this travel
+};
+
+std::vector<Pairing> pairings(const CompiledScene& scene) {
+  std::vector<Pairing> all;
+  for (std::size_t l = 0; l < scene.links.size(); ++l) {
+    const int link = static_cast<int>(l);
+    all.push_back({link, -1, GapTracker(scene.object, scene.links[l].mesh)});
+    for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
+      all.push_back({link, static_cast<int>(o),
+                     GapTracker(scene.obstacles[o].mesh, scene.links[l].mesh)});
+    }
+  }
+  return all;
+}
+
+// A mesh wholly inside another has a gap, so ask whether one has a point in the other.
+bool is_swallowed(const CompiledScene& scene, const CompiledLink& link, const Pose& X_OL) {
+  const Vector3 center = X_OL * link.mesh.ball_center();
+  const double apart = (center - scene.object.ball_center()).norm();
+  if (apart > scene.object.ball_radius() + link.mesh.ball_radius()) return false;
+  const auto inside_object = [&](const Vector3& p_L) { return is_inside(scene.object, X_OL * p_L); };
+  if (scene.object_is_solid &&
+      std::any_of(link.probes.begin(), link.probes.end(), inside_object)) {
+    return true;
+  }
+  return is_inside(link.mesh, X_OL.inverse() * scene.object.mesh().vertices.front());
+}
+
+}  // namespace
+
+Pose ApproachMotion::at(double travel) const {
+  return translation((travel - distance) * approach_O) * X_OH_end;
+}
+
+ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,
+                        const ApproachMotion& motion, const TrialOptions& options) {
+  std::vector<Pose> X_HL;
+  link_poses(scene.scene.hand, joints, X_HL);
+  ApproachResult result;
+  result.object_clearance.assign(scene.links.size(), 0.0);
+  for (std::size_t l = 0; l < scene.links.size(); ++l) {
+    if (is_swallowed(scene, scene.links[l], motion.at(0.0) * X_HL[l])) {
+      result.end = ApproachEnd::starts_in_collision;
+      result.link = static_cast<int>(l);
+      return result;
+    }
+  }
+  std::vector<Pairing> all = pairings(scene);
+  const auto earlier = [](const Pairing& a, const Pairing& b) { return a.safe_until < b.safe_until; };
+  while (true) {
+    Pairing& next = *std::min_element(all.begin(), all.end(), earlier);
+    if (next.safe_until >= motion.distance && next.tracker.queries() > 0) {
+      result.travel = motion.distance;
+      break;
+    }
+    const double travel = std::min(next.safe_until, motion.distance);
+    const Pose X_OL = motion.at(travel) * X_HL[index(next.link)];
+    const Pose X_TL = next.obstacle < 0
+                          ? X_OL
+                          : scene.obstacles[index(next.obstacle)].X_OB.inverse() * X_OL;
+    const double left = motion.distance - travel + options.contact.threshold;
+    const Gap gap = next.tracker.query(X_TL, travel - next.asked_at, left);
+    next.asked_at = travel;
+    const bool first = next.tracker.queries() == 1;
+    if (gap.upper <= options.closed_gap() || next.tracker.queries() > options.max_gap_queries) {
+      const bool free = gap.lower > 0.0;
+      result.end = first && !free              ? ApproachEnd::starts_in_collision
+                   : next.obstacle < 0         ? ApproachEnd::touched_object
+                                               : ApproachEnd::touched_obstacle;
+      result.link = next.link;
+      result.obstacle = next.obstacle;
+      result.travel = travel;
+      next.safe_until = travel;
+      break;
+    }
+    next.safe_until = travel + safe_step(gap, options);
+  }
+  for (const Pairing& pairing : all) {
+    if (pairing.obstacle < 0) {
+      result.object_clearance[index(pairing.link)] =
+          std::max(0.0, pairing.safe_until - result.travel);
+    }
+  }
+  return result;
+}
+
+}  // namespace prehend

@@ -1,0 +1,210 @@
+#include "sim/trial/close_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/trial/gap_tracker.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// Joint motion over the closing time t: joint j is at start + velocity * min(t, until).
+class ClosingMotion {
+ public:
+  ClosingMotion(const Robot& hand, const ClosingStart& start)
+      : hand_(hand), start_(start.joints.empty() ? joint_values(hand, start.dofs) : start.joints),
+        velocity_(hand.joints.size(), 0.0), until_(hand.joints.size(), 0.0),
+        by_contact_(hand.joints.size(), false) {
+    for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+      const DegreeOfFreedom& dof = hand.dofs[index(hand.joints[j].dof)];
+      const double from = start.dofs[index(hand.joints[j].dof)];
+      const double v = dof.closing_velocity;
+      if (v == 0.0) continue;
+      velocity_[j] = hand.joints[j].ratio * v;
+      until_[j] = std::max(0.0, ((v > 0.0 ? dof.upper : dof.lower) - from) / v);
+    }
+  }
+
+  bool moves(int joint, double t) const { return velocity_[index(joint)] != 0.0 && t < until_[index(joint)]; }
+
+  // Bound on the speed of any point of the link relative to the palm from time t on.
+  double speed(const CompiledLink& link, double t) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < link.joints.size(); ++k) {
+      if (moves(link.joints[k], t)) sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
+    }
+    return sum;
+  }
+
+  void stop_before(const CompiledLink& link, double t) {
+    for (int joint : link.joints) {
+      if (!moves(joint, t)) continue;
+      stop(joint, t);
+      const int dof = hand_.joints[index(joint)].dof;
+      if (hand_.dofs[index(dof)].coupling != Coupling::rigid) continue;
+      for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
+        if (hand_.joints[other].dof == dof) stop(static_cast<int>(other), t);
+      }
+    }
+  }
+
+  double end() const { return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end()); }
+
+  void joints_at(double t, std::vector<double>& joints) const {
+    joints.resize(start_.size());
+    for (std::size_t j = 0; j < start_.size(); ++j) {
+      joints[j] = start_[j] + velocity_[j] * std::min(t, until_[j]);
+    }
+  }
+
+  // How far each degree of freedom went: as far as the joint of its that went farthest.
+  std::vector<double> dofs_at_end(std::vector<double> dofs) const {
+    for (std::size_t d = 0; d < dofs.size(); ++d) {
+      double longest = 0.0;
+      for (std::size_t j = 0; j < hand_.joints.size(); ++j) {
+        if (index(hand_.joints[j].dof) == d && velocity_[j] != 0.0) longest = std::max(longest, until_[j]);
+      }
+      dofs[d] += hand_.dofs[d].closing_velocity * longest;
+    }
+    return dofs;
+  }
+
+  const std::vector<bool>& stopped_by_contact() const { return by_contact_; }
+
+ private:
+  void stop(int joint, double t) {
+    if (!moves(joint, t)) return;
+    until_[index(joint)] = t;
+    by_contact_[index(joint)] = true;
+  }
+
+  const Robot& hand_;
+  std::vector<double> start_;
+  std::vector<double> velocity_;
+  std::vector<double> until_;
+  std::vector<bool> by_contact_;
+};
+
+// A link against the object, an obstacle, or another link.
+struct Pairing {
+  int link = 0;
+  int other_link = -1;
+  int obstacle = -1;
+  GapTracker tracker;
+  double asked_at = 0.0;
+  double speed_when_asked = 0.0;
+  double safe_until = 0.0;
+};
+
+class Closing {
+ public:
+  Closing(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options)
+      : scene_(scene), start_(start), options_(options), motion_(scene.scene.hand, start) {
+    add_pairings();
+  }
+
+  ClosedHand run() {
+    const auto earlier = [](const Pairing& a, const Pairing& b) { return a.safe_until < b.safe_until; };
+    while (!pairings_.empty()) {
+      Pairing& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
+      if (next.safe_until >= motion_.end()) break;
+      advance(next);
+    }
+    ClosedHand closed;
+    motion_.joints_at(kNever, closed.joints);
+    closed.dofs = motion_.dofs_at_end(start_.dofs);
+    closed.stopped_by_contact = motion_.stopped_by_contact();
+    for (const Pairing& pairing : pairings_) closed.gap_queries += pairing.tracker.queries();
+    return closed;
+  }
+
+ private:
+  void add_pairings() {
+    for (std::size_t l = 0; l < scene_.links.size(); ++l) {
+      const CompiledLink& link = scene_.links[l];
+      if (motion_.speed(link, 0.0) == 0.0) continue;
+      Pairing with_object{static_cast<int>(l), -1, -1, GapTracker(scene_.object, link.mesh)};
+      start_pairing(with_object, start_.object_clearance.empty() ? 0.0 : start_.object_clearance[l]);
+      for (std::size_t o = 0; o < scene_.obstacles.size(); ++o) {
+        Pairing pairing{static_cast<int>(l), -1, static_cast<int>(o),
+                        GapTracker(scene_.obstacles[o].mesh, link.mesh)};
+        start_pairing(pairing, 0.0);
+      }
+    }
+    for (std::size_t p = 0; p < scene_.self_pairs.size(); ++p) {
+      const LinkPair& pair = scene_.self_pairs[p];
+      const CompiledLink& a = scene_.links[index(pair.a)];
+      const CompiledLink& b = scene_.links[index(pair.b)];
+      if (motion_.speed(a, 0.0) + motion_.speed(b, 0.0) == 0.0) continue;
+      Pairing pairing{pair.b, pair.a, -1, GapTracker(a.mesh, b.mesh)};
+      start_pairing(pairing, start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
+    }
+  }
+
+  void start_pairing(Pairing& pairing, double clearance) {
+    pairing.speed_when_asked = speed(pairing, 0.0);
+    pairing.safe_until = clearance / pairing.speed_when_asked;
+    pairings_.push_back(std::move(pairing));
+  }
+
+  double speed(const Pairing& pairing, double t) const {
+    const double other =
+        pairing.other_link < 0 ? 0.0 : motion_.speed(scene_.links[index(pairing.other_link)], t);
+    return motion_.speed(scene_.links[index(pairing.link)], t) + other;
+  }
+
+  // The link's pose in the frame of what it is paired with, at time t.
+  Pose relative_pose(const Pairing& pairing, double t) {
+    motion_.joints_at(t, joints_);
+    link_poses(scene_.scene.hand, joints_, X_HL_);
+    const Pose& X_HL = X_HL_[index(pairing.link)];
+    if (pairing.other_link >= 0) return X_HL_[index(pairing.other_link)].inverse() * X_HL;
+    const Pose X_OL = start_.X_OH * X_HL;
+    if (pairing.obstacle < 0) return X_OL;
+    return scene_.obstacles[index(pairing.obstacle)].X_OB.inverse() * X_OL;
+  }
+
+  void advance(Pairing& pairing) {
+    const double t = pairing.safe_until;
+    const double speed_now = speed(pairing, t);
+    if (speed_now == 0.0) {
+      pairing.safe_until = kNever;
+      return;
+    }
+    const double moved = (t - pairing.asked_at) * pairing.speed_when_asked;
+    const double left = speed_now * (motion_.end() - t) + options_.contact.threshold;
+    const Gap gap = pairing.tracker.query(relative_pose(pairing, t), moved, left);
+    pairing.asked_at = t;
+    pairing.speed_when_asked = speed_now;
+    if (gap.upper <= options_.closed_gap() ||
+        pairing.tracker.queries() > options_.max_gap_queries) {
+      motion_.stop_before(scene_.links[index(pairing.link)], t);
+      if (pairing.other_link >= 0) motion_.stop_before(scene_.links[index(pairing.other_link)], t);
+      pairing.safe_until = kNever;
+      return;
+    }
+    pairing.safe_until = t + safe_step(gap, options_) / speed_now;
+  }
+
+  const CompiledScene& scene_;
+  const ClosingStart& start_;
+  const TrialOptions& options_;
+  ClosingMotion motion_;
+  std::vector<Pairing> pairings_;
+  std::vector<double> joints_;
+  std::vector<Pose> X_HL_;
+};
+
+}  // namespace
+
+ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
+                      const TrialOptions& options) {
+  return Closing(scene, start, options).run();
+}
+
+}  // namespace prehend

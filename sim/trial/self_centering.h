@@ -1,0 +1,17 @@
+// Hands whose two fingers share one drive and slide toward each other.
+#pragma once
+
+#include <vector>
+
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/close_hand.h"
+
+namespace prehend {
+
+// For each self-centering degree of freedom both of whose joints were stopped by contact: the hand moves
+// sideways by half the difference of the two joints (or, as well, the object by as much the other
+// way), the fingers stay where they touch, and both joints get their mean. `X_OH` and `closed` are
+// changed. Returns whether the hand moved.
+bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed);
+
+}  // namespace prehend

@@ -1,0 +1,55 @@
+// One candidate, from pre-grasp to quality: a pure function of scene, candidate and options.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/quality/contact.h"
+#include "sim/quality/epsilon.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/outcome.h"
+#include "sim/trial/trial_options.h"
+
+namespace prehend {
+
+struct Candidate {
+  Pose X_OH = Pose::Identity();  // the hand's base where the approach ends if nothing is touched
+  Vector3 approach_O = Vector3::UnitZ();  // unit, object frame
+  double approach_distance = 0.0;         // from the pre-grasp to X_OH, 0: the hand is there [m]
+  int preshape = -1;                      // index into the hand's preshapes, -1: `dofs`
+  std::vector<double> dofs;               // used when preshape is -1
+  std::vector<double> joints;             // used when preshape is -1; empty: as the dofs say
+};
+
+// A contact of the grasp; position and normal (into the object) in the object's frame.
+struct GraspContact {
+  int link = 0;
+  PointContact point;
+  double gap = 0.0;  // between link and object [m]
+};
+
+struct Trial {
+  Outcome outcome = Outcome::no_contact;
+  int link = -1;      // that was blocked, for hand_blocked and approach_blocked
+  int obstacle = -1;  // that blocked it, -1: the object
+  Pose X_OH = Pose::Identity();  // of the grasp
+  double travel = 0.0;           // of the approach until the grasp [m]
+  int back_offs = 0;
+  std::vector<double> dofs;
+  std::vector<double> joints;
+  std::vector<GraspContact> contacts;
+  EpsilonBracket epsilon;
+};
+
+Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
+                const TrialOptions& options = {});
+
+// All contacts between the hand and the object, links in order.
+std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
+                                         const std::vector<double>& joints,
+                                         const ContactOptions& options);
+
+// What the quality measures take.
+std::vector<PointContact> point_contacts(const std::vector<GraspContact>& contacts);
+
+}  // namespace prehend

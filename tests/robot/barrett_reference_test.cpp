@@ -1,0 +1,141 @@
+// The Barrett hand against poses and boxes that another simulator printed.
+#include <fstream>
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "sim/robot/robot_file.h"
+#include "tests/robot/hand_shape.h"
+#include "tests/shared_data.h"
+
+namespace prehend {
+namespace {
+
+constexpr const char* kReference = "reference/graspit/fk/Barrett.json";
+
+nlohmann::json reference() {
+  return nlohmann::json::parse(std::ifstream(test::shared(kReference)));
+}
+
+Pose pose_of(const nlohmann::json& json) {
+  const auto q = json["quat_wxyz"].get<std::vector<double>>();
+  const auto t = json["t_mm"].get<std::vector<double>>();
+  Pose pose = Pose::Identity();
+  pose.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+  pose.translation() = 1e-3 * Vector3(t[0], t[1], t[2]);
+  return pose;
+}
+
+// Index in robot.links of link `k` of chain `c`.
+std::size_t link_index(const Robot& robot, int c, int k) {
+  const Chain& chain = robot.chains[static_cast<std::size_t>(c)];
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    if (robot.links[l].joint == chain.first_joint + k) return l;
+  }
+  ADD_FAILURE() << "no link " << k << " in chain " << c;
+  return 0;
+}
+
+TEST(BarrettReference, LinkPosesAgree) {
+  PREHEND_NEEDS_SHARED(kReference);
+  const Robot robot = find_robot("barrett");
+  const nlohmann::json json = reference();
+  ASSERT_EQ(json["poses"].size(), 5U);
+  for (const nlohmann::json& pose : json["poses"]) {
+    const auto dofs = pose["dof"].get<std::vector<double>>();
+    const std::vector<Pose> X_BL = test::poses_at(robot, dofs);
+    for (const nlohmann::json& link : pose["links"]) {
+      const std::size_t l = link_index(robot, link["chain"].get<int>(), link["link"].get<int>());
+      const Pose expected = pose_of(link["pose"]);
+      EXPECT_LT((X_BL[l].translation() - expected.translation()).norm(), 1e-6)
+          << robot.links[l].name;
+      const Eigen::AngleAxisd turn(X_BL[l].linear().transpose() * expected.linear());
+      EXPECT_LT(std::abs(turn.angle()), 1e-6) << robot.links[l].name;
+    }
+  }
+}
+
+TEST(BarrettReference, JointValuesAgree) {
+  PREHEND_NEEDS_SHARED(kReference);
+  const Robot robot = find_robot("barrett");
+  for (const nlohmann::json& pose : reference()["poses"]) {
+    const auto expected = pose["joints"].get<std::vector<double>>();
+    const auto values = joint_values(robot, pose["dof"].get<std::vector<double>>());
+    ASSERT_EQ(values.size(), expected.size());
+    for (std::size_t j = 0; j < values.size(); ++j) EXPECT_NEAR(values[j], expected[j], 1e-8);
+  }
+}
+
+TEST(BarrettReference, DegreesOfFreedomAgree) {
+  PREHEND_NEEDS_SHARED(kReference);
+  const Robot robot = find_robot("barrett");
+  const nlohmann::json json = reference();
+  ASSERT_EQ(json["dofs"].size(), robot.dofs.size());
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    const nlohmann::json& dof = json["dofs"][d];
+    EXPECT_NEAR(robot.dofs[d].lower, dof["min"].get<double>(), 1e-8);
+    EXPECT_NEAR(robot.dofs[d].upper, dof["max"].get<double>(), 1e-8);
+    EXPECT_EQ(robot.dofs[d].closing_velocity, dof["default_velocity"].get<double>());
+    EXPECT_EQ(robot.dofs[d].coupling == Coupling::breakaway, dof["type"].get<int>() == 1);
+  }
+}
+
+void expect_same_box(const Link& link, const nlohmann::json& json) {
+  const Bounds box = bounds(link.mesh);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Eigen::Index>(k);
+    EXPECT_NEAR(1e3 * box.lower[axis], json["aabb_min"][k].get<double>(), 0.1) << link.name;
+    EXPECT_NEAR(1e3 * box.upper[axis], json["aabb_max"][k].get<double>(), 0.1) << link.name;
+  }
+}
+
+TEST(BarrettReference, LinkBoxesAgree) {
+  PREHEND_NEEDS_SHARED(kReference);
+  const Robot robot = find_robot("barrett");
+  const nlohmann::json json = reference();
+  expect_same_box(robot.links[0], json["palm"]);
+  ASSERT_EQ(json["links"].size() + 1, robot.links.size());
+  for (std::size_t l = 1; l < robot.links.size(); ++l) {
+    expect_same_box(robot.links[l], json["links"][l - 1]);
+  }
+}
+
+// Distance of p_L from the surface of the link along the normal, signed: 0 when p_L lies on a face
+// whose normal is close to `normal`.
+double distance_to_face(const TriangleMesh& mesh, const Vector3& p_L, const Vector3& normal) {
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vector3 n = doubled_area_vector(mesh, t).normalized();
+    if (n.dot(normal) < 0.98) continue;
+    const Vector3& corner = mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][0])];
+    const double distance = n.dot(p_L - corner);
+    if (std::abs(distance) < std::abs(best)) best = distance;
+  }
+  return best;
+}
+
+// Published contact places: millimetres in the link's frame.
+TEST(BarrettShape, InnerFacesPassThroughPublishedContactPlaces) {
+  const Robot robot = find_robot("barrett");
+  const Vector3 tilted = Vector3(0.0459, 0.9989, 0.0).normalized();
+  const Vector3 chamfer = Vector3(1.0, 1.0, 0.0).normalized();
+  for (const int chain : {0, 1, 2}) {
+    const int proximal = chain == 2 ? 0 : 1;
+    const TriangleMesh& link2 = robot.links[link_index(robot, chain, proximal)].mesh;
+    const TriangleMesh& link3 = robot.links[link_index(robot, chain, proximal + 1)].mesh;
+    EXPECT_NEAR(distance_to_face(link2, 1e-3 * Vector3(-19.861, 13.340, 0.0), tilted), 0.0, 2e-5);
+    EXPECT_NEAR(distance_to_face(link2, 1e-3 * Vector3(-51.138, 14.778, 0.0), tilted), 0.0, 2e-5);
+    EXPECT_NEAR(distance_to_face(link3, 1e-3 * Vector3(-5.399, 10.73, 0.0), Vector3::UnitY()), 0.0,
+                1e-5);
+    EXPECT_NEAR(distance_to_face(link3, 1e-3 * Vector3(-41.735, 10.734, 0.0), Vector3::UnitY()),
+                0.0, 1e-5);
+    EXPECT_NEAR(distance_to_face(link3, 1e-3 * Vector3(0.975, 9.755, 0.0), chamfer), 0.0, 2e-5);
+  }
+  const TriangleMesh& palm = robot.links[0].mesh;
+  EXPECT_NEAR(distance_to_face(palm, 1e-3 * Vector3(20.0, 9.636, 0.0), Vector3::UnitZ()), 0.0,
+              1e-6);
+}
+
+}  // namespace
+}  // namespace prehend
