@@ -23,7 +23,7 @@ struct CandidateOptions {
   double duplicate_distance = 2e-3;  // m
   double duplicate_angle = 0.05;     // rad
   // At most this many, taken evenly over the list (>= 1).
-  int max_candidates = 1500;
+  int max_candidates = 800;
 };
 
 struct ProposedGrasp {

@@ -1,6 +1,7 @@
 #include "primitives/fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,6 +24,11 @@ Matrix3 right_handed_eigenvectors(const Matrix3& symmetric) {
 }
 
 }  // namespace
+
+std::span<const double> starting_tails(const FitOptions& options) {
+  static constexpr std::array<double, 2> kTails = {0.01, 0.15};
+  return std::span(kTails).first(options.thorough ? 2 : 1);
+}
 
 double point_loss(double distance, double tolerance) {
   // The step at the tolerance makes a piece that explains new surface worth more than one that
@@ -66,8 +72,9 @@ double biweight(double residual, double cutoff) {
 double robust_cutoff(std::span<const double> residuals, const FitOptions& options) {
   // 4.685 standard deviations, each 1.48 median deviations: 95 % efficient for Gaussian noise.
   constexpr double kMedians = 4.685 * 1.4826;
-  // Below this share of the tolerance residuals are tessellation, not outliers.
-  constexpr double kLowest = 0.05;
+  // Up to this share of the tolerance a residual is tessellation, a rounded edge or a start that is
+  // not there yet, not an outlier.
+  constexpr double kLowest = 0.4;
   std::vector<double> sizes(residuals.size());
   std::transform(residuals.begin(), residuals.end(), sizes.begin(),
                  [](double r) { return std::abs(r); });

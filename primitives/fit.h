@@ -21,6 +21,16 @@ struct FitOptions {
   bool thorough = true;
 };
 
+// What one step of a fit reports.
+struct Step {
+  double loss_before = 0.0;  // of the shape before the step: facing_weight * point_loss, summed
+  double change = 0.0;       // size of the change in the unknowns
+};
+
+// The fractions of points to leave beyond each end of a starting shape: few, and (thorough) as many
+// as a handle or a spout may have.
+std::span<const double> starting_tails(const FitOptions& options);
+
 // What a point at this distance from the nearest primitive surface costs: 1 beyond the tolerance,
 // and within it far less, growing with the square.
 double point_loss(double distance, double tolerance);

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Cholesky>
+
+#include "primitives/ranked_starts.h"
 
 namespace prehend {
 namespace {
@@ -70,34 +73,23 @@ void add_turned_frames(const Vector3& axis, std::vector<Matrix3>& frames) {
   }
 }
 
-std::vector<Slabs> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+std::vector<Matrix3> starting_frames(std::span<const SurfacePoint> points, bool thorough) {
   constexpr int kDirections = 12;
-  constexpr std::size_t kQuickPoints = 96;
-  constexpr double kTail = 0.01;
-  const std::size_t kept = options.thorough ? 3 : 1;
   std::vector<Matrix3> frames = {point_axes(points), normal_axes(points)};
-  if (options.thorough) {
-    for (const Vector3& d : half_sphere_directions(kDirections)) add_turned_frames(d, frames);
-  }
-  for (const Matrix3& axes : {point_axes(points), normal_axes(points)}) {
+  const std::vector<Matrix3> principal = frames;
+  for (const Matrix3& axes : principal) {
     for (int i = 0; i < 3; ++i) add_turned_frames(axes.col(i), frames);
   }
-  const std::vector<SurfacePoint> few = thinned(points, kQuickPoints);
-  std::vector<std::pair<double, std::size_t>> ranked;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Slabs box = slabs_in_frame(frames[i], few, kTail);
-    double sum = 0.0;
-    for (const SurfacePoint& s : few) {
-      sum += std::min(std::abs(seen_from(box, s.p_O).residual), 2.0 * options.outlier);
-    }
-    ranked.emplace_back(sum, i);
+  if (thorough) {
+    for (const Vector3& d : half_sphere_directions(kDirections)) add_turned_frames(d, frames);
   }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<Slabs> starts;
-  for (std::size_t i = 0; i < kept; ++i) {
-    starts.push_back(slabs_in_frame(frames[ranked[i].second], points, kTail));
-  }
-  return starts;
+  return frames;
+}
+
+std::vector<Slabs> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+  return ranked_starts(
+      starting_frames(points, options.thorough), points, options, slabs_in_frame,
+      [](const Slabs& box, const Vector3& p_O) { return seen_from(box, p_O).residual; });
 }
 
 // Faces with fewer points than their area deserves.
@@ -144,13 +136,15 @@ void fix_unknown(System& system, int k) {
   system.right[k] = 0.0;
 }
 
-// Puts an uncovered face where the points that the box explains end.
+// Puts an uncovered face where the points that the faces beside it explain end.
 void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff) {
-  constexpr double kTail = 0.01;
+  constexpr double kTail = 0.005;
   const int axis = face % 3;
   std::vector<double> along;
   for (const Seen& s : seen) {
-    if (std::abs(s.residual) < cutoff) along.push_back(s.q[axis]);
+    Vector3 beyond = (s.q - box.high).cwiseMax(box.low - s.q);
+    beyond[axis] = -std::numeric_limits<double>::infinity();
+    if (std::abs(beyond.maxCoeff()) < cutoff) along.push_back(s.q[axis]);
   }
   if (along.empty()) return;
   if (face < 3) {
@@ -160,8 +154,8 @@ void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff)
   }
 }
 
-// One Gauss-Newton step about the points' own centre; returns the size of the change.
-double improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions& options) {
+// One Gauss-Newton step about the points' own centre.
+Step improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions& options) {
   std::vector<Seen> seen;
   std::vector<double> residuals;
   for (const SurfacePoint& s : points) {
@@ -170,11 +164,13 @@ double improve(Slabs& box, std::span<const SurfacePoint> points, const FitOption
   }
   const double cutoff = robust_cutoff(residuals, options);
   System system;
+  Step step;
   std::array<double, 6> support{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double sign = seen[i].face < 3 ? 1.0 : -1.0;
-    const double weight = biweight(residuals[i], cutoff) *
-                          facing_weight(points[i], sign * box.R_OP.col(seen[i].face % 3));
+    const double facing = facing_weight(points[i], sign * box.R_OP.col(seen[i].face % 3));
+    const double weight = biweight(residuals[i], cutoff) * facing;
+    step.loss_before += facing * point_loss(residuals[i], options.outlier);
     support[static_cast<std::size_t>(seen[i].face)] += weight;
     add_point(system, seen[i], weight);
   }
@@ -189,7 +185,7 @@ double improve(Slabs& box, std::span<const SurfacePoint> points, const FitOption
   system.normal.diagonal() *= 1.0 + kDamping;
   system.normal.diagonal().array() += 1e-12;
   const Vector9 change = system.normal.ldlt().solve(system.right);
-  if (!change.allFinite()) return 0.0;
+  if (!change.allFinite()) return step;
   Vector3 turn = change.head<3>();
   if (turn.norm() > kLargestTurn) turn *= kLargestTurn / turn.norm();
   if (turn.norm() > 0.0) {
@@ -197,7 +193,8 @@ double improve(Slabs& box, std::span<const SurfacePoint> points, const FitOption
   }
   box.high += change.segment<3>(3);
   box.low += change.segment<3>(6);
-  return change.norm();
+  step.change = change.norm();
+  return step;
 }
 
 }  // namespace
@@ -210,22 +207,22 @@ Primitive fit_box(std::span<const SurfacePoint> points, const FitOptions& option
   std::vector<SurfacePoint> centered(points.begin(), points.end());
   for (SurfacePoint& s : centered) s.p_O -= mean;
 
-  Primitive best;
-  double best_misfit = std::numeric_limits<double>::infinity();
+  Slabs best;
+  double best_loss = std::numeric_limits<double>::infinity();
   for (Slabs box : best_starts(centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
-      const Primitive candidate = primitive_of(box, options.min_extent);
-      const double candidate_misfit = misfit(centered, candidate, options.outlier);
-      if (candidate_misfit < best_misfit) {
-        best = candidate;
-        best_misfit = candidate_misfit;
+      const Slabs before = box;
+      const Step step = improve(box, centered, options);
+      if (step.loss_before < best_loss) {
+        best = before;
+        best_loss = step.loss_before;
       }
-      if (improve(box, centered, options) < kConverged) break;
-      if ((box.high - box.low).minCoeff() < 0.0) break;
+      if (step.change < kConverged || (box.high - box.low).minCoeff() < 0.0) break;
     }
   }
-  best.X_OP.pretranslate(mean);
-  return best;
+  Primitive found = primitive_of(best, options.min_extent);
+  found.X_OP.pretranslate(mean);
+  return found;
 }
 
 }  // namespace prehend

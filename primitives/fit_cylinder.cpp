@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include <Eigen/Cholesky>
+
+#include "primitives/fit_circle.h"
+#include "primitives/ranked_starts.h"
 
 namespace prehend {
 namespace {
@@ -65,46 +68,35 @@ Primitive primitive_of(const Tube& tube, double min_extent) {
       pose_from(tube.R_OP, center)};
 }
 
-// Least-squares circle (Kasa) of the points that face sideways; the caps would fill it.
-Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points) {
+// The cylinder through the points that face sideways (the caps would fill its circle), with the
+// fraction `tail` of the points beyond each end of it.
+Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, double tail) {
   constexpr double kSideways = 0.6;
-  constexpr double kTail = 0.01;
   Tube tube;
   tube.R_OP.col(2) = axis;
   tube.R_OP.col(0) = any_orthogonal(axis);
   tube.R_OP.col(1) = axis.cross(tube.R_OP.col(0));
-  Matrix3 normal = Matrix3::Zero();
-  Vector3 right = Vector3::Zero();
-  double radius_sum = 0.0;
   std::vector<double> along;
+  std::vector<Eigen::Vector2d> sideways;
+  double radius_sum = 0.0;
   for (const SurfacePoint& s : points) {
     const Vector3 q = tube.R_OP.transpose() * s.p_O;
     along.push_back(q.z());
     radius_sum += std::hypot(q.x(), q.y());
-    if (std::abs(s.n_O.dot(axis)) > kSideways) continue;
-    const Vector3 row(2.0 * q.x(), 2.0 * q.y(), 1.0);
-    normal += row * row.transpose();
-    right += row * q.head<2>().squaredNorm();
+    if (std::abs(s.n_O.dot(axis)) <= kSideways) sideways.emplace_back(q.head<2>());
   }
-  tube.low = quantile(along, kTail);
-  tube.high = quantile(along, 1.0 - kTail);
-  const double mean_radius = radius_sum / static_cast<double>(points.size());
-  tube.radius = mean_radius;
-  const Vector3 x = normal.ldlt().solve(right);
-  const double squared = x[2] + x.head<2>().squaredNorm();
-  // Too few or too flat a set of points gives circles far beyond their own extent.
-  constexpr double kLargest = 4.0;
-  if (x.allFinite() && squared > 0.0 && std::sqrt(squared) < kLargest * mean_radius) {
-    tube.base = tube.R_OP.col(0) * x[0] + tube.R_OP.col(1) * x[1];
-    tube.radius = std::sqrt(squared);
+  tube.low = quantile(along, tail);
+  tube.high = quantile(along, 1.0 - tail);
+  tube.radius = radius_sum / static_cast<double>(points.size());
+  if (const auto circle = fit_circle(std::move(sideways), tail)) {
+    tube.base = tube.R_OP.leftCols<2>() * circle->center;
+    tube.radius = circle->radius;
   }
   return tube;
 }
 
 std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
   constexpr int kDirections = 32;
-  constexpr std::size_t kQuickPoints = 96;
-  const std::size_t kept = options.thorough ? 3 : 1;
   std::vector<Vector3> axes;
   for (const Matrix3& frame : {point_axes(points), normal_axes(points)}) {
     for (int i = 0; i < 3; ++i) axes.push_back(frame.col(i));
@@ -112,22 +104,9 @@ std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOpt
   if (options.thorough) {
     for (const Vector3& d : half_sphere_directions(kDirections)) axes.push_back(d);
   }
-  const std::vector<SurfacePoint> few = thinned(points, kQuickPoints);
-  std::vector<std::pair<double, std::size_t>> ranked;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Tube tube = tube_along(axes[i], few);
-    double sum = 0.0;
-    for (const SurfacePoint& s : few) {
-      sum += std::min(std::abs(seen_from(tube, s.p_O).residual), 2.0 * options.outlier);
-    }
-    ranked.emplace_back(sum, i);
-  }
-  std::sort(ranked.begin(), ranked.end());
-  std::vector<Tube> starts;
-  for (std::size_t i = 0; i < kept; ++i) {
-    starts.push_back(tube_along(axes[ranked[i].second], points));
-  }
-  return starts;
+  return ranked_starts(axes, points, options, tube_along, [](const Tube& tube, const Vector3& p_O) {
+    return seen_from(tube, p_O).residual;
+  });
 }
 
 // Unknowns: turns about the first two axes (0, 1), the base across the axis (2, 3), radius (4),
@@ -148,12 +127,12 @@ Vector7 slope_of(const Seen& seen) {
   return slope;
 }
 
-// Puts an uncovered cap where the points that the cylinder explains end.
+// Puts an uncovered cap where the points that the side explains end.
 void close_end(Tube& tube, Part end, std::span<const Seen> seen, double cutoff) {
-  constexpr double kTail = 0.01;
+  constexpr double kTail = 0.005;
   std::vector<double> along;
   for (const Seen& s : seen) {
-    if (std::abs(s.residual) < cutoff) along.push_back(s.q.z());
+    if (std::abs(s.rho - tube.radius) < cutoff) along.push_back(s.q.z());
   }
   if (along.empty()) return;
   if (end == Part::kHigh) {
@@ -169,14 +148,16 @@ struct System {
   double side = 0.0;  // weight of the points on each part
   double high = 0.0;
   double low = 0.0;
+  double loss = 0.0;  // as Step::loss_before
 };
 
 System system_of(const Tube& tube, std::span<const SurfacePoint> points, std::span<const Seen> seen,
-                 double cutoff) {
+                 double cutoff, const FitOptions& options) {
   System system;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double weight =
-        biweight(seen[i].residual, cutoff) * facing_weight(points[i], outward(tube, seen[i]));
+    const double facing = facing_weight(points[i], outward(tube, seen[i]));
+    const double weight = biweight(seen[i].residual, cutoff) * facing;
+    system.loss += facing * point_loss(seen[i].residual, options.outlier);
     if (!(weight > 0.0)) continue;
     if (seen[i].part == Part::kSide) system.side += weight;
     if (seen[i].part == Part::kHigh) system.high += weight;
@@ -195,8 +176,8 @@ void fix_unknown(System& system, int k) {
   system.right[k] = 0.0;
 }
 
-// One Gauss-Newton step; returns the size of the change.
-double improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions& options) {
+// One Gauss-Newton step.
+Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions& options) {
   constexpr double kCovered = 0.25;
   constexpr double kDamping = 1e-4;
   constexpr double kLargestTurn = 0.25;
@@ -207,7 +188,7 @@ double improve(Tube& tube, std::span<const SurfacePoint> points, const FitOption
     residuals.push_back(seen.back().residual);
   }
   const double cutoff = robust_cutoff(residuals, options);
-  System system = system_of(tube, points, seen, cutoff);
+  System system = system_of(tube, points, seen, cutoff, options);
   const double cap = tube.radius;  // in units of pi * radius, as the side below
   const double side = 2.0 * std::max(tube.high - tube.low, 0.0);
   const double expected =
@@ -223,7 +204,7 @@ double improve(Tube& tube, std::span<const SurfacePoint> points, const FitOption
   system.normal.diagonal() *= 1.0 + kDamping;
   system.normal.diagonal().array() += 1e-12;
   const Vector7 change = system.normal.ldlt().solve(system.right);
-  if (!change.allFinite()) return 0.0;
+  if (!change.allFinite()) return {system.loss, 0.0};
   Vector3 turn(change[0], change[1], 0.0);
   if (turn.norm() > kLargestTurn) turn *= kLargestTurn / turn.norm();
   tube.base += tube.R_OP.col(0) * change[2] + tube.R_OP.col(1) * change[3];
@@ -233,7 +214,7 @@ double improve(Tube& tube, std::span<const SurfacePoint> points, const FitOption
   tube.radius += change[4];
   tube.high += change[5];
   tube.low += change[6];
-  return change.norm();
+  return {system.loss, change.norm()};
 }
 
 }  // namespace
@@ -251,22 +232,23 @@ Primitive fit_cylinder(std::span<const SurfacePoint> points, const FitOptions& o
     s.p_O -= mean;
     extent = std::max(extent, s.p_O.norm());
   }
-  Primitive best;
-  double best_misfit = std::numeric_limits<double>::infinity();
+  Tube best;
+  double best_loss = std::numeric_limits<double>::infinity();
   for (Tube tube : best_starts(centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
-      const Primitive candidate = primitive_of(tube, options.min_extent);
-      const double candidate_misfit = misfit(centered, candidate, options.outlier);
-      if (candidate_misfit < best_misfit) {
-        best = candidate;
-        best_misfit = candidate_misfit;
+      const Tube before = tube;
+      const Step step = improve(tube, centered, options);
+      if (step.loss_before < best_loss) {
+        best = before;
+        best_loss = step.loss_before;
       }
-      if (improve(tube, centered, options) < kConverged) break;
+      if (step.change < kConverged) break;
       if (!(tube.radius > 0.0) || tube.radius > kLargest * extent || tube.high < tube.low) break;
     }
   }
-  best.X_OP.pretranslate(mean);
-  return best;
+  Primitive found = primitive_of(best, options.min_extent);
+  found.X_OP.pretranslate(mean);
+  return found;
 }
 
 }  // namespace prehend

@@ -1,8 +1,8 @@
 #include "primitives/fit_sphere.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 
 #include <Eigen/Cholesky>
 
@@ -48,17 +48,26 @@ Primitive primitive_of(const Ball& ball, double largest, double smallest) {
   return {Sphere{radius}, translation(ball.center)};
 }
 
-Vector4 step(const Ball& ball, std::span<const SurfacePoint> points, const FitOptions& options) {
+struct Change {
+  Vector4 unknowns = Vector4::Zero();  // centre, radius
+  Step step;
+};
+
+Change gauss_newton(const Ball& ball, std::span<const SurfacePoint> points,
+                    const FitOptions& options) {
   std::vector<double> residuals(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     residuals[i] = (points[i].p_O - ball.center).norm() - ball.radius;
   }
   const double cutoff = robust_cutoff(residuals, options);
+  Change change;
   Matrix4 normal = Matrix4::Zero();
   Vector4 right = Vector4::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3 out = (points[i].p_O - ball.center).stableNormalized();
-    const double weight = biweight(residuals[i], cutoff) * facing_weight(points[i], out);
+    const double facing = facing_weight(points[i], out);
+    const double weight = biweight(residuals[i], cutoff) * facing;
+    change.step.loss_before += facing * point_loss(residuals[i], options.outlier);
     Vector4 row;
     row << -out, -1.0;
     normal += weight * row * row.transpose();
@@ -66,7 +75,11 @@ Vector4 step(const Ball& ball, std::span<const SurfacePoint> points, const FitOp
   }
   constexpr double kDamping = 1e-6;
   normal.diagonal() += Vector4::Constant(kDamping * normal.trace() + 1e-300);
-  return normal.ldlt().solve(right);
+  const Vector4 unknowns = normal.ldlt().solve(right);
+  if (!unknowns.allFinite()) return change;
+  change.unknowns = unknowns;
+  change.step.change = unknowns.norm();
+  return change;
 }
 
 }  // namespace
@@ -74,26 +87,25 @@ Vector4 step(const Ball& ball, std::span<const SurfacePoint> points, const FitOp
 Primitive fit_sphere(std::span<const SurfacePoint> points, const FitOptions& options) {
   // A flat patch fits a sphere of any size; keep those that resemble the points' own extent.
   constexpr double kLargest = 3.0;
+  constexpr double kConverged = 1e-9;
   const Ball mean = mean_ball(points);
   const double largest = kLargest * mean.radius;
-  Primitive best = primitive_of(mean, largest, options.min_extent);
-  double best_misfit = misfit(points, best, options.outlier);
-  for (Ball ball : std::array{algebraic_ball(points, mean), mean}) {
+  Ball best = mean;
+  double best_loss = std::numeric_limits<double>::infinity();
+  for (Ball ball : {algebraic_ball(points, mean), mean}) {
     for (int i = 0; i <= options.steps; ++i) {
       if (!(ball.radius > 0.0) || ball.radius > largest) break;
-      const Primitive candidate = primitive_of(ball, largest, options.min_extent);
-      const double candidate_misfit = misfit(points, candidate, options.outlier);
-      if (candidate_misfit < best_misfit) {
-        best = candidate;
-        best_misfit = candidate_misfit;
+      const Change change = gauss_newton(ball, points, options);
+      if (change.step.loss_before < best_loss) {
+        best = ball;
+        best_loss = change.step.loss_before;
       }
-      const Vector4 change = step(ball, points, options);
-      if (!change.allFinite() || change.norm() < 1e-9 * ball.radius) break;
-      ball.center += change.head<3>();
-      ball.radius += change[3];
+      if (change.step.change < kConverged * ball.radius) break;
+      ball.center += change.unknowns.head<3>();
+      ball.radius += change.unknowns[3];
     }
   }
-  return best;
+  return primitive_of(best, largest, options.min_extent);
 }
 
 }  // namespace prehend

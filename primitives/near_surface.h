@@ -10,7 +10,7 @@ namespace prehend {
 
 class NearSurface {
  public:
-  // Near means within `radius` (> 0) of a sample, to about a quarter of it.
+  // Near means within `radius` (> 0) of a sample, to within a third of it.
   NearSurface(const std::vector<SurfacePoint>& points, double radius);
 
   bool near(const Vector3& p_O) const;

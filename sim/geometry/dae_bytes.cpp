@@ -29,15 +29,21 @@ class Tags {
   // The text after the last tag, up to the next.
   std::string_view content() const { return text_.substr(at_, text_.find('<', at_) - at_); }
 
+  // Whether a comment or CDATA came between the last two tags.
+  bool interrupted() const { return interrupted_; }
+
   std::optional<Tag> next() {
+    interrupted_ = false;
     while (true) {
       at_ = text_.find('<', at_);
       if (at_ == text_.npos) return std::nullopt;
       const std::string_view rest = text_.substr(at_);
       if (rest.starts_with("<!--")) {
         pass("-->");
+        interrupted_ = true;
       } else if (rest.starts_with("<![CDATA[")) {
         pass("]]>");
+        interrupted_ = true;
       } else if (rest.starts_with("<?") || rest.starts_with("<!")) {
         pass(">");
       } else {
@@ -76,18 +82,25 @@ class Tags {
 
   std::string_view text_;
   std::size_t at_ = 0;
+  bool interrupted_ = false;
 };
 
-std::string attribute(std::string_view attributes, const std::string& name) {
-  for (const char quote : {'"', '\''}) {
-    const std::string start = " " + name + "=" + quote;
-    const std::size_t found = attributes.find(start);
-    if (found == attributes.npos) continue;
-    const std::size_t first = found + start.size();
-    const std::size_t last = attributes.find(quote, first);
-    if (last != attributes.npos) return std::string(attributes.substr(first, last - first));
+// The value of an attribute; none when the tag has no such attribute.
+std::optional<std::string> attribute(std::string_view text, std::string_view name) {
+  constexpr std::string_view kBlank = " \t\r\n";
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+    const std::size_t equals = text.find('=');
+    if (equals == text.npos) return std::nullopt;
+    std::string_view found = text.substr(0, equals);
+    found = found.substr(0, found.find_first_of(kBlank));
+    text.remove_prefix(equals + 1);
+    text.remove_prefix(std::min(text.find_first_not_of(kBlank), text.size()));
+    const std::size_t end = text.empty() ? text.npos : text.find(text.front(), 1);
+    if (end == text.npos) return std::nullopt;
+    if (found == name) return std::string(text.substr(1, end - 1));
+    text.remove_prefix(end + 1);
   }
-  return {};
 }
 
 // Nodes by what they contain: nodes inside them and nodes they refer to.
@@ -99,7 +112,7 @@ double expanded(const NodeGraph& graph, const std::string& name,
   constexpr double kOpen = -1.0;
   const auto [place, fresh] = known.try_emplace(name, kOpen);
   if (!fresh) {
-    if (place->second == kOpen) throw InputError("node " + quoted(name) + " contains itself");
+    if (place->second == kOpen) throw InputError("node " + in_quotes(name) + " contains itself");
     return place->second;
   }
   double total = 1.0;
@@ -116,12 +129,12 @@ void check_nodes(const NodeGraph& graph) {
   std::map<std::string, double> known;
   for (const auto& [name, parts] : graph) {
     if (expanded(graph, name, known) > kMostNodes) {
-      throw InputError("node " + quoted(name) + " stands for more than 100000 nodes");
+      throw InputError("node " + in_quotes(name) + " stands for more than 100000 nodes");
     }
   }
 }
 
-// Follows the tags: nesting, counts, units, indices and the graph of nodes.
+// Follows the tags: nesting, counts, units, lists of numbers, accessors and the graph of nodes.
 class DaeCheck {
  public:
   explicit DaeCheck(std::string_view bytes) : size_(bytes.size()), tags_(bytes) {}
@@ -131,23 +144,42 @@ class DaeCheck {
       if (tag->opens) open(*tag);
       if (tag->closes) close(*tag);
     }
-    if (!open_.empty()) throw InputError("the XML ends inside element " + quoted(open_.back()));
+    if (!open_.empty()) throw InputError("the XML ends inside element " + in_quotes(open_.back()));
+    check_accessors();
     check_nodes(graph_);
   }
 
  private:
+  struct Accessor {
+    std::string source;
+    long long end = 0;  // values reached in the source
+    long long stride = 0;
+    long long params = 0;
+  };
+
   void open(const Tag& tag) {
     constexpr std::size_t kDeepest = 200;
-    check_numbers(tag);
-    if (tag.name == "instance_node") {
-      std::string target = attribute(tag.attributes, "url");
-      if (target.starts_with('#')) target.erase(0, 1);
-      graph_[nodes_.back()].push_back(target);
+    check_unit(tag);
+    check_list(tag);
+    if (has_count(tag.name)) count_of(tag, "count", std::nullopt);
+    if (tag.name == "input") count_of(tag, "offset", 0);
+    if (tag.name == "accessor") {
+      const long long stride = count_of(tag, "stride", 1);
+      const double end =
+          static_cast<double>(count_of(tag, "offset", 0)) +
+          static_cast<double>(stride) * static_cast<double>(count_of(tag, "count", std::nullopt));
+      if (end > static_cast<double>(size_)) throw InputError("an accessor reaches beyond the file");
+      Accessor& accessor = accessors_.emplace_back();
+      accessor.source = reference(tag, "source");
+      accessor.end = static_cast<long long>(end);
+      accessor.stride = stride;
     }
+    if (tag.name == "param" && !accessors_.empty()) ++accessors_.back().params;
+    if (tag.name == "instance_node") graph_[nodes_.back()].push_back(reference(tag, "url"));
     if (tag.name == "node") {
-      std::string id = attribute(tag.attributes, "id");
-      if (id.empty()) id = "node " + std::to_string(++unnamed_);
-      if (graph_.contains(id)) throw InputError("two nodes have the id " + quoted(id));
+      const std::string id =
+          attribute(tag.attributes, "id").value_or("node " + std::to_string(++unnamed_));
+      if (graph_.contains(id)) throw InputError("two nodes have the id " + in_quotes(id));
       graph_[id];
       graph_[nodes_.back()].push_back(id);
       nodes_.push_back(id);
@@ -156,30 +188,94 @@ class DaeCheck {
     if (open_.size() > kDeepest) throw InputError("elements are nested deeper than 200");
   }
 
-  void check_numbers(const Tag& tag) const {
-    const std::string count = attribute(tag.attributes, "count");
-    const std::optional<long long> value = integer_in(count);
-    if (!count.empty() && (!value || *value < 0 || *value > static_cast<long long>(size_))) {
-      throw InputError("element " + quoted(tag.name) + " has the count " + quoted(count));
-    }
-    const std::string metres = attribute(tag.attributes, "meter");
-    if (tag.name == "unit" && !metres.empty()) {
-      const std::optional<double> unit = number_in(metres);
-      if (!unit || !(*unit > 0.0) || !std::isfinite(*unit)) {
-        throw InputError("unit: meter must be positive (" + quoted(metres) + ")");
-      }
-    }
-    if (tag.name == "p" && tags_.content().find('-') != std::string_view::npos) {
-      throw InputError("element 'p' has a negative index");
-    }
-  }
-
   void close(const Tag& tag) {
     if (open_.empty() || open_.back() != tag.name) {
-      throw InputError("the XML closes " + quoted(tag.name) + " where it is not open");
+      throw InputError("the XML closes " + in_quotes(tag.name) + " where it is not open");
+    }
+    if (tags_.interrupted() && (is_index_list(tag.name) || is_number_list(tag.name))) {
+      throw InputError("a comment inside element " + in_quotes(tag.name));
     }
     if (tag.name == "node") nodes_.pop_back();
     open_.pop_back();
+  }
+
+  static bool has_count(std::string_view name) {
+    return name.ends_with("_array") || name == "triangles" || name == "polylist" ||
+           name == "polygons" || name == "lines" || name == "tristrips" || name == "trifans" ||
+           name == "linestrips";
+  }
+
+  static bool is_index_list(std::string_view name) {
+    return name == "p" || name == "vcount" || name == "v" || name == "h";
+  }
+
+  static bool is_number_list(std::string_view name) {
+    return name == "float_array" || name == "matrix" || name == "translate" || name == "rotate" ||
+           name == "scale" || name == "lookat" || name == "skew";
+  }
+
+  // Nothing in a file counts more than its bytes.
+  long long count_of(const Tag& tag, std::string_view name,
+                     std::optional<long long> otherwise) const {
+    const std::optional<std::string> text = attribute(tag.attributes, name);
+    const std::optional<long long> value = text ? integer_in(*text) : otherwise;
+    if (!value || *value < 0 || *value > static_cast<long long>(size_)) {
+      throw InputError("element " + in_quotes(tag.name) + " has the " + std::string(name) + " " +
+                       in_quotes(text.value_or("")));
+    }
+    return *value;
+  }
+
+  static std::string reference(const Tag& tag, std::string_view name) {
+    std::string target = attribute(tag.attributes, name).value_or("");
+    if (target.starts_with('#')) target.erase(0, 1);
+    return target;
+  }
+
+  void check_unit(const Tag& tag) const {
+    if (tag.name != "unit") return;
+    const std::optional<std::string> metres = attribute(tag.attributes, "meter");
+    const std::optional<double> unit = metres ? number_in(*metres) : 1.0;
+    if (!unit || !(*unit > 0.0) || !std::isfinite(*unit)) {
+      throw InputError("unit: meter must be positive (" + in_quotes(metres.value_or("")) + ")");
+    }
+  }
+
+  // assimp never comes to the end of a list with a word it cannot read, and reads on when a list is
+  // shorter than its count.
+  void check_list(const Tag& tag) {
+    const bool indices = is_index_list(tag.name);
+    if (!indices && !is_number_list(tag.name)) return;
+    long long words = 0;
+    TextScan scan(tag.closes ? std::string_view() : tags_.content());
+    while (scan.next_line()) {
+      for (auto word = scan.next_word(); !word.empty(); word = scan.next_word()) {
+        const bool good =
+            indices ? word.find_first_not_of("0123456789") == word.npos && word.size() < 10
+                    : number_in(word).has_value();
+        if (!good) {
+          throw InputError("element " + in_quotes(tag.name) + " has the entry " + in_quotes(word));
+        }
+        ++words;
+      }
+    }
+    if (tag.name != "float_array") return;
+    if (count_of(tag, "count", std::nullopt) != words) {
+      throw InputError("element 'float_array' has " + std::to_string(words) + " entries, not " +
+                       std::to_string(count_of(tag, "count", std::nullopt)));
+    }
+    arrays_[attribute(tag.attributes, "id").value_or("")] = words;
+  }
+
+  void check_accessors() const {
+    for (const Accessor& accessor : accessors_) {
+      const auto array = arrays_.find(accessor.source);
+      if (array == arrays_.end()) continue;  // of names, which no mesh uses
+      if (accessor.end > array->second || accessor.params > accessor.stride) {
+        throw InputError("an accessor reaches to entry " + std::to_string(accessor.end) + " of " +
+                         std::to_string(array->second) + " of " + in_quotes(accessor.source));
+      }
+    }
   }
 
   std::size_t size_;
@@ -187,6 +283,8 @@ class DaeCheck {
   NodeGraph graph_;
   std::vector<std::string> nodes_{""};  // open nodes, the file first
   std::vector<std::string> open_;       // open elements
+  std::vector<Accessor> accessors_;
+  std::map<std::string, long long> arrays_;  // lengths of the arrays of numbers
   int unnamed_ = 0;
 };
 

@@ -7,8 +7,8 @@ namespace prehend {
 std::string checked_mesh_bytes(std::string_view extension, const std::string& bytes) {
   if (extension == "gltf") return checked_gltf(bytes);
   if (extension == "glb") return checked_glb(bytes);
+  if (extension == "obj") return checked_obj(bytes);
   if (extension == "stl") return checked_stl(bytes);
-  if (extension == "obj") check_obj(bytes);
   if (extension == "ply") check_ply(bytes);
   if (extension == "dae") check_dae(bytes);
   return bytes;

@@ -41,7 +41,7 @@ class OffLines {
   long long integer(std::size_t i, const std::string& what) const {
     const std::string_view word = i < words_.size() ? words_[i] : std::string_view();
     const std::optional<long long> value = integer_in(word);
-    if (!value) scan_.fail(what + " is not a whole number (" + quoted(word) + ")");
+    if (!value) scan_.fail(what + " is not a whole number (" + in_quotes(word) + ")");
     return *value;
   }
 
@@ -57,7 +57,7 @@ void read_keyword(OffLines& lines) {
   const std::size_t at = first.find("OFF");
   if (at == first.npos) {
     // The keyword may be missing.
-    if (!integer_in(first)) lines.scan().fail("not an OFF header (" + quoted(first) + ")");
+    if (!integer_in(first)) lines.scan().fail("not an OFF header (" + in_quotes(first) + ")");
     return;
   }
   const std::string_view prefix = first.substr(0, at);

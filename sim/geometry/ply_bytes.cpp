@@ -69,7 +69,7 @@ Scalar scalar_named(const TextScan& scan, std::string_view name) {
   for (const auto& [known, scalar] : kScalars) {
     if (known == name) return scalar;
   }
-  scan.fail("unknown PLY type " + quoted(name));
+  scan.fail("unknown PLY type " + in_quotes(name));
 }
 
 void read_element(TextScan& scan, Header& header, std::size_t file_size) {
@@ -77,9 +77,9 @@ void read_element(TextScan& scan, Header& header, std::size_t file_size) {
   element.name = scan.next_word();
   const std::string_view word = scan.next_word();
   const std::optional<long long> count = integer_in(word);
-  if (!count || *count < 0) scan.fail("a PLY element has the count " + quoted(word));
+  if (!count || *count < 0) scan.fail("a PLY element has the count " + in_quotes(word));
   if (*count > static_cast<long long>(file_size)) {
-    scan.fail("promises " + std::to_string(*count) + " of element " + quoted(element.name) +
+    scan.fail("promises " + std::to_string(*count) + " of element " + in_quotes(element.name) +
               ", more than the file can hold");
   }
   element.count = *count;
@@ -120,7 +120,7 @@ Header read_header(std::string_view bytes) {
       } else if (name == "binary_big_endian") {
         header.encoding = Encoding::big_endian;
       } else if (name != "ascii") {
-        scan.fail("unknown PLY format " + quoted(name));
+        scan.fail("unknown PLY format " + in_quotes(name));
       }
     } else if (word == "element") {
       read_element(scan, header, bytes.size());
@@ -157,7 +157,7 @@ class Body {
 
  private:
   [[noreturn]] void too_short(const Element& element) const {
-    fail("the file ends inside element " + quoted(element.name) + " (" +
+    fail("the file ends inside element " + in_quotes(element.name) + " (" +
          std::to_string(element.count) + " promised)");
   }
 
@@ -168,7 +168,7 @@ class Body {
       word = text_.next_word();
     }
     const std::optional<double> value = number_in(word);
-    if (!value) text_.fail("not a number (" + quoted(word) + ")");
+    if (!value) text_.fail("not a number (" + in_quotes(word) + ")");
     return *value;
   }
 

@@ -7,7 +7,7 @@
 namespace prehend {
 namespace {
 
-constexpr int kMostSteps = 12;
+constexpr int kMostSteps = 24;
 // Good enough: the bound is this close to the distance.
 constexpr double kGoodFraction = 0.9;
 

@@ -73,7 +73,7 @@ std::optional<double> number_in(std::string_view word) {
 
 std::optional<long long> integer_in(std::string_view word) { return parse<long long>(word); }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";
   for (const char c : word.substr(0, kLongest)) {
@@ -85,9 +85,9 @@ std::string quoted(std::string_view word) {
 double coordinate_in(const TextScan& scan, std::string_view word) {
   if (word.empty()) scan.fail("a vertex with fewer than three coordinates");
   const std::optional<double> value = number_in(word);
-  if (!value) scan.fail("a coordinate is not a number (" + quoted(word) + ")");
+  if (!value) scan.fail("a coordinate is not a number (" + in_quotes(word) + ")");
   if (!(std::abs(*value) <= static_cast<double>(std::numeric_limits<float>::max()))) {
-    scan.fail("a coordinate is not finite or too large (" + quoted(word) + ")");
+    scan.fail("a coordinate is not finite or too large (" + in_quotes(word) + ")");
   }
   return *value;
 }

@@ -37,7 +37,7 @@ std::optional<double> number_in(std::string_view word);
 std::optional<long long> integer_in(std::string_view word);
 
 // The word in quotes, fit for a message: printable and not long.
-std::string quoted(std::string_view word);
+std::string in_quotes(std::string_view word);
 
 // A coordinate: InputError with the line unless it is a finite number within the range of float.
 double coordinate_in(const TextScan& scan, std::string_view word);

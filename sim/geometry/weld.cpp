@@ -78,30 +78,35 @@ Triangle rotated(const Triangle& t) {
   return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
 }
 
-// Marks the two-sided triangles of which just one side meets others, and then those that this
-// leaves so.
-void mark_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided,
-               std::vector<bool>& removed) {
-  std::map<std::pair<int, int>, int> uses;
-  const auto side = [&](const Triangle& t, std::size_t k) -> int& {
+// Two-sided triangles that are all of their sheet and meet the rest along just one side.
+std::vector<bool> find_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided) {
+  struct Uses {
+    int plain = 0;
+    int two_sided = 0;
+  };
+  std::map<std::pair<int, int>, Uses> uses;
+  const auto side = [&](const Triangle& t, std::size_t k) -> Uses& {
     return uses[std::minmax(t[k], t[(k + 1) % 3])];
   };
-  for (const Triangle& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++side(t, k);
-  }
-  for (bool found = true; found;) {
-    found = false;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      if (!two_sided[i] || removed[i]) continue;
-      const Triangle& t = mesh.triangles[i];
-      int free_sides = 0;
-      for (std::size_t k = 0; k < 3; ++k) free_sides += side(t, k) == 1 ? 1 : 0;
-      if (free_sides != 2) continue;
-      for (std::size_t k = 0; k < 3; ++k) --side(t, k);
-      removed[i] = true;
-      found = true;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Uses& at = side(mesh.triangles[i], k);
+      ++(two_sided[i] ? at.two_sided : at.plain);
     }
   }
+  std::vector<bool> fins(mesh.triangles.size(), false);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!two_sided[i]) continue;
+    int free_sides = 0;
+    bool alone = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Uses& at = side(mesh.triangles[i], k);
+      free_sides += at.plain == 0 ? 1 : 0;
+      alone = alone && at.two_sided == 1;
+    }
+    fins[i] = alone && free_sides == 2;
+  }
+  return fins;
 }
 
 // Returns the number of triangles removed.
@@ -125,7 +130,7 @@ int remove_duplicates(TriangleMesh& mesh) {
   if (single.triangles.size() < mesh.triangles.size()) {
     std::vector<bool> two_sided(single.triangles.size(), false);
     for (const auto& [corners, copies] : seen) two_sided[copies.first] = copies.net == 0;
-    mark_fins(single, two_sided, removed);
+    removed = find_fins(single, two_sided);
   }
   mesh.triangles.clear();
   for (std::size_t i = 0; i < single.triangles.size(); ++i) {

@@ -7,7 +7,7 @@ namespace prehend {
 namespace {
 
 // Directions shorter than this, relative to the longest, are rounding noise.
-constexpr double kNoise = 1e-15;
+constexpr double kNoise = 1e-10;
 
 using Directions = Eigen::Matrix<double, 6, 5>;
 

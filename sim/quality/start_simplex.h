@@ -9,7 +9,7 @@ namespace prehend {
 
 // Where wrench space ends numerically. A set thinner than this in some direction, relative to its
 // size, is flat: the largest ball inside it is indistinguishable from a point.
-inline constexpr double kFlatness = 1e-11;
+inline constexpr double kFlatness = 1e-9;
 
 struct StartSimplex {
   bool flat = true;

@@ -59,7 +59,9 @@ TEST(BarrettReference, LinkPosesAgree) {
 TEST(BarrettReference, JointValuesAgree) {
   PREHEND_NEEDS_SHARED(kReference);
   const Robot robot = find_robot("barrett");
-  for (const nlohmann::json& pose : reference()["poses"]) {
+  const nlohmann::json json = reference();
+  ASSERT_EQ(json["poses"].size(), 5U);
+  for (const nlohmann::json& pose : json["poses"]) {
     const auto expected = pose["joints"].get<std::vector<double>>();
     const auto values = joint_values(robot, pose["dof"].get<std::vector<double>>());
     ASSERT_EQ(values.size(), expected.size());

@@ -1,0 +1,105 @@
+#include "planner/grasp_picture.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "planner/picture/label.h"
+#include "planner/picture/marks.h"
+
+namespace prehend {
+namespace {
+
+constexpr Color kObject{0.80, 0.78, 0.70, 0.22};
+constexpr Color kHard{0.45, 0.53, 0.63, 1.0};
+constexpr Color kRubber{0.27, 0.31, 0.37, 1.0};
+constexpr Color kObstacle{0.72, 0.72, 0.72, 1.0};
+constexpr Color kCone{0.88, 0.13, 0.12, 1.0};
+constexpr Color kWeakest{0.50, 0.16, 0.75, 1.0};
+constexpr Color kText{0.15, 0.15, 0.18, 1.0};
+
+// Sizes of marks as parts of the object's radius.
+constexpr double kConeLength = 0.22;
+constexpr double kArrowLength = 1.1;
+
+void add_wrench(const CompiledScene& scene, const Wrench& wrench, std::vector<DrawnBody>& bodies) {
+  if (wrench.isZero(0.0)) return;
+  const double radius = 1.0 / scene.wrench_frame.torque_scale;
+  const Pose& X_WO = scene.scene.object.X_WO;
+  const Vector3& origin = scene.wrench_frame.torque_origin;
+  const Vector3 force = wrench.head<3>() / wrench.norm() * kArrowLength * radius;
+  const Vector3 torque = wrench.tail<3>() / wrench.norm() * kArrowLength * radius;
+  bodies.push_back({arrow_mesh(origin, origin + force, 0.035 * radius), X_WO, kWeakest});
+  bodies.push_back({arrow_mesh(origin, origin + torque, 0.015 * radius), X_WO, kWeakest});
+}
+
+void write_title(Image& image, const std::string& title) {
+  if (title.empty()) return;
+  constexpr int kScale = 2;
+  const TextSize size = text_size(title, kScale);
+  label(image, 12, image.height - size.height - 12, title, kText, kScale);
+}
+
+Image view(const std::vector<DrawnBody>& bodies, const Vector3& direction,
+           const GraspPictureOptions& options) {
+  const DrawOptions draw_options{.width = options.width, .height = options.height};
+  return draw(bodies, camera_around(bodies, direction, draw_options), draw_options);
+}
+
+}  // namespace
+
+std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  const Pose& X_WO = scene.scene.object.X_WO;
+  const double radius = 1.0 / scene.wrench_frame.torque_scale;
+  std::vector<DrawnBody> bodies;
+  bodies.push_back({scene.scene.object.mesh, X_WO, kObject});
+  std::vector<Pose> X_HL;
+  link_poses(scene.scene.hand, grasp.joints, X_HL);
+  for (std::size_t l = 0; l < scene.scene.hand.links.size(); ++l) {
+    const Link& link = scene.scene.hand.links[l];
+    const Color& color = link.material == "rubber" ? kRubber : kHard;
+    bodies.push_back({link.mesh, X_WO * grasp.X_OH * X_HL[l], color});
+  }
+  for (const StaticBody& body : scene.scene.obstacles) {
+    bodies.push_back({body.mesh, body.X_WB, kObstacle});
+  }
+  for (const GraspContact& contact : grasp.contacts) {
+    // A frictionless cone would not show.
+    const double slope = std::max(0.05, contact.point.friction);
+    const double length = kConeLength * radius / std::sqrt(1.0 + slope * slope);
+    bodies.push_back({cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO,
+                      kCone});
+  }
+  add_wrench(scene, grasp.weakest, bodies);
+  return bodies;
+}
+
+Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
+                    const GraspPictureOptions& options) {
+  const Hand& hand = *scene.scene.hand.hand;
+  const Pose X_WH = scene.scene.object.X_WO * grasp.X_OH;
+  const Vector3 approach = X_WH.linear() * hand.approach;
+  const Vector3 aside = X_WH.linear() * hand.approach.cross(hand.closing);
+  Vector3 direction = aside - 0.35 * approach;
+  if (direction.z() < 0.0) direction -= 2.0 * aside;
+  direction += 0.6 * Vector3::UnitZ();
+  Image image = view(grasp_bodies(scene, grasp), direction, options);
+  write_title(image, grasp.title);
+  return image;
+}
+
+Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
+                            const GraspPictureOptions& options) {
+  const std::vector<DrawnBody> bodies = grasp_bodies(scene, grasp);
+  std::vector<Image> views;
+  for (int side = 0; side < 4; ++side) {
+    const double angle = (0.25 + 0.5 * side) * std::numbers::pi;
+    views.push_back(view(bodies, Vector3(std::cos(angle), std::sin(angle), 0.55),
+                         {options.width / 2, options.height / 2}));
+  }
+  Image image = grid(views, 2);
+  write_title(image, grasp.title);
+  return image;
+}
+
+}  // namespace prehend

@@ -1,0 +1,38 @@
+// What a grasp looks like.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/picture/draw.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// A hand where it is, with what it touches.
+struct PosedGrasp {
+  Pose X_OH = Pose::Identity();
+  std::vector<double> joints;
+  std::vector<GraspContact> contacts;
+  Wrench weakest = Wrench::Zero();  // drawn from the centre of mass; zero: not drawn
+  std::string title;                // lines under the picture
+};
+
+struct GraspPictureOptions {
+  int width = 900;
+  int height = 700;
+};
+
+// Object partly transparent, hand solid, obstacles grey, friction cones red (as wide as the friction),
+// weakest wrench purple (force thick, torque thin). In the world's frame.
+std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
+
+// One view: across the approach, from slightly above, so that palm, object and fingers all show.
+Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
+                    const GraspPictureOptions& options = {});
+
+// Four views around the vertical in one picture, half as wide and high each.
+Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
+                            const GraspPictureOptions& options = {});
+
+}  // namespace prehend

@@ -1,0 +1,155 @@
+#include "planner/grasps_file.h"
+
+#include "sim/scene/json_pose.h"
+
+namespace prehend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+Json shape_json(const Primitive& primitive) {
+  Json json{{"shape", shape_name(primitive.shape)}};
+  if (const Box* box = std::get_if<Box>(&primitive.shape)) json["size"] = vector_to_json(box->size);
+  if (const Sphere* sphere = std::get_if<Sphere>(&primitive.shape)) {
+    json["radius"] = sphere->radius;
+  }
+  if (const Cylinder* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
+    json["radius"] = cylinder->radius;
+    json["height"] = cylinder->height;
+  }
+  json["pose"] = pose_to_json(primitive.X_OP);
+  return json;
+}
+
+Json contact_json(const CompiledScene& scene, const GraspContact& contact) {
+  return {{"link", scene.links[index(contact.link)].name},
+          {"position", vector_to_json(contact.point.position)},
+          {"normal", vector_to_json(contact.point.normal)},
+          {"friction", contact.point.friction},
+          {"gap", contact.gap}};
+}
+
+Json primitive_json(const ScoredGrasp& grasp, const PlanResult& result) {
+  if (grasp.primitive < 0) return nullptr;
+  return {{"index", grasp.primitive},
+          {"shape", shape_name(result.primitives[index(grasp.primitive)].shape)},
+          {"rule", grasp.rule}};
+}
+
+Json blocked_json(const CompiledScene& scene, const Trial& trial) {
+  if (trial.link < 0) return nullptr;
+  return {{"link", scene.links[index(trial.link)].name},
+          {"by", trial.obstacle < 0 ? scene.scene.object.name
+                                    : scene.obstacles[index(trial.obstacle)].name}};
+}
+
+Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const PlanResult& result) {
+  const Trial& trial = grasp.trial;
+  const Candidate& candidate = grasp.candidate;
+  const bool stable = trial.outcome == Outcome::stable;
+  Json json;
+  json["outcome"] = outcome_name(trial.outcome);
+  json["epsilon"] = stable ? trial.epsilon.lower : 0.0;
+  json["volume"] = grasp.volume;
+  json["force_closure"] = stable;
+  json["X_object_hand"] = pose_to_json(trial.X_OH);
+  json["X_world_hand"] = pose_to_json(scene.scene.object.X_WO * trial.X_OH);
+  if (candidate.preshape >= 0) {
+    json["preshape"] = scene.scene.hand.hand->preshapes[index(candidate.preshape)].name;
+  } else {
+    json["preshape"] = nullptr;
+  }
+  json["dofs"] = trial.dofs;
+  json["joints"] = trial.joints;
+  json["contacts"] = Json::array();
+  for (const GraspContact& c : trial.contacts) json["contacts"].push_back(contact_json(scene, c));
+  json["torque_origin"] = vector_to_json(scene.wrench_frame.torque_origin);
+  json["torque_scale"] = scene.wrench_frame.torque_scale;
+  json["weakest_wrench"] = {{"force", vector_to_json(trial.epsilon.weakest.head<3>())},
+                            {"torque", vector_to_json(trial.epsilon.weakest.tail<3>())}};
+  json["primitive"] = primitive_json(grasp, result);
+  json["approach"] = {{"direction", vector_to_json(candidate.approach_O)},
+                      {"distance", candidate.approach_distance},
+                      {"travel", trial.travel},
+                      {"back_offs", trial.back_offs}};
+  json["blocked"] = blocked_json(scene, trial);
+  return json;
+}
+
+Json settings_json(const RunRecord& record) {
+  const TrialOptions& trial = record.options.trials.trial;
+  const CandidateOptions& candidates = record.options.candidates;
+  return {{"seed", record.seed},
+          {"top", record.options.rank.top},
+          {"cone_edges", trial.cone_edges},
+          {"contact_threshold", trial.contact.threshold},
+          {"contact_gap", trial.contact_gap},
+          {"back_off_step", trial.back_off_step},
+          {"back_off_tries", trial.back_off_tries},
+          {"primitive_tolerance", record.options.primitives.tolerance},
+          {"max_primitives", record.options.primitives.max_primitives},
+          {"max_candidates", candidates.max_candidates},
+          {"cylinder_directions", candidates.cylinder_directions},
+          {"places", candidates.places},
+          {"sphere_directions", candidates.sphere_directions},
+          {"sphere_turns", candidates.sphere_turns}};
+}
+
+Json names_json(const Robot& hand) {
+  Json dofs = Json::array();
+  for (const DegreeOfFreedom& dof : hand.dofs) dofs.push_back(dof.name);
+  Json joints = Json::array();
+  for (const Joint& joint : hand.joints) joints.push_back(joint.name);
+  return {{"name", hand.name}, {"dofs", dofs}, {"joints", joints}};
+}
+
+}  // namespace
+
+std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
+                        const RunRecord& record) {
+  const GraspableBody& object = scene.scene.object;
+  Json json;
+  json["format"] = "prehend grasps 1";
+  json["scene"] = {{"file", record.scene}, {"unit", record.unit}};
+  if (!record.hand.empty()) json["scene"]["hand"] = record.hand;
+  json["object"] = {{"name", object.name},
+                    {"material", material_name(object.material)},
+                    {"mass", object.mass},
+                    {"center_of_mass", vector_to_json(object.center_of_mass)},
+                    {"X_world_object", pose_to_json(object.X_WO)}};
+  json["hand"] = names_json(scene.scene.hand);
+  json["settings"] = settings_json(record);
+  json["stages"] = Json::array();
+  for (const Stage& stage : result.stages) {
+    json["stages"].push_back({{"name", stage.name}, {"count", stage.count}});
+  }
+  json["outcomes"] = Json::object();
+  for (Outcome outcome : kOutcomes) {
+    json["outcomes"][std::string(outcome_name(outcome))] =
+        result.outcomes[static_cast<std::size_t>(outcome)];
+  }
+  json["primitives"] = Json::array();
+  for (const Primitive& primitive : result.primitives) {
+    json["primitives"].push_back(shape_json(primitive));
+  }
+  json["grasps"] = Json::array();
+  for (const ScoredGrasp& grasp : result.grasps) {
+    json["grasps"].push_back(grasp_json(scene, grasp, result));
+  }
+  return json.dump(1) + "\n";
+}
+
+std::string timings_json(const std::vector<StageTime>& times, int threads) {
+  Json json{{"threads", threads}, {"stages", Json::array()}};
+  double total = 0.0;
+  for (const StageTime& time : times) {
+    json["stages"].push_back({{"name", time.stage}, {"seconds", time.seconds}});
+    total += time.seconds;
+  }
+  json["total"] = total;
+  return json.dump(1) + "\n";
+}
+
+}  // namespace prehend

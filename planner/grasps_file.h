@@ -1,0 +1,28 @@
+// grasps.json and timings.json as text (docs/grasps-file.md).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planner/plan.h"
+
+namespace prehend {
+
+// What a run was asked, as the file's "scene" and "settings" say it.
+struct RunRecord {
+  std::string scene;  // name of a library scene or absolute path of a scene or mesh file
+  std::string unit = "m";  // of a mesh file
+  std::string hand;   // as asked, empty: the scene's
+  std::uint64_t seed = 1;
+  PlanOptions options;
+};
+
+// The whole file as text; the same for the same result, on any number of threads.
+std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
+                        const RunRecord& record);
+
+// Seconds a stage, and in all.
+std::string timings_json(const std::vector<StageTime>& times, int threads);
+
+}  // namespace prehend

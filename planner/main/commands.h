@@ -1,0 +1,53 @@
+// What the program's commands do, once their words are parsed.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace prehend {
+
+struct CommonOptions {
+  std::filesystem::path out = "out";
+  int threads = 0;  // 0: all processors
+  std::uint64_t seed = 1;
+};
+
+struct PlanCommand {
+  std::string scene = "mug";  // name, scene file or mesh file
+  std::string hand;           // empty: the scene's
+  std::string unit = "m";
+  int top = 10;
+  CommonOptions common;
+};
+
+struct EvaluateCommand {
+  std::filesystem::path grasps;
+  std::string scene;  // empty: the file's
+  std::string hand;
+  std::string unit;
+  CommonOptions common;
+};
+
+struct RenderCommand {
+  std::filesystem::path grasps;
+  int grasp = 0;  // 1 is the first, 0: all
+  std::string scene;
+  std::string hand;
+  std::string unit;
+  CommonOptions common;
+};
+
+struct InspectCommand {
+  std::string file;
+  std::string unit = "m";
+};
+
+// Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake, before
+// anything is written.
+int run_plan(const PlanCommand& command);
+int run_evaluate(const EvaluateCommand& command);
+int run_render(const RenderCommand& command);
+int run_inspect(const InspectCommand& command);
+
+}  // namespace prehend

@@ -1,0 +1,116 @@
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <stdexcept>
+
+#include <CLI/CLI.hpp>
+
+#include "planner/main/commands.h"
+#include "sim/geometry/mesh_file.h"
+
+namespace {
+
+constexpr int kCallersMistake = 2;
+constexpr int kFailure = 1;
+
+using prehend::CommonOptions;
+
+void add_common(CLI::App& command, CommonOptions& common) {
+  command.add_option("--threads", common.threads, "threads to use, 0: all processors")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.add_option("--seed", common.seed, "seed of everything random")->capture_default_str();
+  command.add_option("--out", common.out, "folder to write to")->capture_default_str();
+}
+
+void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit) {
+  command.add_option("--scene", scene, "scene or mesh file, in place of the one the file names");
+  command.add_option("--hand", hand, "robot of the library or robot file, in place of the file's");
+  command.add_option("--unit", unit, "unit of a mesh file: m, cm, mm, in");
+}
+
+// The commands, their words, and what to call once they are parsed.
+struct Program {
+  CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
+  prehend::PlanCommand plan;
+  prehend::EvaluateCommand evaluate;
+  prehend::RenderCommand render;
+  prehend::InspectCommand inspect;
+  std::function<int()> chosen;
+
+  Program() {
+    app.require_subcommand(1);
+    add_plan();
+    add_evaluate();
+    add_render();
+    add_inspect();
+  }
+
+  void add_plan() {
+    CLI::App& command = *app.add_subcommand("plan", "plan grasps of an object and rank them");
+    command.add_option("scene", plan.scene, "scene name, scene file or mesh file")
+        ->capture_default_str();
+    command.add_option("--hand", plan.hand, "robot of the library or robot file");
+    command.add_option("--unit", plan.unit, "unit of a mesh file: m, cm, mm, in")
+        ->capture_default_str();
+    command.add_option("--top", plan.top, "grasps to return")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    add_common(command, plan.common);
+    command.callback([this] { chosen = [this] { return prehend::run_plan(plan); }; });
+  }
+
+  void add_evaluate() {
+    CLI::App& command = *app.add_subcommand("evaluate", "simulate and score given grasps");
+    command.add_option("grasps", evaluate.grasps, "grasp file (docs/grasps-file.md)")->required();
+    add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit);
+    evaluate.common.out = "out/evaluate";
+    add_common(command, evaluate.common);
+    command.callback([this] { chosen = [this] { return prehend::run_evaluate(evaluate); }; });
+  }
+
+  void add_render() {
+    CLI::App& command = *app.add_subcommand("render", "draw grasps of a grasp file (PNG)");
+    command.add_option("grasps", render.grasps, "grasp file")->required();
+    command.add_option("--grasp", render.grasp, "number of the one to draw, 0: all")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    add_scene_words(command, render.scene, render.hand, render.unit);
+    render.common.out = "out/render";
+    command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();
+    command.callback([this] { chosen = [this] { return prehend::run_render(render); }; });
+  }
+
+  void add_inspect() {
+    CLI::App& command =
+        *app.add_subcommand("inspect", "say what prehend sees in a mesh, robot or scene");
+    command.add_option("file", inspect.file, "mesh, robot or scene file, or a library name")
+        ->required();
+    command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
+        ->capture_default_str();
+    command.callback([this] { chosen = [this] { return prehend::run_inspect(inspect); }; });
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    Program program;
+    try {
+      program.app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      if (error.get_exit_code() == 0) return program.app.exit(error);
+      std::cerr << "prehend: " << error.what() << " (see --help)\n";
+      return kCallersMistake;
+    }
+    return program.chosen();
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "prehend: " << error.what() << "\n";
+    return kCallersMistake;
+  } catch (const std::exception& error) {
+    std::cerr << "prehend: internal error: " << error.what() << "\n";
+    return kFailure;
+  }
+}

@@ -1,0 +1,60 @@
+#include "planner/main/result_table.h"
+
+#include <cstdio>
+
+namespace prehend {
+namespace {
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+  const int size = std::snprintf(nullptr, 0, pattern, values...);
+  std::string text(static_cast<std::size_t>(size), '\0');
+  std::snprintf(text.data(), text.size() + 1, pattern, values...);
+  return text;
+}
+
+std::string origin_of(const ScoredGrasp& grasp, const PlanResult& result) {
+  if (grasp.primitive < 0) return grasp.rule;
+  const auto p = static_cast<std::size_t>(grasp.primitive);
+  const std::string shape(shape_name(result.primitives[p].shape));
+  return shape + " " + std::to_string(grasp.primitive + 1) + " (" + grasp.rule + ")";
+}
+
+std::string preshape_of(const CompiledScene& scene, const ScoredGrasp& grasp) {
+  if (grasp.candidate.preshape < 0) return "-";
+  return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(grasp.candidate.preshape)].name;
+}
+
+}  // namespace
+
+std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
+  std::string text = format("%4s  %8s  %9s  %8s  %-17s  %-16s  %s\n", "rank", "epsilon", "volume",
+                            "contacts", "outcome", "preshape", "primitive");
+  for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
+    const ScoredGrasp& grasp = result.grasps[i];
+    text += format("%4zu  %8.4f  %9.3g  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
+                   grasp.volume, grasp.trial.contacts.size(),
+                   std::string(outcome_name(grasp.trial.outcome)).c_str(),
+                   preshape_of(scene, grasp).c_str(), origin_of(grasp, result).c_str());
+  }
+  return text;
+}
+
+std::string outcome_line(const PlanResult& result) {
+  int total = 0;
+  std::string counts;
+  for (Outcome outcome : kOutcomes) {
+    const int count = result.outcomes[static_cast<std::size_t>(outcome)];
+    total += count;
+    counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " +
+              std::string(outcome_name(outcome));
+  }
+  return std::to_string(total) + " tried: " + counts;
+}
+
+std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {
+  return format("rank %zu   epsilon %.4f   volume %.3g   %zu contacts", rank,
+                grasp.trial.epsilon.lower, grasp.volume, grasp.trial.contacts.size());
+}
+
+}  // namespace prehend

@@ -1,0 +1,19 @@
+// Results as text for people.
+#pragma once
+
+#include <string>
+
+#include "planner/plan.h"
+
+namespace prehend {
+
+// A row a grasp: rank, epsilon, volume, contacts, outcome or primitive. At most `rows`.
+std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows);
+
+// "1420 tried: 388 stable, 1001 not_force_closure, ...": one line that counts every outcome.
+std::string outcome_line(const PlanResult& result);
+
+// "rank 1   epsilon 0.2130 ...": a picture's title.
+std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank);
+
+}  // namespace prehend

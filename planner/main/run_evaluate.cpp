@@ -1,0 +1,47 @@
+#include <iostream>
+
+#include "planner/main/asked_scene.h"
+#include "planner/main/commands.h"
+#include "planner/main/progress_bar.h"
+#include "planner/main/result_table.h"
+#include "planner/output_file.h"
+
+namespace prehend {
+
+int run_evaluate(const EvaluateCommand& command) {
+  Stopwatch watch;
+  const JsonFile file(command.grasps);
+  const LoadedScene loaded =
+      load_asked_scene(file, {command.scene, command.hand, command.unit});
+  std::vector<Candidate> candidates;
+  for (const AskedGrasp& asked : asked_grasps(file, loaded.scene)) {
+    candidates.push_back(asked.candidate);
+  }
+  watch.lap("load");
+
+  ProgressBar bar;
+  RunTrialsOptions options;
+  options.threads = command.common.threads;
+  options.progress = [&](const TrialProgress& progress) { bar.show(progress); };
+  const PlanResult result = evaluate(loaded.scene, candidates, options);
+  bar.clear();
+  watch.add(result.times);
+
+  RunRecord record = loaded.record;
+  record.seed = command.common.seed;
+  record.options.trials = options;
+  make_folder(command.common.out);
+  write_file(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));
+  write_file(command.common.out / "timings.json",
+             timings_json(watch.laps(), command.common.threads));
+  constexpr std::size_t kMostRows = 20;
+  std::cout << grasp_table(loaded.scene, result, kMostRows);
+  if (result.grasps.size() > kMostRows) {
+    std::cout << "... and " << result.grasps.size() - kMostRows << " more\n";
+  }
+  std::cout << outcome_line(result) << "\nwrote " << command.common.out.string()
+            << ": grasps.json, timings.json\n";
+  return 0;
+}
+
+}  // namespace prehend

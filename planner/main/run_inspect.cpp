@@ -1,0 +1,155 @@
+#include <cstdio>
+#include <algorithm>
+
+#include "planner/main/commands.h"
+#include "planner/scene_library.h"
+#include "primitives/decompose.h"
+#include "sim/geometry/mass_properties.h"
+#include "sim/geometry/mesh_checks.h"
+#include "sim/geometry/mesh_file.h"
+#include "sim/robot/json_field.h"
+#include "sim/robot/robot_file.h"
+#include "sim/scene/scene_file.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kMillimetres = 1000.0;
+constexpr double kLitres = 1000.0;
+
+const char* source_name(MassSource source) {
+  switch (source) {
+    case MassSource::signed_volume:
+      return "signed volume";
+    case MassSource::convex_hull:
+      return "convex hull, the mesh is not closed";
+    default:
+      return "surface, the mesh encloses nothing";
+  }
+}
+
+void print_checks(const MeshChecks& checks) {
+  std::printf("  triangles %d, vertices %d, components %d\n", checks.triangles, checks.vertices,
+              checks.components);
+  std::printf("  closed %s, oriented %s\n", checks.closed() ? "yes" : "no",
+              checks.misoriented_edges == 0 ? "yes" : "no");
+  const auto warn = [](int count, const char* what) {
+    if (count > 0) std::printf("  warning: %d %s\n", count, what);
+  };
+  warn(checks.boundary_edges, "boundary edges (holes)");
+  warn(checks.nonmanifold_edges, "edges of three or more triangles");
+  warn(checks.misoriented_edges, "edges whose triangles disagree on outside");
+  warn(checks.degenerate_triangles, "triangles without area");
+  if (checks.inward) std::printf("  warning: the surface faces inward\n");
+}
+
+void print_shape(const Primitive& primitive) {
+  const Vector3 p = kMillimetres * primitive.X_OP.translation();
+  std::printf("  %-8s", std::string(shape_name(primitive.shape)).c_str());
+  if (const Box* box = std::get_if<Box>(&primitive.shape)) {
+    const Vector3 size = kMillimetres * box->size;
+    std::printf(" %.1f x %.1f x %.1f mm", size.x(), size.y(), size.z());
+  } else if (const Sphere* sphere = std::get_if<Sphere>(&primitive.shape)) {
+    std::printf(" radius %.1f mm", kMillimetres * sphere->radius);
+  } else if (const Cylinder* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
+    std::printf(" radius %.1f mm, height %.1f mm", kMillimetres * cylinder->radius,
+                kMillimetres * cylinder->height);
+  }
+  std::printf(" at (%.1f, %.1f, %.1f) mm\n", p.x(), p.y(), p.z());
+}
+
+void print_mesh(const TriangleMesh& mesh) {
+  const Vector3 size = kMillimetres * bounds(mesh).size();
+  std::printf("  size %.2f x %.2f x %.2f mm, surface %.1f cm^2\n", size.x(), size.y(), size.z(),
+              1e4 * surface_area(mesh));
+  print_checks(check_mesh(mesh));
+  const MassProperties mass = mass_properties(mesh);
+  const Vector3 center = kMillimetres * mass.center_of_mass;
+  std::printf("  volume %.4f litres, centre of mass (%.2f, %.2f, %.2f) mm, from the %s\n",
+              kLitres * mass.volume, center.x(), center.y(), center.z(), source_name(mass.source));
+}
+
+void print_primitives(const TriangleMesh& mesh) {
+  const Decomposition parts = decompose(mesh);
+  std::printf("primitives: %zu, which explain %.1f %% of the surface\n", parts.primitives.size(),
+              100.0 * parts.explained);
+  for (const Primitive& primitive : parts.primitives) print_shape(primitive);
+}
+
+void print_robot(const Robot& robot) {
+  std::printf("robot %s: %zu links, %zu joints, %zu degrees of freedom\n", robot.name.c_str(),
+              robot.links.size(), robot.joints.size(), robot.dofs.size());
+  for (const Joint& joint : robot.joints) {
+    std::printf("  joint %-20s %-9s limits %9.4f to %9.4f, driven by %s x %.4g\n",
+                joint.name.c_str(), joint.type == JointType::revolute ? "revolute" : "prismatic",
+                joint.lower, joint.upper, robot.dofs[static_cast<std::size_t>(joint.dof)].name.c_str(),
+                joint.ratio);
+  }
+  for (const DegreeOfFreedom& dof : robot.dofs) {
+    std::printf("  dof   %-20s from %9.4f to %9.4f, closes at %g\n", dof.name.c_str(), dof.lower,
+                dof.upper, dof.closing_velocity);
+  }
+  for (const Link& link : robot.links) {
+    const Vector3 size = kMillimetres * bounds(link.mesh).size();
+    std::printf("  link  %-20s %-8s %3zu triangles, %.1f x %.1f x %.1f mm%s\n", link.name.c_str(),
+                link.material.c_str(), link.mesh.triangles.size(), size.x(), size.y(), size.z(),
+                check_mesh(link.mesh).solid() ? "" : ", not a closed solid");
+  }
+  if (!robot.hand) return;
+  for (const Preshape& preshape : robot.hand->preshapes) {
+    std::printf("  preshape %-17s holds %.0f to %.0f mm\n", preshape.name.c_str(),
+                kMillimetres * preshape.min_width, kMillimetres * preshape.max_width);
+  }
+}
+
+void print_scene(const Scene& scene) {
+  std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
+              scene.object.name.c_str(), std::string(material_name(scene.object.material)).c_str(),
+              scene.object.mass, scene.hand.name.c_str(), scene.obstacles.size());
+  print_mesh(scene.object.mesh);
+  for (const StaticBody& body : scene.obstacles) {
+    std::printf("obstacle %s of %s\n", body.name.c_str(),
+                std::string(material_name(body.material)).c_str());
+    print_mesh(body.mesh);
+  }
+  if (scene.primitives.empty()) {
+    print_primitives(scene.object.mesh);
+  } else {
+    std::printf("primitives: %zu, given by the scene\n", scene.primitives.size());
+    for (const Primitive& primitive : scene.primitives) print_shape(primitive);
+  }
+}
+
+bool is_robot_name(const std::string& name) {
+  const std::vector<std::string> names = library_robot_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+int run_inspect(const InspectCommand& command) {
+  if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
+    print_robot(find_robot(command.file));
+    return 0;
+  }
+  const std::filesystem::path file = find_scene(command.file);
+  if (file.extension() != ".json") {
+    const LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(command.unit)});
+    std::printf("mesh %s\n", file.string().c_str());
+    print_mesh(loaded.mesh);
+    if (loaded.degenerate_removed + loaded.duplicates_removed > 0) {
+      std::printf("  left out: %d triangles without area, %d duplicates\n",
+                  loaded.degenerate_removed, loaded.duplicates_removed);
+    }
+    print_primitives(loaded.mesh);
+    return 0;
+  }
+  if (JsonFile(file).root().has("chains")) {
+    print_robot(load_robot(file));
+  } else {
+    print_scene(load_scene(file));
+  }
+  return 0;
+}
+
+}  // namespace prehend

@@ -1,0 +1,64 @@
+#include <iostream>
+
+#include "planner/grasp_picture.h"
+#include "planner/grasps_file.h"
+#include "planner/main/commands.h"
+#include "planner/main/progress_bar.h"
+#include "planner/main/result_table.h"
+#include "planner/output_file.h"
+#include "planner/scene_library.h"
+#include "sim/scene/scene_file.h"
+
+namespace prehend {
+namespace {
+
+// Without a grasp there is no picture, and none of an earlier run stays behind.
+void write_best_picture(const CompiledScene& scene, const PlanResult& result,
+                        const std::filesystem::path& file) {
+  if (result.grasps.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return;
+  }
+  const ScoredGrasp& best = result.grasps.front();
+  write_png(file, grasp_picture(scene, {best.trial.X_OH, best.trial.joints, best.trial.contacts,
+                                        best.trial.epsilon.weakest, grasp_title(best, 1)}));
+}
+
+}  // namespace
+
+int run_plan(const PlanCommand& command) {
+  Stopwatch watch;
+  const std::filesystem::path file = find_scene(command.scene);
+  Scene loaded = load_scene(file, {command.hand, command.unit});
+  watch.lap("load");
+  const CompiledScene scene = compile(std::move(loaded));
+  watch.lap("compile");
+
+  ProgressBar bar;
+  PlanOptions options;
+  options.primitives.seed = command.common.seed;
+  options.trials.threads = command.common.threads;
+  options.trials.progress = [&](const TrialProgress& progress) { bar.show(progress); };
+  options.rank.top = command.top;
+  const PlanResult result = plan(scene, options);
+  bar.clear();
+  watch.add(result.times);
+
+  const RunRecord record{scene_reference(file), command.unit, command.hand, command.common.seed,
+                         options};
+  make_folder(command.common.out);
+  write_file(command.common.out / "grasps.json", grasps_json(scene, result, record));
+  write_best_picture(scene, result, command.common.out / "best.png");
+  watch.lap("picture");
+  write_file(command.common.out / "timings.json",
+             timings_json(watch.laps(), command.common.threads));
+
+  std::cout << grasp_table(scene, result, static_cast<std::size_t>(command.top))
+            << outcome_line(result) << "\n"
+            << "wrote " << command.common.out.string() << ": grasps.json, timings.json"
+            << (result.grasps.empty() ? "" : ", best.png") << "\n";
+  return 0;
+}
+
+}  // namespace prehend

@@ -1,0 +1,15 @@
+// Files that are written whole or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace prehend {
+
+// Makes the folder if it is missing. Throws InputError that names it when that fails.
+void make_folder(const std::filesystem::path& folder);
+
+// Writes to a file beside it first and renames. Throws InputError that names the file.
+void write_file(const std::filesystem::path& file, const std::string& content);
+
+}  // namespace prehend

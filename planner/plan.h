@@ -1,0 +1,55 @@
+// From a scene to ranked grasps, and from somebody's grasps to their scores.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planner/candidates.h"
+#include "planner/rank.h"
+#include "planner/run_trials.h"
+#include "planner/stopwatch.h"
+#include "primitives/decompose.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+struct PlanOptions {
+  DecomposeOptions primitives;
+  CandidateOptions candidates;
+  RunTrialsOptions trials;
+  RankOptions rank;
+};
+
+// A grasp with everything that is said about it.
+struct ScoredGrasp {
+  Trial trial;
+  Candidate candidate;
+  double volume = 0.0;  // of the wrench hull, 0 without force closure
+  int primitive = -1;   // it came from, -1: given by the caller
+  std::string rule;
+};
+
+struct Stage {
+  std::string name;
+  int count = 0;  // what came out of it
+};
+
+struct PlanResult {
+  std::vector<Primitive> primitives;
+  std::vector<ScoredGrasp> grasps;  // plan: best first; evaluate: as asked
+  std::array<int, kOutcomes.size()> outcomes{};  // of all trials
+  std::vector<Stage> stages;
+  std::vector<StageTime> times;
+};
+
+// Throws InputError when no candidate can be proposed: the object is too large for the hand.
+PlanResult plan(const CompiledScene& scene, const PlanOptions& options = {});
+
+// Each candidate is tried where it is; nothing is ranked or left out.
+PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
+                    const RunTrialsOptions& options = {});
+
+}  // namespace prehend

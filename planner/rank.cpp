@@ -1,0 +1,36 @@
+#include "planner/rank.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+bool is_same(const Pose& a, const Pose& b, const RankOptions& options) {
+  if ((a.translation() - b.translation()).norm() > options.same_distance) return false;
+  const Eigen::AngleAxisd turn(a.linear().transpose() * b.linear());
+  return std::abs(turn.angle()) <= options.same_angle;
+}
+
+}  // namespace
+
+std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (trials[i].outcome == Outcome::stable) order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return trials[a].epsilon.lower > trials[b].epsilon.lower;
+  });
+  std::vector<std::size_t> ranked;
+  for (std::size_t i : order) {
+    if (ranked.size() >= static_cast<std::size_t>(options.top)) break;
+    const bool known = std::any_of(ranked.begin(), ranked.end(), [&](std::size_t better) {
+      return is_same(trials[better].X_OH, trials[i].X_OH, options);
+    });
+    if (!known) ranked.push_back(i);
+  }
+  return ranked;
+}
+
+}  // namespace prehend

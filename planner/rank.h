@@ -1,0 +1,21 @@
+// Which grasps are best, and which are the same grasp.
+#pragma once
+
+#include <vector>
+
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+struct RankOptions {
+  int top = 10;  // grasps to return (>= 1)
+  // Grasps whose hands are closer than both of these are one; the better stands for it.
+  double same_distance = 0.01;  // m
+  double same_angle = 0.35;     // rad
+};
+
+// Indices of the stable trials, largest epsilon first (equal epsilon: smaller index first), without those
+// that are near-identical to a better one, at most `top`.
+std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options);
+
+}  // namespace prehend

@@ -1,0 +1,26 @@
+// Reads scene files (docs/scene-file.md), and makes a scene of a bare mesh file.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "sim/scene/scene.h"
+
+namespace prehend {
+
+struct SceneSource {
+  // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it says.
+  std::string hand;
+  // Unit of a mesh file that is given without a scene: m, cm, mm, in.
+  std::string unit = "m";
+};
+
+// The hand of a scene that names none.
+inline constexpr const char* kDefaultHand = "barrett";
+
+// A scene file (.json), or a mesh file as the object of a scene with nothing else in it.
+// Throws InputError that names the file, the field and the value.
+Scene load_scene(const std::filesystem::path& file, const SceneSource& source = {});
+
+}  // namespace prehend

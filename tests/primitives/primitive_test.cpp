@@ -1,0 +1,107 @@
+#include "primitives/primitive.h"
+
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "primitives/near_surface.h"
+#include "primitives/primitive_surface.h"
+#include "tests/primitives/test_meshes.h"
+
+namespace prehend {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kRounding = 1e-12;
+
+std::vector<Shape> some_shapes() {
+  return {Box{{1.0, 2.0, 3.0}}, Box{{0.1, 5.0, 0.2}}, Sphere{0.5},
+          Sphere{3.0},          Cylinder{0.5, 2.0},   Cylinder{2.0, 0.1}};
+}
+
+TEST(Primitive, NamesAreTheShapes) {
+  EXPECT_EQ(shape_name(Box{}), "box");
+  EXPECT_EQ(shape_name(Sphere{}), "sphere");
+  EXPECT_EQ(shape_name(Cylinder{}), "cylinder");
+}
+
+TEST(Primitive, AreaIsTheClosedForm) {
+  EXPECT_NEAR(surface_area(Shape(Box{{1.0, 2.0, 3.0}})), 22.0, kRounding);
+  EXPECT_NEAR(surface_area(Shape(Sphere{2.0})), 16.0 * pi, kRounding);
+  EXPECT_NEAR(surface_area(Shape(Cylinder{2.0, 3.0})), 2.0 * pi * 2.0 * 5.0, kRounding);
+}
+
+TEST(Primitive, DistanceFromABox) {
+  const Primitive box{Box{{2.0, 4.0, 6.0}}, Pose::Identity()};
+  EXPECT_NEAR(signed_distance(box, {0.0, 0.0, 0.0}), -1.0, kRounding);
+  EXPECT_NEAR(signed_distance(box, {0.0, 1.5, 0.0}), -0.5, kRounding);
+  EXPECT_NEAR(signed_distance(box, {1.0, 0.0, 0.0}), 0.0, kRounding);
+  EXPECT_NEAR(signed_distance(box, {0.0, 0.0, -5.0}), 2.0, kRounding);
+  EXPECT_NEAR(signed_distance(box, {4.0, 6.0, 0.0}), 5.0, kRounding);
+  EXPECT_NEAR(signed_distance(box, {3.0, 5.0, 4.0}), std::sqrt(4.0 + 9.0 + 1.0), kRounding);
+}
+
+TEST(Primitive, DistanceFromASphere) {
+  const Primitive sphere{Sphere{2.0}, Pose::Identity()};
+  EXPECT_NEAR(signed_distance(sphere, {0.0, 0.0, 0.0}), -2.0, kRounding);
+  EXPECT_NEAR(signed_distance(sphere, {0.0, 3.0, 4.0}), 3.0, kRounding);
+}
+
+TEST(Primitive, DistanceFromACylinder) {
+  const Primitive cylinder{Cylinder{1.0, 4.0}, Pose::Identity()};
+  EXPECT_NEAR(signed_distance(cylinder, {0.0, 0.0, 0.0}), -1.0, kRounding);
+  EXPECT_NEAR(signed_distance(cylinder, {0.0, 0.0, 1.75}), -0.25, kRounding);
+  EXPECT_NEAR(signed_distance(cylinder, {0.0, 3.0, 1.0}), 2.0, kRounding);
+  EXPECT_NEAR(signed_distance(cylinder, {0.0, 0.5, 5.0}), 3.0, kRounding);
+  EXPECT_NEAR(signed_distance(cylinder, {4.0, 0.0, -6.0}), 5.0, kRounding);
+}
+
+TEST(Primitive, DistanceMovesWithTheFrame) {
+  test::Draw draw(1);
+  for (const Shape& shape : some_shapes()) {
+    for (int i = 0; i < 20; ++i) {
+      const Pose X_OP = draw.pose(2.0);
+      const Vector3 p_P = draw.uniform(0.0, 4.0) * draw.direction();
+      EXPECT_NEAR(signed_distance({shape, X_OP}, X_OP * p_P),
+                  signed_distance({shape, Pose::Identity()}, p_P), 1e-9);
+    }
+  }
+}
+
+TEST(SpreadPoints, LieOnTheSurfaceAndAddUpToItsArea) {
+  test::Draw draw(2);
+  for (const Shape& shape : some_shapes()) {
+    const Primitive primitive{shape, draw.pose(2.0)};
+    double area = 0.0;
+    for (const PatchPoint& patch : spread_points(primitive, 200)) {
+      EXPECT_NEAR(signed_distance(primitive, patch.p_O), 0.0, 1e-9) << shape_name(shape);
+      area += patch.area;
+    }
+    EXPECT_NEAR(area, surface_area(shape), 1e-9 * area) << shape_name(shape);
+  }
+}
+
+TEST(NearSurface, KnowsTheDistanceToItsPointsToACell) {
+  test::Draw draw(3);
+  std::vector<SurfacePoint> points(5);
+  for (SurfacePoint& s : points) s.p_O = draw.uniform(0.0, 1.0) * draw.direction();
+  constexpr double kRadius = 0.2;
+  const NearSurface near(points, kRadius);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3 p = draw.uniform(0.0, 2.0) * draw.direction();
+    double distance = 1e9;
+    for (const SurfacePoint& s : points) distance = std::min(distance, (s.p_O - p).norm());
+    // Half the diagonal of a cell, which is a third of the radius wide, decides in between.
+    constexpr double kCell = 0.5 * 1.7321 / 3.0 * kRadius;
+    if (distance < kRadius - kCell) {
+      EXPECT_TRUE(near.near(p)) << distance;
+    }
+    if (distance > kRadius + kCell) {
+      EXPECT_FALSE(near.near(p)) << distance;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prehend

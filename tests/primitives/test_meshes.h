@@ -1,0 +1,94 @@
+// Meshes of known shape, moved and disturbed in a repeatable way.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+
+#include "sim/geometry/triangle_mesh.h"
+
+namespace prehend::test {
+
+// Portable draws: the same numbers with every standard library.
+class Draw {
+ public:
+  explicit Draw(std::uint64_t seed) : random_(seed) {}
+
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
+  }
+
+  Vector3 direction() {
+    const double z = uniform(-1.0, 1.0);
+    const double angle = uniform(0.0, 2.0 * std::numbers::pi);
+    const double rho = std::sqrt(1.0 - z * z);
+    return {rho * std::cos(angle), rho * std::sin(angle), z};
+  }
+
+  Pose pose(double reach) {
+    const Eigen::AngleAxisd turn(uniform(0.0, std::numbers::pi), direction());
+    return pose_from(turn.toRotationMatrix(), uniform(0.0, reach) * direction());
+  }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+// Every vertex moved by `distance` in a direction of its own.
+inline TriangleMesh disturbed(TriangleMesh mesh, double distance, Draw& draw) {
+  for (Vector3& p : mesh.vertices) p += distance * draw.direction();
+  return mesh;
+}
+
+inline TriangleMesh scaled(TriangleMesh mesh, double factor) {
+  for (Vector3& p : mesh.vertices) p *= factor;
+  return mesh;
+}
+
+inline TriangleMesh without_triangles_above(const TriangleMesh& mesh, double z) {
+  TriangleMesh open{mesh.vertices, {}};
+  for (const Triangle& t : mesh.triangles) {
+    double lowest = mesh.vertices[static_cast<std::size_t>(t[0])].z();
+    for (const int v : t) lowest = std::min(lowest, mesh.vertices[static_cast<std::size_t>(v)].z());
+    if (lowest < z) open.triangles.push_back(t);
+  }
+  return open;
+}
+
+// `rings` x `sectors` around the z axis; triangles shrink towards the poles.
+inline TriangleMesh uv_sphere(double radius, int rings, int sectors) {
+  TriangleMesh mesh;
+  for (int i = 0; i <= rings; ++i) {
+    const double polar = std::numbers::pi * i / rings;
+    for (int j = 0; j < sectors; ++j) {
+      const double angle = 2.0 * std::numbers::pi * j / sectors;
+      mesh.vertices.emplace_back(radius * std::sin(polar) * std::cos(angle),
+                                 radius * std::sin(polar) * std::sin(angle),
+                                 radius * std::cos(polar));
+    }
+  }
+  for (int i = 0; i < rings; ++i) {
+    for (int j = 0; j < sectors; ++j) {
+      const int next = (j + 1) % sectors;
+      const int a = i * sectors + j;
+      const int b = i * sectors + next;
+      mesh.triangles.push_back({a, a + sectors, b + sectors});
+      mesh.triangles.push_back({a, b + sectors, b});
+    }
+  }
+  return mesh;
+}
+
+inline TriangleMesh triangle_soup(int count, Draw& draw) {
+  TriangleMesh soup;
+  for (int i = 0; i < count; ++i) {
+    for (int corner = 0; corner < 3; ++corner) {
+      soup.vertices.emplace_back(draw.uniform(0.0, 1.0) * draw.direction());
+    }
+    soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return soup;
+}
+
+}  // namespace prehend::test
