@@ -88,42 +88,35 @@ struct Leaf {
   std::optional<Split> split;
 
   double gain() const { return split ? region.cost - split->cost() - kPieceCost : -1.0; }
+  // The share of the whole surface that only the split explains.
+  double newly_explained() const {
+    return split ? region.unexplained - split->first.unexplained - split->second.unexplained : -1.0;
+  }
 };
 
-double explained_share(const std::vector<Leaf>& leaves, const Surface& surface) {
-  std::size_t explained = 0;
-  for (const SurfacePoint& s : surface.points) {
-    explained += std::any_of(leaves.begin(), leaves.end(), [&](const Leaf& leaf) {
-      return std::abs(signed_distance(leaf.region.primitive, s.p_O)) <= surface.tolerance;
-    });
-  }
-  return static_cast<double>(explained) / static_cast<double>(surface.points.size());
-}
-
-// Splits where the objective falls most, until no split pays for its piece; short of the coverage
-// asked for, a tenth of that must do.
+// Splits where the objective falls most, until no split lowers it.
 std::vector<Region> grown(const Surface& surface, const DecomposeOptions& options) {
   // More pieces than asked for, since merging afterwards finds the better few.
   const std::size_t most = static_cast<std::size_t>(options.max_primitives) + 4;
   std::vector<Leaf> leaves;
   leaves.push_back({fit_region(surface.points, surface, Effort::kThorough), false, std::nullopt});
   while (leaves.size() < most) {
+    double unexplained = 0.0;
     for (Leaf& leaf : leaves) {
+      unexplained += leaf.region.unexplained;
       // Splitting cannot win more than the region costs.
       if (leaf.tried || leaf.region.cost < 0.5 * kPieceCost) continue;
       leaf.split = best_split(leaf.region, surface);
       leaf.tried = true;
     }
-    const auto best =
-        std::max_element(leaves.begin(), leaves.end(),
-                         [](const Leaf& a, const Leaf& b) { return a.gain() < b.gain(); });
-    if (!best->split) break;
-    if (best->gain() < 0.0) {
-      if (best->gain() < -0.9 * kPieceCost ||
-          explained_share(leaves, surface) >= options.coverage) {
-        break;
-      }
-    }
+    const double shortfall = std::max(unexplained - (1.0 - surface.coverage), 0.0);
+    const auto total_gain = [shortfall](const Leaf& leaf) {
+      return leaf.gain() + kShortfallCost * std::min(leaf.newly_explained(), shortfall);
+    };
+    const auto best = std::max_element(
+        leaves.begin(), leaves.end(),
+        [&](const Leaf& a, const Leaf& b) { return total_gain(a) < total_gain(b); });
+    if (!best->split || total_gain(*best) < 0.0) break;
     Split split = std::move(*best->split);
     *best = {std::move(split.first), false, std::nullopt};
     leaves.push_back({std::move(split.second), false, std::nullopt});

@@ -12,7 +12,7 @@
 namespace prehend {
 
 double phantom_cost(const Primitive& primitive, const Surface& surface) {
-  constexpr double kPhantomWeight = 0.6;
+  constexpr double kPhantomWeight = 0.8;
   constexpr int kPatches = 160;
   double phantom = 0.0;
   for (const PatchPoint& patch : spread_points(primitive, kPatches)) {
@@ -54,6 +54,12 @@ Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effo
       region.cost = cost;
     }
   }
+  std::size_t unexplained = 0;
+  for (const SurfacePoint& s : points) {
+    if (std::abs(signed_distance(region.primitive, s.p_O)) > surface.tolerance) ++unexplained;
+  }
+  region.unexplained =
+      static_cast<double>(unexplained) / static_cast<double>(surface.points.size());
   region.points = std::move(points);
   return region;
 }

@@ -33,7 +33,8 @@ constexpr double kShortfallCost = 2.0;
 struct Region {
   std::vector<SurfacePoint> points;
   Primitive primitive;
-  double cost = 0.0;  // its share of the objective without the cost of the piece
+  double cost = 0.0;         // its share of the objective, without the piece and the shortfall
+  double unexplained = 0.0;  // share of the whole surface: points of it beyond the tolerance
 };
 
 enum class Effort {

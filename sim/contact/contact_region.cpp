@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace prehend {
 namespace {
@@ -20,14 +22,8 @@ double turn(const Point2& a, const Point2& b, const Point2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// True when b adds less than `width` to the outline from a to c.
-bool is_flat(const Point2& a, const Point2& b, const Point2& c, double width) {
-  return turn(a, b, c) <= width * (c - a).norm();
-}
-
-// Counter-clockwise hull (Andrew's monotone chain); corners that stand out by less than `width` are
-// left out.
-std::vector<Corner> hull(std::vector<Corner> points, double width) {
+// Counter-clockwise hull (Andrew's monotone chain).
+std::vector<Corner> hull(std::vector<Corner> points) {
   std::sort(points.begin(), points.end(), [](const Corner& a, const Corner& b) {
     return a.p.x() != b.p.x() ? a.p.x() < b.p.x() : a.p.y() < b.p.y();
   });
@@ -36,7 +32,7 @@ std::vector<Corner> hull(std::vector<Corner> points, double width) {
     const std::size_t start = chain.size();
     for (const Corner& point : points) {
       while (chain.size() >= start + 2 &&
-             is_flat(chain[chain.size() - 2].p, chain.back().p, point.p, width)) {
+             turn(chain[chain.size() - 2].p, chain.back().p, point.p) <= 0.0) {
         chain.pop_back();
       }
       chain.push_back(point);
@@ -45,6 +41,28 @@ std::vector<Corner> hull(std::vector<Corner> points, double width) {
     std::reverse(points.begin(), points.end());
   }
   return chain;
+}
+
+// Leaves out corners that stand out by less than `width` from the line between their neighbours, the
+// flattest first. Not a tolerance of the hull's own test: points on one line up to rounding would then
+// hide the corners at its ends.
+void drop_flat_corners(std::vector<Corner>& polygon, double width) {
+  while (polygon.size() > 3) {
+    const std::size_t n = polygon.size();
+    std::size_t flattest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point2& before = polygon[(i + n - 1) % n].p;
+      const Point2& after = polygon[(i + 1) % n].p;
+      const double height = turn(before, polygon[i].p, after) / (after - before).norm();
+      if (height < least) {
+        least = height;
+        flattest = i;
+      }
+    }
+    if (least >= width) return;
+    polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(flattest));
+  }
 }
 
 void drop_least_corners(std::vector<Corner>& polygon, std::size_t keep) {
@@ -103,7 +121,8 @@ void reduce_group(const std::vector<SurfaceContact>& contacts, const std::vector
     reduced.push_back(contacts[points[last].contact]);
     return;
   }
-  std::vector<Corner> outline = hull(points, 0.1 * options.threshold);
+  std::vector<Corner> outline = hull(std::move(points));
+  drop_flat_corners(outline, 0.1 * options.threshold);
   drop_least_corners(outline, static_cast<std::size_t>(options.max_region_corners));
   for (const Corner& corner : outline) reduced.push_back(contacts[corner.contact]);
 }

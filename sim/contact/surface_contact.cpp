@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/geometry/weld.h"
+
 namespace prehend {
 namespace {
 
@@ -29,12 +31,30 @@ double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
   return (p - a - s * ab).norm();
 }
 
-// True when no vertex of triangle `t` rises above the plane through p with normal n.
-bool is_below(const TriangleMesh& mesh, int t, const Vector3& p, const Vector3& n, double slope) {
-  return std::all_of(mesh.triangles[index(t)].begin(), mesh.triangles[index(t)].end(), [&](int v) {
-    const Vector3 d = mesh.vertices[index(v)] - p;
-    return d.dot(n) <= slope * d.norm() + kOnFeature;
-  });
+// True when the triangle rises, from its point p, above the plane through p with normal n by an angle
+// whose sine exceeds `slope`. Only directions that stay in the triangle count: all from a point
+// inside, half of them from one on an edge, those between two edges from a corner.
+bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
+  const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+  const double along_normal = n.dot(area);
+  const bool nearly_parallel =
+      along_normal * along_normal >= (1.0 - slope * slope) * area.squaredNorm();
+  if (nearly_parallel) return false;
+  const Vector3 face_normal = area.normalized();
+  const Vector3 uphill = n - n.dot(face_normal) * face_normal;
+  bool leaves = false;
+  double along_edges = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3& a = c[k];
+    const Vector3& b = c[(k + 1) % 3];
+    if (distance_to_segment(p, a, b) > kOnFeature) continue;
+    const Vector3 edge = (b - a).normalized();
+    if (uphill.dot(face_normal.cross(edge)) < 0.0) leaves = true;
+    const double forward = uphill.dot(edge);
+    if ((p - b).norm() > kOnFeature) along_edges = std::max(along_edges, forward);
+    if ((p - a).norm() > kOnFeature) along_edges = std::max(along_edges, -forward);
+  }
+  return !leaves || along_edges > slope;
 }
 
 // True when the surface around p, a point of triangle t, lies below the plane with normal n: around a
@@ -42,15 +62,15 @@ bool is_below(const TriangleMesh& mesh, int t, const Vector3& p, const Vector3& 
 // A contact where this fails has a nearer one beside it (figure 7 of the paper).
 bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3& n, double slope) {
   const TriangleMesh& mesh = body.mesh();
-  if (!is_below(mesh, t, p, n, slope)) return false;
+  const auto is_below = [&](int u) {
+    return !rises(corners(mesh, u), p, n, slope) || is_degenerate(mesh, index(u));
+  };
+  if (!is_below(t)) return false;
   const Triangle& v = mesh.triangles[index(t)];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3& a = mesh.vertices[index(v[k])];
-    if ((p - a).norm() <= kOnFeature) {
-      const auto around = body.triangles_at(v[k]);
-      return std::all_of(around.begin(), around.end(),
-                         [&](int u) { return is_below(mesh, u, p, n, slope); });
-    }
+  for (int vk : v) {
+    if ((p - mesh.vertices[index(vk)]).norm() > kOnFeature) continue;
+    const auto around = body.triangles_at(vk);
+    return std::all_of(around.begin(), around.end(), is_below);
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const int va = v[k];
@@ -61,7 +81,7 @@ bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3&
     for (int u : body.triangles_at(va)) {
       const Triangle& w = mesh.triangles[index(u)];
       const bool shares_edge = std::find(w.begin(), w.end(), vb) != w.end();
-      if (shares_edge && !is_below(mesh, u, p, n, slope)) return false;
+      if (shares_edge && !is_below(u)) return false;
     }
   }
   return true;
@@ -107,10 +127,13 @@ class PairContacts {
   void add(TrianglePair pair) {
     const Corners on_object = corners(object_.mesh(), pair.a);
     const Corners on_link = moved(corners(link_.mesh(), pair.b), X_OL_);
-    const Vector3 object_normal = unit_normal(on_object);
-    const Vector3 link_normal = unit_normal(on_link);
-    add_face_points(pair, on_object, object_normal, on_link, true);
-    add_face_points(pair, on_link, link_normal, on_object, false);
+    // A triangle without area has no normal; its edges still have nearest points.
+    if (!is_degenerate(object_.mesh(), index(pair.a))) {
+      add_face_points(pair, on_object, unit_normal(on_object), on_link, true);
+    }
+    if (!is_degenerate(link_.mesh(), index(pair.b))) {
+      add_face_points(pair, on_link, unit_normal(on_link), on_object, false);
+    }
     add_nearest_point(pair);
   }
 

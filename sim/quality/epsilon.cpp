@@ -35,36 +35,42 @@ class Growth {
       if (upper_ <= zero_) return {};
       polytope_.set_bound(upper_);
       const ExpandingPolytope::Nearest nearest = polytope_.nearest();
-      const double lower = nearest.facet < 0 ? upper_ : std::min(nearest.plane.offset, upper_);
-      if (upper_ - lower <= slack()) return bracket(lower, EpsilonStatus::converged);
-      if (upper_ < options_.cutoff) return bracket(lower, EpsilonStatus::below_cutoff);
-      if (polytope_.facets_made() >= options_.max_facets) {
-        return bracket(lower, EpsilonStatus::limit);
-      }
-      const Wrench point = set_.support(nearest.plane.normal);
-      const double value = nearest.plane.normal.dot(point);
-      if (value < upper_) {
-        upper_ = value;
-        upper_normal_ = nearest.plane.normal;
-      }
-      // The facet is final; the loop's tests see that.
-      if (value - nearest.plane.offset <= slack()) continue;
-      if (upper_ <= zero_) continue;
-      if (!polytope_.expand(nearest.facet, point)) return bracket(lower, EpsilonStatus::stalled);
+      const double offset = nearest.facet < 0 ? upper_ : std::min(nearest.plane.offset, upper_);
+      // Offsets that fall from above zero again are rounding: the surface is not to be trusted.
+      if (offset <= 0.0 && lower_ > 0.0) return bracket(EpsilonStatus::stalled);
+      lower_ = std::max(lower_, offset);
+      if (upper_ - lower_ <= slack()) return bracket(EpsilonStatus::converged);
+      if (upper_ < options_.cutoff) return bracket(EpsilonStatus::below_cutoff);
+      if (polytope_.facets_made() >= options_.max_facets) return bracket(EpsilonStatus::limit);
+      if (!expand(nearest)) return bracket(EpsilonStatus::stalled);
     }
   }
 
  private:
+  // Grows the polytope beyond its nearest facet; where that facet is final, lowers the upper bound
+  // to it instead.
+  bool expand(const ExpandingPolytope::Nearest& nearest) {
+    const Wrench point = set_.support(nearest.plane.normal);
+    const double value = nearest.plane.normal.dot(point);
+    if (value < upper_) {
+      upper_ = value;
+      upper_normal_ = nearest.plane.normal;
+    }
+    const bool final = value - nearest.plane.offset <= slack();
+    return final || upper_ <= zero_ || polytope_.expand(nearest.facet, point);
+  }
+
   double slack() const { return std::max(options_.relative_tolerance * upper_, rounding_); }
 
-  EpsilonBracket bracket(double lower, EpsilonStatus status) const {
-    return {std::max(lower, 0.0), upper_, status, -upper_ * upper_normal_};
+  EpsilonBracket bracket(EpsilonStatus status) const {
+    return {lower_ > zero_ ? lower_ : 0.0, upper_, status, -upper_ * upper_normal_};
   }
 
   const SupportMap& set_;
   const EpsilonOptions& options_;
   double zero_;
   double rounding_;
+  double lower_ = 0.0;
   double upper_;
   Wrench upper_normal_;
   ExpandingPolytope polytope_;

@@ -38,7 +38,7 @@ struct EpsilonBracket {
 // final: the expanding polytope algorithm (van den Bergen 2001), in six dimensions. The smallest
 // support value seen is the upper bound, the smallest facet offset the lower one. Deterministic.
 //
-// A set whose smallest support value is below 1e-11 of its size (kFlatness) has no force closure.
+// A set whose smallest support value is below kFlatness (1e-9) of its size has no force closure.
 // Throws std::invalid_argument for a tolerance that is negative or not a number.
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
 

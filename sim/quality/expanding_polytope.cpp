@@ -8,10 +8,12 @@ namespace prehend {
 namespace {
 
 // A new plane is refitted to its corners where it misses one of them by more than this multiple of
-// the rounding of heights.
+// the rounding of heights,
 constexpr double kRefit = 0.25;
-// A combination of two planes loses this many digits at most before it is refitted.
+// or where the two planes combined in it almost cancel each other.
 constexpr double kCancellation = 1e-4;
+// Below this nothing is left of them, and one of the two serves as a guess.
+constexpr double kOpposite = 1e-14;
 
 // Where `corner` is among a facet's corners (it is one of them). Without branches: which of the six
 // it is cannot be predicted, and this is the innermost step of linking.
@@ -133,15 +135,16 @@ int ExpandingPolytope::make_child(Side border, int point) {
 
   const double hidden_weight = seen.height;
   const double seen_weight = std::max(-hidden.height, 0.0);
-  const Wrench normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
-                        (hidden_weight + seen_weight);
+  Wrench normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
+                  (hidden_weight + seen_weight);
+  const double length = normal.norm();
+  if (length < kOpposite) normal = seen.plane.normal;
   const FacetCorners corners = corners_of(child);
-  if (normal.squaredNorm() > kCancellation * kCancellation) {
-    const FittedPlane fitted = fit_offset(normal, corners);
-    child.plane = fitted.plane;
-    if (fitted.spread <= kRefit * rounding_) return made;
+  FittedPlane fitted = fit_offset(normal, corners);
+  if (fitted.spread > kRefit * rounding_ || length < kCancellation) {
+    fitted = fit_plane(fitted.plane.normal, corners);
   }
-  child.plane = fit_plane(normal + 1e-3 * kCancellation * seen.plane.normal, corners).plane;
+  child.plane = fitted.plane;
   return made;
 }
 

@@ -6,8 +6,11 @@
 namespace prehend {
 namespace {
 
-// Directions shorter than this, relative to the longest, are rounding noise.
-constexpr double kNoise = 1e-10;
+// Edges of a facet whose remainders are shorter than this, relative to the longest edge, have no
+// direction to rely on: planes fitted to them scatter, and growth stalls on near-duplicates.
+constexpr double kThin = 1e-10;
+// Remainders of a unit vector below this are rounding.
+constexpr double kRounding = 1e-15;
 
 using Directions = Eigen::Matrix<double, 6, 5>;
 
@@ -23,7 +26,7 @@ int orthonormalise(Directions& edges) {
       edges.col(rank) -= done * (done.transpose() * edges.col(rank));
     }
     const double length = edges.col(rank).norm();
-    if (length <= kNoise * longest) return rank;
+    if (length <= kThin * longest) return rank;
     edges.col(rank) /= length;
     for (int k = rank + 1; k < 5; ++k) {
       edges.col(k) -= edges.col(rank).dot(edges.col(k)) * edges.col(rank);
@@ -56,12 +59,12 @@ FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners) {
   }
   const int rank = orthonormalise(edges);
   const auto span = edges.leftCols(rank);
-  Wrench normal = guess.normalized();
+  Wrench normal = guess;
   for (int pass = 0; pass < 3; ++pass) {
     normal -= span * (span.transpose() * normal);
     const double length = normal.norm();
     // The guess lies in the facet: nothing better to say than the guess itself.
-    if (length < kNoise) return fit_offset(guess, corners);
+    if (!(length > kRounding)) return fit_offset(guess, corners);
     normal /= length;
   }
   return fit_offset(normal, corners);

@@ -22,11 +22,13 @@ using FacetCorners = std::array<const Wrench*, 6>;
 
 // The plane with the direction of `normal` (not zero), moved to the lowest of the corners. Because
 // of that choice the distance from the origin to the simplex of the corners is at least `offset`,
-// however inexact the normal is.
+// however inexact the normal is. A normal of length zero gives a plane that is lower than any:
+// offset -infinity.
 FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners);
 
-// The plane through the corners. Where they span less than a hyperplane, or `guess` is not far from
-// their normal, it is the one nearest to `guess`; its side is that of `guess`.
+// The plane through the corners on the side of `guess` (unit): `guess` less its components along
+// the facet. In a facet so thin that its edges do not show a direction, `guess` decides on that
+// one.
 FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners);
 
 }  // namespace prehend

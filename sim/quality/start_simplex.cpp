@@ -1,7 +1,7 @@
 #include "sim/quality/start_simplex.h"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace prehend {
@@ -63,7 +63,7 @@ Wrench take_farthest(std::vector<Wrench>& candidates, const Wrench& origin,
 
 StartSimplex start_simplex(const SupportMap& set, bool stop_outside) {
   StartSimplex start;
-  start.upper = HUGE_VAL;
+  start.upper = std::numeric_limits<double>::infinity();
   std::vector<Wrench> candidates;
   candidates.reserve(24);
   for (int axis = 0; axis < 6; ++axis) {

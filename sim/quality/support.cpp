@@ -16,7 +16,6 @@ ColumnSupport::ColumnSupport(const Wrenches& wrenches) {
     if (!wrenches.col(j).allFinite()) {
       throw std::invalid_argument("wrench " + std::to_string(j) + ": not finite");
     }
-    radius_ = std::max(radius_, wrenches.col(j).norm());
     // Frictionless contacts repeat their column: once is enough.
     if (j > 0 && wrenches.col(j) == wrenches.col(j - 1)) continue;
     if (filled == kBlock) {

@@ -26,9 +26,6 @@ class ColumnSupport final : public SupportMap {
 
   Wrench support(const Wrench& direction) const override;
 
-  // The farthest distance of a column from the origin.
-  double radius() const { return radius_; }
-
  private:
   // Columns in blocks, one coordinate after the other, so that a block's products are vectorised.
   static constexpr int kBlock = 8;
@@ -36,7 +33,6 @@ class ColumnSupport final : public SupportMap {
     double coordinate[6][kBlock];
   };
   std::vector<Block> blocks_;
-  double radius_ = 0.0;
 };
 
 }  // namespace prehend

@@ -4,6 +4,7 @@
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -89,7 +90,7 @@ WrenchHull read(const qhT& qhull, double doubt) {
   WrenchHull hull;
   hull.status = HullStatus::solid;
   hull.volume = qhull.totvol;
-  hull.min_offset = HUGE_VAL;
+  hull.min_offset = std::numeric_limits<double>::infinity();
   hull.doubt = doubt;
   // The list ends with a sentinel that has no successor. qhull's offsets are negative inside.
   for (const facetT* facet = qhull.facet_list; facet != nullptr && facet->next != nullptr;

@@ -218,10 +218,9 @@ TEST(ContactRegion, ABallOnAFaceTouchesWhereItIsLevel) {
       const auto contacts = Touching(object, link, X_WO, X_WL).regions();
       expect_sound(contacts, object, link);
       ASSERT_FALSE(contacts.empty());
-      EXPECT_NEAR(contacts.front().gap, gap, test::kFrameRounding);
       for (const SurfaceContact& contact : contacts) {
         EXPECT_LT(contact.position.norm(), reach);
-        EXPECT_LT((contact.normal - kDown).norm(), options.angular_tolerance);
+        EXPECT_LT((contact.normal - kDown).norm(), options.angular_tolerance) << test::described(contacts);
       }
     });
   }

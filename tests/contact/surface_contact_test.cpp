@@ -82,7 +82,7 @@ TEST(SurfaceContact, AReEntrantEdgeGivesTheContactsOfItsFacesOnly) {
         transformed(make_box({0.02, 0.03, 0.02}), translation({0.01 + gap, 0.0, 0.01 + gap}));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
-    EXPECT_EQ(contacts.size(), 8U);
+    EXPECT_EQ(contacts.size(), 8U) << test::described(contacts);
     int floor = 0;
     for (const SurfaceContact& contact : contacts) {
       const bool on_floor = (contact.normal - kDown).norm() < 1e-6;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,17 +69,27 @@ inline void expect_sound(const std::vector<SurfaceContact>& contacts, const Tria
     EXPECT_LT(point_to_surface(contact.position, object), kFrameRounding);
     const Vector3 on_link = contact.position - contact.gap * contact.normal;
     EXPECT_LT(point_to_surface(on_link, link), kFrameRounding);
-    // A little along the normal is the inside of the object; the bodies here are thicker than that.
-    EXPECT_GT(winding(contact.position + 1e-5 * contact.normal, object), 0)
+    // Just off the contact, towards the link, is outside.
+    EXPECT_EQ(winding(contact.position - 1e-5 * contact.normal, object), 0)
         << contact.position.transpose() << " normal " << contact.normal.transpose();
   }
+}
+
+inline std::string described(const std::vector<SurfaceContact>& contacts) {
+  std::ostringstream text;
+  text.precision(9);
+  for (const SurfaceContact& contact : contacts) {
+    text << "at " << contact.position.transpose() << " normal " << contact.normal.transpose()
+         << " gap " << contact.gap << "\n";
+  }
+  return text.str();
 }
 
 // Each expected place is a contact with that normal, and there is no other contact.
 inline void expect_places(const std::vector<SurfaceContact>& contacts,
                           const std::vector<Vector3>& places, const Vector3& normal,
                           double tolerance = 1e-9) {
-  EXPECT_EQ(contacts.size(), places.size());
+  EXPECT_EQ(contacts.size(), places.size()) << described(contacts);
   for (const Vector3& place : places) {
     const bool found =
         std::any_of(contacts.begin(), contacts.end(), [&](const SurfaceContact& contact) {

@@ -39,14 +39,6 @@ TEST(ColumnSupport, TiesGoToTheFirstColumn) {
   EXPECT_EQ(ColumnSupport(wrenches).support(Wrench::Unit(1)), wrenches.col(19));
 }
 
-TEST(ColumnSupport, RadiusIsTheLongestColumn) {
-  Wrenches wrenches = Wrenches::Zero(6, 2);
-  wrenches(0, 0) = 3.0;
-  wrenches(1, 0) = 4.0;
-  wrenches(5, 1) = -2.0;
-  EXPECT_EQ(ColumnSupport(wrenches).radius(), 5.0);
-}
-
 TEST(ColumnSupport, RejectsNothingAndNonsense) {
   EXPECT_THROW(ColumnSupport(Wrenches(6, 0)), std::invalid_argument);
   Wrenches wrenches = Wrenches::Zero(6, 3);
