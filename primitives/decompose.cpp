@@ -109,9 +109,10 @@ std::vector<Region> grown(const Surface& surface, const DecomposeOptions& option
       leaf.split = best_split(leaf.region, surface);
       leaf.tried = true;
     }
-    const double shortfall = std::max(unexplained - (1.0 - surface.coverage), 0.0);
-    const auto total_gain = [shortfall](const Leaf& leaf) {
-      return leaf.gain() + kShortfallCost * std::min(leaf.newly_explained(), shortfall);
+    const double allowed = 1.0 - surface.coverage;
+    const auto total_gain = [unexplained, allowed](const Leaf& leaf) {
+      const double after = std::max(unexplained - leaf.newly_explained(), allowed);
+      return leaf.gain() + kShortfallCost * (std::max(unexplained, allowed) - after);
     };
     const auto best = std::max_element(
         leaves.begin(), leaves.end(),

@@ -1,6 +1,6 @@
 #include "primitives/region.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,9 +10,26 @@
 #include "primitives/primitive_surface.h"
 
 namespace prehend {
+namespace {
+
+// What the primitive costs when `points` stand for `share` of the surface.
+double cost_of(const Primitive& primitive, std::span<const SurfacePoint> points, double share,
+               const Surface& surface) {
+  return share * misfit(points, primitive, surface.tolerance) + phantom_cost(primitive, surface);
+}
+
+double unexplained_share(const Primitive& primitive, std::span<const SurfacePoint> points,
+                         const Surface& surface) {
+  const auto unexplained = std::count_if(points.begin(), points.end(), [&](const SurfacePoint& s) {
+    return std::abs(signed_distance(primitive, s.p_O)) > surface.tolerance;
+  });
+  return static_cast<double>(unexplained) / static_cast<double>(surface.points.size());
+}
+
+}  // namespace
 
 double phantom_cost(const Primitive& primitive, const Surface& surface) {
-  constexpr double kPhantomWeight = 0.8;
+  constexpr double kPhantomWeight = 0.6;
   constexpr int kPatches = 160;
   double phantom = 0.0;
   for (const PatchPoint& patch : spread_points(primitive, kPatches)) {
@@ -47,21 +64,23 @@ Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effo
   region.cost = std::numeric_limits<double>::infinity();
   for (const Primitive& candidate :
        {fit_cylinder(few, options), fit_box(few, options), fit_sphere(few, options)}) {
-    const double cost =
-        share * misfit(few, candidate, surface.tolerance) + phantom_cost(candidate, surface);
+    const double cost = cost_of(candidate, few, share, surface);
     if (cost < region.cost) {
       region.primitive = candidate;
       region.cost = cost;
     }
   }
-  std::size_t unexplained = 0;
-  for (const SurfacePoint& s : points) {
-    if (std::abs(signed_distance(region.primitive, s.p_O)) > surface.tolerance) ++unexplained;
-  }
-  region.unexplained =
-      static_cast<double>(unexplained) / static_cast<double>(surface.points.size());
+  region.unexplained = unexplained_share(region.primitive, points, surface);
   region.points = std::move(points);
   return region;
+}
+
+Region refitted(Region region, const Surface& surface) {
+  const double share =
+      static_cast<double>(region.points.size()) / static_cast<double>(surface.points.size());
+  region.cost = cost_of(region.primitive, region.points, share, surface);
+  Region thorough = fit_region(region.points, surface, Effort::kThorough);
+  return thorough.cost <= region.cost ? std::move(thorough) : std::move(region);
 }
 
 }  // namespace prehend

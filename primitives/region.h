@@ -45,6 +45,9 @@ enum class Effort {
 // The box, sphere or cylinder of least cost for these points (at least one).
 Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort);
 
+// The region fitted thoroughly; its own primitive when that is not worse.
+Region refitted(Region region, const Surface& surface);
+
 // The phantom term of the objective for one primitive.
 double phantom_cost(const Primitive& primitive, const Surface& surface);
 

@@ -76,13 +76,32 @@ void consider_cuts_along(const Vector3& direction, const Region& region, const S
   }
 }
 
+// The principal axes of the points, and those of the primitive where they differ: an L falls apart
+// along its sides, not along its principal axes.
+std::vector<Vector3> cut_directions(const Region& region) {
+  constexpr double kSame = 0.95;  // cosine; 18 degrees
+  std::vector<Vector3> directions;
+  for (const Matrix3& frame :
+       {point_axes(region.points), Matrix3(region.primitive.X_OP.linear())}) {
+    for (int i = 2; i >= 0; --i) {
+      const Vector3 axis = frame.col(i);
+      const bool known = std::any_of(directions.begin(), directions.end(), [&](const Vector3& d) {
+        return std::abs(d.dot(axis)) > kSame;
+      });
+      if (!known) directions.push_back(axis);
+    }
+  }
+  return directions;
+}
+
 }  // namespace
 
 std::optional<Split> best_split(const Region& region, const Surface& surface) {
   std::optional<Split> best;
   if (region.points.size() < 2 * smallest(surface)) return best;
-  const Matrix3 axes = point_axes(region.points);
-  for (int i = 2; i >= 0; --i) consider_cuts_along(axes.col(i), region, surface, best);
+  for (const Vector3& direction : cut_directions(region)) {
+    consider_cuts_along(direction, region, surface, best);
+  }
   for (const double share_of_tolerance : {0.5, 1.0}) {
     const double band = share_of_tolerance * surface.tolerance;
     consider(
@@ -93,8 +112,8 @@ std::optional<Split> best_split(const Region& region, const Surface& surface) {
         best);
   }
   if (best) {
-    best->first = fit_region(std::move(best->first.points), surface, Effort::kThorough);
-    best->second = fit_region(std::move(best->second.points), surface, Effort::kThorough);
+    best->first = refitted(std::move(best->first), surface);
+    best->second = refitted(std::move(best->second), surface);
   }
   return best;
 }

@@ -1,9 +1,9 @@
 #include "sim/geometry/mesh_checks.h"
 
 #include <cstddef>
-#include <set>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/geometry/edge_table.h"
@@ -19,9 +19,14 @@ int count_components(const TriangleMesh& mesh) {
     sets.merge(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]));
     sets.merge(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[2]));
   }
-  std::set<std::size_t> roots;
-  for (const Triangle& t : mesh.triangles) roots.insert(sets.find(static_cast<std::size_t>(t[0])));
-  return static_cast<int>(roots.size());
+  std::vector<bool> seen(mesh.vertices.size(), false);
+  int count = 0;
+  for (const Triangle& t : mesh.triangles) {
+    const std::size_t root = sets.find(static_cast<std::size_t>(t[0]));
+    if (!seen[root]) ++count;
+    seen[root] = true;
+  }
+  return count;
 }
 
 void need_valid_indices(const TriangleMesh& mesh) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -22,9 +23,18 @@ struct Sheet {
   bool cavity = false;
 };
 
+// Across one side of a triangle; `triangle` is -1 for none.
 struct Neighbour {
   int triangle = -1;
   bool agrees = true;
+};
+
+// At most one for each side.
+struct Neighbours {
+  std::array<Neighbour, 3> across;
+  std::size_t count = 0;
+
+  void add(int triangle, bool agrees) { across[count++] = {triangle, agrees}; }
 };
 
 class Orienter {
@@ -53,8 +63,8 @@ class Orienter {
     for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
       if (edge.size() != 2) return;
       const bool agrees = edge[0].forward != edge[1].forward;
-      neighbours_[static_cast<std::size_t>(edge[0].triangle)].push_back({edge[1].triangle, agrees});
-      neighbours_[static_cast<std::size_t>(edge[1].triangle)].push_back({edge[0].triangle, agrees});
+      neighbours_[static_cast<std::size_t>(edge[0].triangle)].add(edge[1].triangle, agrees);
+      neighbours_[static_cast<std::size_t>(edge[1].triangle)].add(edge[0].triangle, agrees);
     });
   }
 
@@ -70,7 +80,8 @@ class Orienter {
       sheet_of_[seed] = name;
       for (std::size_t i = 0; i < sheet.triangles.size(); ++i) {
         const std::size_t t = static_cast<std::size_t>(sheet.triangles[i]);
-        for (const Neighbour& next : neighbours_[t]) {
+        for (std::size_t k = 0; k < neighbours_[t].count; ++k) {
+          const Neighbour& next = neighbours_[t].across[k];
           const std::size_t other = static_cast<std::size_t>(next.triangle);
           if (sheet_of_[other] >= 0) continue;
           sheet_of_[other] = name;
@@ -86,11 +97,16 @@ class Orienter {
   // A sheet closes up when every edge is run through as often forward as backward.
   void find_open_sheets() {
     for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
+      const auto direction_of = [&](const EdgeUse& use) {
+        return use.forward != flip_[static_cast<std::size_t>(use.triangle)] ? 1 : -1;
+      };
+      const auto sheet_of = [&](const EdgeUse& use) {
+        return sheet_of_[static_cast<std::size_t>(use.triangle)];
+      };
+      // Nearly all edges join two triangles of one sheet.
+      if (edge.size() == 2 && direction_of(edge[0]) + direction_of(edge[1]) == 0) return;
       std::map<int, int> net;
-      for (const EdgeUse& use : edge) {
-        const std::size_t t = static_cast<std::size_t>(use.triangle);
-        net[sheet_of_[t]] += use.forward != flip_[t] ? 1 : -1;
-      }
+      for (const EdgeUse& use : edge) net[sheet_of(use)] += direction_of(use);
       for (const auto& [name, direction] : net) {
         if (direction != 0) sheets_[static_cast<std::size_t>(name)].closed = false;
       }
@@ -188,7 +204,7 @@ class Orienter {
 
   TriangleMesh& mesh_;
   std::vector<EdgeUse> uses_;
-  std::vector<std::vector<Neighbour>> neighbours_;
+  std::vector<Neighbours> neighbours_;
   std::vector<int> sheet_of_;
   std::vector<bool> flip_;
   std::vector<Sheet> sheets_;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -78,8 +79,10 @@ Triangle rotated(const Triangle& t) {
   return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
 }
 
-// Two-sided triangles that are all of their sheet and meet the rest along just one side.
-std::vector<bool> find_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided) {
+// Removes the two-sided triangles that are all of their sheet and meet the rest along just one
+// side.
+void mark_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided,
+               std::vector<bool>& removed) {
   struct Uses {
     int plain = 0;
     int two_sided = 0;
@@ -89,12 +92,11 @@ std::vector<bool> find_fins(const TriangleMesh& mesh, const std::vector<bool>& t
     return uses[std::minmax(t[k], t[(k + 1) % 3])];
   };
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3 && !removed[i]; ++k) {
       Uses& at = side(mesh.triangles[i], k);
       ++(two_sided[i] ? at.two_sided : at.plain);
     }
   }
-  std::vector<bool> fins(mesh.triangles.size(), false);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (!two_sided[i]) continue;
     int free_sides = 0;
@@ -104,39 +106,49 @@ std::vector<bool> find_fins(const TriangleMesh& mesh, const std::vector<bool>& t
       free_sides += at.plain == 0 ? 1 : 0;
       alone = alone && at.two_sided == 1;
     }
-    fins[i] = alone && free_sides == 2;
+    removed[i] = alone && free_sides == 2;
   }
-  return fins;
 }
 
 // Returns the number of triangles removed.
 int remove_duplicates(TriangleMesh& mesh) {
-  struct Seen {
-    std::size_t first = 0;
-    int net = 0;  // copies wound like the first less those wound against it
+  struct Named {
+    Triangle corners;  // sorted
+    std::size_t triangle;
   };
-  std::map<Triangle, Seen> seen;
-  TriangleMesh single;
-  for (const Triangle& t : mesh.triangles) {
-    Triangle sorted = t;
-    std::sort(sorted.begin(), sorted.end());
-    const auto [place, fresh] = seen.try_emplace(sorted, Seen{single.triangles.size(), 0});
-    if (fresh) single.triangles.push_back(t);
-    const Triangle& first = single.triangles[place->second.first];
-    place->second.net += rotated(t) == rotated(first) ? 1 : -1;
+  std::vector<Named> named;
+  named.reserve(mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    named.push_back({mesh.triangles[i], i});
+    std::sort(named.back().corners.begin(), named.back().corners.end());
   }
-  const int before = static_cast<int>(mesh.triangles.size());
-  std::vector<bool> removed(single.triangles.size(), false);
-  if (single.triangles.size() < mesh.triangles.size()) {
-    std::vector<bool> two_sided(single.triangles.size(), false);
-    for (const auto& [corners, copies] : seen) two_sided[copies.first] = copies.net == 0;
-    removed = find_fins(single, two_sided);
+  std::sort(named.begin(), named.end(), [](const Named& a, const Named& b) {
+    return std::tie(a.corners, a.triangle) < std::tie(b.corners, b.triangle);
+  });
+  std::vector<bool> removed(mesh.triangles.size(), false);
+  std::vector<bool> two_sided(mesh.triangles.size(), false);
+  bool any = false;
+  for (std::size_t first = 0; first < named.size();) {
+    const Triangle kept = rotated(mesh.triangles[named[first].triangle]);
+    int net = 1;  // copies wound like the first less those wound against it
+    std::size_t next = first + 1;
+    for (; next < named.size() && named[next].corners == named[first].corners; ++next) {
+      net += rotated(mesh.triangles[named[next].triangle]) == kept ? 1 : -1;
+      removed[named[next].triangle] = true;
+      any = true;
+    }
+    two_sided[named[first].triangle] = net == 0;
+    first = next;
   }
-  mesh.triangles.clear();
-  for (std::size_t i = 0; i < single.triangles.size(); ++i) {
-    if (!removed[i]) mesh.triangles.push_back(single.triangles[i]);
+  if (!any) return 0;
+  mark_fins(mesh, two_sided, removed);
+  std::size_t left = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!removed[i]) mesh.triangles[left++] = mesh.triangles[i];
   }
-  return before - static_cast<int>(mesh.triangles.size());
+  const int count = static_cast<int>(mesh.triangles.size() - left);
+  mesh.triangles.resize(left);
+  return count;
 }
 
 }  // namespace

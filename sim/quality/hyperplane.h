@@ -22,13 +22,11 @@ using FacetCorners = std::array<const Wrench*, 6>;
 
 // The plane with the direction of `normal` (not zero), moved to the lowest of the corners. Because
 // of that choice the distance from the origin to the simplex of the corners is at least `offset`,
-// however inexact the normal is. A normal of length zero gives a plane that is lower than any:
-// offset -infinity.
+// however inexact the normal is.
 FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners);
 
 // The plane through the corners on the side of `guess` (unit): `guess` less its components along
-// the facet. In a facet so thin that its edges do not show a direction, `guess` decides on that
-// one.
+// the facet. In a facet so thin that its edges do not show a direction, `guess` decides on it.
 FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners);
 
 }  // namespace prehend

@@ -68,9 +68,12 @@ std::vector<Vector3> component_vertices(const TriangleMesh& mesh) {
     sets.merge(index(t[0]), index(t[1]));
     sets.merge(index(t[0]), index(t[2]));
   }
+  std::vector<bool> known(mesh.vertices.size(), false);
   std::vector<Vector3> vertices;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    if (sets.find(v) == v) vertices.push_back(mesh.vertices[v]);
+  for (const Triangle& t : mesh.triangles) {  // a vertex of no triangle is no part of the surface
+    const std::size_t component = sets.find(index(t[0]));
+    if (!known[component]) vertices.push_back(mesh.vertices[index(t[0])]);
+    known[component] = true;
   }
   return vertices;
 }
@@ -143,19 +146,20 @@ CompiledScene compile(Scene scene) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw InputError(scene.object.name + ": the object has no extent");
   }
-  CompiledScene compiled{scene, ProximityMesh(scene.object.mesh), {}, {}, {}, {}, {}, false};
+  CompiledScene compiled{scene, ProximityMesh(scene.object.mesh), {}, {}, {}, {}, {}, {}, false};
   for (const Link& link : scene.hand.links) compiled.links.push_back(compile_link(scene, link));
   const Pose X_OW = scene.object.X_WO.inverse();
   for (const StaticBody& body : scene.obstacles) {
-    compiled.obstacles.push_back({body.name, ProximityMesh(body.mesh), X_OW * body.X_WB});
+    compiled.obstacles.push_back({body.name, ProximityMesh(body.mesh), X_OW * body.X_WB,
+                                  component_vertices(body.mesh), check_mesh(body.mesh).solid()});
   }
   compiled.self_pairs = self_pairs(compiled.links);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     compiled.preshape_gaps.push_back(gaps_at(compiled, preshape));
   }
   compiled.wrench_frame = {scene.object.center_of_mass, 1.0 / radius};
-  const MeshChecks checks = check_mesh(scene.object.mesh);
-  compiled.object_is_solid = checks.solid();
+  compiled.object_probes = component_vertices(scene.object.mesh);
+  compiled.object_is_solid = check_mesh(scene.object.mesh).solid();
   return compiled;
 }
 

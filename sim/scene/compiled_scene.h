@@ -27,6 +27,8 @@ struct CompiledObstacle {
   std::string name;
   ProximityMesh mesh;
   Pose X_OB = Pose::Identity();  // the obstacle in the object's frame
+  std::vector<Vector3> probes = {};  // one vertex of each of its components, its own frame
+  bool is_solid = false;             // closed and oriented: inside has a meaning
 };
 
 // Two links of the hand that may touch each other while it closes.
@@ -44,7 +46,8 @@ struct CompiledScene {
   // Per preshape of the hand and self pair, the gap at that preshape [m].
   std::vector<std::vector<double>> preshape_gaps;
   WrenchFrame wrench_frame;  // centre of mass; 1 / largest distance of a vertex from it
-  bool object_is_solid = false;  // closed and oriented: inside has a meaning
+  std::vector<Vector3> object_probes;  // one vertex of each of its components
+  bool object_is_solid = false;        // closed and oriented: inside has a meaning
 
   bool has_obstacles() const { return !obstacles.empty(); }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/trial/gap_tracker.h"
+#include "sim/trial/swallow.h"
 
 namespace prehend {
 namespace {
@@ -31,17 +32,9 @@ std::vector<Pairing> pairings(const CompiledScene& scene) {
   return all;
 }
 
-// A mesh wholly inside another has a gap, so ask whether one has a point in the other.
-bool is_swallowed(const CompiledScene& scene, const CompiledLink& link, const Pose& X_OL) {
-  const Vector3 center = X_OL * link.mesh.ball_center();
-  const double apart = (center - scene.object.ball_center()).norm();
-  if (apart > scene.object.ball_radius() + link.mesh.ball_radius()) return false;
-  const auto inside_object = [&](const Vector3& p_L) { return is_inside(scene.object, X_OL * p_L); };
-  if (scene.object_is_solid &&
-      std::any_of(link.probes.begin(), link.probes.end(), inside_object)) {
-    return true;
-  }
-  return is_inside(link.mesh, X_OL.inverse() * scene.object.mesh().vertices.front());
+// The link's pose in the frame of the object (obstacle -1) or the obstacle.
+Pose pose_in(const CompiledScene& scene, int obstacle, const Pose& X_OL) {
+  return obstacle < 0 ? X_OL : scene.obstacles[index(obstacle)].X_OB.inverse() * X_OL;
 }
 
 }  // namespace
@@ -56,14 +49,17 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   link_poses(scene.scene.hand, joints, X_HL);
   ApproachResult result;
   result.object_clearance.assign(scene.links.size(), 0.0);
-  for (std::size_t l = 0; l < scene.links.size(); ++l) {
-    if (is_swallowed(scene, scene.links[l], motion.at(0.0) * X_HL[l])) {
+  std::vector<Pairing> all = pairings(scene);
+  for (const Pairing& pairing : all) {
+    const Pose X_OL = motion.at(0.0) * X_HL[index(pairing.link)];
+    if (is_swallowed(scene, scene.links[index(pairing.link)], pairing.obstacle,
+                     pose_in(scene, pairing.obstacle, X_OL))) {
       result.end = ApproachEnd::starts_in_collision;
-      result.link = static_cast<int>(l);
+      result.link = pairing.link;
+      result.obstacle = pairing.obstacle;
       return result;
     }
   }
-  std::vector<Pairing> all = pairings(scene);
   const auto earlier = [](const Pairing& a, const Pairing& b) { return a.safe_until < b.safe_until; };
   while (true) {
     Pairing& next = *std::min_element(all.begin(), all.end(), earlier);
@@ -72,10 +68,8 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
       break;
     }
     const double travel = std::min(next.safe_until, motion.distance);
-    const Pose X_OL = motion.at(travel) * X_HL[index(next.link)];
-    const Pose X_TL = next.obstacle < 0
-                          ? X_OL
-                          : scene.obstacles[index(next.obstacle)].X_OB.inverse() * X_OL;
+    const Pose X_TL =
+        pose_in(scene, next.obstacle, motion.at(travel) * X_HL[index(next.link)]);
     const double left = motion.distance - travel + options.contact.threshold;
     const Gap gap = next.tracker.query(X_TL, travel - next.asked_at, left);
     next.asked_at = travel;

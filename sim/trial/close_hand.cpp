@@ -148,7 +148,8 @@ class Closing {
 
   void start_pairing(Pairing& pairing, double clearance) {
     pairing.speed_when_asked = speed(pairing, 0.0);
-    pairing.safe_until = clearance / pairing.speed_when_asked;
+    pairing.safe_until =
+        std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;
     pairings_.push_back(std::move(pairing));
   }
 

@@ -6,27 +6,29 @@
 #include "sim/trial/approach.h"
 #include "sim/trial/close_hand.h"
 #include "sim/trial/self_centering.h"
+#include "sim/trial/swallow.h"
 
 namespace prehend {
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
-// The link that meets the object or an obstacle where the hand stands, -1 for none.
+// The link that overlaps the object or an obstacle where the hand stands, -1 for none.
 int colliding_link(const CompiledScene& scene, const Pose& X_OH, const std::vector<double>& joints,
                    int& obstacle) {
   std::vector<Pose> X_HL;
   link_poses(scene.scene.hand, joints, X_HL);
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
+    const CompiledLink& link = scene.links[l];
     const Pose X_OL = X_OH * X_HL[l];
+    const auto collides = [&](const ProximityMesh& body, const Pose& X_BL) {
+      return surfaces_cross(body, link.mesh, X_BL) || is_swallowed(scene, link, obstacle, X_BL);
+    };
     obstacle = -1;
-    if (surfaces_cross(scene.object, scene.links[l].mesh, X_OL)) return static_cast<int>(l);
-    for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
-      obstacle = static_cast<int>(o);
-      const Pose X_BL = scene.obstacles[o].X_OB.inverse() * X_OL;
-      if (surfaces_cross(scene.obstacles[o].mesh, scene.links[l].mesh, X_BL)) {
-        return static_cast<int>(l);
-      }
+    if (collides(scene.object, X_OL)) return static_cast<int>(l);
+    for (const CompiledObstacle& other : scene.obstacles) {
+      ++obstacle;
+      if (collides(other.mesh, other.X_OB.inverse() * X_OL)) return static_cast<int>(l);
     }
   }
   obstacle = -1;

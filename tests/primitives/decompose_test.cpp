@@ -1,19 +1,15 @@
-// Objects of several pieces, real scans, junk, and the promises of the contract.
+// Objects of several pieces, junk, and the promises of the contract.
 #include "primitives/decompose.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limits>
-#include <numeric>
 
 #include <gtest/gtest.h>
 
-#include "primitives/surface_sample.h"
 #include "sim/geometry/input_error.h"
-#include "sim/geometry/mesh_file.h"
 #include "sim/geometry/object_generator.h"
+#include "tests/primitives/expect_sound.h"
 #include "tests/primitives/test_meshes.h"
-#include "tests/shared_data.h"
 
 namespace prehend {
 namespace {
@@ -24,46 +20,13 @@ int count_of(const Decomposition& result, std::string_view name) {
       [&](const Primitive& primitive) { return shape_name(primitive.shape) == name; }));
 }
 
-// The fraction of the area that is explained, on points of its own.
-double explained(const TriangleMesh& mesh, const std::vector<Primitive>& primitives,
-                 double tolerance) {
-  constexpr int kPoints = 4000;
-  const double reach = tolerance * bounds(mesh).diagonal();
-  int near = 0;
-  for (const SurfacePoint& s : sample_surface(mesh, kPoints, 99)) {
-    near += std::any_of(primitives.begin(), primitives.end(), [&](const Primitive& p) {
-      return std::abs(signed_distance(p, s.p_O)) <= reach;
-    });
-  }
-  return static_cast<double>(near) / kPoints;
-}
-
-void expect_sound(const Decomposition& result, const TriangleMesh& mesh,
-                  const DecomposeOptions& options = {}) {
-  ASSERT_FALSE(result.primitives.empty());
-  ASSERT_EQ(result.primitives.size(), result.share.size());
-  EXPECT_LE(result.primitives.size(), static_cast<std::size_t>(options.max_primitives));
-  EXPECT_TRUE(std::is_sorted(result.share.rbegin(), result.share.rend()));
-  EXPECT_NEAR(std::accumulate(result.share.begin(), result.share.end(), 0.0), result.explained,
-              1e-9);
-  EXPECT_LE(result.explained, 1.0 + 1e-9);
-  const double diagonal = bounds(mesh).diagonal();
-  for (const Primitive& primitive : result.primitives) {
-    EXPECT_TRUE(primitive.X_OP.matrix().allFinite());
-    EXPECT_TRUE(primitive.X_OP.linear().isUnitary(1e-9));
-    EXPECT_GT(primitive.X_OP.linear().determinant(), 0.0);
-    EXPECT_GT(surface_area(primitive.shape), 0.0);
-    EXPECT_LT(surface_area(primitive.shape), 100.0 * diagonal * diagonal);
-  }
-}
-
 TEST(Decompose, ADumbbellIsTwoSpheresAndABar) {
   TriangleMesh mesh = make_cylinder(0.1, 1.6, 48, 20);
   for (const double z : {-1.0, 1.0}) {
     append(mesh, transformed(make_sphere(0.4, 4), translation({0.0, 0.0, z})));
   }
   const Decomposition result = decompose(mesh, {.tolerance = 0.02});
-  expect_sound(result, mesh);
+  test::expect_sound(result, mesh);
   EXPECT_EQ(result.primitives.size(), 3U);
   EXPECT_EQ(count_of(result, "sphere"), 2);
   EXPECT_EQ(count_of(result, "cylinder"), 1);
@@ -73,7 +36,7 @@ TEST(Decompose, AHammerIsABoxAndAHandle) {
   TriangleMesh mesh = make_cylinder(0.05, 1.0, 48, 10);
   append(mesh, transformed(make_box({0.15, 0.5, 0.15}, 6), translation({0.0, 0.0, 0.55})));
   const Decomposition result = decompose(mesh);
-  expect_sound(result, mesh);
+  test::expect_sound(result, mesh);
   EXPECT_EQ(result.primitives.size(), 2U);
   EXPECT_GT(result.explained, 0.97);
 }
@@ -83,7 +46,7 @@ TEST(Decompose, TwoHalvesOfOneBoxAreOneBox) {
   append(mesh, transformed(make_box({1.0, 1.0, 1.0}, 5), translation({1.0, 0.0, 0.0})));
   // The common wall inside is a ninth of the area, and no primitive's surface.
   const Decomposition result = decompose(mesh, {.coverage = 0.8});
-  expect_sound(result, mesh);
+  test::expect_sound(result, mesh);
   EXPECT_LE(result.primitives.size(), 2U);
   EXPECT_EQ(count_of(result, "box"), static_cast<int>(result.primitives.size()));
 }
@@ -93,9 +56,9 @@ TEST(Decompose, GeneratedObjectsAreFewPieces) {
     SCOPED_TRACE(name);
     const TriangleMesh mesh = generate_object(name);
     const Decomposition result = decompose(mesh);
-    expect_sound(result, mesh);
+    test::expect_sound(result, mesh);
     EXPECT_LE(result.primitives.size(), 5U);
-    EXPECT_GE(explained(mesh, result.primitives, 0.05), 0.95);
+    EXPECT_GE(test::explained(mesh, result.primitives, 0.05), 0.95);
   }
 }
 
@@ -117,7 +80,7 @@ TEST(Decompose, NeverMoreThanAskedFor) {
   const TriangleMesh soup = test::triangle_soup(200, draw);
   for (const int most : {1, 2, 5}) {
     const DecomposeOptions options{.tolerance = 0.01, .max_primitives = most};
-    expect_sound(decompose(soup, options), soup, options);
+    test::expect_sound(decompose(soup, options), soup, options);
   }
 }
 
@@ -126,7 +89,7 @@ TEST(Decompose, AFinerToleranceIsHeldWhenPiecesAllow) {
   append(mesh, transformed(make_box({0.2, 0.8, 0.2}, 8), translation({0.0, 0.5, 0.4})));
   for (const double tolerance : {0.05, 0.02}) {
     const Decomposition result = decompose(mesh, {.tolerance = tolerance});
-    EXPECT_GE(explained(mesh, result.primitives, tolerance), 0.95) << tolerance;
+    EXPECT_GE(test::explained(mesh, result.primitives, tolerance), 0.95) << tolerance;
   }
 }
 
@@ -145,7 +108,7 @@ TEST(Decompose, JunkOfAnyScaleGivesSoundPieces) {
                                    test::without_triangles_above(make_sphere(1.0, 4), 0.3)}) {
     for (const double scale : {1e-3, 1.0, 10.0}) {
       const TriangleMesh at_scale = test::scaled(mesh, scale);
-      expect_sound(decompose(at_scale), at_scale);
+      test::expect_sound(decompose(at_scale), at_scale);
     }
   }
   EXPECT_EQ(count_of(decompose(unused), "sphere"), 1);
@@ -172,71 +135,6 @@ TEST(Decompose, BadArgumentsAreNamed) {
     FAIL() << "an index out of range was accepted";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("1000"), std::string::npos) << error.what();
-  }
-}
-
-std::vector<std::filesystem::path> meshes_in(const std::string& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(test::shared(folder))) {
-    const auto kind = entry.path().extension();
-    if (kind == ".obj" || kind == ".stl" || kind == ".ply" || kind == ".off") {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-TEST(DecomposeRealMeshes, AtMostTwelvePiecesExplainNinetyPercent) {
-  for (const std::string folder : {"data/ycb", "data/household"}) {
-    PREHEND_NEEDS_SHARED(folder);
-    for (const auto& file : meshes_in(folder)) {
-      SCOPED_TRACE(file.filename().string());
-      const TriangleMesh mesh = load_mesh(file).mesh;
-      const Decomposition result = decompose(mesh);
-      expect_sound(result, mesh);
-      EXPECT_LE(result.primitives.size(), 6U);  // of the twelve allowed
-      EXPECT_GE(explained(mesh, result.primitives, 0.05), 0.9);
-      EXPECT_NEAR(explained(mesh, result.primitives, 0.05), result.explained, 0.02);
-    }
-  }
-}
-
-TEST(DecomposeRealMeshes, SimpleObjectsAreOnePiece) {
-  PREHEND_NEEDS_SHARED("data/ycb");
-  const std::vector<std::pair<std::string, std::string>> known = {{"cracker_box", "box"},
-                                                                  {"tomato_soup_can", "cylinder"},
-                                                                  {"tennis_ball", "sphere"},
-                                                                  {"large_marker", "cylinder"}};
-  for (const auto& [name, shape] : known) {
-    const Decomposition result =
-        decompose(load_mesh(test::shared("data/ycb/" + name + ".obj")).mesh);
-    EXPECT_EQ(result.primitives.size(), 1U) << name;
-    EXPECT_EQ(shape_name(result.primitives.front().shape), shape) << name;
-  }
-}
-
-// Published with the object set: 66 mm across, 101 mm high, of which the lids lie some 3 mm inside
-// of each rim; a cap goes to the lid.
-TEST(DecomposeRealMeshes, ACansDimensionsAreItsOwn) {
-  PREHEND_NEEDS_SHARED("data/ycb/tomato_soup_can.obj");
-  const Decomposition result =
-      decompose(load_mesh(test::shared("data/ycb/tomato_soup_can.obj")).mesh);
-  const auto& can = std::get<Cylinder>(result.primitives.front().shape);
-  EXPECT_NEAR(can.radius, 0.033, 0.0015);
-  EXPECT_GT(can.height, 0.092);
-  EXPECT_LT(can.height, 0.103);
-}
-
-TEST(DecomposeRealMeshes, NastyMeshesGiveSoundPieces) {
-  PREHEND_NEEDS_SHARED("data/nasty");
-  for (const std::string folder : {"data/nasty", "data/nasty/converted_obj"}) {
-    PREHEND_NEEDS_SHARED(folder);
-    for (const auto& file : meshes_in(folder)) {
-      SCOPED_TRACE(file.filename().string());
-      const TriangleMesh mesh = load_mesh(file).mesh;
-      expect_sound(decompose(mesh), mesh);
-    }
   }
 }
 
