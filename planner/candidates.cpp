@@ -49,7 +49,8 @@ Pose hand_pose(const Hand& hand, const AimedGrasp& aimed, double stand_off) {
 
 bool is_duplicate(const Candidate& a, const Candidate& b, const CandidateOptions& options) {
   if (a.preshape != b.preshape) return false;
-  if ((a.X_OH.translation() - b.X_OH.translation()).norm() > options.duplicate_distance) return false;
+  if ((a.X_OH.translation() - b.X_OH.translation()).norm() > options.duplicate_distance)
+    return false;
   const Eigen::AngleAxisd turn(a.X_OH.linear().transpose() * b.X_OH.linear());
   return std::abs(turn.angle()) <= options.duplicate_angle;
 }
@@ -88,10 +89,10 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
           candidate.approach_distance =
               std::max(0.0, depth + reach[s] - stand_off + kStartClearance);
           candidate.preshape = static_cast<int>(s);
-          const bool known = std::any_of(
-              proposals.grasps.begin(), proposals.grasps.end(), [&](const ProposedGrasp& other) {
-                return is_duplicate(other.candidate, candidate, options);
-              });
+          const bool known = std::any_of(proposals.grasps.begin(), proposals.grasps.end(),
+                                         [&](const ProposedGrasp& other) {
+                                           return is_duplicate(other.candidate, candidate, options);
+                                         });
           if (!known) proposals.grasps.push_back({candidate, static_cast<int>(p), aimed.rule});
         }
       }

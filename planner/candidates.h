@@ -13,8 +13,8 @@ namespace prehend {
 struct CandidateOptions {
   // Directions around a cylinder's side and around its ends (>= 1).
   int cylinder_directions = 12;
-  // Places along a cylinder's axis and along a box's side, evenly spread (>= 1). Pieces shorter than
-  // half the hand's opening get one.
+  // Places along a cylinder's axis and along a box's side, evenly spread (>= 1). Pieces shorter
+  // than half the hand's opening get one.
   int places = 3;
   // Directions over a sphere, and turns of the hand about each (>= 1).
   int sphere_directions = 20;
@@ -28,14 +28,14 @@ struct CandidateOptions {
 
 struct ProposedGrasp {
   Candidate candidate;
-  int primitive = -1;   // index into the primitives
-  std::string rule;     // "box face", "cylinder side across", ...
+  int primitive = -1;  // index into the primitives
+  std::string rule;    // "box face", "cylinder side across", ...
 };
 
 // Why preshapes were left out, for the message when nothing is proposed.
 struct Proposals {
   std::vector<ProposedGrasp> grasps;
-  double smallest_width = 0.0;  // smallest size that a rule wanted to close on [m]
+  double smallest_width = 0.0;   // smallest size that a rule wanted to close on [m]
   double largest_opening = 0.0;  // largest size that a preshape takes [m]
 };
 

@@ -13,6 +13,7 @@ Vector3 axis(int k) { return Vector3::Unit(k); }
 // `count` places along [-length / 2, length / 2], in the middles of equal parts.
 std::vector<double> places_along(double length, int count) {
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) places.push_back(length * ((i + 0.5) / count - 0.5));
   return places;
 }

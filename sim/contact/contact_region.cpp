@@ -96,7 +96,15 @@ std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
 
 void reduce_group(const std::vector<SurfaceContact>& contacts, const std::vector<std::size_t>& group,
                   const ContactOptions& options, std::vector<SurfaceContact>& reduced) {
-  if (group.size() <= 2) {
+  const Vector3& nearest = contacts[group.front()].position;
+  const bool is_a_point = std::all_of(group.begin(), group.end(), [&](std::size_t i) {
+    return (contacts[i].position - nearest).norm() <= options.threshold;
+  });
+  if (is_a_point) {
+    reduced.push_back(contacts[group.front()]);
+    return;
+  }
+  if (group.size() == 2) {
     for (std::size_t i : group) reduced.push_back(contacts[i]);
     return;
   }

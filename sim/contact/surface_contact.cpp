@@ -11,6 +11,9 @@ namespace {
 
 // Points nearer than this to an edge or a vertex are on it [m].
 constexpr double kOnFeature = 1e-7;
+// Points nearer than this part of the threshold are one: far less than what regions are told apart by,
+// so that the corners of a region stay where they are.
+constexpr double kSamePlace = 0.01;
 
 using Corners = std::array<Vector3, 3>;
 
@@ -206,7 +209,7 @@ void find_contact_points(const ProximityMesh& object, const ProximityMesh& link,
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
   for (const SurfaceContact& contact : workspace.points) {
     const bool known = std::any_of(points.begin(), points.end(), [&](const SurfaceContact& other) {
-      return (other.position - contact.position).norm() <= options.threshold &&
+      return (other.position - contact.position).norm() <= kSamePlace * options.threshold &&
              other.normal.cross(contact.normal).norm() <= 2.0 * options.angular_tolerance &&
              other.normal.dot(contact.normal) > 0.0;
     });

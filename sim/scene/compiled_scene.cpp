@@ -89,8 +89,10 @@ CompiledLink compile_link(const Scene& scene, const Link& link) {
       throw InputError(scene.hand.name + ": link " + link.name + ": " + error.what());
     }
   }();
-  CompiledLink compiled{link.name, ProximityMesh(link.mesh), link.joint,
-                        scene.friction.between(material, scene.object.material), {}, {}, {}};
+  CompiledLink compiled{link.name,  ProximityMesh(link.mesh),
+                        link.joint, scene.friction.between(material, scene.object.material),
+                        {},         {},
+                        {}};
   compiled.probes = component_vertices(link.mesh);
   compiled.joints = joints_to(scene.hand, link.joint);
   compiled.reach = reaches(scene.hand, compiled.joints, link.mesh);

@@ -1,4 +1,5 @@
-// A scene made ready for trials: trees, reaches, friction, pairs to test. Immutable, shared by threads.
+// A scene made ready for trials: trees, reaches, friction, pairs to test. Immutable, shared by
+// threads.
 #pragma once
 
 #include <memory>
@@ -14,10 +15,10 @@ namespace prehend {
 struct CompiledLink {
   std::string name;
   ProximityMesh mesh;
-  int joint = -1;            // -1: the palm
-  double friction = 0.0;     // against the object
-  // Joints before the link, base to tip, and for each the most that a point of the link can move for
-  // a unit of the joint's motion: a reach in metres for revolute, 1 for prismatic.
+  int joint = -1;         // -1: the palm
+  double friction = 0.0;  // against the object
+  // Joints before the link, base to tip, and for each the most that a point of the link can move
+  // for a unit of the joint's motion: a reach in metres for revolute, 1 for prismatic.
   std::vector<int> joints;
   std::vector<double> reach;
   std::vector<Vector3> probes;  // one vertex of each of its components, link frame
@@ -26,7 +27,7 @@ struct CompiledLink {
 struct CompiledObstacle {
   std::string name;
   ProximityMesh mesh;
-  Pose X_OB = Pose::Identity();  // the obstacle in the object's frame
+  Pose X_OB = Pose::Identity();      // the obstacle in the object's frame
   std::vector<Vector3> probes = {};  // one vertex of each of its components, its own frame
   bool is_solid = false;             // closed and oriented: inside has a meaning
 };
@@ -45,15 +46,15 @@ struct CompiledScene {
   std::vector<LinkPair> self_pairs;
   // Per preshape of the hand and self pair, the gap at that preshape [m].
   std::vector<std::vector<double>> preshape_gaps;
-  WrenchFrame wrench_frame;  // centre of mass; 1 / largest distance of a vertex from it
+  WrenchFrame wrench_frame;            // centre of mass; 1 / largest distance of a vertex from it
   std::vector<Vector3> object_probes;  // one vertex of each of its components
   bool object_is_solid = false;        // closed and oriented: inside has a meaning
 
   bool has_obstacles() const { return !obstacles.empty(); }
 };
 
-// Throws InputError when the robot is not a hand, has an unknown material or an empty link, a preshape in
-// which links collide, or the object has no extent.
+// Throws InputError when the robot is not a hand, has an unknown material or an empty link, a
+// preshape in which links collide, or the object has no extent.
 CompiledScene compile(Scene scene);
 
 }  // namespace prehend

@@ -8,8 +8,8 @@
 
 namespace prehend {
 
-// Position in metres (default 0) and a rotation (default none). The quaternion is normalised; one that
-// is not of length 1 within 1e-3 is an error.
+// Position in metres (default 0) and a rotation (default none). The quaternion is normalised; one
+// that is not of length 1 within 1e-3 is an error.
 Pose read_pose(const JsonField& field);
 
 nlohmann::ordered_json pose_to_json(const Pose& pose);

@@ -17,8 +17,8 @@ std::string_view material_name(Material material);
 // Throws InputError that lists the names.
 Material material_named(std::string_view name);
 
-// Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default materials
-// (Miller and Allen 2004, section "Contacts and Friction"; docs/scene-file.md).
+// Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default
+// materials (Miller and Allen 2004, section "Contacts and Friction"; docs/scene-file.md).
 class FrictionTable {
  public:
   FrictionTable();

@@ -27,9 +27,9 @@ struct GraspableBody {
   TriangleMesh mesh;  // frame O
   Pose X_WO = Pose::Identity();
   Material material = Material::plastic;
-  double mass = 0.0;                        // kg
+  double mass = 0.0;                         // kg
   Vector3 center_of_mass = Vector3::Zero();  // frame O
-  Matrix3 inertia = Matrix3::Zero();        // about the centre of mass, axes of O [kg m^2]
+  Matrix3 inertia = Matrix3::Zero();         // about the centre of mass, axes of O [kg m^2]
   MassSource mass_source = MassSource::signed_volume;
 };
 

@@ -56,10 +56,9 @@ TriangleMesh read_body_mesh(const JsonField& body) {
 GraspableBody read_object(const JsonField& field) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
-  GraspableBody body =
-      make_graspable(field.text_or("name", "object"), read_body_mesh(field),
-                     read_material(field, Material::plastic),
-                     read_positive(field, "mass", kDefaultObjectMass));
+  GraspableBody body = make_graspable(field.text_or("name", "object"), read_body_mesh(field),
+                                      read_material(field, Material::plastic),
+                                      read_positive(field, "mass", kDefaultObjectMass));
   if (field.has("center_of_mass")) body.center_of_mass = field["center_of_mass"].vector3();
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   return body;
@@ -155,8 +154,7 @@ Scene load_scene(const std::filesystem::path& file, const SceneSource& source) {
   }
   Scene scene;
   scene.name = file.stem().string();
-  scene.object =
-      make_graspable(scene.name, mesh_from_file(file, source.unit), Material::plastic);
+  scene.object = make_graspable(scene.name, mesh_from_file(file, source.unit), Material::plastic);
   scene.hand = find_robot(source.hand.empty() ? kDefaultHand : source.hand);
   return scene;
 }

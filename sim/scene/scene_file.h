@@ -10,7 +10,8 @@
 namespace prehend {
 
 struct SceneSource {
-  // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it says.
+  // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it
+  // says.
   std::string hand;
   // Unit of a mesh file that is given without a scene: m, cm, mm, in.
   std::string unit = "m";

@@ -220,11 +220,78 @@ TEST(ContactRegion, ABallOnAFaceTouchesWhereItIsLevel) {
       ASSERT_FALSE(contacts.empty());
       for (const SurfaceContact& contact : contacts) {
         EXPECT_LT(contact.position.norm(), reach);
-        EXPECT_LT((contact.normal - kDown).norm(), options.angular_tolerance) << test::described(contacts);
+        EXPECT_LT((contact.normal - kDown).norm(), options.angular_tolerance)
+            << test::described(contacts);
       }
     });
   }
 }
+
+// Contacts at points of a plane, in any frame.
+std::vector<SurfaceContact> on_plane(const std::vector<Vector3>& points, const Pose& X) {
+  std::vector<SurfaceContact> contacts;
+  for (const Vector3& p : points) contacts.push_back({X * p, X.linear() * kDown, 5e-5});
+  return contacts;
+}
+
+TEST(ContactRegion, OfAGridIsItsFourCornersHoweverItIsTurned) {
+  Random random(161);
+  std::vector<Vector3> grid;
+  std::vector<Vector3> corners;
+  for (int i = 0; i <= 8; ++i) {
+    for (int k = 0; k <= 5; ++k) {
+      grid.emplace_back(0.005 * i, 0.004 * k, 0.0);
+      if (i % 8 == 0 && k % 5 == 0) corners.push_back(grid.back());
+    }
+  }
+  for (int n = 0; n < 200; ++n) {
+    // Turned about the normal only, rounding decides which points of a side come first.
+    const Pose X = n % 2 == 0 ? random.pose(0.2) : turned(n * kDegree, Vector3::UnitZ());
+    for (std::size_t i = grid.size(); i-- > 1;) std::swap(grid[i], grid[random.index(i + 1)]);
+    const auto region = contact_regions(on_plane(grid, X), {});
+    std::vector<Vector3> expected;
+    for (const Vector3& corner : corners) expected.push_back(X * corner);
+    expect_places(region, expected, X.linear() * kDown);
+    ASSERT_FALSE(HasFailure()) << n;
+  }
+}
+
+TEST(ContactRegion, KeepsTheCornersThatMatterMost) {
+  std::vector<Vector3> circle;
+  for (int i = 0; i < 90; ++i) {
+    circle.emplace_back(0.03 * std::cos(4.0 * i * kDegree), 0.03 * std::sin(4.0 * i * kDegree),
+                        0.0);
+  }
+  const auto contacts = on_plane(circle, Pose::Identity());
+  for (const int most : {3, 4, 8, 16}) {
+    const auto region = contact_regions(contacts, {.max_region_corners = most});
+    ASSERT_EQ(region.size(), static_cast<std::size_t>(most));
+    // At least three quarters of the regular polygon with that many corners.
+    const double regular = 0.5 * most * std::sin(2.0 * std::numbers::pi / most) * 0.03 * 0.03;
+    EXPECT_GT(area_seen_from_above(region), 0.75 * regular) << most;
+  }
+}
+
+TEST(ContactRegion, NormalsThatDifferAreRegionsOfTheirOwnNearestFirst) {
+  std::vector<SurfaceContact> contacts;
+  const Vector3 sideways = Vector3::UnitX();
+  contacts.push_back({Vector3(0.0, 0.0, 0.0), kDown, 1e-5});
+  contacts.push_back({Vector3(0.0, 0.01, 0.0), sideways, 2e-5});
+  contacts.push_back({Vector3(0.02, 0.0, 0.0), kDown, 3e-5});
+  contacts.push_back({Vector3(0.0, 0.02, 0.01), -kDown, 4e-5});
+  contacts.push_back({Vector3(0.01, 0.0, 0.0), kDown, 5e-5});      // between the ends of a line
+  contacts.push_back({Vector3(0.0, 0.01, 5e-5), sideways, 6e-5});  // where the other one is
+  const auto regions = contact_regions(contacts, {});
+  ASSERT_EQ(regions.size(), 4U);
+  EXPECT_EQ(regions[0].normal, kDown);
+  EXPECT_EQ(regions[1].normal, kDown);
+  EXPECT_NEAR((regions[0].position - regions[1].position).norm(), 0.02, 1e-15);
+  EXPECT_EQ(regions[2].normal, sideways);
+  EXPECT_EQ(regions[2].gap, 2e-5);
+  EXPECT_EQ(regions[3].normal, -kDown);
+}
+
+TEST(ContactRegion, OfNothingIsNothing) { EXPECT_TRUE(contact_regions({}, {}).empty()); }
 
 }  // namespace
 }  // namespace prehend

@@ -28,7 +28,8 @@ struct Tally {
 // A table under the object, and sometimes a block beside it.
 std::vector<StaticBody> random_obstacles(Random& random, const Bounds& object) {
   std::vector<StaticBody> bodies;
-  bodies.push_back(test::obstacle(make_box({0.6, 0.6, 0.02}), {0.0, 0.0, object.lower.z() - 0.011}));
+  bodies.push_back(
+      test::obstacle(make_box({0.6, 0.6, 0.02}), {0.0, 0.0, object.lower.z() - 0.011}));
   if (random.index(2) == 0) {
     const double angle = random.uniform(0.0, 6.28);
     const Vector3 beside = 0.09 * Vector3(std::cos(angle), std::sin(angle), 0.0);
@@ -46,8 +47,8 @@ Candidate random_candidate(Random& random, const CompiledScene& scene) {
   candidate.approach_O = rotation * hand.approach;
   const Vector3 target = scene.object.ball_center() + random.in_box(0.02);
   const double short_of = random.uniform(0.0, 0.12);
-  candidate.X_OH = pose_from(
-      rotation, target - short_of * candidate.approach_O - rotation * hand.origin);
+  candidate.X_OH =
+      pose_from(rotation, target - short_of * candidate.approach_O - rotation * hand.origin);
   candidate.approach_distance = random.uniform(0.1, 0.4);
   candidate.preshape = static_cast<int>(random.index(hand.preshapes.size()));
   if (random.index(3) > 0) return candidate;
@@ -80,8 +81,8 @@ void check_contacts(const CompiledScene& scene, const Trial& trial,
 // True when the hand as it starts is free of collisions with itself: what a candidate owes.
 bool starts_free_of_itself(const CompiledScene& scene, const Candidate& candidate) {
   if (candidate.preshape >= 0) return true;
-  const auto links = test::link_soups(scene, Pose::Identity(),
-                                      joint_values(scene.scene.hand, candidate.dofs));
+  const auto links =
+      test::link_soups(scene, Pose::Identity(), joint_values(scene.scene.hand, candidate.dofs));
   for (const LinkPair& pair : scene.self_pairs) {
     if (test::surfaces_meet(links[static_cast<std::size_t>(pair.a)],
                             links[static_cast<std::size_t>(pair.b)])) {

@@ -40,7 +40,8 @@ inline TriangleMesh block(const Vector3& size, const Vector3& center) {
   return transformed(make_box(size), translation(center));
 }
 
-// A finger of two bars of 50 mm that turns about z from the x axis towards +y, and a palm behind it.
+// A finger of two bars of 50 mm that turns about z from the x axis towards +y, and a palm behind
+// it.
 inline Robot finger_hand(Coupling coupling, double distal_ratio = 0.5) {
   Robot robot;
   robot.name = "finger";
