@@ -40,8 +40,7 @@ void measure(const CompiledScene& scene) {
   for (const prehend::ProposedGrasp& grasp : proposals.grasps) {
     const auto start = std::chrono::steady_clock::now();
     const Trial trial = prehend::run_trial(scene, grasp.candidate);
-    const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - start;
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     all.push_back(took.count());
     if (!trial.contacts.empty()) with_contacts.push_back(took.count());
     if (trial.outcome == Outcome::stable) stable.push_back(took.count());

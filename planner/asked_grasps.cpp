@@ -118,8 +118,7 @@ std::vector<AskedGrasp> asked_grasps(const JsonFile& file, const CompiledScene& 
   for (const JsonField& field : file.root()["grasps"].items()) {
     AskedGrasp grasp;
     grasp.candidate.X_OH = asked_pose(field, scene);
-    grasp.candidate.approach_O =
-        grasp.candidate.X_OH.linear() * scene.scene.hand.hand->approach;
+    grasp.candidate.approach_O = grasp.candidate.X_OH.linear() * scene.scene.hand.hand->approach;
     read_posture(field, scene.scene.hand, grasp.candidate);
     grasp.contacts = read_contacts(field, scene);
     grasps.push_back(std::move(grasp));

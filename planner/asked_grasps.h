@@ -27,10 +27,9 @@ struct AskedGrasp {
   std::vector<GraspContact> contacts;  // as the file has them, for drawing
 };
 
-// Every entry of "grasps": X_object_hand (or X_world_hand), and a preshape by name, or joints, or dofs
-// (numbers in the hand's order). Other fields are left alone. A grasp has approach_distance 0: it
-// is tried where it is.
-// Throws InputError that names the file, the grasp and the field.
+// Every entry of "grasps": X_object_hand (or X_world_hand), and a preshape by name, or joints, or
+// dofs (numbers in the hand's order). Other fields are left alone. A grasp has approach_distance 0:
+// it is tried where it is. Throws InputError that names the file, the grasp and the field.
 std::vector<AskedGrasp> asked_grasps(const JsonFile& file, const CompiledScene& scene);
 
 }  // namespace prehend

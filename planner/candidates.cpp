@@ -49,8 +49,9 @@ Pose hand_pose(const Hand& hand, const AimedGrasp& aimed, double stand_off) {
 
 bool is_duplicate(const Candidate& a, const Candidate& b, const CandidateOptions& options) {
   if (a.preshape != b.preshape) return false;
-  if ((a.X_OH.translation() - b.X_OH.translation()).norm() > options.duplicate_distance)
+  if ((a.X_OH.translation() - b.X_OH.translation()).norm() > options.duplicate_distance) {
     return false;
+  }
   const Eigen::AngleAxisd turn(a.X_OH.linear().transpose() * b.X_OH.linear());
   return std::abs(turn.angle()) <= options.duplicate_angle;
 }

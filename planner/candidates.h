@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "primitives/primitive.h"
+#include "sim/geometry/primitive.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
 

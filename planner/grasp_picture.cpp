@@ -67,8 +67,8 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
     // A frictionless cone would not show.
     const double slope = std::max(0.05, contact.point.friction);
     const double length = kConeLength * radius / std::sqrt(1.0 + slope * slope);
-    bodies.push_back({cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO,
-                      kCone});
+    bodies.push_back(
+        {cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO, kCone});
   }
   add_wrench(scene, grasp.weakest, bodies);
   return bodies;

@@ -23,8 +23,8 @@ struct GraspPictureOptions {
   int height = 700;
 };
 
-// Object partly transparent, hand solid, obstacles grey, friction cones red (as wide as the friction),
-// weakest wrench purple (force thick, torque thin). In the world's frame.
+// Object partly transparent, hand solid, obstacles grey, friction cones red (as wide as the
+// friction), weakest wrench purple (force thick, torque thin). In the world's frame.
 std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
 
 // One view: across the approach, from slightly above, so that palm, object and fingers all show.

@@ -1,8 +1,7 @@
 #include "planner/output_file.h"
 
-#include <unistd.h>
-
 #include <fstream>
+#include <unistd.h>
 
 #include "sim/geometry/input_error.h"
 

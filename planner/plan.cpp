@@ -41,11 +41,10 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
   PlanResult result;
   Stopwatch watch;
   const bool given = !scene.scene.primitives.empty();
-  result.primitives =
-      given ? scene.scene.primitives
-            : decompose(scene.scene.object.mesh, options.primitives).primitives;
-  result.stages.push_back({given ? "primitives given" : "primitives",
-                           static_cast<int>(result.primitives.size())});
+  result.primitives = given ? scene.scene.primitives
+                            : decompose(scene.scene.object.mesh, options.primitives).primitives;
+  result.stages.push_back(
+      {given ? "primitives given" : "primitives", static_cast<int>(result.primitives.size())});
   watch.lap("primitives");
 
   const Proposals proposals = propose_grasps(scene, result.primitives, options.candidates);

@@ -39,7 +39,7 @@ struct Stage {
 
 struct PlanResult {
   std::vector<Primitive> primitives;
-  std::vector<ScoredGrasp> grasps;  // plan: best first; evaluate: as asked
+  std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: as asked
   std::array<int, kOutcomes.size()> outcomes{};  // of all trials
   std::vector<Stage> stages;
   std::vector<StageTime> times;

@@ -14,8 +14,8 @@ struct RankOptions {
   double same_angle = 0.35;     // rad
 };
 
-// Indices of the stable trials, largest epsilon first (equal epsilon: smaller index first), without those
-// that are near-identical to a better one, at most `top`.
+// Indices of the stable trials, largest epsilon first (equal epsilon: smaller index first), without
+// those that are near-identical to a better one, at most `top`.
 std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options);
 
 }  // namespace prehend

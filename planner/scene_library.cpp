@@ -28,7 +28,8 @@ std::filesystem::path find_scene(const std::string& name_or_file) {
   if (is_name && std::filesystem::exists(in_library)) return in_library;
   std::string names;
   for (const std::string& name : library_scene_names()) names += (names.empty() ? "" : ", ") + name;
-  throw InputError(name_or_file + ": no such file, and no scene of that name (scenes: " + names + ")");
+  throw InputError(name_or_file + ": no such file, and no scene of that name (scenes: " + names +
+                   ")");
 }
 
 std::string scene_reference(const std::filesystem::path& file) {

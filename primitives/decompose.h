@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "primitives/primitive.h"
+#include "sim/geometry/primitive.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "primitives/primitive.h"
 #include "primitives/surface_sample.h"
+#include "sim/geometry/primitive.h"
 
 namespace prehend {
 

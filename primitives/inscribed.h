@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "primitives/primitive.h"
 #include "primitives/surface_sample.h"
+#include "sim/geometry/primitive.h"
 
 namespace prehend {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "primitives/primitive.h"
+#include "sim/geometry/primitive.h"
 
 namespace prehend {
 

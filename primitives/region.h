@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "primitives/near_surface.h"
-#include "primitives/primitive.h"
 #include "primitives/surface_sample.h"
+#include "sim/geometry/primitive.h"
 
 namespace prehend {
 

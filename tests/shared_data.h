@@ -15,6 +15,6 @@ inline std::filesystem::path shared(const std::string& relative) {
 }  // namespace prehend::test
 
 // Ends the test as skipped, naming the missing file or folder.
-#define PREHEND_NEEDS_SHARED(relative)                                     \
-  if (!std::filesystem::exists(prehend::test::shared(relative)))           \
+#define PREHEND_NEEDS_SHARED(relative)                           \
+  if (!std::filesystem::exists(prehend::test::shared(relative))) \
   GTEST_SKIP() << "shared data absent: " << prehend::test::shared(relative)

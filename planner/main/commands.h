@@ -43,8 +43,8 @@ struct InspectCommand {
   std::string unit = "m";
 };
 
-// Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake, before
-// anything is written.
+// Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake,
+// before anything is written.
 int run_plan(const PlanCommand& command);
 int run_evaluate(const EvaluateCommand& command);
 int run_render(const RenderCommand& command);

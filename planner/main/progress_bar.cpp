@@ -1,9 +1,8 @@
 #include "planner/main/progress_bar.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <string>
+#include <unistd.h>
 
 namespace prehend {
 namespace {

@@ -11,8 +11,7 @@ namespace prehend {
 int run_evaluate(const EvaluateCommand& command) {
   Stopwatch watch;
   const JsonFile file(command.grasps);
-  const LoadedScene loaded =
-      load_asked_scene(file, {command.scene, command.hand, command.unit});
+  const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
   std::vector<Candidate> candidates;
   for (const AskedGrasp& asked : asked_grasps(file, loaded.scene)) {
     candidates.push_back(asked.candidate);

@@ -1,5 +1,5 @@
-#include <cstdio>
 #include <algorithm>
+#include <cstdio>
 
 #include "planner/main/commands.h"
 #include "planner/scene_library.h"
@@ -82,8 +82,8 @@ void print_robot(const Robot& robot) {
   for (const Joint& joint : robot.joints) {
     std::printf("  joint %-20s %-9s limits %9.4f to %9.4f, driven by %s x %.4g\n",
                 joint.name.c_str(), joint.type == JointType::revolute ? "revolute" : "prismatic",
-                joint.lower, joint.upper, robot.dofs[static_cast<std::size_t>(joint.dof)].name.c_str(),
-                joint.ratio);
+                joint.lower, joint.upper,
+                robot.dofs[static_cast<std::size_t>(joint.dof)].name.c_str(), joint.ratio);
   }
   for (const DegreeOfFreedom& dof : robot.dofs) {
     std::printf("  dof   %-20s from %9.4f to %9.4f, closes at %g\n", dof.name.c_str(), dof.lower,

@@ -46,8 +46,7 @@ std::string title_of(const JsonField& grasp, std::size_t number) {
 
 int run_render(const RenderCommand& command) {
   const JsonFile file(command.grasps);
-  const LoadedScene loaded =
-      load_asked_scene(file, {command.scene, command.hand, command.unit});
+  const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
   const std::vector<AskedGrasp> asked = asked_grasps(file, loaded.scene);
   const std::vector<JsonField> fields = file.root()["grasps"].items();
   if (asked.empty()) throw InputError(command.grasps.string() + ": grasps: there is none to draw");

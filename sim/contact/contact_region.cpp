@@ -43,9 +43,9 @@ std::vector<Corner> hull(std::vector<Corner> points) {
   return chain;
 }
 
-// Leaves out corners that stand out by less than `width` from the line between their neighbours, the
-// flattest first. Not a tolerance of the hull's own test: points on one line up to rounding would then
-// hide the corners at its ends.
+// Leaves out corners that stand out by less than `width` from the line between their neighbours,
+// the flattest first. Not a tolerance of the hull's own test: points on one line up to rounding
+// would then hide the corners at its ends.
 void drop_flat_corners(std::vector<Corner>& polygon, double width) {
   while (polygon.size() > 3) {
     const std::size_t n = polygon.size();
@@ -94,8 +94,9 @@ std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
   return {first, farthest_from(points[first].p)};
 }
 
-void reduce_group(const std::vector<SurfaceContact>& contacts, const std::vector<std::size_t>& group,
-                  const ContactOptions& options, std::vector<SurfaceContact>& reduced) {
+void reduce_group(const std::vector<SurfaceContact>& contacts,
+                  const std::vector<std::size_t>& group, const ContactOptions& options,
+                  std::vector<SurfaceContact>& reduced) {
   const Vector3& nearest = contacts[group.front()].position;
   const bool is_a_point = std::all_of(group.begin(), group.end(), [&](std::size_t i) {
     return (contacts[i].position - nearest).norm() <= options.threshold;

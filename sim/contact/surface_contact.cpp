@@ -11,8 +11,8 @@ namespace {
 
 // Points nearer than this to an edge or a vertex are on it [m].
 constexpr double kOnFeature = 1e-7;
-// Points nearer than this part of the threshold are one: far less than what regions are told apart by,
-// so that the corners of a region stay where they are.
+// Points nearer than this part of the threshold are one: far less than what regions are told apart
+// by, so that the corners of a region stay where they are.
 constexpr double kSamePlace = 0.01;
 
 using Corners = std::array<Vector3, 3>;
@@ -34,9 +34,9 @@ double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
   return (p - a - s * ab).norm();
 }
 
-// True when the triangle rises, from its point p, above the plane through p with normal n by an angle
-// whose sine exceeds `slope`. Only directions that stay in the triangle count: all from a point
-// inside, half of them from one on an edge, those between two edges from a corner.
+// True when the triangle rises, from its point p, above the plane through p with normal n by an
+// angle whose sine exceeds `slope`. Only directions that stay in the triangle count: all from a
+// point inside, half of them from one on an edge, those between two edges from a corner.
 bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
   const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
   const double along_normal = n.dot(area);
@@ -60,9 +60,9 @@ bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
   return !leaves || along_edges > slope;
 }
 
-// True when the surface around p, a point of triangle t, lies below the plane with normal n: around a
-// point inside a face that is the face, on an edge the faces of that edge, on a vertex all its faces.
-// A contact where this fails has a nearer one beside it (figure 7 of the paper).
+// True when the surface around p, a point of triangle t, lies below the plane with normal n: around
+// a point inside a face that is the face, on an edge the faces of that edge, on a vertex all its
+// faces. A contact where this fails has a nearer one beside it (figure 7 of the paper).
 bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3& n, double slope) {
   const TriangleMesh& mesh = body.mesh();
   const auto is_below = [&](int u) {
@@ -113,7 +113,8 @@ Polygon over_face(const Corners& face, const Vector3& normal, const Corners& oth
       const double dp = (p - a).dot(inward);
       const double dq = (q - a).dot(inward);
       if (dp >= 0.0) cut.push(p);
-      if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0)) cut.push(p + (dp / (dp - dq)) * (q - p));
+      if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0))
+        cut.push(p + (dp / (dp - dq)) * (q - p));
     }
     polygon = cut;
   }
@@ -124,7 +125,11 @@ class PairContacts {
  public:
   PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                const ContactOptions& options, std::vector<SurfaceContact>& points)
-      : object_(object), link_(link), X_OL_(X_OL), X_LO_(X_OL.inverse()), options_(options),
+      : object_(object),
+        link_(link),
+        X_OL_(X_OL),
+        X_LO_(X_OL.inverse()),
+        options_(options),
         points_(points) {}
 
   void add(TrianglePair pair) {

@@ -17,8 +17,8 @@ struct SurfaceContact {
 struct ContactOptions {
   // Surfaces closer than this touch [m].
   double threshold = 1e-4;
-  // Of a face contact, the points this much farther than its nearest still count: parallel faces are
-  // never parallel to the last bit [m].
+  // Of a face contact, the points this much farther than its nearest still count: parallel faces
+  // are never parallel to the last bit [m].
   double evenness = 1e-5;
   // Sine of the angle by which a surface may rise above its tangent plane and still be supported by
   // it, and within which normals count as one.
@@ -34,11 +34,11 @@ struct ContactWorkspace {
 };
 
 // Every contact between two bodies at rest, before regions are formed: for each pair of triangles
-// within the threshold, the points of face contacts (the other triangle projected on the face and cut
-// by it, nearest points only), and the one point of edge and vertex contacts. Points that the
-// surfaces around them do not support are left out, points at the same place with the same normal are
-// given once, nearest first. `X_OL` is the link's pose in O.
-// Source: Miller and Allen 2004, "Contact Determination", figures 6 and 7.
+// within the threshold, the points of face contacts (the other triangle projected on the face and
+// cut by it, nearest points only), and the one point of edge and vertex contacts. Points that the
+// surfaces around them do not support are left out, points at the same place with the same normal
+// are given once, nearest first. `X_OL` is the link's pose in O. Source: Miller and Allen 2004,
+// "Contact Determination", figures 6 and 7.
 void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                          const ContactOptions& options, ContactWorkspace& workspace,
                          std::vector<SurfaceContact>& points);

@@ -32,11 +32,10 @@ class BoxDistance {
   // larger of the two.
   double squared(const BoxNode& a, const BoxNode& b) const {
     const Vector3 between = rotation_ * b.center + shift_ - a.center;
-    const Vector3 in_a =
-        (between.cwiseAbs() - a.half - sizes_ * b.half).cwiseMax(Vector3::Zero());
-    const Vector3 in_b = ((rotation_.transpose() * between).cwiseAbs() - b.half -
-                          sizes_.transpose() * a.half)
-                             .cwiseMax(Vector3::Zero());
+    const Vector3 in_a = (between.cwiseAbs() - a.half - sizes_ * b.half).cwiseMax(Vector3::Zero());
+    const Vector3 in_b =
+        ((rotation_.transpose() * between).cwiseAbs() - b.half - sizes_.transpose() * a.half)
+            .cwiseMax(Vector3::Zero());
     return std::max(in_a.squaredNorm(), in_b.squaredNorm());
   }
 

@@ -2,7 +2,10 @@
 // skins, animations, cameras and extensions never reach the reader.
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -67,8 +70,8 @@ Json numbers(const Json& node, const char* name, std::size_t size) {
 
 class Reducer {
  public:
-  Reducer(const Json& document, std::uint64_t chunk_bytes)
-      : document_(document), chunk_bytes_(chunk_bytes) {}
+  Reducer(const Json& document, std::uint64_t chunk_bytes, const std::filesystem::path& folder)
+      : document_(document), chunk_bytes_(chunk_bytes), folder_(folder) {}
 
   Json run() {
     const Json asset = document_.value("asset", Json::object());
@@ -92,23 +95,29 @@ class Reducer {
     for (const Json& buffer : list_in(document_, "buffers")) {
       Json entry = members(buffer, {"uri", "byteLength"});
       const std::uint64_t length = count_in(entry, "byteLength", 0);
-      if (entry.contains("uri")) {
-        if (!entry["uri"].is_string()) throw InputError("uri: is not text");
-        const std::string& uri = entry["uri"].get_ref<const std::string&>();
-        const bool embedded = uri.starts_with("data:");
-        if (embedded && length > uri.size()) {
-          throw InputError("buffers: promise " + std::to_string(length) +
-                           " bytes, more than given");
-        }
-      } else if (kept.empty() && length > chunk_bytes_) {
-        throw InputError("buffers: promise " + std::to_string(length) + " bytes, the file has " +
-                         std::to_string(chunk_bytes_));
-      } else if (!kept.empty()) {
-        throw InputError("buffers: one has no uri");
+      const std::uint64_t given = buffer_bytes(entry, kept.empty());
+      if (length > given) {
+        throw InputError("buffers: promise " + std::to_string(length) + " bytes, there are " +
+                         std::to_string(given));
       }
       lengths_.push_back(length);
       kept.push_back(std::move(entry));
     }
+  }
+
+  // Bytes of a buffer that are there, at most: embedded text counts whole.
+  std::uint64_t buffer_bytes(const Json& buffer, bool first) const {
+    if (!buffer.contains("uri")) {
+      if (!first) throw InputError("buffers: one has no uri");
+      return chunk_bytes_;
+    }
+    if (!buffer["uri"].is_string()) throw InputError("uri: is not text");
+    const std::string& uri = buffer["uri"].get_ref<const std::string&>();
+    if (uri.starts_with("data:")) return uri.size();
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(folder_ / uri, error);
+    if (error) throw InputError("buffers: no file " + uri.substr(0, 200));
+    return size;
   }
 
   void views() {
@@ -261,12 +270,14 @@ class Reducer {
 
   const Json& document_;
   std::uint64_t chunk_bytes_;
+  std::filesystem::path folder_;
   Json result_ = Json::object();
   std::vector<std::uint64_t> lengths_;
   std::vector<long> parents_;
 };
 
-Json reduced(std::string_view text, std::uint64_t chunk_bytes) {
+Json reduced(std::string_view text, std::uint64_t chunk_bytes,
+             const std::filesystem::path& folder) {
   const Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded() || !document.is_object()) throw InputError("the JSON is not valid");
   for (const Json& name : list_in(document, "extensionsRequired")) {
@@ -274,7 +285,7 @@ Json reduced(std::string_view text, std::uint64_t chunk_bytes) {
       throw InputError("compressed meshes cannot be read (" + name.get<std::string>() + ")");
     }
   }
-  return Reducer(document, chunk_bytes).run();
+  return Reducer(document, chunk_bytes, folder).run();
 }
 
 std::uint32_t word_at(std::string_view bytes, std::size_t at) {
@@ -290,14 +301,14 @@ void append_word(std::string& bytes, std::size_t word) {
 
 }  // namespace
 
-std::string checked_gltf(std::string_view bytes) {
+std::string checked_gltf(std::string_view bytes, const std::filesystem::path& folder) {
   need_text(bytes);
-  return reduced(bytes, 0).dump();
+  return reduced(bytes, 0, folder).dump();
 }
 
 // Header (magic, version, length), a chunk of JSON, a chunk of bytes; a chunk is length, type,
 // data.
-std::string checked_glb(std::string_view bytes) {
+std::string checked_glb(std::string_view bytes, const std::filesystem::path& folder) {
   constexpr std::size_t kHeader = 12;
   constexpr std::size_t kChunkHeader = 8;
   constexpr std::uint32_t kJson = 0x4E4F534A;
@@ -319,7 +330,8 @@ std::string checked_glb(std::string_view bytes) {
     if (word_at(bytes, json_end) > data.size()) throw InputError("the GLB ends inside its data");
     data = data.substr(0, word_at(bytes, json_end));
   }
-  std::string json = reduced(bytes.substr(kHeader + kChunkHeader, json_bytes), data.size()).dump();
+  std::string json =
+      reduced(bytes.substr(kHeader + kChunkHeader, json_bytes), data.size(), folder).dump();
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string result = "glTF";
   append_word(result, 2);

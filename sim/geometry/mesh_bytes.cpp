@@ -4,9 +4,10 @@
 
 namespace prehend {
 
-std::string checked_mesh_bytes(std::string_view extension, const std::string& bytes) {
-  if (extension == "gltf") return checked_gltf(bytes);
-  if (extension == "glb") return checked_glb(bytes);
+std::string checked_mesh_bytes(std::string_view extension, const std::string& bytes,
+                               const std::filesystem::path& folder) {
+  if (extension == "gltf") return checked_gltf(bytes, folder);
+  if (extension == "glb") return checked_glb(bytes, folder);
   if (extension == "obj") return checked_obj(bytes);
   if (extension == "stl") return checked_stl(bytes);
   if (extension == "ply") check_ply(bytes);

@@ -69,7 +69,8 @@ TriangleMesh read_raw(const std::filesystem::path& file, const std::string& exte
     need_text(bytes);
     return read_off(bytes);
   }
-  return read_with_assimp(file, extension, checked_mesh_bytes(extension, bytes));
+  return read_with_assimp(file, extension,
+                          checked_mesh_bytes(extension, bytes, file.parent_path()));
 }
 
 LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& options) {

@@ -20,9 +20,9 @@ struct MeshFileOptions {
 };
 
 struct LoadedMesh {
-  TriangleMesh mesh;             // welded; every vertex finite and used; metres
-  int degenerate_removed = 0;    // triangles of no area or with a repeated vertex, left out
-  int duplicates_removed = 0;    // triangles left out because they repeat another (weld.h)
+  TriangleMesh mesh;           // welded; every vertex finite and used; metres
+  int degenerate_removed = 0;  // triangles of no area or with a repeated vertex, left out
+  int duplicates_removed = 0;  // triangles left out because they repeat another (weld.h)
 };
 
 // All triangles of all parts of the file, nodes placed by their transforms, polygons cut into

@@ -27,7 +27,7 @@ struct ProximityMesh::Data {
   TriangleMesh mesh;
   std::vector<BoxNode> tree;
   std::vector<std::array<Vector3, 3>> corners_mm;  // per triangle
-  std::vector<int> first_triangle_at;  // per vertex, start of its run in triangles_at
+  std::vector<int> first_triangle_at;              // per vertex, start of its run in triangles_at
   std::vector<int> triangles_at;
   Vector3 ball_center = Vector3::Zero();
   double ball_radius = 0.0;
@@ -151,7 +151,9 @@ class PairWalk {
 class PairDistance {
  public:
   PairDistance(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB)
-      : a_(a.data().corners_mm), b_(b.data().corners_mm), rotation_(X_AB.linear()),
+      : a_(a.data().corners_mm),
+        b_(b.data().corners_mm),
+        rotation_(X_AB.linear()),
         shift_(X_AB.translation() * kMillimetres) {}
 
   double operator()(int ta, int tb) const {
@@ -181,7 +183,7 @@ class PairDistance {
 struct NearestVisitor {
   const PairDistance& distance;
   double cap;
-  double factor;                // 1 / (1 + relative error)
+  double factor;                                            // 1 / (1 + relative error)
   double best = std::numeric_limits<double>::infinity();    // smallest triangle distance found
   double pruned = std::numeric_limits<double>::infinity();  // smallest squared bound left out
   TrianglePair pair = {};

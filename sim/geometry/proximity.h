@@ -49,8 +49,8 @@ struct GapOptions {
   TrianglePair hint;
 };
 
-// lower <= true distance between the surfaces <= upper. 0 where they meet or cross. A surface inside
-// the other without crossing has a positive gap: ask `is_inside`.
+// lower <= true distance between the surfaces <= upper. 0 where they meet or cross. A surface
+// inside the other without crossing has a positive gap: ask `is_inside`.
 struct Gap {
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();  // infinity when beyond the cap
@@ -64,7 +64,8 @@ Gap find_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
 // True as soon as any two triangles meet.
 bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB);
 
-// All pairs of triangles at most `distance` [m] apart, in the order of the trees; `pairs` is reused.
+// All pairs of triangles at most `distance` [m] apart, in the order of the trees; `pairs` is
+// reused.
 void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                        double distance, std::vector<TrianglePair>& pairs);
 

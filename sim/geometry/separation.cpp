@@ -81,8 +81,8 @@ Vector3 nearest_on_tetrahedron(Simplex& s) {
   Simplex kept = s;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 4; ++k) {
-    Simplex face{{s.point[(k + 1) % 4], s.point[(k + 2) % 4], s.point[(k + 3) % 4], Vector3::Zero()},
-                 3};
+    Simplex face{
+        {s.point[(k + 1) % 4], s.point[(k + 2) % 4], s.point[(k + 3) % 4], Vector3::Zero()}, 3};
     const Vector3 n = (face.point[1] - face.point[0]).cross(face.point[2] - face.point[0]);
     const double opposite = n.dot(s.point[k] - face.point[0]);
     const double origin = -n.dot(face.point[0]);

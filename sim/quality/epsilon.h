@@ -11,15 +11,17 @@ enum class EpsilonStatus {
   no_force_closure,  // proved: some direction has no support above zero, or the set is flat
   below_cutoff,      // upper fell below the caller's cutoff; lower is what was proved until then
   limit,             // facets used up; the bracket stands
-  stalled,  // rounding leaves no better polytope; the bracket stands (never from epsilon_l1
-            // unless qhull fails on the same wrenches)
+  stalled,           // rounding leaves no better polytope; the bracket stands. From epsilon_l1 only
+                     // where qhull fails on the same wrenches
 };
 
 struct EpsilonOptions {
-  double relative_tolerance =
-      1e-9;                 // >= 0; of upper - lower. Rounding ends it at 1e-14 of the set's size
-  double cutoff = 0.0;      // stop as soon as the upper bound is below this
-  int max_facets = 200000;  // facets made before giving up
+  // Of upper - lower, >= 0. Differences of 2e-14 of the set's size are rounding, whatever is asked.
+  double relative_tolerance = 1e-9;
+  // Stop as soon as the upper bound is below this: the set cannot rank higher.
+  double cutoff = 0.0;
+  // Facets made before giving up, looked at before each expansion.
+  int max_facets = 200000;
 };
 
 // lower <= epsilon <= upper. Without force closure both are 0.

@@ -61,7 +61,7 @@ int ExpandingPolytope::make_facet() {
   const int facet = free_.back();
   free_.pop_back();
   facets_[index(facet)].visit = 0;
-  facets_[index(facet)].sees = false;
+  facets_[index(facet)].visible = false;
   return facet;
 }
 
@@ -91,8 +91,8 @@ bool ExpandingPolytope::sees(int facet, const Wrench& point) {
   Facet& f = facets_[index(facet)];
   f.visit = visit_;
   f.height = f.plane.normal.dot(point) - f.plane.offset;
-  f.sees = f.height > rounding_;
-  return f.sees;
+  f.visible = f.height > rounding_;
+  return f.visible;
 }
 
 // Finds the facets that `point` sees, from `facet` on, and the sides of them across which lies one
@@ -109,7 +109,7 @@ void ExpandingPolytope::collect_visible(int facet, const Wrench& point) {
       const Facet& neighbour = facets_[index(across)];
       if (neighbour.visit != visit_ && sees(across, point)) {
         visible_.push_back(across);
-      } else if (!neighbour.sees) {
+      } else if (!neighbour.visible) {
         border_.push_back(side_of(at, corner));
       }
     }
@@ -176,7 +176,7 @@ bool ExpandingPolytope::expand(int facet, const Wrench& point) {
   if (is_corner(point)) return false;
   collect_visible(facet, point);
   if (border_.empty()) {
-    for (const int seen : visible_) facets_[index(seen)].sees = false;
+    for (const int seen : visible_) facets_[index(seen)].visible = false;
     return false;
   }
   const int corner = static_cast<int>(points_.size());

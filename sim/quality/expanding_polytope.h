@@ -14,9 +14,10 @@ namespace prehend {
 // A closed surface of 5-simplices (facets), the hull of the points added so far up to rounding.
 //
 // What holds whatever the rounding: every ridge is shared by exactly two facets; no point of a
-// facet is nearer to the origin than the facet's offset, if that is positive; and once all offsets
-// are positive, the surface keeps enclosing the origin. So the smallest offset is the radius of a
-// ball inside the hull of the points.
+// facet is nearer to the origin than the facet's offset, if that is positive; and a surface around
+// the origin, all offsets positive, stays around it: what is added lies beyond facets that have the
+// origin behind them. So the smallest offset is then the radius of a ball inside the hull of the
+// points, even where rounding has dented the surface.
 class ExpandingPolytope {
  public:
   // Rounding of heights, relative to the scale: points within it of a facet's plane do not see it.
@@ -55,7 +56,7 @@ class ExpandingPolytope {
     Hyperplane plane;         // an offset that is not a number: the facet was replaced
     double height = 0.0;      // of the point being added above the plane
     std::uint32_t visit = 0;  // the addition for which `height` was computed
-    bool sees = false;        // whether that point sees the facet
+    bool visible = false;     // whether that point sees the facet
     std::array<int, 6> corners = {};
     std::array<Side, 6> beyond = {};  // the neighbour's side of the ridge opposite corner i
   };

@@ -12,7 +12,7 @@ namespace prehend {
 inline constexpr double kFlatness = 1e-9;
 
 struct StartSimplex {
-  bool flat = true;
+  bool flat = true;    // `points` mean nothing
   double scale = 0.0;  // largest coordinate, in magnitude, of any point of the set
   // Upper bound of the largest ball around the origin: the smallest support value seen. At or below
   // kFlatness * scale it proves that there is none.
@@ -22,8 +22,8 @@ struct StartSimplex {
 };
 
 // Asks for support along the six axes both ways, and where these points span less than six
-// dimensions, along directions orthogonal to what they span. With `stop_outside` it returns at once
-// where a direction proves that the origin is not inside; `points` are then void.
+// dimensions, along directions orthogonal to what they span. With `stop_outside` it returns at
+// once, as flat, where a direction proves that the origin is not inside.
 StartSimplex start_simplex(const SupportMap& set, bool stop_outside);
 
 }  // namespace prehend

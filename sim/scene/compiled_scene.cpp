@@ -89,14 +89,11 @@ CompiledLink compile_link(const Scene& scene, const Link& link) {
       throw InputError(scene.hand.name + ": link " + link.name + ": " + error.what());
     }
   }();
-  CompiledLink compiled{link.name,  ProximityMesh(link.mesh),
-                        link.joint, scene.friction.between(material, scene.object.material),
-                        {},         {},
-                        {}};
-  compiled.probes = component_vertices(link.mesh);
-  compiled.joints = joints_to(scene.hand, link.joint);
-  compiled.reach = reaches(scene.hand, compiled.joints, link.mesh);
-  return compiled;
+  const double friction = scene.friction.between(material, scene.object.material);
+  std::vector<int> joints = joints_to(scene.hand, link.joint);
+  std::vector<double> reach = reaches(scene.hand, joints, link.mesh);
+  return {link.name,        ProximityMesh(link.mesh),     link.joint, friction, std::move(joints),
+          std::move(reach), component_vertices(link.mesh)};
 }
 
 bool is_before(const CompiledLink& a, const CompiledLink& b) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "primitives/primitive.h"
 #include "sim/geometry/mass_properties.h"
+#include "sim/geometry/primitive.h"
 #include "sim/geometry/triangle_mesh.h"
 #include "sim/robot/robot.h"
 #include "sim/scene/material.h"

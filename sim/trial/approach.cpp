@@ -25,8 +25,8 @@ std::vector<Pairing> pairings(const CompiledScene& scene) {
     const int link = static_cast<int>(l);
     all.push_back({link, -1, GapTracker(scene.object, scene.links[l].mesh)});
     for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
-      all.push_back({link, static_cast<int>(o),
-                     GapTracker(scene.obstacles[o].mesh, scene.links[l].mesh)});
+      all.push_back(
+          {link, static_cast<int>(o), GapTracker(scene.obstacles[o].mesh, scene.links[l].mesh)});
     }
   }
   return all;
@@ -60,7 +60,9 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
       return result;
     }
   }
-  const auto earlier = [](const Pairing& a, const Pairing& b) { return a.safe_until < b.safe_until; };
+  const auto earlier = [](const Pairing& a, const Pairing& b) {
+    return a.safe_until < b.safe_until;
+  };
   while (true) {
     Pairing& next = *std::min_element(all.begin(), all.end(), earlier);
     if (next.safe_until >= motion.distance && next.tracker.queries() > 0) {
@@ -68,17 +70,16 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
       break;
     }
     const double travel = std::min(next.safe_until, motion.distance);
-    const Pose X_TL =
-        pose_in(scene, next.obstacle, motion.at(travel) * X_HL[index(next.link)]);
+    const Pose X_TL = pose_in(scene, next.obstacle, motion.at(travel) * X_HL[index(next.link)]);
     const double left = motion.distance - travel + options.contact.threshold;
     const Gap gap = next.tracker.query(X_TL, travel - next.asked_at, left);
     next.asked_at = travel;
     const bool first = next.tracker.queries() == 1;
     if (gap.upper <= options.closed_gap() || next.tracker.queries() > options.max_gap_queries) {
       const bool free = gap.lower > 0.0;
-      result.end = first && !free              ? ApproachEnd::starts_in_collision
-                   : next.obstacle < 0         ? ApproachEnd::touched_object
-                                               : ApproachEnd::touched_obstacle;
+      result.end = first && !free      ? ApproachEnd::starts_in_collision
+                   : next.obstacle < 0 ? ApproachEnd::touched_object
+                                       : ApproachEnd::touched_obstacle;
       result.link = next.link;
       result.obstacle = next.obstacle;
       result.travel = travel;

@@ -20,7 +20,7 @@ struct ApproachMotion {
 };
 
 enum class ApproachEnd {
-  stand_off,         // the whole distance, nothing touched
+  stand_off,  // the whole distance, nothing touched
   touched_object,
   touched_obstacle,
   starts_in_collision,
@@ -28,10 +28,11 @@ enum class ApproachEnd {
 
 struct ApproachResult {
   ApproachEnd end = ApproachEnd::stand_off;
-  double travel = 0.0;                   // [m]
-  int link = -1;                         // that touched, -1 for none
-  int obstacle = -1;                     // that was touched, -1 for the object or nothing
-  std::vector<double> object_clearance;  // per link, a lower bound of its gap to the object at the end
+  double travel = 0.0;  // [m]
+  int link = -1;        // that touched, -1 for none
+  int obstacle = -1;    // that was touched, -1 for the object or nothing
+  std::vector<double>
+      object_clearance;  // per link, a lower bound of its gap to the object at the end
 };
 
 // Joint values stay at `joints`. The end is within contact_gap of what is touched and penetrates

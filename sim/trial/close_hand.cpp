@@ -17,8 +17,10 @@ std::size_t index(int i) { return static_cast<std::size_t>(i); }
 class ClosingMotion {
  public:
   ClosingMotion(const Robot& hand, const ClosingStart& start)
-      : hand_(hand), start_(start.joints.empty() ? joint_values(hand, start.dofs) : start.joints),
-        velocity_(hand.joints.size(), 0.0), until_(hand.joints.size(), 0.0),
+      : hand_(hand),
+        start_(start.joints.empty() ? joint_values(hand, start.dofs) : start.joints),
+        velocity_(hand.joints.size(), 0.0),
+        until_(hand.joints.size(), 0.0),
         by_contact_(hand.joints.size(), false) {
     for (std::size_t j = 0; j < hand.joints.size(); ++j) {
       const DegreeOfFreedom& dof = hand.dofs[index(hand.joints[j].dof)];
@@ -30,13 +32,16 @@ class ClosingMotion {
     }
   }
 
-  bool moves(int joint, double t) const { return velocity_[index(joint)] != 0.0 && t < until_[index(joint)]; }
+  bool moves(int joint, double t) const {
+    return velocity_[index(joint)] != 0.0 && t < until_[index(joint)];
+  }
 
   // Bound on the speed of any point of the link relative to the palm from time t on.
   double speed(const CompiledLink& link, double t) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < link.joints.size(); ++k) {
-      if (moves(link.joints[k], t)) sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
+      if (moves(link.joints[k], t))
+        sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
     }
     return sum;
   }
@@ -53,7 +58,9 @@ class ClosingMotion {
     }
   }
 
-  double end() const { return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end()); }
+  double end() const {
+    return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end());
+  }
 
   void joints_at(double t, std::vector<double>& joints) const {
     joints.resize(start_.size());
@@ -67,7 +74,8 @@ class ClosingMotion {
     for (std::size_t d = 0; d < dofs.size(); ++d) {
       double longest = 0.0;
       for (std::size_t j = 0; j < hand_.joints.size(); ++j) {
-        if (index(hand_.joints[j].dof) == d && velocity_[j] != 0.0) longest = std::max(longest, until_[j]);
+        if (index(hand_.joints[j].dof) == d && velocity_[j] != 0.0)
+          longest = std::max(longest, until_[j]);
       }
       dofs[d] += hand_.dofs[d].closing_velocity * longest;
     }
@@ -109,7 +117,9 @@ class Closing {
   }
 
   ClosedHand run() {
-    const auto earlier = [](const Pairing& a, const Pairing& b) { return a.safe_until < b.safe_until; };
+    const auto earlier = [](const Pairing& a, const Pairing& b) {
+      return a.safe_until < b.safe_until;
+    };
     while (!pairings_.empty()) {
       Pairing& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
       if (next.safe_until >= motion_.end()) break;
@@ -129,7 +139,8 @@ class Closing {
       const CompiledLink& link = scene_.links[l];
       if (motion_.speed(link, 0.0) == 0.0) continue;
       Pairing with_object{static_cast<int>(l), -1, -1, GapTracker(scene_.object, link.mesh)};
-      start_pairing(with_object, start_.object_clearance.empty() ? 0.0 : start_.object_clearance[l]);
+      start_pairing(with_object,
+                    start_.object_clearance.empty() ? 0.0 : start_.object_clearance[l]);
       for (std::size_t o = 0; o < scene_.obstacles.size(); ++o) {
         Pairing pairing{static_cast<int>(l), -1, static_cast<int>(o),
                         GapTracker(scene_.obstacles[o].mesh, link.mesh)};
@@ -148,8 +159,7 @@ class Closing {
 
   void start_pairing(Pairing& pairing, double clearance) {
     pairing.speed_when_asked = speed(pairing, 0.0);
-    pairing.safe_until =
-        std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;
+    pairing.safe_until = std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;
     pairings_.push_back(std::move(pairing));
   }
 

@@ -9,8 +9,9 @@
 namespace prehend {
 
 struct ClosedHand {
-  std::vector<double> dofs;    // per degree of freedom, where it ended
-  std::vector<double> joints;  // per joint, where it ended; not ratio * dof where joints have parted
+  std::vector<double> dofs;  // per degree of freedom, where it ended
+  std::vector<double>
+      joints;  // per joint, where it ended; not ratio * dof where joints have parted
   std::vector<bool> stopped_by_contact;  // per joint
   int gap_queries = 0;
 };
@@ -24,11 +25,11 @@ struct ClosingStart {
   std::vector<double> self_clearance;    // per self pair of the scene; empty: not known [m]
 };
 
-// All degrees of freedom with a closing velocity move at it, together. When a link touches the object,
-// an obstacle or another link (gap <= contact_gap, never a penetration), every joint before it stops;
-// a rigid degree of freedom then stops whole, others go on with the joints that are left. A degree of
-// freedom ends at its limit in the direction of closing. The hand's base stays where it is.
-// Source: Miller and Allen 2004, "Robots" (auto-grasp, breakaway).
+// All degrees of freedom with a closing velocity move at it, together. When a link touches the
+// object, an obstacle or another link (gap <= contact_gap, never a penetration), every joint before
+// it stops; a rigid degree of freedom then stops whole, others go on with the joints that are left.
+// A degree of freedom ends at its limit in the direction of closing. The hand's base stays where it
+// is. Source: Miller and Allen 2004, "Robots" (auto-grasp, breakaway).
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
                       const TrialOptions& options);
 

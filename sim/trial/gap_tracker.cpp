@@ -52,8 +52,8 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
     }
     parts_meet_ = apart <= 0.0;
   }
-  Gap gap = find_gap(*a_, *b_, X_AB,
-                     {.cap = motion_left, .relative_error = kLoose, .hint = last_pair_});
+  Gap gap =
+      find_gap(*a_, *b_, X_AB, {.cap = motion_left, .relative_error = kLoose, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
   if (gap.upper > kNear || gap.upper == 0.0) return gap;
   const double bound = std::max(kReach * gap.upper, gap.upper + kLeastReach);

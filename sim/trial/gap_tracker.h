@@ -8,23 +8,24 @@
 
 namespace prehend {
 
-// How far bodies with this gap may still move: what is beyond contact_gap; where the bound is loose and
-// promises next to nothing, a part of it, so that the next query is nearer to the truth.
+// How far bodies with this gap may still move: what is beyond contact_gap; where the bound is loose
+// and promises next to nothing, a part of it, so that the next query is nearer to the truth.
 inline double safe_step(const Gap& gap, const TrialOptions& options) {
   return gap.lower > options.closed_gap() ? gap.lower - options.contact_gap : 0.25 * gap.lower;
 }
 
-// Far away the distance of the convex parts does, closer a loose query of the meshes; close by, the triangle pairs that can still meet are listed once and
-// only they are looked at until the bodies have moved on.
+// Far away the distance of the convex parts does, closer a loose query of the meshes; close by, the
+// triangle pairs that can still meet are listed once and only they are looked at until the bodies
+// have moved on.
 class GapTracker {
  public:
   // Both meshes must outlive the tracker.
   GapTracker(const ProximityMesh& a, const ProximityMesh& b)
       : a_(&a), b_(&b), directions_(a.parts().size() * b.parts().size(), Vector3::Zero()) {}
 
-  // A proven lower bound and an upper bound of the gap at X_AB. `moved` bounds how far any point of one
-  // body moved relative to the other since the last query, `motion_left` how far it still can: gaps
-  // beyond that come back as at least that.
+  // A proven lower bound and an upper bound of the gap at X_AB. `moved` bounds how far any point of
+  // one body moved relative to the other since the last query, `motion_left` how far it still can:
+  // gaps beyond that come back as at least that.
   Gap query(const Pose& X_AB, double moved, double motion_left);
 
   int queries() const { return queries_; }

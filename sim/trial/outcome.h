@@ -10,13 +10,13 @@ enum class Outcome {
   stable,             // contacts in force closure
   not_force_closure,  // contacts that some wrench breaks
   no_contact,         // the hand closed on nothing
-  hand_blocked,       // the hand collides where it starts, or where its palm is pushed to at the end
-  approach_blocked,   // an obstacle stops the hand before it reaches the object
+  hand_blocked,      // the hand collides where it starts, or where its palm is pushed to at the end
+  approach_blocked,  // an obstacle stops the hand before it reaches the object
 };
 
-inline constexpr std::array<Outcome, 5> kOutcomes = {
-    Outcome::stable, Outcome::not_force_closure, Outcome::no_contact, Outcome::hand_blocked,
-    Outcome::approach_blocked};
+inline constexpr std::array<Outcome, 5> kOutcomes = {Outcome::stable, Outcome::not_force_closure,
+                                                     Outcome::no_contact, Outcome::hand_blocked,
+                                                     Outcome::approach_blocked};
 
 constexpr std::string_view outcome_name(Outcome outcome) {
   constexpr std::array<std::string_view, 5> kNames = {"stable", "not_force_closure", "no_contact",

@@ -8,10 +8,10 @@
 
 namespace prehend {
 
-// For each self-centering degree of freedom both of whose joints were stopped by contact: the hand moves
-// sideways by half the difference of the two joints (or, as well, the object by as much the other
-// way), the fingers stay where they touch, and both joints get their mean. `X_OH` and `closed` are
-// changed. Returns whether the hand moved.
+// For each self-centering degree of freedom both of whose joints were stopped by contact: the hand
+// moves sideways by half the difference of the two joints (or, as well, the object by as much the
+// other way), the fingers stay where they touch, and both joints get their mean. `X_OH` and
+// `closed` are changed. Returns whether the hand moved.
 bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed);
 
 }  // namespace prehend

@@ -38,7 +38,8 @@ int colliding_link(const CompiledScene& scene, const Pose& X_OH, const std::vect
 class TrialRun {
  public:
   TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options)
-      : scene_(scene), options_(options),
+      : scene_(scene),
+        options_(options),
         motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance} {
     const Robot& hand = scene.scene.hand;
     if (candidate.preshape >= 0) {
@@ -67,7 +68,8 @@ class TrialRun {
       return trial;
     }
     close_at(reached.travel, reached.object_clearance, trial);
-    for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable; ++back) {
+    for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable;
+         ++back) {
       const double retreat = back * options_.back_off_step;
       if (retreat > reached.travel) break;
       // Backing off changes every gap by at most the retreat.
@@ -109,8 +111,8 @@ class TrialRun {
       trial.outcome = Outcome::no_contact;
       return;
     }
-    trial.epsilon = epsilon_l1(contact_wrenches(point_contacts(trial.contacts), scene_.wrench_frame,
-                                                options_.cone_edges));
+    trial.epsilon = epsilon_l1(
+        contact_wrenches(point_contacts(trial.contacts), scene_.wrench_frame, options_.cone_edges));
     trial.outcome = trial.epsilon.lower > 0.0 ? Outcome::stable : Outcome::not_force_closure;
   }
 

@@ -30,8 +30,8 @@ struct GraspContact {
 
 struct Trial {
   Outcome outcome = Outcome::no_contact;
-  int link = -1;      // that was blocked, for hand_blocked and approach_blocked
-  int obstacle = -1;  // that blocked it, -1: the object
+  int link = -1;                 // that was blocked, for hand_blocked and approach_blocked
+  int obstacle = -1;             // that blocked it, -1: the object
   Pose X_OH = Pose::Identity();  // of the grasp
   double travel = 0.0;           // of the approach until the grasp [m]
   int back_offs = 0;

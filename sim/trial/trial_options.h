@@ -7,9 +7,9 @@ namespace prehend {
 
 struct TrialOptions {
   ContactOptions contact;
-  // Motions end at this gap, or at most a tenth more; between 0 and 0.9 contact.threshold [m]. Ending
-  // at one gap rather than anywhere below the threshold keeps contacts the same however they were
-  // reached.
+  // Motions end at this gap, or at most a tenth more; between 0 and 0.9 contact.threshold [m].
+  // Ending at one gap rather than anywhere below the threshold keeps contacts the same however they
+  // were reached.
   double contact_gap = 5e-5;
   // When a grasp does not hold, the hand goes back along its approach by this and closes again [m].
   double back_off_step = 8e-3;

@@ -38,14 +38,18 @@ void expect_tetrahedron(const std::filesystem::path& file, double unit = 1.0) {
   EXPECT_TRUE(bounds(loaded.mesh).size().isApprox(unit * Vector3(1, 2, 3), 1e-6));
 }
 
-std::vector<std::pair<std::string, std::string>> samples() {
-  const std::string uri =
+// The bytes of gltf_buffer() as base64.
+std::string embedded_gltf() {
+  return test::gltf_json(
       "\"uri\":\"data:application/octet-stream;base64,"
       "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAAEAAAAAAAAAAAAAAAAAAAEBA"
-      "AAACAAEAAAABAAMAAQACAAMAAAADAAIA\",";
+      "AAACAAEAAAABAAMAAQACAAMAAAADAAIA\",");
+}
+
+std::vector<std::pair<std::string, std::string>> samples() {
   return {{"text.obj", test::obj_sample()},       {"text.off", test::off_sample()},
           {"text.ply", test::ply_sample()},       {"text.stl", test::text_stl_sample()},
-          {"bin.stl", test::binary_stl_sample()}, {"text.gltf", test::gltf_json(uri)},
+          {"bin.stl", test::binary_stl_sample()}, {"text.gltf", embedded_gltf()},
           {"bin.glb", test::glb_sample()},        {"text.dae", test::dae_sample()}};
 }
 
@@ -67,7 +71,7 @@ TEST(LoadMesh, ReadsAGltfBufferBesideTheFile) {
   written("data.bin", test::gltf_buffer());
   expect_tetrahedron(file);
   written("data.bin", test::gltf_buffer().substr(0, 20));
-  expect_error(file, "byteLength");
+  expect_error(file, "buffers: promise 72 bytes, there are 20");
 }
 
 TEST(LoadMesh, ScalesToMetres) {
@@ -261,8 +265,9 @@ TEST(LoadMesh, NamesTheDefectOfADamagedGltf) {
                  {"a.glb", "\"indices\":1", "\"indices\":2", "indices: refers"},
                  {"a.glb", "[1,1,1]", "[1,\"\",]", "the JSON is not valid"},
                  {"a.glb", "glTF", "glTX", "no GLB header"}});
-  const std::string text = test::gltf_json("\"uri\":\"absent.bin\",");
-  expect_error(written("a.gltf", text), "absent.bin");
+  expect_error(written("a.gltf", test::gltf_json("\"uri\":\"absent.bin\",")),
+               "buffers: no file absent.bin");
+  const std::string text = embedded_gltf();
   expect_error(written("a.gltf", replaced(text, "\"mesh\":0", "\"children\":[0]")),
                "contain themselves");
   expect_error(written("a.gltf", replaced(text, "\"mesh\":0", "\"children\":[3]")),

@@ -93,7 +93,7 @@ TEST(Candidates, NoTwoAreTheSame) {
   const CompiledScene scene = mug_scene("barrett");
   std::vector<Primitive> pieces = primitives();
   const std::size_t once = propose_grasps(scene, pieces, {.max_candidates = 100000}).grasps.size();
-  // The same pieces again, turned by half the tolerance, add nothing.
+  // The same pieces again, moved by far less than the tolerance, add nothing.
   for (std::size_t i = 0; i < 3; ++i) {
     pieces.push_back(pieces[i]);
     pieces.back().X_OP = translation({0.0, 0.0, 1e-4}) * pieces.back().X_OP;

@@ -1,4 +1,4 @@
-#include "primitives/primitive.h"
+#include "sim/geometry/primitive.h"
 
 #include <numbers>
 

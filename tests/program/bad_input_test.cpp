@@ -1,5 +1,5 @@
-// What the program says to a caller's mistake: one line that names file, field and value, status 2, and
-// nothing in --out.
+// What the program says to a caller's mistake: one line that names file, field and value, status 2,
+// and nothing in --out.
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -11,10 +11,12 @@ namespace {
 
 struct Mistake {
   const char* name;
-  const char* words;      // FOLDER stands for the test's folder
-  const char* file;       // content of FOLDER/in.json
+  const char* words;  // FOLDER stands for the test's folder
+  const char* file;   // content of FOLDER/in.json
   const char* complaint;
 };
+
+void PrintTo(const Mistake& mistake, std::ostream* stream) { *stream << mistake.name; }
 
 class BadInput : public testing::TestWithParam<Mistake> {};
 
@@ -57,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"NotANumber", "plan mug --threads many --out FOLDER/out", "", "--threads"},
         Mistake{"UnknownOption", "plan mug --colour red --out FOLDER/out", "", "--colour"},
         Mistake{"NoCommand", "", "", "subcommand"},
-        Mistake{"GraspsWithoutScene", "evaluate FOLDER/in.json --out FOLDER/out", kNoScene, "scene"},
+        Mistake{"GraspsWithoutScene", "evaluate FOLDER/in.json --out FOLDER/out", kNoScene,
+                "scene"},
         Mistake{"NoGrasps", "evaluate FOLDER/in.json --out FOLDER/out", R"({"scene": "mug"})",
                 "grasps"},
         Mistake{"GraspWithoutPose", "evaluate FOLDER/in.json --out FOLDER/out",
@@ -66,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
                 R"({"scene": "mug", "grasps": [{"X_object_hand": {"position": [0, 0, 1]}}]})",
                 "preshape"},
         Mistake{"UnknownPreshape", "evaluate FOLDER/in.json --out FOLDER/out",
-                R"({"scene": "mug", "grasps": [{"X_object_hand": {}, "preshape": "fist"}]})", "fist"},
+                R"({"scene": "mug", "grasps": [{"X_object_hand": {}, "preshape": "fist"}]})",
+                "fist"},
         Mistake{"DofsOutsideLimits", "evaluate FOLDER/in.json --out FOLDER/out",
                 R"({"scene": "mug", "grasps": [{"X_object_hand": {}, "dofs": [0, 0, 0, 9]}]})",
                 "limits"},

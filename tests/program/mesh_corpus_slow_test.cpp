@@ -1,4 +1,5 @@
-// Broken, odd and huge mesh files: each gives a plan or one clear line, never a crash, a hang or a NaN.
+// Broken, odd and huge mesh files: each gives a plan or one clear line, never a crash, a hang or a
+// NaN.
 #include <algorithm>
 
 #include <gtest/gtest.h>

@@ -1,13 +1,12 @@
 // Runs the program as a user would.
 #pragma once
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <sys/wait.h>
 
 #include <gtest/gtest.h>
 
@@ -35,9 +34,8 @@ inline std::filesystem::path fresh_folder(const std::string& name) {
 
 // `words` as typed in a shell.
 inline ProgramRun run_program(const std::string& words) {
-  const std::filesystem::path folder =
-      fresh_folder(std::string("run_") +
-                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  const std::filesystem::path folder = fresh_folder(
+      std::string("run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   const std::string command = std::string(PREHEND_PROGRAM) + " " + words + " >'" +
                               (folder / "out").string() + "' 2>'" + (folder / "err").string() + "'";
   const int raw = std::system(command.c_str());

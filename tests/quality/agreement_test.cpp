@@ -67,6 +67,23 @@ TEST(Agreement, BothAnswersOccur) {
   EXPECT_GT(open, 15);
 }
 
+// Flat grasps thickened to 1e-8: their epsilon is near the limit of flatness, and growth stalls on
+// some of them (number 123), so that the hull decides.
+TEST(Agreement, ThinGrasps) {
+  Random random(16);
+  for (int i = 0; i < 130; ++i) {
+    Contacts contacts = i % 2 == 1 ? ring_grasp(2, 0.4) : cube_grasp(0.0);
+    Contacts copies = contacts;
+    const double shift = std::pow(10.0, random.between(-8.0, -7.0));
+    for (PointContact& contact : copies) {
+      contact.position += shift * random.direction();
+      contact.normal = (contact.normal + shift * random.direction()).normalized();
+    }
+    append(contacts, copies);
+    expect_agreement({"thin " + std::to_string(i), contacts, 8});
+  }
+}
+
 TEST(Agreement, ManyContacts) {
   Random random(15);
   for (const int n : {16, 30}) {

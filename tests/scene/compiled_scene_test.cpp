@@ -80,7 +80,7 @@ TEST(CompiledScene, PlacesObstaclesInTheFrameOfTheObject) {
   Random random(131);
   Scene scene = jaw_scene();
   scene.object.X_WO = random.pose(0.4);
-  StaticBody body = test::obstacle(make_box({0.1, 0.1, 0.1}), {});
+  StaticBody body = test::obstacle(make_box({0.1, 0.1, 0.1}), Vector3::Zero());
   body.X_WB = random.pose(0.4);
   scene.obstacles = {body};
   const CompiledScene compiled = compile(scene);

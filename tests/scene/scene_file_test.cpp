@@ -1,5 +1,6 @@
 #include "sim/scene/scene_file.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -9,8 +10,11 @@
 namespace prehend {
 namespace {
 
+// A file of the running test's own: tests run side by side.
 std::filesystem::path write(const std::string& text) {
-  const std::filesystem::path file = testing::TempDir() + "/scene_under_test.json";
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const std::filesystem::path file = testing::TempDir() + "/scene_" + name + ".json";
   std::ofstream(file) << text;
   return file;
 }
@@ -36,8 +40,9 @@ TEST(SceneFile, InertiaOfACubeIsASixthOfMassTimesSideSquared) {
 }
 
 TEST(SceneFile, FrictionOfAPairIsOverridden) {
-  const Scene scene = load_scene(write(std::string("{") + kBall +
-      R"(, "friction": [{"between": ["wood", "plastic"], "static": 0.7}]})"));
+  const Scene scene =
+      load_scene(write(std::string("{") + kBall +
+                       R"(, "friction": [{"between": ["wood", "plastic"], "static": 0.7}]})"));
   EXPECT_DOUBLE_EQ(scene.friction.between(Material::plastic, Material::wood), 0.7);
   EXPECT_DOUBLE_EQ(scene.friction.between(Material::plastic, Material::plastic), 0.3);
 }
@@ -57,6 +62,8 @@ struct BadScene {
   const char* text;
   const char* complaint;
 };
+
+void PrintTo(const BadScene& bad, std::ostream* stream) { *stream << bad.name; }
 
 class BadSceneFile : public testing::TestWithParam<BadScene> {};
 
@@ -84,15 +91,20 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"NegativeMass", R"({"object": {"generate": "mug", "mass": -1}})", "object.mass"},
         BadScene{"UnknownObject", R"({"object": {"generate": "teacup"}})", "teacup"},
         BadScene{"NegativeFriction", R"({"object": {"generate": "mug"},
-            "friction": [{"between": ["wood", "wood"], "static": -0.1}]})", "-0.1"},
+            "friction": [{"between": ["wood", "wood"], "static": -0.1}]})",
+                 "-0.1"},
         BadScene{"ThreeMaterials", R"({"object": {"generate": "mug"},
-            "friction": [{"between": ["wood", "wood", "wood"], "static": 0.1}]})", "two materials"},
+            "friction": [{"between": ["wood", "wood", "wood"], "static": 0.1}]})",
+                 "two materials"},
         BadScene{"NotARotation", R"({"object": {"generate": "mug",
-            "pose": {"quaternion_wxyz": [0, 0, 0, 0]}}})", "quaternion_wxyz"},
+            "pose": {"quaternion_wxyz": [0, 0, 0, 0]}}})",
+                 "quaternion_wxyz"},
         BadScene{"EmptyBox", R"({"object": {"generate": "mug",
-            "primitives": [{"shape": "box", "size": [1, 0, 1]}]}})", "positive"},
+            "primitives": [{"shape": "box", "size": [1, 0, 1]}]}})",
+                 "positive"},
         BadScene{"SphereWithHeight", R"({"object": {"generate": "mug",
-            "primitives": [{"shape": "sphere", "radius": 1, "height": 2}]}})", "no height"}),
+            "primitives": [{"shape": "sphere", "radius": 1, "height": 2}]}})",
+                 "no height"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(SceneFile, AMissingMeshIsNamed) {
