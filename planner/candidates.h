@@ -13,8 +13,7 @@ namespace prehend {
 struct CandidateOptions {
   // Directions around a cylinder's side and around its ends (>= 1).
   int cylinder_directions = 12;
-  // Places along a cylinder's axis and along a box's side, evenly spread (>= 1). Pieces shorter
-  // than half the hand's opening get one.
+  // Places along a cylinder's axis and along a box's side, evenly spread (>= 1).
   int places = 3;
   // Directions over a sphere, and turns of the hand about each (>= 1).
   int sphere_directions = 20;

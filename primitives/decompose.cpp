@@ -99,7 +99,7 @@ std::vector<Region> grown(const Surface& surface, const DecomposeOptions& option
   // More pieces than asked for, since merging afterwards finds the better few.
   const std::size_t most = static_cast<std::size_t>(options.max_primitives) + 4;
   std::vector<Leaf> leaves;
-  leaves.push_back({fit_region(surface.points, surface, Effort::kThorough), false, std::nullopt});
+  leaves.push_back({fit_region(surface.points, surface, Effort::thorough), false, std::nullopt});
   while (leaves.size() < most) {
     double unexplained = 0.0;
     for (Leaf& leaf : leaves) {

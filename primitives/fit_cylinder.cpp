@@ -23,12 +23,12 @@ struct Tube {
   double high = 0.0;
 };
 
-enum class Part { kSide, kHigh, kLow };
+enum class Part { side, high, low };
 
 struct Seen {
   Vector3 q = Vector3::Zero();
   double rho = 0.0;
-  Part part = Part::kSide;
+  Part part = Part::side;
   double residual = 0.0;
 };
 
@@ -38,11 +38,11 @@ Seen seen_from(const Tube& tube, const Vector3& p_O) {
   seen.rho = std::hypot(seen.q.x(), seen.q.y());
   seen.residual = seen.rho - tube.radius;
   if (seen.q.z() - tube.high > seen.residual) {
-    seen.part = Part::kHigh;
+    seen.part = Part::high;
     seen.residual = seen.q.z() - tube.high;
   }
   if (tube.low - seen.q.z() > seen.residual) {
-    seen.part = Part::kLow;
+    seen.part = Part::low;
     seen.residual = tube.low - seen.q.z();
   }
   return seen;
@@ -50,11 +50,11 @@ Seen seen_from(const Tube& tube, const Vector3& p_O) {
 
 Vector3 outward(const Tube& tube, const Seen& seen) {
   switch (seen.part) {
-    case Part::kHigh:
+    case Part::high:
       return tube.R_OP.col(2);
-    case Part::kLow:
+    case Part::low:
       return -tube.R_OP.col(2);
-    case Part::kSide:
+    case Part::side:
       break;
   }
   if (!(seen.rho > 0.0)) return tube.R_OP.col(0);
@@ -113,16 +113,16 @@ std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOpt
 // caps (5 high, 6 low). A turn w of the frame moves the point's coordinates by q x w.
 Vector7 slope_of(const Seen& seen) {
   Vector7 slope = Vector7::Zero();
-  if (seen.part == Part::kSide) {
+  if (seen.part == Part::side) {
     if (!(seen.rho > 0.0)) return slope;
     const double ux = seen.q.x() / seen.rho;
     const double uy = seen.q.y() / seen.rho;
     slope << uy * seen.q.z(), -ux * seen.q.z(), -ux, -uy, -1.0, 0.0, 0.0;
   } else {
-    const double sign = seen.part == Part::kHigh ? 1.0 : -1.0;
+    const double sign = seen.part == Part::high ? 1.0 : -1.0;
     slope[0] = -sign * seen.q.y();
     slope[1] = sign * seen.q.x();
-    slope[seen.part == Part::kHigh ? 5 : 6] = -sign;
+    slope[seen.part == Part::high ? 5 : 6] = -sign;
   }
   return slope;
 }
@@ -135,7 +135,7 @@ void close_end(Tube& tube, Part end, std::span<const Seen> seen, double cutoff) 
     if (std::abs(s.rho - tube.radius) < cutoff) along.push_back(s.q.z());
   }
   if (along.empty()) return;
-  if (end == Part::kHigh) {
+  if (end == Part::high) {
     tube.high = quantile(along, 1.0 - kTail);
   } else {
     tube.low = quantile(along, kTail);
@@ -159,9 +159,9 @@ System system_of(const Tube& tube, std::span<const SurfacePoint> points, std::sp
     const double weight = biweight(seen[i].residual, cutoff) * facing;
     system.loss += facing * point_loss(seen[i].residual, options.outlier);
     if (!(weight > 0.0)) continue;
-    if (seen[i].part == Part::kSide) system.side += weight;
-    if (seen[i].part == Part::kHigh) system.high += weight;
-    if (seen[i].part == Part::kLow) system.low += weight;
+    if (seen[i].part == Part::side) system.side += weight;
+    if (seen[i].part == Part::high) system.high += weight;
+    if (seen[i].part == Part::low) system.low += weight;
     const Vector7 slope = slope_of(seen[i]);
     system.normal += weight * slope * slope.transpose();
     system.right -= (weight * seen[i].residual) * slope;
@@ -195,11 +195,11 @@ Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions&
       (system.side + system.high + system.low) * cap / std::max(side + 2.0 * cap, 1e-300);
   if (!(system.high > kCovered * expected)) {
     fix_unknown(system, 5);
-    close_end(tube, Part::kHigh, seen, cutoff);
+    close_end(tube, Part::high, seen, cutoff);
   }
   if (!(system.low > kCovered * expected)) {
     fix_unknown(system, 6);
-    close_end(tube, Part::kLow, seen, cutoff);
+    close_end(tube, Part::low, seen, cutoff);
   }
   system.normal.diagonal() *= 1.0 + kDamping;
   system.normal.diagonal().array() += 1e-12;

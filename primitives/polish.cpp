@@ -61,7 +61,7 @@ Regions reassigned(const Regions& regions, const Surface& surface) {
   }
   Regions result;
   for (std::vector<SurfacePoint>& own : points) {
-    if (!own.empty()) result.push_back(fit_region(std::move(own), surface, Effort::kThorough));
+    if (!own.empty()) result.push_back(fit_region(std::move(own), surface, Effort::thorough));
   }
   return result;
 }
@@ -102,7 +102,7 @@ bool merge_one(Regions& regions, const Surface& surface) {
   std::optional<std::pair<std::size_t, std::size_t>> pair;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     for (std::size_t j = i + 1; j < regions.size(); ++j) {
-      const Region both = united(regions[i], regions[j], surface, Effort::kQuick);
+      const Region both = united(regions[i], regions[j], surface, Effort::quick);
       const double rise = both.cost - regions[i].cost - regions[j].cost;
       if (rise < best_rise) {
         best_rise = rise;
@@ -113,7 +113,7 @@ bool merge_one(Regions& regions, const Surface& surface) {
   if (!pair) return false;
   Regions merged = regions;
   merged[pair->first] =
-      united(regions[pair->first], regions[pair->second], surface, Effort::kThorough);
+      united(regions[pair->first], regions[pair->second], surface, Effort::thorough);
   merged.erase(merged.begin() + static_cast<std::ptrdiff_t>(pair->second));
   if (objective(merged, surface) >= before) return false;
   regions = std::move(merged);

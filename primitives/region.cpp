@@ -52,7 +52,7 @@ Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effo
   constexpr int kQuickSteps = 4;
   constexpr int kThoroughSteps = 12;
   constexpr double kMinExtent = 1e-4;
-  const bool quick = effort == Effort::kQuick;
+  const bool quick = effort == Effort::quick;
   const FitOptions options{.outlier = surface.tolerance,
                            .min_extent = kMinExtent,
                            .steps = quick ? kQuickSteps : kThoroughSteps,
@@ -79,7 +79,7 @@ Region refitted(Region region, const Surface& surface) {
   const double share =
       static_cast<double>(region.points.size()) / static_cast<double>(surface.points.size());
   region.cost = cost_of(region.primitive, region.points, share, surface);
-  Region thorough = fit_region(region.points, surface, Effort::kThorough);
+  Region thorough = fit_region(region.points, surface, Effort::thorough);
   return thorough.cost <= region.cost ? std::move(thorough) : std::move(region);
 }
 

@@ -38,8 +38,8 @@ struct Region {
 };
 
 enum class Effort {
-  kQuick,     // few points, few starts: to compare many candidates
-  kThorough,  // all points
+  quick,     // few points, few starts: to compare many candidates
+  thorough,  // all points
 };
 
 // The box, sphere or cylinder of least cost for these points (at least one).

@@ -32,9 +32,9 @@ bool consider(const Region& region, const Surface& surface, const Predicate& in_
   for (const SurfacePoint& s : region.points) (in_first(s) ? first : second).push_back(s);
   if (std::min(first.size(), second.size()) < smallest(surface)) return false;
   Split split;
-  split.first = fit_region(std::move(first), surface, Effort::kQuick);
+  split.first = fit_region(std::move(first), surface, Effort::quick);
   if (best && split.first.cost >= best->cost()) return false;
-  split.second = fit_region(std::move(second), surface, Effort::kQuick);
+  split.second = fit_region(std::move(second), surface, Effort::quick);
   if (best && split.cost() >= best->cost()) return false;
   best = std::move(split);
   return true;

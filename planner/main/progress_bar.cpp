@@ -30,7 +30,7 @@ void ProgressBar::show(const TrialProgress& progress) {
   std::fflush(stderr);
 }
 
-void ProgressBar::clear() {
+void ProgressBar::clear() const {
   if (!on_terminal_) return;
   std::fprintf(stderr, "\r\033[K");
   std::fflush(stderr);

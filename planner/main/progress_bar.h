@@ -13,7 +13,7 @@ class ProgressBar {
   ProgressBar();
   void show(const TrialProgress& progress);
   // Removes the line.
-  void clear();
+  void clear() const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -117,7 +117,9 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
     const Vector3& p = contacts[i].position;
     points.push_back({Point2(p.dot(x), p.dot(y)), i});
   }
-  const auto [first, last] = ends(points);
+  const std::array<std::size_t, 2> both_ends = ends(points);
+  const std::size_t first = both_ends[0];
+  const std::size_t last = both_ends[1];
   const Point2 along = points[last].p - points[first].p;
   const auto off_line = [&](const Corner& c) {
     return std::abs(turn(points[first].p, points[last].p, c.p)) / along.norm();

@@ -76,7 +76,7 @@ TriangleMesh can(double edge) {
                 edge);
 }
 
-TriangleMesh standing(TriangleMesh mesh, double half_height) {
+TriangleMesh standing(const TriangleMesh& mesh, double half_height) {
   return transformed(mesh, translation({0.0, 0.0, half_height}));
 }
 

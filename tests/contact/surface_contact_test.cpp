@@ -43,8 +43,6 @@ TEST(SurfaceContact, EdgeAcrossEdgeIsOnePointWithTheNormalOfBoth) {
         bar_above(), translation(at + gap * Vector3::UnitZ()) * turned(angle, Vector3::UnitZ()));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
-    // The nearest points of two lines at 5 degrees are known to a tenth of what they are crossing
-    // at.
     expect_places(contacts, {at}, kDown);
   });
 }
