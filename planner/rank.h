@@ -12,6 +12,8 @@ struct RankOptions {
   // Grasps whose hands are closer than both of these are one; the better stands for it.
   double same_distance = 0.01;  // m
   double same_angle = 0.35;     // rad
+  // So are grasps that touch at the same points: a two-finger hand turned by half a turn.
+  double same_contact = 1e-3;  // m
 };
 
 // Indices of the stable trials, largest epsilon first (equal epsilon: smaller index first), without

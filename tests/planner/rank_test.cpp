@@ -43,6 +43,20 @@ TEST(Rank, ATurnedHandAtTheSamePlaceIsAnotherGrasp) {
   EXPECT_EQ(rank(trials, {.same_angle = 0.45}).size(), 1U);
 }
 
+TEST(Rank, GraspsThatTouchAtTheSamePointsAreOne) {
+  std::vector<Trial> trials = {stable_at({0, 0, 0}, 0.2), stable_at({0, 0, 0}, 0.2)};
+  trials[1].X_OH.rotate(Eigen::AngleAxisd(3.0, Vector3::UnitZ()));
+  const auto touch = [](Trial& trial, const Vector3& p) {
+    trial.contacts.push_back({0, {p, Vector3::UnitX(), 1.0}});
+  };
+  touch(trials[0], {0.03, 0, 0});
+  touch(trials[0], {-0.03, 0, 0});
+  touch(trials[1], {-0.0305, 0, 0});
+  touch(trials[1], {0.03, 0, 0});
+  EXPECT_EQ(rank(trials, {.same_contact = 1e-3}).size(), 1U);
+  EXPECT_EQ(rank(trials, {.same_contact = 1e-4}).size(), 2U);
+}
+
 TEST(Rank, AtMostTop) {
   std::vector<Trial> trials;
   for (int i = 0; i < 20; ++i) trials.push_back(stable_at({1.0 * i, 0, 0}, 0.1));
