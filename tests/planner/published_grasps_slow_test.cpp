@@ -1,11 +1,10 @@
 // The 1,000 published grasps of ten scanned objects, evaluated.
-#include "tests/planner/published_grasps.h"
-
 #include <gtest/gtest.h>
 
 #include "planner/plan.h"
 #include "sim/geometry/mesh_file.h"
 #include "sim/robot/robot_file.h"
+#include "tests/planner/published_grasps.h"
 #include "tests/shared_data.h"
 
 namespace prehend::test {
@@ -60,13 +59,14 @@ TEST_P(PublishedGrasps, EachGetsAnOutcome) {
   EXPECT_GE(result.outcomes[static_cast<std::size_t>(Outcome::stable)], GetParam().at_least_stable);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    DexYcb, PublishedGrasps,
-    testing::Values(Published{"banana", 30}, Published{"bowl", 0}, Published{"cracker_box", 40},
-                    Published{"large_clamp", 8}, Published{"large_marker", 6}, Published{"mug", 0},
-                    Published{"mustard_bottle", 42}, Published{"pitcher_base", 1},
-                    Published{"power_drill", 42}, Published{"tomato_soup_can", 38}),
-    [](const auto& published) { return std::string(published.param.object); });
+INSTANTIATE_TEST_SUITE_P(DexYcb, PublishedGrasps,
+                         testing::Values(Published{"banana", 30}, Published{"bowl", 0},
+                                         Published{"cracker_box", 40}, Published{"large_clamp", 8},
+                                         Published{"large_marker", 6}, Published{"mug", 0},
+                                         Published{"mustard_bottle", 42},
+                                         Published{"pitcher_base", 1}, Published{"power_drill", 42},
+                                         Published{"tomato_soup_can", 38}),
+                         [](const auto& published) { return std::string(published.param.object); });
 
 }  // namespace
 }  // namespace prehend::test
