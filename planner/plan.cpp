@@ -29,7 +29,7 @@ void add_volumes(const CompiledScene& scene, const RunTrialsOptions& options, Pl
   for_each_in_parallel(result.grasps.size(), options.threads, [&](std::size_t i) {
     ScoredGrasp& grasp = result.grasps[i];
     if (grasp.trial.outcome != Outcome::stable) return;
-    grasp.volume = wrench_hull(contact_wrenches(point_contacts(grasp.trial.contacts),
+    grasp.volume = wrench_hull(contact_wrenches(contacts_of(grasp.trial.contacts),
                                                 scene.wrench_frame, options.trial.cone_edges))
                        .volume;
   });

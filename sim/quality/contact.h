@@ -5,12 +5,22 @@
 
 namespace prehend {
 
-// A hard point contact with Coulomb friction. `normal` is unit and points into the object;
-// `position` and `normal` are in one frame, usually the object's. friction >= 0.
-struct PointContact {
+// Which forces and torques a contact passes on for a normal force f_n >= 0.
+enum class ContactModel {
+  frictionless,  // the normal force alone
+  point,         // Coulomb friction: tangential force |f_t| <= friction f_n
+  soft_finger,   // and a torque t about the normal: |f_t|^2 + (t / torsion)^2 <= (friction f_n)^2,
+                 // the ellipsoidal limit surface (Howe and Cutkosky 1996)
+};
+
+// `normal` is unit and points into the object; `position` and `normal` are in one frame, usually
+// the object's. A patch of a face is several contacts.
+struct Contact {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double friction = 0.0;
+  double friction = 0.0;  // coefficient, >= 0; a frictionless contact ignores it
+  ContactModel model = ContactModel::point;
+  double torsion = 0.0;  // soft finger: largest torque over largest friction force, >= 0 [m]
 };
 
 }  // namespace prehend

@@ -2,89 +2,56 @@
 
 #include <cmath>
 #include <numbers>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
-
-#include <Eigen/Geometry>
 
 namespace prehend {
 namespace {
 
-constexpr double kUnitTolerance = 1e-3;
-constexpr double kParallelSine = 1e-6;
-
-std::string describe(const Eigen::Vector3d& vector) {
-  std::ostringstream text;
-  text << vector.x() << ", " << vector.y() << ", " << vector.z();
-  return text.str();
-}
-
-[[noreturn]] void reject(std::size_t contact, const std::string& what) {
-  throw std::invalid_argument("contact " + std::to_string(contact) + ": " + what);
-}
-
-void check_frame(const WrenchFrame& frame, int edges) {
-  if (!frame.torque_origin.allFinite()) {
-    throw std::invalid_argument("torque_origin: not finite (" + describe(frame.torque_origin) +
-                                ")");
+// The tangential part of what a contact transmits for a unit normal force and unit friction:
+// columns [first tangent, second tangent, torque over torsion].
+Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
+  Eigen::Matrix3Xd corners(3, pyramid_corners(model, edges));
+  for (int edge = 0; edge < edges; ++edge) {
+    const double angle = 2.0 * std::numbers::pi * edge / edges;
+    corners.col(edge) << std::cos(angle), std::sin(angle), 0.0;
   }
-  if (!std::isfinite(frame.torque_scale) || frame.torque_scale <= 0.0) {
-    throw std::invalid_argument("torque_scale: must be positive and finite (" +
-                                std::to_string(frame.torque_scale) + ")");
+  if (model == ContactModel::frictionless) corners.setZero();
+  if (model != ContactModel::soft_finger) return corners;
+  for (const int side : {1, 2}) {
+    auto latitude = corners.middleCols(side * edges, edges);
+    latitude = std::numbers::sqrt2 / 2.0 * corners.leftCols(edges);
+    latitude.row(2).setConstant((side == 1 ? 1.0 : -1.0) * std::numbers::sqrt2 / 2.0);
   }
-  if (edges < 3) {
-    throw std::invalid_argument("edges: a friction pyramid needs at least 3 (" +
-                                std::to_string(edges) + ")");
-  }
-}
-
-void check_contact(const PointContact& contact, std::size_t index) {
-  if (!contact.position.allFinite()) {
-    reject(index, "position: not finite (" + describe(contact.position) + ")");
-  }
-  if (!contact.normal.allFinite()) {
-    reject(index, "normal: not finite (" + describe(contact.normal) + ")");
-  }
-  if (std::abs(contact.normal.norm() - 1.0) > kUnitTolerance) {
-    reject(index, "normal: not unit (" + describe(contact.normal) + ")");
-  }
-  if (!std::isfinite(contact.friction) || contact.friction < 0.0) {
-    reject(index,
-           "friction: must be finite and not negative (" + std::to_string(contact.friction) + ")");
-  }
+  corners.col(3 * edges) << 0.0, 0.0, 1.0;
+  corners.col(3 * edges + 1) << 0.0, 0.0, -1.0;
+  return corners;
 }
 
 }  // namespace
 
-Tangents contact_tangents(const Eigen::Vector3d& normal) {
-  Eigen::Vector3d first = normal.cross(Eigen::Vector3d::UnitX());
-  if (first.norm() < kParallelSine) first = normal.cross(Eigen::Vector3d::UnitZ());
-  first.normalize();
-  return {first, normal.cross(first)};
+int pyramid_corners(ContactModel model, int edges) {
+  return model == ContactModel::soft_finger ? 3 * edges + 2 : edges;
 }
 
-Wrenches contact_wrenches(std::span<const PointContact> contacts, const WrenchFrame& frame,
-                          int edges) {
-  check_frame(frame, edges);
-  std::vector<Eigen::Vector2d> circle;
-  for (int edge = 0; edge < edges; ++edge) {
-    const double angle = 2.0 * std::numbers::pi * edge / edges;
-    circle.emplace_back(std::cos(angle), std::sin(angle));
+Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
+  check_contacts(contacts, frame);
+  if (edges < 3) {
+    throw std::invalid_argument("edges: a friction pyramid needs at least 3 (" +
+                                std::to_string(edges) + ")");
   }
-  Wrenches wrenches(6, static_cast<Eigen::Index>(contacts.size()) * edges);
-  Eigen::Index column = 0;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    check_contact(contacts[i], i);
-    const Eigen::Vector3d normal = contacts[i].normal.normalized();
-    const Tangents tangents = contact_tangents(normal);
-    const Eigen::Vector3d arm = frame.torque_scale * (contacts[i].position - frame.torque_origin);
-    for (const Eigen::Vector2d& edge : circle) {
-      const Eigen::Vector3d tangential = edge.x() * tangents.first + edge.y() * tangents.second;
-      const Eigen::Vector3d force = normal + contacts[i].friction * tangential;
-      wrenches.col(column++) << force, arm.cross(force);
-    }
+  Eigen::Index columns = 0;
+  for (const Contact& contact : contacts) columns += pyramid_corners(contact.model, edges);
+  Wrenches wrenches(6, columns);
+  columns = 0;
+  for (const Contact& contact : contacts) {
+    const ContactMap map = contact_map(contact, frame);
+    const Eigen::Matrix3Xd corners = unit_corners(contact.model, edges);
+    auto of_contact = wrenches.middleCols(columns, corners.cols());
+    of_contact.noalias() = contact.friction * map.middleCols<2>(1) * corners.topRows<2>();
+    of_contact.noalias() += contact.friction * contact.torsion * map.col(3) * corners.row(2);
+    of_contact.colwise() += map.col(0);
+    columns += corners.cols();
   }
   return wrenches;
 }

@@ -112,7 +112,7 @@ class TrialRun {
       return;
     }
     trial.epsilon = epsilon_l1(
-        contact_wrenches(point_contacts(trial.contacts), scene_.wrench_frame, options_.cone_edges));
+        contact_wrenches(contacts_of(trial.contacts), scene_.wrench_frame, options_.cone_edges));
     trial.outcome = trial.epsilon.lower > 0.0 ? Outcome::stable : Outcome::not_force_closure;
   }
 
@@ -147,8 +147,8 @@ std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose&
   return contacts;
 }
 
-std::vector<PointContact> point_contacts(const std::vector<GraspContact>& contacts) {
-  std::vector<PointContact> points;
+std::vector<Contact> contacts_of(const std::vector<GraspContact>& contacts) {
+  std::vector<Contact> points;
   points.reserve(contacts.size());
   for (const GraspContact& contact : contacts) points.push_back(contact.point);
   return points;

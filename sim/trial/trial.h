@@ -24,7 +24,7 @@ struct Candidate {
 // A contact of the grasp; position and normal (into the object) in the object's frame.
 struct GraspContact {
   int link = 0;
-  PointContact point;
+  Contact point;
   double gap = 0.0;  // between link and object [m]
 };
 
@@ -50,6 +50,6 @@ std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose&
                                          const ContactOptions& options);
 
 // What the quality measures take.
-std::vector<PointContact> point_contacts(const std::vector<GraspContact>& contacts);
+std::vector<Contact> contacts_of(const std::vector<GraspContact>& contacts);
 
 }  // namespace prehend

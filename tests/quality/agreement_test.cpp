@@ -18,7 +18,7 @@ std::string print(const NamedGrasp& grasp) {
   std::ostringstream text;
   text.precision(17);
   text << grasp.name << ", " << grasp.edges << " edges: {";
-  for (const PointContact& contact : grasp.contacts) {
+  for (const Contact& contact : grasp.contacts) {
     const Eigen::Vector3d& p = contact.position;
     const Eigen::Vector3d& n = contact.normal;
     text << "{{" << p.x() << ", " << p.y() << ", " << p.z() << "}, {" << n.x() << ", " << n.y()
@@ -75,7 +75,7 @@ TEST(Agreement, ThinGrasps) {
     Contacts contacts = i % 2 == 1 ? ring_grasp(2, 0.4) : cube_grasp(0.0);
     Contacts copies = contacts;
     const double shift = std::pow(10.0, random.between(-8.0, -7.0));
-    for (PointContact& contact : copies) {
+    for (Contact& contact : copies) {
       contact.position += shift * random.direction();
       contact.normal = (contact.normal + shift * random.direction()).normalized();
     }

@@ -16,7 +16,7 @@
 
 namespace prehend::test {
 
-using Contacts = std::vector<PointContact>;
+using Contacts = std::vector<Contact>;
 
 // mt19937_64 with own mappings: the standard's distributions differ between libraries.
 class Random {
@@ -42,7 +42,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-inline PointContact on_sphere(const Eigen::Vector3d& direction, double friction) {
+inline Contact on_sphere(const Eigen::Vector3d& direction, double friction) {
   return {direction, -direction, friction};
 }
 
@@ -145,7 +145,7 @@ inline Contacts jaw_grasp(double half, double friction) {
 inline Contacts doubled(Random& random, Contacts contacts, double shift) {
   const std::size_t n = contacts.size();
   for (std::size_t i = 0; i < n; ++i) {
-    PointContact copy = contacts[i];
+    Contact copy = contacts[i];
     copy.position += shift * random.direction();
     contacts.push_back(copy);
   }
@@ -154,7 +154,7 @@ inline Contacts doubled(Random& random, Contacts contacts, double shift) {
 
 inline Contacts rotated(const Contacts& contacts, const Eigen::Matrix3d& rotation) {
   Contacts turned = contacts;
-  for (PointContact& contact : turned) {
+  for (Contact& contact : turned) {
     contact.position = rotation * contact.position;
     contact.normal = rotation * contact.normal;
   }
@@ -209,13 +209,13 @@ inline std::vector<NamedGrasp> grasp_families(std::uint64_t seed, int rounds) {
     Contacts slippery = loose_grasp(random, random.integer(10, 24), 0.0);
     add("all frictionless", slippery);
     Contacts one_sided = random_grasp(random, random.integer(3, 8), friction);
-    for (PointContact& contact : one_sided) {
+    for (Contact& contact : one_sided) {
       contact.position.z() = std::abs(contact.position.z());
       contact.normal = -contact.position;
     }
     add("one sided", one_sided);
     Contacts at_a_point = random_grasp(random, random.integer(3, 6), friction);
-    for (PointContact& contact : at_a_point) contact.position = Eigen::Vector3d(0.1, 0.2, 0.3);
+    for (Contact& contact : at_a_point) contact.position = Eigen::Vector3d(0.1, 0.2, 0.3);
     add("at a point", at_a_point);
   }
   return grasps;

@@ -63,7 +63,7 @@ TEST_F(Invariance, RotationOfFrictionlessContacts) {
 
 TEST_F(Invariance, TranslationWithTheOrigin) {
   const Vector3d shift(3.0, -1.0, 2.0);
-  for (PointContact& contact : contacts) contact.position += shift;
+  for (Contact& contact : contacts) contact.position += shift;
   frame.torque_origin += shift;
   expect_equal(quality(contact_wrenches(contacts, frame)), expected);
 }
@@ -77,7 +77,7 @@ TEST_F(Invariance, VolumeUnderTranslationOfTheOriginAlone) {
 TEST_F(Invariance, UniformScaleWithTheTorqueScale) {
   for (const double scale : {1e-3, 0.5, 1000.0}) {
     Contacts larger = contacts;
-    for (PointContact& contact : larger) contact.position *= scale;
+    for (Contact& contact : larger) contact.position *= scale;
     const WrenchFrame wider{scale * frame.torque_origin, frame.torque_scale / scale};
     expect_equal(quality(contact_wrenches(larger, wider)), expected);
   }

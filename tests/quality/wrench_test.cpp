@@ -58,7 +58,7 @@ TEST(ContactWrenches, NormalForceIsUnitAndTangentialIsFriction) {
     const Wrenches wrenches = contact_wrenches(contacts, {}, edges);
     ASSERT_EQ(wrenches.cols(), 7 * edges);
     for (Eigen::Index j = 0; j < wrenches.cols(); ++j) {
-      const PointContact& contact = contacts[static_cast<std::size_t>(j / edges)];
+      const Contact& contact = contacts[static_cast<std::size_t>(j / edges)];
       const Vector3d force = wrenches.col(j).head<3>();
       EXPECT_NEAR(force.dot(contact.normal), 1.0, 1e-14);
       EXPECT_NEAR(force.cross(contact.normal).norm(), 0.7, 1e-14);
@@ -93,8 +93,8 @@ std::string message(const Contacts& contacts, const WrenchFrame& frame = {}, int
 TEST(ContactWrenches, ErrorsNameTheContactAndTheValue) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const PointContact good;
-  PointContact bad = good;
+  const Contact good;
+  Contact bad = good;
   bad.position.y() = nan;
   EXPECT_EQ(message({good, bad}), "contact 1: position: not finite (0, nan, 0)");
   bad = good;
@@ -105,14 +105,14 @@ TEST(ContactWrenches, ErrorsNameTheContactAndTheValue) {
   EXPECT_EQ(message({good, good, bad}), "contact 2: normal: not unit (0, 0, 1.002)");
   bad = good;
   bad.friction = -0.5;
-  EXPECT_EQ(message({bad}), "contact 0: friction: must be finite and not negative (-0.500000)");
+  EXPECT_EQ(message({bad}), "contact 0: friction: must be finite and not negative (-0.5)");
 }
 
 TEST(ContactWrenches, ErrorsNameTheFrame) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message({}, {Vector3d(0.0, 0.0, nan), 1.0}), "torque_origin: not finite (0, 0, nan)");
   EXPECT_EQ(message({}, {Vector3d::Zero(), 0.0}),
-            "torque_scale: must be positive and finite (0.000000)");
+            "torque_scale: must be positive and finite (0)");
   EXPECT_EQ(message({}, {}, 2), "edges: a friction pyramid needs at least 3 (2)");
 }
 

@@ -205,7 +205,7 @@ TEST(Trial, ItsContactsAreThoseOfItsPosture) {
     EXPECT_EQ(again[i].link, trial.contacts[i].link);
     EXPECT_EQ(again[i].point.position, trial.contacts[i].point.position);
   }
-  EXPECT_EQ(point_contacts(again).size(), again.size());
+  EXPECT_EQ(contacts_of(again).size(), again.size());
 }
 
 }  // namespace

@@ -1,0 +1,74 @@
+#include "sim/quality/contact_map.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <Eigen/Geometry>
+
+namespace prehend {
+namespace {
+
+constexpr double kUnitTolerance = 1e-3;
+constexpr double kParallelSine = 1e-6;
+
+template <typename Value>
+[[noreturn]] void reject(const std::string& what, const Value& value) {
+  std::ostringstream text;
+  text << what << " (" << value << ")";
+  throw std::invalid_argument(text.str());
+}
+
+void check_finite(const std::string& what, const Eigen::Vector3d& vector) {
+  if (!vector.allFinite()) reject(what + ": not finite", vector.transpose());
+}
+
+void check_not_negative(const std::string& what, double value) {
+  if (!std::isfinite(value) || value < 0.0) {
+    reject(what + ": must be finite and not negative", value);
+  }
+}
+
+void check_contact(const Contact& contact, const std::string& name) {
+  check_finite(name + "position", contact.position);
+  check_finite(name + "normal", contact.normal);
+  if (std::abs(contact.normal.norm() - 1.0) > kUnitTolerance) {
+    reject(name + "normal: not unit", contact.normal.transpose());
+  }
+  check_not_negative(name + "friction", contact.friction);
+  check_not_negative(name + "torsion", contact.torsion);
+}
+
+}  // namespace
+
+Tangents contact_tangents(const Eigen::Vector3d& normal) {
+  Eigen::Vector3d first = normal.cross(Eigen::Vector3d::UnitX());
+  if (first.norm() < kParallelSine) first = normal.cross(Eigen::Vector3d::UnitZ());
+  first.normalize();
+  return {first, normal.cross(first)};
+}
+
+ContactMap contact_map(const Contact& contact, const WrenchFrame& frame) {
+  const Eigen::Vector3d normal = contact.normal.normalized();
+  const Tangents tangents = contact_tangents(normal);
+  const Eigen::Vector3d arm = frame.torque_scale * (contact.position - frame.torque_origin);
+  ContactMap map;
+  map.col(0) << normal, arm.cross(normal);
+  map.col(1) << tangents.first, arm.cross(tangents.first);
+  map.col(2) << tangents.second, arm.cross(tangents.second);
+  map.col(3) << Eigen::Vector3d::Zero(), frame.torque_scale * normal;
+  return map;
+}
+
+void check_contacts(std::span<const Contact> contacts, const WrenchFrame& frame) {
+  check_finite("torque_origin", frame.torque_origin);
+  if (!std::isfinite(frame.torque_scale) || frame.torque_scale <= 0.0) {
+    reject("torque_scale: must be positive and finite", frame.torque_scale);
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    check_contact(contacts[i], "contact " + std::to_string(i) + ": ");
+  }
+}
+
+}  // namespace prehend

@@ -1,0 +1,38 @@
+// How the force at a contact becomes a wrench on the object.
+#pragma once
+
+#include <span>
+
+#include <Eigen/Core>
+
+#include "sim/quality/contact.h"
+
+namespace prehend {
+
+using Wrench = Eigen::Matrix<double, 6, 1>;  // [force; torque * scale]
+
+struct WrenchFrame {
+  Eigen::Vector3d torque_origin = Eigen::Vector3d::Zero();  // m, frame of the contacts
+  double torque_scale = 1.0;  // 1 / r, r the object's largest distance from the origin [1/m]
+};
+
+// Two unit vectors that span the tangent plane of a unit normal, right-handed: first x second is
+// the normal. The first is along normal x X, or normal x Z where the normal is parallel to X (the
+// sine of the angle between them is below 1e-6).
+struct Tangents {
+  Eigen::Vector3d first = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d second = Eigen::Vector3d::UnitY();
+};
+Tangents contact_tangents(const Eigen::Vector3d& normal);
+
+// What a contact transmits, [normal force, force along the first and second tangent, torque about
+// the normal], is turned into a wrench by this matrix. Torques are those of the frame.
+using ContactMap = Eigen::Matrix<double, 6, 4>;
+ContactMap contact_map(const Contact& contact, const WrenchFrame& frame);
+
+// Throws std::invalid_argument, with the contact's number, on a value that is not finite, a normal
+// that is not unit within 1e-3 (a nearly unit one is taken as its direction), negative friction or
+// torsion; and on a torque origin that is not finite or a scale that is not positive and finite.
+void check_contacts(std::span<const Contact> contacts, const WrenchFrame& frame);
+
+}  // namespace prehend
