@@ -28,6 +28,8 @@ Json contact_json(const CompiledScene& scene, const GraspContact& contact) {
           {"position", vector_to_json(contact.point.position)},
           {"normal", vector_to_json(contact.point.normal)},
           {"friction", contact.point.friction},
+          {"model", contact_model_name(contact.point.model)},
+          {"torsion", contact.point.torsion},
           {"gap", contact.gap}};
 }
 
@@ -84,6 +86,7 @@ Json settings_json(const RunRecord& record) {
   return {{"seed", record.seed},
           {"top", record.options.rank.top},
           {"cone_edges", trial.cone_edges},
+          {"contacts", trial.soft_fingers ? "soft" : "hard"},
           {"contact_threshold", trial.contact.threshold},
           {"contact_gap", trial.contact_gap},
           {"back_off_step", trial.back_off_step},

@@ -11,6 +11,7 @@ struct CommonOptions {
   std::filesystem::path out = "out";
   int threads = 0;  // 0: all processors
   std::uint64_t seed = 1;
+  bool hard_contacts = false;
 };
 
 struct PlanCommand {

@@ -24,6 +24,16 @@ void add_common(CLI::App& command, CommonOptions& common) {
   command.add_option("--out", common.out, "folder to write to")->capture_default_str();
 }
 
+void add_contacts(CLI::App& command, CommonOptions& common) {
+  command
+      .add_option_function<std::string>(
+          "--contacts",
+          [&common](const std::string& kind) { common.hard_contacts = kind == "hard"; },
+          "of rubber: soft fingers that pass on torque, or hard points")
+      ->check(CLI::IsMember({"soft", "hard"}))
+      ->default_str("soft");
+}
+
 void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit) {
   command.add_option("--scene", scene, "scene or mesh file, in place of the one the file names");
   command.add_option("--hand", hand, "robot of the library or robot file, in place of the file's");
@@ -58,6 +68,7 @@ struct Program {
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
     add_common(command, plan.common);
+    add_contacts(command, plan.common);
     command.callback([this] { chosen = [this] { return prehend::run_plan(plan); }; });
   }
 
@@ -67,6 +78,7 @@ struct Program {
     add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit);
     evaluate.common.out = "out/evaluate";
     add_common(command, evaluate.common);
+    add_contacts(command, evaluate.common);
     command.callback([this] { chosen = [this] { return prehend::run_evaluate(evaluate); }; });
   }
 

@@ -21,6 +21,7 @@ int run_evaluate(const EvaluateCommand& command) {
   ProgressBar bar;
   RunTrialsOptions options;
   options.threads = command.common.threads;
+  options.trial.soft_fingers = !command.common.hard_contacts;
   options.progress = [&](const TrialProgress& progress) { bar.show(progress); };
   const PlanResult result = evaluate(loaded.scene, candidates, options);
   bar.clear();

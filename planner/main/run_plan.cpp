@@ -39,6 +39,7 @@ int run_plan(const PlanCommand& command) {
   PlanOptions options;
   options.primitives.seed = command.common.seed;
   options.trials.threads = command.common.threads;
+  options.trials.trial.soft_fingers = !command.common.hard_contacts;
   options.trials.progress = [&](const TrialProgress& progress) { bar.show(progress); };
   options.rank.top = command.top;
   const PlanResult result = plan(scene, options);

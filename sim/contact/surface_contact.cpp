@@ -1,9 +1,9 @@
 #include "sim/contact/surface_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/weld.h"
 
 namespace prehend {
@@ -15,18 +15,7 @@ constexpr double kOnFeature = 1e-7;
 // by, so that the corners of a region stay where they are.
 constexpr double kSamePlace = 0.01;
 
-using Corners = std::array<Vector3, 3>;
-
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Corners corners(const TriangleMesh& mesh, int t) {
-  const Triangle& v = mesh.triangles[index(t)];
-  return {mesh.vertices[index(v[0])], mesh.vertices[index(v[1])], mesh.vertices[index(v[2])]};
-}
-
-Corners moved(const Corners& c, const Pose& X) { return {X * c[0], X * c[1], X * c[2]}; }
-
-Vector3 unit_normal(const Corners& c) { return (c[1] - c[0]).cross(c[2] - c[0]).normalized(); }
 
 double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 ab = b - a;
@@ -66,7 +55,7 @@ bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
 bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3& n, double slope) {
   const TriangleMesh& mesh = body.mesh();
   const auto is_below = [&](int u) {
-    return !rises(corners(mesh, u), p, n, slope) || is_degenerate(mesh, index(u));
+    return !rises(corners_of(mesh, u), p, n, slope) || is_degenerate(mesh, index(u));
   };
   if (!is_below(t)) return false;
   const Triangle& v = mesh.triangles[index(t)];
@@ -90,37 +79,6 @@ bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3&
   return true;
 }
 
-// A triangle cut by three half-spaces has at most six corners.
-struct Polygon {
-  std::array<Vector3, 8> corner;
-  std::size_t size = 0;
-  void push(const Vector3& p) {
-    if (size < corner.size()) corner[size++] = p;
-  }
-};
-
-// The part of `other` whose projection along the face's normal falls on the face.
-Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other) {
-  Polygon polygon;
-  for (const Vector3& p : other) polygon.push(p);
-  for (std::size_t k = 0; k < 3 && polygon.size > 0; ++k) {
-    const Vector3& a = face[k];
-    const Vector3 inward = normal.cross(face[(k + 1) % 3] - a).normalized();
-    Polygon cut;
-    for (std::size_t i = 0; i < polygon.size; ++i) {
-      const Vector3& p = polygon.corner[i];
-      const Vector3& q = polygon.corner[(i + 1) % polygon.size];
-      const double dp = (p - a).dot(inward);
-      const double dq = (q - a).dot(inward);
-      if (dp >= 0.0) cut.push(p);
-      if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0))
-        cut.push(p + (dp / (dp - dq)) * (q - p));
-    }
-    polygon = cut;
-  }
-  return polygon;
-}
-
 class PairContacts {
  public:
   PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
@@ -133,8 +91,8 @@ class PairContacts {
         points_(points) {}
 
   void add(TrianglePair pair) {
-    const Corners on_object = corners(object_.mesh(), pair.a);
-    const Corners on_link = moved(corners(link_.mesh(), pair.b), X_OL_);
+    const Corners on_object = corners_of(object_.mesh(), pair.a);
+    const Corners on_link = moved(corners_of(link_.mesh(), pair.b), X_OL_);
     // A triangle without area has no normal; its edges still have nearest points.
     if (!is_degenerate(object_.mesh(), index(pair.a))) {
       add_face_points(pair, on_object, unit_normal(on_object), on_link, true);

@@ -1,6 +1,9 @@
 // A contact between a finger and an object, as the wrench space sees it.
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include <Eigen/Core>
 
 namespace prehend {
@@ -12,6 +15,11 @@ enum class ContactModel {
   soft_finger,   // and a torque t about the normal: |f_t|^2 + (t / torsion)^2 <= (friction f_n)^2,
                  // the ellipsoidal limit surface (Howe and Cutkosky 1996)
 };
+
+constexpr std::string_view contact_model_name(ContactModel model) {
+  constexpr std::array<std::string_view, 3> kNames = {"frictionless", "point", "soft_finger"};
+  return kNames[static_cast<std::size_t>(model)];
+}
 
 // `normal` is unit and points into the object; `position` and `normal` are in one frame, usually
 // the object's. A patch of a face is several contacts.

@@ -13,6 +13,8 @@ namespace {
 constexpr double kUnitTolerance = 1e-3;
 constexpr double kParallelSine = 1e-6;
 
+const Eigen::IOFormat kInline(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ");
+
 template <typename Value>
 [[noreturn]] void reject(const std::string& what, const Value& value) {
   std::ostringstream text;
@@ -21,7 +23,7 @@ template <typename Value>
 }
 
 void check_finite(const std::string& what, const Eigen::Vector3d& vector) {
-  if (!vector.allFinite()) reject(what + ": not finite", vector.transpose());
+  if (!vector.allFinite()) reject(what + ": not finite", vector.transpose().format(kInline));
 }
 
 void check_not_negative(const std::string& what, double value) {
@@ -34,7 +36,7 @@ void check_contact(const Contact& contact, const std::string& name) {
   check_finite(name + "position", contact.position);
   check_finite(name + "normal", contact.normal);
   if (std::abs(contact.normal.norm() - 1.0) > kUnitTolerance) {
-    reject(name + "normal: not unit", contact.normal.transpose());
+    reject(name + "normal: not unit", contact.normal.transpose().format(kInline));
   }
   check_not_negative(name + "friction", contact.friction);
   check_not_negative(name + "torsion", contact.torsion);

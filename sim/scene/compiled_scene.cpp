@@ -90,10 +90,11 @@ CompiledLink compile_link(const Scene& scene, const Link& link) {
     }
   }();
   const double friction = scene.friction.between(material, scene.object.material);
+  const double depth = scene.compliant_depths.between(material, scene.object.material);
   std::vector<int> joints = joints_to(scene.hand, link.joint);
   std::vector<double> reach = reaches(scene.hand, joints, link.mesh);
-  return {link.name,        ProximityMesh(link.mesh),     link.joint, friction, std::move(joints),
-          std::move(reach), component_vertices(link.mesh)};
+  return {link.name, ProximityMesh(link.mesh), link.joint,       friction,
+          depth,     std::move(joints),        std::move(reach), component_vertices(link.mesh)};
 }
 
 bool is_before(const CompiledLink& a, const CompiledLink& b) {

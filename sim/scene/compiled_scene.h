@@ -15,8 +15,9 @@ namespace prehend {
 struct CompiledLink {
   std::string name;
   ProximityMesh mesh;
-  int joint = -1;         // -1: the palm
-  double friction = 0.0;  // against the object
+  int joint = -1;                // -1: the palm
+  double friction = 0.0;         // against the object
+  double compliant_depth = 0.0;  // by which it gives way to the object, 0: hard [m]
   // Joints before the link, base to tip, and for each the most that a point of the link can move
   // for a unit of the joint's motion: a reach in metres for revolute, 1 for prismatic.
   std::vector<int> joints;

@@ -1,5 +1,6 @@
 #include "sim/scene/material.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/geometry/input_error.h"
@@ -41,5 +42,17 @@ void FrictionTable::set(Material a, Material b, double friction) {
   values_[index(a)][index(b)] = friction;
   values_[index(b)][index(a)] = friction;
 }
+
+double CompliantDepths::of(Material material) const { return values_[index(material)]; }
+
+void CompliantDepths::set(Material material, double depth) {
+  if (!std::isfinite(depth) || depth < 0.0) {
+    throw InputError("compliant depth of " + std::string(material_name(material)) +
+                     " must be finite and not negative (" + std::to_string(depth) + ")");
+  }
+  values_[index(material)] = depth;
+}
+
+double CompliantDepths::between(Material a, Material b) const { return std::max(of(a), of(b)); }
 
 }  // namespace prehend

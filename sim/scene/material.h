@@ -31,4 +31,20 @@ class FrictionTable {
   std::array<std::array<double, 5>, 5> values_;
 };
 
+// How far the surface of a material gives way where a finger presses, 0 for hard materials, which
+// touch at points. Rubber: 1 mm, the Hertzian indentation of a pad of 2 MPa that is pressed with 20
+// N against a surface of radius 30 mm (Johnson, "Contact Mechanics", 1985, eq. 4.23).
+class CompliantDepths {
+ public:
+  double of(Material material) const;  // m
+  // Throws InputError unless `depth` is finite and >= 0.
+  void set(Material material, double depth);
+
+  // Of two bodies the softer one gives way.
+  double between(Material a, Material b) const;
+
+ private:
+  std::array<double, 5> values_ = {0.0, 0.0, 0.0, 0.0, 1e-3};
+};
+
 }  // namespace prehend

@@ -39,6 +39,7 @@ struct Scene {
   Robot hand;
   std::vector<StaticBody> obstacles;
   FrictionTable friction;
+  CompliantDepths compliant_depths;
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
 };
 

@@ -114,6 +114,17 @@ void read_friction(const JsonField& list, FrictionTable& table) {
   }
 }
 
+void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
+  for (const std::string& name : object.keys()) {
+    const JsonField field = object[name];
+    try {
+      depths.set(material_named(name), field.number());
+    } catch (const InputError& error) {
+      field.fail(error.what());
+    }
+  }
+}
+
 // A name of the library, or a robot file: beside the scene if there is one.
 Robot read_hand(const JsonField& field) {
   const std::string text = field.text();
@@ -122,7 +133,7 @@ Robot read_hand(const JsonField& field) {
 }
 
 Scene read_scene(const JsonField& root, const SceneSource& source) {
-  root.allow_only({"name", "object", "hand", "obstacles", "friction"});
+  root.allow_only({"name", "object", "hand", "obstacles", "friction", "compliant_depths"});
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   scene.object = read_object(root["object"]);
@@ -142,6 +153,8 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
     }
   }
   if (root.has("friction")) read_friction(root["friction"], scene.friction);
+  if (root.has("compliant_depths"))
+    read_compliant_depths(root["compliant_depths"], scene.compliant_depths);
   return scene;
 }
 

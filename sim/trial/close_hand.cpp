@@ -87,8 +87,15 @@ class ClosingMotion {
  private:
   void stop(int joint, double t) {
     if (!moves(joint, t)) return;
+    const double unused = until_[index(joint)] - t;
     until_[index(joint)] = t;
     by_contact_[index(joint)] = true;
+    const int dof = hand_.joints[index(joint)].dof;
+    if (hand_.dofs[index(dof)].coupling != Coupling::self_centering) return;
+    // Centering shares the travel out evenly: what one finger leaves, the other may use.
+    for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
+      if (hand_.joints[other].dof == dof && !by_contact_[other]) until_[other] += unused;
+    }
   }
 
   const Robot& hand_;

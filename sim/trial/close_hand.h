@@ -28,8 +28,10 @@ struct ClosingStart {
 // All degrees of freedom with a closing velocity move at it, together. When a link touches the
 // object, an obstacle or another link (gap <= contact_gap, never a penetration), every joint before
 // it stops; a rigid degree of freedom then stops whole, others go on with the joints that are left.
-// A degree of freedom ends at its limit in the direction of closing. The hand's base stays where it
-// is. Source: Miller and Allen 2004, "Robots" (auto-grasp, breakaway).
+// A degree of freedom ends at its limit in the direction of closing; of two self-centering fingers
+// one may go beyond it by as much as the other was stopped before it (center_hand brings both back
+// inside). The hand's base stays where it is. Source: Miller and Allen 2004, "Robots" (auto-grasp,
+// breakaway).
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
                       const TrialOptions& options);
 

@@ -28,7 +28,7 @@ bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed) {
     const std::vector<int> pair = joints_of(hand, static_cast<int>(d));
     const std::size_t a = index(pair[0]);
     const std::size_t b = index(pair[1]);
-    if (!closed.stopped_by_contact[a] || !closed.stopped_by_contact[b]) continue;
+    if (!closed.stopped_by_contact[a] && !closed.stopped_by_contact[b]) continue;
     const double mean = 0.5 * (closed.joints[a] + closed.joints[b]);
     // Finger a stays put: what its joint gives up, the hand takes on.
     const Vector3 shift = (closed.joints[a] - mean) * slide_axis(hand, pair[0]);

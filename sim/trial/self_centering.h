@@ -8,7 +8,7 @@
 
 namespace prehend {
 
-// For each self-centering degree of freedom both of whose joints were stopped by contact: the hand
+// For each self-centering degree of freedom of which a joint was stopped by contact: the hand
 // moves sideways by half the difference of the two joints (or, as well, the object by as much the
 // other way), the fingers stay where they touch, and both joints get their mean. `X_OH` and
 // `closed` are changed. Returns whether the hand moved.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/contact/contact_region.h"
+#include "sim/contact/soft_patch.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/close_hand.h"
 #include "sim/trial/self_centering.h"
@@ -102,7 +103,7 @@ class TrialRun {
       trial.outcome = Outcome::hand_blocked;
       return;
     }
-    trial.contacts = grasp_contacts(scene_, trial.X_OH, trial.joints, options_.contact);
+    trial.contacts = grasp_contacts(scene_, trial.X_OH, trial.joints, options_);
     score(trial);
   }
 
@@ -132,16 +133,25 @@ Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
 
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
                                          const std::vector<double>& joints,
-                                         const ContactOptions& options) {
+                                         const TrialOptions& options) {
   std::vector<Pose> X_HL;
   link_poses(scene.scene.hand, joints, X_HL);
   ContactWorkspace workspace;
   std::vector<GraspContact> contacts;
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     const CompiledLink& link = scene.links[l];
-    for (const SurfaceContact& c :
-         find_contacts(scene.object, link.mesh, X_OH * X_HL[l], options, workspace)) {
+    const Pose X_OL = X_OH * X_HL[l];
+    const auto touching = find_contacts(scene.object, link.mesh, X_OL, options.contact, workspace);
+    for (const SurfaceContact& c : touching) {
       contacts.push_back({static_cast<int>(l), {c.position, c.normal, link.friction}, c.gap});
+    }
+    if (!options.soft_fingers || link.compliant_depth <= 0.0 || touching.empty()) continue;
+    for (const SoftPatch& patch :
+         soft_patches(scene.object, link.mesh, X_OL, link.compliant_depth, workspace)) {
+      contacts.push_back(
+          {static_cast<int>(l),
+           {patch.position, patch.normal, link.friction, ContactModel::soft_finger, patch.torsion},
+           patch.gap});
     }
   }
   return contacts;

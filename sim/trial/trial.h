@@ -47,7 +47,7 @@ Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
 // All contacts between the hand and the object, links in order.
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
                                          const std::vector<double>& joints,
-                                         const ContactOptions& options);
+                                         const TrialOptions& options);
 
 // What the quality measures take.
 std::vector<Contact> contacts_of(const std::vector<GraspContact>& contacts);

@@ -14,6 +14,9 @@ struct TrialOptions {
   // When a grasp does not hold, the hand goes back along its approach by this and closes again [m].
   double back_off_step = 8e-3;
   int back_off_tries = 3;
+  // Whether soft links bear on patches, with torque about the normal; if not, all contacts are hard
+  // points.
+  bool soft_fingers = true;
   // Edges of the pyramid that stands for a friction cone (>= 3).
   int cone_edges = 8;
   // A pair of bodies is asked for its gap at most this often in one motion; then it counts as

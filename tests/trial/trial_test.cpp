@@ -199,7 +199,7 @@ TEST(Trial, ItsContactsAreThoseOfItsPosture) {
   const CompiledScene scene = compiled(hand, generate_object("mug", 2000));
   const TrialOptions options;
   const Trial trial = run_trial(scene, aimed(hand, {0.0, 0.0, 0.05}, -kZ, kY), options);
-  const auto again = grasp_contacts(scene, trial.X_OH, trial.joints, options.contact);
+  const auto again = grasp_contacts(scene, trial.X_OH, trial.joints, options);
   ASSERT_EQ(again.size(), trial.contacts.size());
   for (std::size_t i = 0; i < again.size(); ++i) {
     EXPECT_EQ(again[i].link, trial.contacts[i].link);

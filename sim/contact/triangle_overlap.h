@@ -1,0 +1,33 @@
+// Where one triangle lies over another.
+#pragma once
+
+#include <array>
+
+#include "sim/geometry/pose.h"
+#include "sim/geometry/triangle_mesh.h"
+
+namespace prehend {
+
+using Corners = std::array<Vector3, 3>;
+
+Corners corners_of(const TriangleMesh& mesh, int triangle);
+Corners moved(const Corners& corners, const Pose& X);
+// By the right-hand rule; NaN for a triangle without area.
+Vector3 unit_normal(const Corners& corners);
+
+// A triangle cut by up to five half-spaces.
+struct Polygon {
+  std::array<Vector3, 8> corner;
+  std::size_t size = 0;
+  void push(const Vector3& p) {
+    if (size < corner.size()) corner[size++] = p;
+  }
+};
+
+// What of the polygon is on the side of the plane through `a` that `inward` points to.
+Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward);
+
+// The part of `other` whose projection along the face's unit normal falls on the face.
+Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other);
+
+}  // namespace prehend

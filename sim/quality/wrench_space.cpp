@@ -1,0 +1,143 @@
+#include "sim/quality/wrench_space.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace prehend {
+namespace {
+
+// The wrenches of one contact with a unit normal force: the point along n is moved over a disc (for
+// a soft finger, an ellipsoid) of tangential force and torque.
+class QuadraticCone {
+ public:
+  QuadraticCone(const Contact& contact, const WrenchFrame& frame)
+      : normal_(contact.normal.normalized()),
+        arm_(frame.torque_scale * (contact.position - frame.torque_origin)),
+        friction_(contact.model == ContactModel::frictionless ? 0.0 : contact.friction),
+        torsion_(contact.model == ContactModel::soft_finger ? frame.torque_scale * contact.torsion
+                                                            : 0.0) {}
+
+  Wrench support(const Wrench& direction) const {
+    const Eigen::Vector3d turning = direction.tail<3>();
+    // A force f does f . pull of work along the direction, a torque about the normal `twist`.
+    const Eigen::Vector3d pull = direction.head<3>() + turning.cross(arm_);
+    const Eigen::Vector3d slip = pull - pull.dot(normal_) * normal_;
+    const double twist = torsion_ * turning.dot(normal_);
+    const double length = std::hypot(slip.norm(), twist);
+    Eigen::Vector3d force = normal_;
+    double torque = 0.0;
+    if (length > 0.0) {
+      force += friction_ / length * slip;
+      torque = friction_ * torsion_ * twist / length;
+    }
+    Wrench wrench;
+    wrench << force, arm_.cross(force) + torque * normal_;
+    return wrench;
+  }
+
+ private:
+  Eigen::Vector3d normal_;
+  Eigen::Vector3d arm_;
+  double friction_;
+  double torsion_;
+};
+
+// The convex hull of several sets, with the origin or without.
+template <typename Set>
+class HullOf final : public SupportMap {
+ public:
+  HullOf(std::vector<Set> sets, UnitForce force) : sets_(std::move(sets)), force_(force) {}
+
+  Wrench support(const Wrench& direction) const override {
+    Wrench best = Wrench::Zero();
+    double value = force_ == UnitForce::at_most ? 0.0 : -std::numeric_limits<double>::infinity();
+    for (const Set& set : sets_) {
+      const Wrench point = set.support(direction);
+      const double reached = direction.dot(point);
+      if (reached > value) {
+        value = reached;
+        best = point;
+      }
+    }
+    return best;
+  }
+
+ private:
+  std::vector<Set> sets_;
+  UnitForce force_;
+};
+
+// The Minkowski sum of several sets, each with the origin or without.
+template <typename Set>
+class SumOf final : public SupportMap {
+ public:
+  SumOf(std::vector<Set> sets, UnitForce force) : sets_(std::move(sets)), force_(force) {}
+
+  Wrench support(const Wrench& direction) const override {
+    Wrench sum = Wrench::Zero();
+    for (const Set& set : sets_) {
+      const Wrench point = set.support(direction);
+      if (force_ == UnitForce::exactly || direction.dot(point) > 0.0) sum += point;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<Set> sets_;
+  UnitForce force_;
+};
+
+template <typename Set>
+std::unique_ptr<SupportMap> combine(std::vector<Set> sets, const WrenchSpaceOptions& options) {
+  if (options.norm == WrenchNorm::l1) {
+    return std::make_unique<HullOf<Set>>(std::move(sets), options.force);
+  }
+  return std::make_unique<SumOf<Set>>(std::move(sets), options.force);
+}
+
+// The columns of all contacts, and the origin where forces may be smaller.
+Wrenches l1_columns(std::span<const Contact> contacts, const WrenchFrame& frame,
+                    const WrenchSpaceOptions& options) {
+  Wrenches columns = contact_wrenches(contacts, frame, options.edges);
+  if (options.force == UnitForce::at_most) {
+    columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+    columns.rightCols<1>().setZero();
+  }
+  return columns;
+}
+
+}  // namespace
+
+std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
+                                         const WrenchFrame& frame,
+                                         const WrenchSpaceOptions& options) {
+  check_contacts(contacts, frame);
+  if (options.cone == FrictionCone::exact) {
+    std::vector<QuadraticCone> cones;
+    for (const Contact& contact : contacts) cones.emplace_back(contact, frame);
+    return combine(std::move(cones), options);
+  }
+  if (options.norm == WrenchNorm::l1) {
+    return std::make_unique<ColumnSupport>(l1_columns(contacts, frame, options));
+  }
+  std::vector<ColumnSupport> pyramids;
+  for (const Contact& contact : contacts) {
+    pyramids.emplace_back(contact_wrenches({&contact, 1}, frame, options.edges));
+  }
+  return combine(std::move(pyramids), options);
+}
+
+EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             const WrenchSpaceOptions& space, const EpsilonOptions& options) {
+  if (space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid) {
+    return epsilon_l1(contact_wrenches(contacts, frame, space.edges), options);
+  }
+  const std::unique_ptr<SupportMap> set = wrench_space(contacts, frame, space);
+  return contacts.empty() ? EpsilonBracket{} : epsilon(*set, options);
+}
+
+}  // namespace prehend
