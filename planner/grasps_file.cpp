@@ -75,7 +75,8 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
   json["approach"] = {{"direction", vector_to_json(candidate.approach_O)},
                       {"distance", candidate.approach_distance},
                       {"travel", trial.travel},
-                      {"back_offs", trial.back_offs}};
+                      {"back_offs", trial.back_offs},
+                      {"turned", trial.turned}};
   json["blocked"] = blocked_json(scene, trial);
   return json;
 }
@@ -91,6 +92,8 @@ Json settings_json(const RunRecord& record) {
           {"contact_gap", trial.contact_gap},
           {"back_off_step", trial.back_off_step},
           {"back_off_tries", trial.back_off_tries},
+          {"settle_angle", trial.settle_angle},
+          {"settle_steps", trial.settle_steps},
           {"primitive_tolerance", record.options.primitives.tolerance},
           {"max_primitives", record.options.primitives.max_primitives},
           {"max_candidates", candidates.max_candidates},

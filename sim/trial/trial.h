@@ -35,6 +35,7 @@ struct Trial {
   Pose X_OH = Pose::Identity();  // of the grasp
   double travel = 0.0;           // of the approach until the grasp [m]
   int back_offs = 0;
+  double turned = 0.0;  // by this the object turned between the fingers, see settle.h [rad]
   std::vector<double> dofs;
   std::vector<double> joints;
   std::vector<GraspContact> contacts;

@@ -17,6 +17,10 @@ struct TrialOptions {
   // Whether soft links bear on patches, with torque about the normal; if not, all contacts are hard
   // points.
   bool soft_fingers = true;
+  // Two self-centering fingers turn an object that they do not hold by steps of this angle, so
+  // often; 0 steps: the object keeps its attitude.
+  double settle_angle = 0.07;  // rad
+  int settle_steps = 24;
   // Edges of the pyramid that stands for a friction cone (>= 3).
   int cone_edges = 8;
   // A pair of bodies is asked for its gap at most this often in one motion; then it counts as

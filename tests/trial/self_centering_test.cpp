@@ -63,17 +63,31 @@ TEST(SelfCentering, FingersStayWhereTheyTouch) {
   }
 }
 
-TEST(SelfCentering, LeavesOtherHandsAndSingleContactsAlone) {
+TEST(SelfCentering, LeavesOtherHandsAndFreeFingersAlone) {
   for (const char* name : {"parallel_jaw", "franka_hand"}) {
     const Robot hand = find_robot(name);
     const CompiledScene scene = test::compiled(hand, make_box({0.03, 0.03, 0.03}));
     Pose X_OH = translation({0.01, 0.0, -0.06});
     const Pose X_before = X_OH;
-    ClosedHand closed{std::vector<double>(hand.dofs.size(), 0.01), {0.01, 0.02}, {true, false}};
-    if (hand.dofs[0].coupling != Coupling::self_centering) closed.stopped_by_contact[1] = true;
+    ClosedHand closed{std::vector<double>(hand.dofs.size(), 0.01), {0.01, 0.02}, {false, false}};
+    if (hand.dofs[0].coupling != Coupling::self_centering) closed.stopped_by_contact = {true, true};
     EXPECT_FALSE(center_hand(scene, X_OH, closed)) << name;
     EXPECT_TRUE(X_OH.isApprox(X_before, 0.0));
     EXPECT_EQ(closed.joints, (std::vector<double>{0.01, 0.02}));
+  }
+}
+
+// A thin plate far from the middle between the fingers: the farther one crosses the middle, which
+// only the hand's own motion makes possible.
+TEST(SelfCentering, TakesAPlateBeyondTheMiddleOfItsFingers) {
+  const Robot hand = find_robot("franka_hand");
+  const CompiledScene scene = test::compiled(hand, make_box({0.004, 0.03, 0.03}));
+  for (const double off : {-0.035, -0.02, 0.03}) {
+    const Trial trial = run_trial(scene, beside(hand, off * hand.hand->closing));
+    ASSERT_EQ(trial.outcome, Outcome::stable) << off;
+    EXPECT_EQ(trial.joints[0], trial.joints[1]);
+    EXPECT_NEAR(trial.joints[0], 0.002 + kOptions.contact_gap, 0.1 * kOptions.contact_gap + 1e-12);
+    EXPECT_EQ(test::collision(scene, trial.X_OH, trial.joints), "");
   }
 }
 
