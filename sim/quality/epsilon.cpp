@@ -1,12 +1,14 @@
 #include "sim/quality/epsilon.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
 #include "sim/quality/expanding_polytope.h"
 #include "sim/quality/start_simplex.h"
 #include "sim/quality/wrench_hull.h"
+#include "sim/quality/wrench_size.h"
 
 namespace prehend {
 namespace {
@@ -92,6 +94,17 @@ EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options
           hull.weakest};
 }
 
+// The bracket of wrenches whose squares are not in the range of doubles, from that of the same
+// wrenches times 2^-exponent.
+EpsilonBracket from_scaled(const Wrenches& wrenches, EpsilonOptions options, int exponent) {
+  options.cutoff = std::ldexp(options.cutoff, -exponent);
+  EpsilonBracket bracket = epsilon_l1(times_power_of_two(wrenches, -exponent), options);
+  bracket.lower = std::ldexp(bracket.lower, exponent);
+  bracket.upper = std::ldexp(bracket.upper, exponent);
+  bracket.weakest = times_power_of_two(bracket.weakest, exponent);
+  return bracket;
+}
+
 }  // namespace
 
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options) {
@@ -104,6 +117,8 @@ EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options) {
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options) {
   check(options);
   if (wrenches.cols() == 0) return {};
+  const int exponent = excess_exponent(wrenches);
+  if (exponent != 0) return from_scaled(wrenches, options, exponent);
   const EpsilonBracket bracket = epsilon(ColumnSupport(wrenches), options);
   if (bracket.status != EpsilonStatus::stalled) return bracket;
   return from_hull(wrenches, options, bracket);

@@ -41,6 +41,7 @@ struct EpsilonBracket {
 // support value seen is the upper bound, the smallest facet offset the lower one. Deterministic.
 //
 // A set whose smallest support value is below kFlatness (1e-9) of its size has no force closure.
+// Its coordinates must have squares: sizes from 1e-150 to 1e150. epsilon_l1 takes any.
 // Throws std::invalid_argument for a tolerance that is negative or not a number.
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
 

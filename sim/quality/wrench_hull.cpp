@@ -5,11 +5,28 @@
 
 #include "sim/quality/point_hull.h"
 #include "sim/quality/start_simplex.h"
+#include "sim/quality/wrench_size.h"
 
 namespace prehend {
+namespace {
+
+// The hull of wrenches whose volume may not be in the range of doubles, from that of the same
+// wrenches times 2^-exponent.
+WrenchHull from_scaled(const Wrenches& wrenches, int exponent) {
+  WrenchHull hull = wrench_hull(times_power_of_two(wrenches, -exponent));
+  hull.min_offset = std::ldexp(hull.min_offset, exponent);
+  hull.volume = std::ldexp(hull.volume, 6 * exponent);
+  hull.weakest = times_power_of_two(hull.weakest, exponent);
+  hull.doubt = std::ldexp(hull.doubt, exponent);
+  return hull;
+}
+
+}  // namespace
 
 WrenchHull wrench_hull(const Wrenches& wrenches) {
   if (wrenches.cols() == 0) return {};
+  const int exponent = excess_exponent(wrenches);
+  if (exponent != 0) return from_scaled(wrenches, exponent);
   const StartSimplex start = start_simplex(ColumnSupport(wrenches), false);
   if (start.flat) return {};
   PointHull points = point_hull(wrenches);

@@ -13,7 +13,7 @@ enum class HullStatus {
 struct WrenchHull {
   HullStatus status = HullStatus::flat;
   double min_offset = 0.0;  // smallest signed facet offset: negative when the origin is outside
-  double volume = 0.0;      // of the 6-D hull
+  double volume = 0.0;      // of the 6-D hull; 0 or infinite where no double is as small or large
   // -min_offset * unit normal of that facet (solid only): with force closure, the disturbance that
   // the grasp resists least.
   Wrench weakest = Wrench::Zero();

@@ -111,8 +111,7 @@ TEST(ContactWrenches, ErrorsNameTheContactAndTheValue) {
 TEST(ContactWrenches, ErrorsNameTheFrame) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message({}, {Vector3d(0.0, 0.0, nan), 1.0}), "torque_origin: not finite (0, 0, nan)");
-  EXPECT_EQ(message({}, {Vector3d::Zero(), 0.0}),
-            "torque_scale: must be positive and finite (0)");
+  EXPECT_EQ(message({}, {Vector3d::Zero(), 0.0}), "torque_scale: must be positive and finite (0)");
   EXPECT_EQ(message({}, {}, 2), "edges: a friction pyramid needs at least 3 (2)");
 }
 

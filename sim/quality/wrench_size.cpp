@@ -1,0 +1,26 @@
+#include "sim/quality/wrench_size.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace prehend {
+namespace {
+
+constexpr int kLargest = 150;
+
+}  // namespace
+
+int excess_exponent(const Wrenches& wrenches) {
+  if (wrenches.cols() == 0) return 0;
+  const double size = wrenches.cwiseAbs().maxCoeff();
+  if (!std::isfinite(size)) return 0;
+  int exponent = 0;
+  std::frexp(size, &exponent);
+  return std::abs(exponent) > kLargest ? exponent : 0;
+}
+
+Wrenches times_power_of_two(const Wrenches& wrenches, int exponent) {
+  return wrenches.unaryExpr([exponent](double value) { return std::ldexp(value, exponent); });
+}
+
+}  // namespace prehend
