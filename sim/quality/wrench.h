@@ -12,17 +12,21 @@ namespace prehend {
 
 using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-// The corners of each contact's friction cone with `edges` (>= 3) edges, cut at a unit normal force,
-// contact after contact. A point contact has `edges` columns: edge j is n + friction (cos(2 pi j /
-// edges) t + sin(...) n x t), with t the first tangent. A frictionless contact keeps all its (equal)
-// columns. A soft finger has pyramid_corners() of them on its ellipsoid: those of a point contact,
-// then as many at the latitudes of 45 degrees to either side, then the two poles (torque only).
-// Source: Miller and Allen, "GraspIt!", 2004, Building the Grasp Wrench Space, eq. (1).
+// The corners of each contact's friction cone with `edges` (>= 3) edges, cut at a unit normal
+// force, contact after contact. A point contact has `edges` columns: edge j is n + friction (cos(2
+// pi j / edges) t + sin(...) n x t), with t the first tangent. A frictionless contact keeps all its
+// (equal) columns. A soft finger has pyramid_corners() of them on its ellipsoid: those of a point
+// contact, then as many at the latitudes of 45 degrees to either side, then the two poles (torque
+// only). Source: Miller and Allen, "GraspIt!", 2004, Building the Grasp Wrench Space, eq. (1).
 // Throws as check_contacts, or for fewer than 3 edges.
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame,
                           int edges = 8);
 
 // How many columns contact_wrenches makes of a contact.
 int pyramid_corners(ContactModel model, int edges);
+
+// Their tangential parts for a unit normal force and unit friction, in columns of the same order:
+// [force along the first and second tangent, torque about the normal over torsion].
+Eigen::Matrix3Xd unit_corners(ContactModel model, int edges);
 
 }  // namespace prehend
