@@ -35,7 +35,7 @@ void check(const HandTorques& hand, Eigen::Index contacts) {
 // Fills in what the forces are for the unit wrench; true where they are good enough.
 bool fill_forces(const ForceProgram& program, const ConicSolution& solution,
                  const ForceOptions& options, ContactForces& result) {
-  result.components = program.components(program.polish(solution.x));
+  result.components = program.components(solution);
   result.residual = program.residual(result.components);
   const double measure = program.measure(result.components);
   result.gap = measure > 0.0 ? std::max(0.0, (measure - result.lowest) / measure) : 1.0;
@@ -75,7 +75,9 @@ ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame&
   const ConicSolution solution =
       solve(program.program(), {.tolerance = 1e-11, .infeasible_tolerance = 1e-12});
   const ForceProgram::Separation separation = program.separation(solution);
-  if (program.lower_bound(separation, ForceMeasure::sum_of_normals) > kLargestForce) {
+  const double smallest_sum =
+      program.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
+  if (smallest_sum > kLargestForce) {
     ContactForces result = no_forces(std::ssize(contacts), ForceOutcome::impossible);
     const double length = separation.wrench.norm();
     result.separating = separation.wrench / length;

@@ -126,7 +126,8 @@ class InteriorPoint {
     d.tau = rest * residual_.t - dk / point_.tau + p_.c.dot(v.x) + p_.b.dot(v.y) + p_.h.dot(v.z);
     d.tau /= point_.kappa / point_.tau + scaling.apply(constant.z).squaredNorm();
     d.v = {v.x + d.tau * constant.x, v.y + d.tau * constant.y, v.z + d.tau * constant.z};
-    d.s = -scaling.apply(quotient + scaling.apply(d.v.z));
+    // From the equation of the cone, not from W: its rounding would not go away again.
+    d.s = d.tau * p_.h - rest * residual_.v.z - p_.G * d.v.x;
     d.kappa = -(dk + point_.kappa * d.tau) / point_.tau;
     return d;
   }
