@@ -21,7 +21,8 @@ enum class ConicStatus {
   optimal,
   primal_infeasible,  // proved: no x meets the constraints
   dual_infeasible,    // proved: c'x has no lower bound, if any x meets the constraints
-  limit,              // iterations used up, or rounding stalls; the last good iterate stands
+  limit,              // iterations used up, or rounding stalls; the best iterate stands, be it a
+                      // solution or y and z of a certificate that is not good enough
 };
 
 // Tolerances are relative to the largest of c and of b and h, with rows and columns equilibrated.

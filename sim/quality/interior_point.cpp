@@ -44,16 +44,15 @@ class InteriorPoint {
     start();
     for (; iterations_ < options_.max_iterations; ++iterations_) {
       residual_ = residual();
-      if (primal_infeasible()) return certificate(ConicStatus::primal_infeasible);
-      if (dual_infeasible()) return certificate(ConicStatus::dual_infeasible);
-      const double error = measure();
-      if (error < best_error_) {
-        best_error_ = error;
-        best_ = point_;
-        best_iteration_ = iterations_;
+      const double proof = proof_error();
+      if (proof <= options_.infeasible_tolerance) {
+        return certificate(ConicStatus::primal_infeasible, point_);
       }
+      if (dual_infeasible()) return certificate(ConicStatus::dual_infeasible, point_);
+      keep_better(measure(), best_error_, best_);
+      keep_better(proof, best_proof_error_, best_proof_);
       if (best_error_ <= options_.tolerance) break;
-      if (iterations_ - best_iteration_ > kPatience || !step()) break;
+      if (iterations_ - last_better_ > kPatience || !step()) break;
     }
     return best();
   }
@@ -85,11 +84,18 @@ class InteriorPoint {
             point_.kappa + p_.c.dot(v.x) + p_.b.dot(v.y) + p_.h.dot(v.z)};
   }
 
-  bool primal_infeasible() const {
+  void keep_better(double error, double& best_error, Point& best) {
+    if (!(error < best_error)) return;
+    best_error = error;
+    best = point_;
+    last_better_ = iterations_;
+  }
+
+  // What is wrong with y and z as a certificate of value -1.
+  double proof_error() const {
     const double value = -p_.b.dot(point_.v.y) - p_.h.dot(point_.v.z);
-    if (value <= 0.0) return false;
-    const Eigen::VectorXd error = residual_.v.x + p_.c * point_.tau;
-    return largest(error) <= options_.infeasible_tolerance * value;
+    if (!(value > 0.0)) return std::numeric_limits<double>::infinity();
+    return largest(residual_.v.x + p_.c * point_.tau) / value;
   }
 
   bool dual_infeasible() const {
@@ -177,25 +183,27 @@ class InteriorPoint {
     point_.kappa += length * d.kappa;
   }
 
-  ConicSolution certificate(ConicStatus status) const {
-    const KktSystem::Vector& v = point_.v;
+  ConicSolution certificate(ConicStatus status, const Point& point) const {
+    const KktSystem::Vector& v = point.v;
     ConicSolution solution;
     solution.status = status;
     solution.iterations = iterations_;
-    const bool primal = status == ConicStatus::primal_infeasible;
+    const bool primal = status != ConicStatus::dual_infeasible;
     const double size = primal ? -p_.b.dot(v.y) - p_.h.dot(v.z) : -p_.c.dot(v.x);
     solution.x = (primal ? 0.0 : 1.0 / size) * v.x;
-    solution.s = (primal ? 0.0 : 1.0 / size) * point_.s;
+    solution.s = (primal ? 0.0 : 1.0 / size) * point.s;
     solution.y = (primal ? 1.0 / size : 0.0) * v.y;
     solution.z = (primal ? 1.0 / size : 0.0) * v.z;
     return solution;
   }
 
   ConicSolution best() const {
+    const bool good = best_error_ <= std::max(options_.tolerance, options_.acceptable);
+    if (!good && best_proof_error_ < best_error_) {
+      return certificate(ConicStatus::limit, best_proof_);
+    }
     ConicSolution solution;
-    solution.status = best_error_ <= std::max(options_.tolerance, options_.acceptable)
-                          ? ConicStatus::optimal
-                          : ConicStatus::limit;
+    solution.status = good ? ConicStatus::optimal : ConicStatus::limit;
     solution.iterations = iterations_;
     solution.x = best_.v.x / best_.tau;
     solution.y = best_.v.y / best_.tau;
@@ -214,7 +222,9 @@ class InteriorPoint {
   Residual residual_;
   Point best_;
   double best_error_ = std::numeric_limits<double>::infinity();
-  int best_iteration_ = 0;
+  Point best_proof_;
+  double best_proof_error_ = std::numeric_limits<double>::infinity();
+  int last_better_ = 0;
   int iterations_ = 0;
 };
 
