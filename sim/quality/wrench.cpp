@@ -6,10 +6,11 @@
 #include <string>
 
 namespace prehend {
-namespace {
 
-// The tangential part of what a contact transmits for a unit normal force and unit friction:
-// columns [first tangent, second tangent, torque over torsion].
+int pyramid_corners(ContactModel model, int edges) {
+  return model == ContactModel::soft_finger ? 3 * edges + 2 : edges;
+}
+
 Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
   Eigen::Matrix3Xd corners(3, pyramid_corners(model, edges));
   for (int edge = 0; edge < edges; ++edge) {
@@ -26,12 +27,6 @@ Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
   corners.col(3 * edges) << 0.0, 0.0, 1.0;
   corners.col(3 * edges + 1) << 0.0, 0.0, -1.0;
   return corners;
-}
-
-}  // namespace
-
-int pyramid_corners(ContactModel model, int edges) {
-  return model == ContactModel::soft_finger ? 3 * edges + 2 : edges;
 }
 
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {

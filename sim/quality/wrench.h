@@ -25,4 +25,8 @@ Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& 
 // How many columns contact_wrenches makes of a contact.
 int pyramid_corners(ContactModel model, int edges);
 
+// Their tangential parts for a unit normal force and unit friction, in columns of the same order:
+// [force along the first and second tangent, torque about the normal over torsion].
+Eigen::Matrix3Xd unit_corners(ContactModel model, int edges);
+
 }  // namespace prehend

@@ -1,0 +1,79 @@
+#include "sim/quality/cone.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace prehend {
+
+int ConeSizes::rows() const {
+  return std::accumulate(second_order.begin(), second_order.end(), orthant);
+}
+
+int ConeSizes::degree() const { return orthant + static_cast<int>(second_order.size()); }
+
+Eigen::VectorXd cone_identity(const ConeSizes& cone) {
+  Eigen::VectorXd e = Eigen::VectorXd::Zero(cone.rows());
+  e.head(cone.orthant).setOnes();
+  for_each_second_order(cone, [&](Eigen::Index first, Eigen::Index) { e[first] = 1.0; });
+  return e;
+}
+
+Eigen::VectorXd cone_product(const ConeSizes& cone, const Eigen::VectorXd& u,
+                             const Eigen::VectorXd& v) {
+  Eigen::VectorXd product = u.cwiseProduct(v);
+  for_each_second_order(cone, [&](Eigen::Index first, Eigen::Index rows) {
+    product[first] = u.segment(first, rows).dot(v.segment(first, rows));
+    product.segment(first + 1, rows - 1) =
+        u[first] * v.segment(first + 1, rows - 1) + v[first] * u.segment(first + 1, rows - 1);
+  });
+  return product;
+}
+
+Eigen::VectorXd cone_quotient(const ConeSizes& cone, const Eigen::VectorXd& u,
+                              const Eigen::VectorXd& d) {
+  Eigen::VectorXd quotient = d.cwiseQuotient(u);
+  for_each_second_order(cone, [&](Eigen::Index first, Eigen::Index rows) {
+    const auto u1 = u.segment(first + 1, rows - 1);
+    const auto d1 = d.segment(first + 1, rows - 1);
+    const double root = cone_root(u.segment(first, rows));
+    const double v0 = (u[first] * d[first] - u1.dot(d1)) / root / root;
+    quotient[first] = v0;
+    quotient.segment(first + 1, rows - 1) = (d1 - v0 * u1) / u[first];
+  });
+  return quotient;
+}
+
+double cone_margin(const ConeSizes& cone, const Eigen::VectorXd& v) {
+  double margin = std::numeric_limits<double>::infinity();
+  if (cone.orthant > 0) margin = v.head(cone.orthant).minCoeff();
+  for_each_second_order(cone, [&](Eigen::Index first, Eigen::Index rows) {
+    margin = std::min(margin, v[first] - v.segment(first + 1, rows - 1).norm());
+  });
+  return margin;
+}
+
+// In a second-order cone the step ends where the smallest eigenvalue of e + a rho is zero, rho
+// being d in coordinates in which u is e.
+double cone_step(const ConeSizes& cone, const Eigen::VectorXd& u, const Eigen::VectorXd& d) {
+  double shrink = 0.0;
+  for (Eigen::Index i = 0; i < cone.orthant; ++i) shrink = std::max(shrink, -d[i] / u[i]);
+  for_each_second_order(cone, [&](Eigen::Index first, Eigen::Index rows) {
+    const double root = cone_root(u.segment(first, rows));
+    const double u0 = u[first] / root;
+    const auto u1 = u.segment(first + 1, rows - 1);
+    const auto d1 = d.segment(first + 1, rows - 1);
+    const double rho0 = u0 * d[first] - u1.dot(d1) / root;
+    const double along = (rho0 + d[first]) / (u0 + 1.0) / root;
+    shrink = std::max(shrink, ((d1 - along * u1).norm() - rho0) / root);
+  });
+  return shrink > 0.0 ? 1.0 / shrink : std::numeric_limits<double>::infinity();
+}
+
+double cone_root(const Eigen::Ref<const Eigen::VectorXd>& v) {
+  const double radius = v.tail(v.size() - 1).norm();
+  return std::sqrt(v[0] - radius) * std::sqrt(v[0] + radius);
+}
+
+}  // namespace prehend

@@ -1,0 +1,155 @@
+#include "sim/quality/conic_presolve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+
+namespace prehend {
+namespace {
+
+constexpr int kRuizRounds = 8;
+constexpr double kDependent = 1e-13;     // of the largest pivot: rounding of a dependent row
+constexpr double kInconsistent = 1e-10;  // of b: what a dependent equation may be off
+
+double largest(const Eigen::MatrixXd& m) { return m.size() > 0 ? m.cwiseAbs().maxCoeff() : 0.0; }
+
+// The power of two nearest to 1 / sqrt(size); 1 for 0.
+double inverse_root(double size) {
+  return size > 0.0 ? std::exp2(-std::round(std::log2(size) / 2.0)) : 1.0;
+}
+
+double power_of_two(double size) {
+  return size > 0.0 ? std::exp2(std::round(std::log2(size))) : 1.0;
+}
+
+using PivotedQr = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+
+PivotedQr factors_of(const Eigen::MatrixXd& m) {
+  PivotedQr qr(m.rows(), m.cols());
+  qr.setThreshold(kDependent);
+  qr.compute(m);
+  return qr;
+}
+
+// The first columns of Q span the range, the others its complement.
+Eigen::MatrixXd full_q(const PivotedQr& qr) {
+  return qr.householderQ() * Eigen::MatrixXd::Identity(qr.rows(), qr.rows());
+}
+
+}  // namespace
+
+Equilibration::Equilibration(const ConicProgram& program)
+    : scaled_(program),
+      columns_(Eigen::VectorXd::Ones(program.c.size())),
+      A_rows_(Eigen::VectorXd::Ones(program.b.size())),
+      G_rows_(Eigen::VectorXd::Ones(program.h.size())) {
+  for (int round = 0; round < kRuizRounds; ++round) scale_once();
+  scaled_.b = A_rows_.cwiseProduct(scaled_.b);
+  scaled_.h = G_rows_.cwiseProduct(scaled_.h);
+  scaled_.c = columns_.cwiseProduct(scaled_.c);
+  right_ = power_of_two(std::max(largest(scaled_.b), largest(scaled_.h)));
+  objective_ = power_of_two(largest(scaled_.c));
+  scaled_.b /= right_;
+  scaled_.h /= right_;
+  scaled_.c /= objective_;
+}
+
+void Equilibration::scale_once() {
+  Eigen::VectorXd column(scaled_.c.size());
+  Eigen::VectorXd A_row(scaled_.b.size());
+  Eigen::VectorXd G_row(scaled_.h.size());
+  for (Eigen::Index j = 0; j < column.size(); ++j) {
+    column[j] = inverse_root(std::max(largest(scaled_.A.col(j)), largest(scaled_.G.col(j))));
+  }
+  for (Eigen::Index i = 0; i < A_row.size(); ++i)
+    A_row[i] = inverse_root(largest(scaled_.A.row(i)));
+  for (Eigen::Index i = 0; i < G_row.size(); ++i)
+    G_row[i] = inverse_root(largest(scaled_.G.row(i)));
+  for_each_second_order(scaled_.cone, [&](Eigen::Index first, Eigen::Index rows) {
+    G_row.segment(first, rows)
+        .setConstant(inverse_root(largest(scaled_.G.middleRows(first, rows))));
+  });
+  scaled_.A = A_row.asDiagonal() * scaled_.A * column.asDiagonal();
+  scaled_.G = G_row.asDiagonal() * scaled_.G * column.asDiagonal();
+  columns_ = columns_.cwiseProduct(column);
+  A_rows_ = A_rows_.cwiseProduct(A_row);
+  G_rows_ = G_rows_.cwiseProduct(G_row);
+}
+
+void Equilibration::restore(ConicSolution& solution) const {
+  solution.x = right_ * columns_.cwiseProduct(solution.x);
+  solution.s = right_ * solution.s.cwiseQuotient(G_rows_);
+  solution.y = objective_ * A_rows_.cwiseProduct(solution.y);
+  solution.z = objective_ * G_rows_.cwiseProduct(solution.z);
+}
+
+Reduction::Reduction(const ConicProgram& program) : reduced_(program), rows_(program.b.size()) {
+  drop_rows(program);
+  if (!decided_) drop_directions(program);
+}
+
+// b less its projection on the range of A is a y with A'y = 0 and b'y > 0, if it is not zero.
+void Reduction::drop_rows(const ConicProgram& program) {
+  kept_ = Eigen::VectorXi::LinSpaced(rows_, 0, static_cast<int>(rows_) - 1);
+  if (rows_ == 0) return;
+  const Eigen::Index rank = largest(program.A) > 0.0 ? factors_of(program.A).rank() : 0;
+  if (rank == rows_) return;
+  Eigen::VectorXd error = program.b;
+  if (rank > 0) {
+    const Eigen::MatrixXd range = full_q(factors_of(program.A)).leftCols(rank);
+    error -= range * (range.transpose() * error);
+    error -= range * (range.transpose() * error);
+  }
+  if (error.norm() > kInconsistent * program.b.norm()) {
+    decide(program, ConicStatus::primal_infeasible);
+    solution_.y = -error / error.dot(program.b);
+    return;
+  }
+  kept_.conservativeResize(rank);
+  if (rank > 0) {
+    kept_ = factors_of(program.A.transpose()).colsPermutation().indices().head(rank);
+    std::sort(kept_.begin(), kept_.end());
+  }
+  reduced_.A = program.A(kept_, Eigen::all).eval();
+  reduced_.b = program.b(kept_).eval();
+}
+
+void Reduction::drop_directions(const ConicProgram& program) {
+  const Eigen::Index n = program.c.size();
+  Eigen::MatrixXd all(n, reduced_.A.rows() + reduced_.G.rows());
+  all << reduced_.A.transpose(), reduced_.G.transpose();
+  const Eigen::Index rank = largest(all) > 0.0 ? factors_of(all).rank() : 0;
+  if (rank == n) return;
+  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(n, n);
+  if (rank > 0) basis = full_q(factors_of(all));
+  const auto unseen = basis.rightCols(n - rank);
+  const Eigen::VectorXd along = unseen * (unseen.transpose() * program.c);
+  if (along.norm() > kInconsistent * program.c.norm()) {
+    decide(program, ConicStatus::dual_infeasible);
+    solution_.x = -along / along.dot(program.c);
+    return;
+  }
+  seen_ = basis.leftCols(rank);
+  reduced_.A = (reduced_.A * seen_).eval();
+  reduced_.G = (reduced_.G * seen_).eval();
+  reduced_.c = (seen_.transpose() * reduced_.c).eval();
+}
+
+void Reduction::decide(const ConicProgram& program, ConicStatus status) {
+  decided_ = true;
+  solution_.status = status;
+  solution_.x = Eigen::VectorXd::Zero(program.c.size());
+  solution_.y = Eigen::VectorXd::Zero(program.b.size());
+  solution_.z = Eigen::VectorXd::Zero(program.h.size());
+  solution_.s = Eigen::VectorXd::Zero(program.h.size());
+}
+
+void Reduction::restore(ConicSolution& solution) const {
+  if (seen_.rows() > 0) solution.x = (seen_ * solution.x).eval();
+  const Eigen::VectorXd kept = solution.y;
+  solution.y = Eigen::VectorXd::Zero(rows_);
+  solution.y(kept_) = kept;
+}
+
+}  // namespace prehend

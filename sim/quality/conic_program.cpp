@@ -1,0 +1,99 @@
+#include "sim/quality/conic_program.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "sim/quality/conic_presolve.h"
+#include "sim/quality/interior_point.h"
+
+namespace prehend {
+namespace {
+
+double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+void check(const ConicProgram& p) {
+  require(p.cone.orthant >= 0, "cone: an orthant of negative size");
+  for (const int rows : p.cone.second_order) {
+    require(rows > 0, "cone: a second-order cone without rows");
+  }
+  require(p.A.rows() == p.b.size() && (p.A.rows() == 0 || p.A.cols() == p.c.size()),
+          "A: its shape is not that of b and c");
+  require(p.G.rows() == p.h.size() && (p.G.rows() == 0 || p.G.cols() == p.c.size()),
+          "G: its shape is not that of h and c");
+  require(p.cone.rows() == p.h.size(), "cone: it has not as many rows as h");
+  require(
+      p.c.allFinite() && p.A.allFinite() && p.b.allFinite() && p.G.allFinite() && p.h.allFinite(),
+      "conic program: a value is not finite");
+}
+
+void check(const ConicOptions& options) {
+  require(options.tolerance > 0.0 && options.acceptable > 0.0 &&
+              options.infeasible_tolerance > 0.0 && options.max_iterations > 0,
+          "conic options: must be positive");
+}
+
+// Values, residuals and gap in the units of the program as it was given.
+void measure(const ConicProgram& p, ConicSolution& solution) {
+  const bool homogeneous = solution.status == ConicStatus::dual_infeasible;
+  const bool no_objective = solution.status == ConicStatus::primal_infeasible;
+  Eigen::VectorXd equations = p.A * solution.x;
+  Eigen::VectorXd cone = p.G * solution.x + solution.s;
+  if (!homogeneous) {
+    equations -= p.b;
+    cone -= p.h;
+  }
+  Eigen::VectorXd dual = p.A.transpose() * solution.y + p.G.transpose() * solution.z;
+  if (!no_objective) dual += p.c;
+  solution.primal_value = p.c.dot(solution.x);
+  solution.dual_value = -p.b.dot(solution.y) - p.h.dot(solution.z);
+  solution.primal_residual = no_objective ? 0.0 : std::max(largest(equations), largest(cone));
+  solution.dual_residual = homogeneous ? 0.0 : largest(dual);
+  solution.gap = solution.s.dot(solution.z);
+}
+
+// A certificate is a direction: its value is made -1 again after unscaling.
+void normalise(const ConicProgram& p, ConicSolution& solution) {
+  if (solution.status == ConicStatus::primal_infeasible) {
+    const double size = -p.b.dot(solution.y) - p.h.dot(solution.z);
+    solution.y /= size;
+    solution.z /= size;
+  } else if (solution.status == ConicStatus::dual_infeasible) {
+    const double size = -p.c.dot(solution.x);
+    solution.x /= size;
+    solution.s /= size;
+  }
+}
+
+// Empty matrices may come in any shape.
+ConicProgram shaped(const ConicProgram& program) {
+  ConicProgram p = program;
+  if (p.A.rows() == 0) p.A.resize(0, p.c.size());
+  if (p.G.rows() == 0) p.G.resize(0, p.c.size());
+  return p;
+}
+
+}  // namespace
+
+ConicSolution solve(const ConicProgram& program, const ConicOptions& options) {
+  check(program);
+  check(options);
+  const ConicProgram p = shaped(program);
+  const Equilibration equilibration(p);
+  const Reduction reduction(equilibration.scaled());
+  ConicSolution solution = reduction.solution();
+  if (!reduction.decided()) {
+    solution = interior_point(reduction.reduced(), options);
+    reduction.restore(solution);
+  }
+  equilibration.restore(solution);
+  normalise(p, solution);
+  measure(p, solution);
+  return solution;
+}
+
+}  // namespace prehend

@@ -1,0 +1,292 @@
+#include "sim/quality/force_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace prehend {
+namespace {
+
+// Of a sum of the products of a separation and a contact's map, relative to them.
+constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
+
+// Relative to their largest wrenches, contacts that do less in some direction do nothing there.
+constexpr double kNothing = 1e-12;
+// Of the residual allowed, what may be left in directions that are not looked at.
+constexpr double kShare = 0.1;
+constexpr int kPolishRounds = 3;
+constexpr double kPolishCost = 1e-8;  // what polishing may add to the measure, relative
+
+std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+ForceProgram::ForceProgram(std::span<const Contact> contacts, const WrenchFrame& frame,
+                           const Wrench& wrench, double size, const HandTorques* hand,
+                           const ForceOptions& options)
+    : options_(options), wrench_(wrench) {
+  add_contacts(contacts, frame);
+  if (hand != nullptr) add_joints(contacts, *hand, size);
+  fill_equations();
+  fill_cones();
+}
+
+void ForceProgram::add_contacts(std::span<const Contact> contacts, const WrenchFrame& frame) {
+  maps_.resize(6, 4 * std::ssize(contacts));
+  loads_.resize(0, maps_.cols());
+  for (const Contact& contact : contacts) {
+    maps_.middleCols<4>(4 * std::ssize(cones_)) = contact_map(contact, frame);
+    first_.push_back(coordinates_);
+    cones_.push_back(contact_cone(contact, options_.cone, options_.edges));
+    coordinates_ += cones_.back().size();
+  }
+}
+
+void ForceProgram::add_joints(std::span<const Contact> contacts, const HandTorques& hand,
+                              double size) {
+  loads_ = Eigen::MatrixXd::Zero(hand.limits.size(), maps_.cols());
+  limits_ = hand.limits / size;
+  for (Eigen::Index i = 0; i < std::ssize(contacts); ++i) {
+    const Eigen::Vector3d normal = contacts[index(i)].normal.normalized();
+    const Tangents tangents = contact_tangents(normal);
+    Eigen::Matrix3d axes;
+    axes << normal, tangents.first, tangents.second;
+    loads_.middleCols<3>(4 * i) = hand.jacobian.middleRows<3>(3 * i).transpose() * axes;
+    if (hand.spin.size() > 0) loads_.col(4 * i + 3) = hand.spin.row(i).transpose();
+  }
+  for (Eigen::Index j = 0; j < limits_.size(); ++j) {
+    if (limits_[j] == 0.0) locked_.push_back(j);
+    if (limits_[j] > 0.0 && std::isfinite(limits_[j])) limited_.push_back(j);
+  }
+}
+
+// Where the contacts do next to nothing and need not, rounding would decide whether they can: such
+// directions are not looked at. Where they do nothing but had to, the equation has no solution.
+void ForceProgram::find_basis(const Eigen::MatrixXd& wrenches) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(wrenches, Eigen::ComputeFullU);
+  const double allowed = kShare * options_.residual_tolerance;
+  const Eigen::Index sizes = svd.singularValues().size();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < 6; ++i) {
+    const double relative =
+        i < sizes ? svd.singularValues()[i] / std::max(1.0, svd.singularValues()[0]) : 0.0;
+    const bool idle = std::abs(svd.matrixU().col(i).dot(wrench_)) <= allowed;
+    if (!idle || relative > std::max(allowed, kNothing)) kept.push_back(i);
+  }
+  // The axes as far as possible: rows along singular vectors would be scaled apart.
+  const Eigen::MatrixXd looked_at = svd.matrixU()(Eigen::all, kept);
+  const Eigen::MatrixXd projector = looked_at * looked_at.transpose();
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> axes(projector);
+  basis_ = Eigen::MatrixXd::Identity(6, std::ssize(kept));
+  if (kept.size() < 6) basis_.applyOnTheLeft(axes.householderQ());
+}
+
+// Balance, and no torque at the joints that bear none.
+void ForceProgram::fill_equations() {
+  const bool shared = options_.measure == ForceMeasure::sum_of_normals;
+  const Eigen::Index n = coordinates_ + (shared ? 0 : 1);
+  Eigen::MatrixXd wrenches(6, coordinates_);
+  Eigen::MatrixXd torques(std::ssize(locked_), coordinates_);
+  program_.c = Eigen::VectorXd::Zero(n);
+  if (!shared) program_.c[coordinates_] = 1.0;
+  for (Eigen::Index i = 0; i < std::ssize(cones_); ++i) {
+    const ContactCone& cone = cones_[index(i)];
+    const Eigen::Index first = first_[index(i)];
+    wrenches.middleCols(first, cone.size()) = maps_.middleCols<4>(4 * i) * cone.transmits;
+    torques.middleCols(first, cone.size()) =
+        loads_.middleCols<4>(4 * i)(locked_, Eigen::all) * cone.transmits;
+    if (shared) program_.c.segment(first, cone.size()) = cone.transmits.row(0).transpose();
+  }
+  find_basis(wrenches);
+  const Eigen::Index k = basis_.cols();
+  program_.A = Eigen::MatrixXd::Zero(k + torques.rows(), n);
+  program_.A.topLeftCorner(k, coordinates_) = basis_.transpose() * wrenches;
+  program_.A.bottomLeftCorner(torques.rows(), coordinates_) = torques;
+  const double nothing = kNothing * std::max(1.0, wrenches.cwiseAbs().maxCoeff());
+  for (Eigen::Index i = 0; i < k; ++i) {
+    if (program_.A.row(i).norm() <= nothing) program_.A.row(i).setZero();
+  }
+  program_.b = Eigen::VectorXd::Zero(program_.A.rows());
+  program_.b.head(k) = -basis_.transpose() * wrench_;
+}
+
+Eigen::Index ForceProgram::normal_rows() const {
+  return options_.measure == ForceMeasure::sum_of_normals ? 0 : std::ssize(cones_);
+}
+
+// Rows: normals below the largest, joint torques below and above their limits, coordinates of
+// orthants, then the second-order cones.
+void ForceProgram::fill_cones() {
+  const Eigen::Index normals = normal_rows();
+  const Eigen::Index torques = std::ssize(limited_);
+  program_.G = Eigen::MatrixXd::Zero(normals + 2 * torques + coordinates_, program_.c.size());
+  program_.h = Eigen::VectorXd::Zero(program_.G.rows());
+  program_.h.segment(normals, 2 * torques).setOnes();
+  program_.cone.orthant = static_cast<int>(normals + 2 * torques);
+  if (normals > 0) program_.G.col(coordinates_).head(normals).setConstant(-1.0);
+  for (Eigen::Index i = 0; i < std::ssize(cones_); ++i) {
+    const ContactCone& cone = cones_[index(i)];
+    auto columns = program_.G.middleCols(first_[index(i)], cone.size());
+    if (normals > 0) columns.row(i) = cone.transmits.row(0);
+    columns.middleRows(normals, torques) = limits_(limited_).cwiseInverse().asDiagonal() *
+                                           loads_.middleCols<4>(4 * i)(limited_, Eigen::all) *
+                                           cone.transmits;
+    columns.middleRows(normals + torques, torques) = -columns.middleRows(normals, torques);
+  }
+  slack_.resize(cones_.size());
+  Eigen::Index row = normals + 2 * torques;
+  for (const bool second_order : {false, true}) {
+    for (std::size_t i = 0; i < cones_.size(); ++i) {
+      if (cones_[i].second_order != second_order) continue;
+      const Eigen::Index size = cones_[i].size();
+      program_.G.block(row, first_[i], size, size) = -Eigen::MatrixXd::Identity(size, size);
+      slack_[i] = row;
+      row += size;
+      if (second_order) {
+        program_.cone.second_order.push_back(static_cast<int>(size));
+      } else {
+        program_.cone.orthant += static_cast<int>(size);
+      }
+    }
+  }
+}
+
+// The slacks differ from the coordinates by rounding; where a coordinate is not as far inside its
+// cone as its slack, it is moved there.
+Eigen::Matrix4Xd ForceProgram::components(const ConicSolution& solution) const {
+  Eigen::VectorXd v = solution.x.head(coordinates_);
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    const Eigen::Index size = cones_[i].size();
+    auto part = v.segment(first_[i], size);
+    const auto slack = solution.s.segment(slack_[i], size);
+    if (cones_[i].second_order) {
+      const double margin = slack[0] - slack.tail(size - 1).norm();
+      part[0] = std::max(part[0], part.tail(size - 1).norm() + margin);
+    } else {
+      part = part.cwiseMax(slack).eval();
+    }
+  }
+  return transmitted(polish(v));
+}
+
+Eigen::Matrix4Xd ForceProgram::transmitted(const Eigen::VectorXd& v) const {
+  Eigen::Matrix4Xd result(4, std::ssize(cones_));
+  for (Eigen::Index i = 0; i < result.cols(); ++i) {
+    const ContactCone& cone = cones_[index(i)];
+    result.col(i) = cone.transmits * v.segment(first_[index(i)], cone.size());
+  }
+  return result;
+}
+
+bool ForceProgram::inside(const Eigen::VectorXd& v) const {
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    const auto part = v.segment(first_[i], cones_[i].size());
+    const double margin =
+        cones_[i].second_order ? part[0] - part.tail(part.size() - 1).norm() : part.minCoeff();
+    if (!(margin >= 0.0)) return false;
+  }
+  return true;
+}
+
+// The inverse of the Hessian of the logarithmic barrier of each cone: x^2 in the orthant, and
+// 2 x x' - (x'J x) J in a second-order cone. A step of length below one stays inside.
+Eigen::MatrixXd ForceProgram::barrier_metric(const Eigen::VectorXd& v) const {
+  Eigen::MatrixXd metric = Eigen::MatrixXd::Zero(coordinates_, coordinates_);
+  for (std::size_t i = 0; i < cones_.size(); ++i) {
+    const Eigen::Index size = cones_[i].size();
+    const auto part = v.segment(first_[i], size);
+    auto block = metric.block(first_[i], first_[i], size, size);
+    if (!cones_[i].second_order) {
+      block = part.cwiseAbs2().asDiagonal();
+      continue;
+    }
+    const double radius = part.tail(size - 1).norm();
+    const double determinant = (part[0] - radius) * (part[0] + radius);
+    block = 2.0 * part * part.transpose();
+    block.diagonal().array() += determinant;
+    block(0, 0) -= 2.0 * determinant;
+  }
+  return metric;
+}
+
+Eigen::VectorXd ForceProgram::polish(Eigen::VectorXd v) const {
+  const Eigen::MatrixXd A = program_.A.leftCols(coordinates_);
+  const Eigen::MatrixXd weighted = barrier_metric(v) * A.transpose();
+  const Eigen::MatrixXd products = A * weighted;
+  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(products);
+  const double highest = (1.0 + kPolishCost) * measure(transmitted(v));
+  Eigen::VectorXd missing = program_.b - A * v;
+  for (int round = 0; round < kPolishRounds; ++round) {
+    const Eigen::VectorXd next = v + weighted * factors.solve(missing);
+    const Eigen::VectorXd still_missing = program_.b - A * next;
+    const bool better = still_missing.norm() < missing.norm() && inside(next);
+    if (!better || measure(transmitted(next)) > highest) break;
+    v = next;
+    missing = still_missing;
+  }
+  return v;
+}
+
+double ForceProgram::measure(const Eigen::Matrix4Xd& components) const {
+  if (components.cols() == 0) return 0.0;
+  return options_.measure == ForceMeasure::sum_of_normals ? components.row(0).sum()
+                                                          : components.row(0).maxCoeff();
+}
+
+double ForceProgram::residual(const Eigen::Matrix4Xd& components) const {
+  return (maps_ * components.reshaped() + wrench_).norm();
+}
+
+double ForceProgram::torque_excess(const Eigen::Matrix4Xd& components) const {
+  const Eigen::VectorXd torques = loads_ * components.reshaped();
+  double excess = 0.0;
+  for (const Eigen::Index j : limited_) {
+    excess = std::max(excess, std::abs(torques[j]) / limits_[j] - 1.0);
+  }
+  for (const Eigen::Index j : locked_) {
+    const double size = loads_.row(j).cwiseAbs().maxCoeff() * components.cwiseAbs().maxCoeff();
+    if (size > 0.0) excess = std::max(excess, std::abs(torques[j]) / size);
+  }
+  return excess;
+}
+
+ForceProgram::Separation ForceProgram::separation(const ConicSolution& solution) const {
+  Separation result{basis_ * solution.y.head(basis_.cols()), Eigen::VectorXd::Zero(limits_.size())};
+  const Eigen::Index normals = normal_rows();
+  const Eigen::Index torques = std::ssize(limited_);
+  for (Eigen::Index i = 0; i < torques; ++i) {
+    const double multiplier = solution.z[normals + i] - solution.z[normals + torques + i];
+    result.torques[limited_[index(i)]] = multiplier / limits_[limited_[index(i)]];
+  }
+  for (Eigen::Index i = 0; i < std::ssize(locked_); ++i) {
+    result.torques[locked_[index(i)]] = solution.y[basis_.cols() + i];
+  }
+  return result;
+}
+
+// With u the wrench and l the torques of the separation: balanced forces f within the limits have
+// u . external - sum |l_j| L_j <= -sum over contacts of (u'W + l'J) f <= sum of f_n times what the
+// cone's lowest value lies below zero.
+double ForceProgram::lower_bound(const Separation& separation, ForceMeasure measure,
+                                 double residual) const {
+  double value = separation.wrench.dot(wrench_) - residual * separation.wrench.norm();
+  for (const Eigen::Index j : limited_) value -= std::abs(separation.torques[j]) * limits_[j];
+  const Eigen::VectorXd loads =
+      maps_.transpose() * separation.wrench + loads_.transpose() * separation.torques;
+  const Eigen::VectorXd sizes = maps_.cwiseAbs().transpose() * separation.wrench.cwiseAbs() +
+                                loads_.cwiseAbs().transpose() * separation.torques.cwiseAbs();
+  double below = 0.0;
+  for (Eigen::Index i = 0; i < std::ssize(cones_); ++i) {
+    const ContactCone& cone = cones_[index(i)];
+    const double rounding = -kRounding * cone.lowest(-sizes.segment<4>(4 * i));
+    const double depth = std::max(0.0, -cone.lowest(loads.segment<4>(4 * i))) + rounding;
+    below = measure == ForceMeasure::sum_of_normals ? std::max(below, depth) : below + depth;
+  }
+  if (!(value > 0.0)) return 0.0;
+  return below > 0.0 ? value / below : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace prehend

@@ -1,0 +1,139 @@
+#include "sim/quality/forces.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "sim/quality/conic_program.h"
+#include "sim/quality/force_program.h"
+
+namespace prehend {
+namespace {
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+void check(const ForceOptions& options) {
+  require(options.edges >= 3,
+          "edges: a friction pyramid needs at least 3 (" + std::to_string(options.edges) + ")");
+  require(options.residual_tolerance > 0.0, "residual_tolerance: must be positive");
+  require(options.gap_tolerance > 0.0, "gap_tolerance: must be positive");
+}
+
+void check(const HandTorques& hand, Eigen::Index contacts) {
+  const Eigen::Index joints = hand.limits.size();
+  require(hand.jacobian.rows() == 3 * contacts && hand.jacobian.cols() == joints,
+          "jacobian: must have three rows a contact and a column a joint");
+  require(hand.spin.size() == 0 || (hand.spin.rows() == contacts && hand.spin.cols() == joints),
+          "spin: must have a row a contact and a column a joint, or be empty");
+  require(hand.jacobian.allFinite() && hand.spin.allFinite(), "jacobian, spin: not finite");
+  require((hand.limits.array() >= 0.0).all(), "limits: must not be negative");
+}
+
+// Fills in what the forces are for the unit wrench; true where they are good enough.
+bool fill_forces(const ForceProgram& program, const ConicSolution& solution,
+                 const ForceOptions& options, ContactForces& result) {
+  result.components = program.components(solution);
+  result.residual = program.residual(result.components);
+  const double measure = program.measure(result.components);
+  result.gap = measure > 0.0 ? std::max(0.0, (measure - result.lowest) / measure) : 1.0;
+  return result.residual <= options.residual_tolerance && result.gap <= options.gap_tolerance &&
+         program.torque_excess(result.components) <= options.residual_tolerance;
+}
+
+// The forces on the object, and sums over contacts, from the components for a wrench of one unit.
+void finish(std::span<const Contact> contacts, double size, ContactForces& result) {
+  result.components *= size;
+  result.lowest *= size;
+  result.forces.resize(3, result.components.cols());
+  for (Eigen::Index i = 0; i < result.components.cols(); ++i) {
+    const ContactMap map = contact_map(contacts[static_cast<std::size_t>(i)], {});
+    result.forces.col(i) = map.topRows<3>() * result.components.col(i);
+  }
+  if (result.components.cols() == 0) return;
+  result.largest_normal = result.components.row(0).maxCoeff();
+  result.sum_of_normals = result.components.row(0).sum();
+}
+
+ContactForces no_forces(Eigen::Index contacts, ForceOutcome outcome) {
+  ContactForces result;
+  result.outcome = outcome;
+  result.components.setZero(4, contacts);
+  result.forces.setZero(3, contacts);
+  if (outcome == ForceOutcome::impossible) result.residual = result.gap = 1.0;
+  return result;
+}
+
+// The status of the solver is not relied on: what it returns is judged as it is.
+ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
+                           const Wrench& external, const HandTorques* hand,
+                           const ForceOptions& options) {
+  const double size = external.norm();
+  const ForceProgram program(contacts, frame, external / size, size, hand, options);
+  const ConicSolution solution =
+      solve(program.program(), {.tolerance = 1e-11, .infeasible_tolerance = 1e-12});
+  const ForceProgram::Separation separation = program.separation(solution);
+  const double smallest_sum =
+      program.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
+  if (smallest_sum > kLargestForce) {
+    ContactForces result = no_forces(std::ssize(contacts), ForceOutcome::impossible);
+    const double length = separation.wrench.norm();
+    result.separating = separation.wrench / length;
+    result.torque_multipliers = separation.torques / length;
+    result.lowest = std::numeric_limits<double>::infinity();
+    return result;
+  }
+  ContactForces result;
+  result.lowest = program.lower_bound(separation, options.measure);
+  if (fill_forces(program, solution, options, result)) result.outcome = ForceOutcome::balanced;
+  finish(contacts, size, result);
+  return result;
+}
+
+ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             const Wrench& external, const HandTorques* hand,
+                             const ForceOptions& options) {
+  check_contacts(contacts, frame);
+  require(external.allFinite(), "external: not finite");
+  check(options);
+  if (hand != nullptr) check(*hand, std::ssize(contacts));
+  if (external.isZero(0.0)) return no_forces(std::ssize(contacts), ForceOutcome::balanced);
+  if (!contacts.empty()) return solve_forces(contacts, frame, external, hand, options);
+  ContactForces result = no_forces(0, ForceOutcome::impossible);
+  result.separating = external.normalized();
+  result.lowest = std::numeric_limits<double>::infinity();
+  if (hand != nullptr) result.torque_multipliers.setZero(hand->limits.size());
+  return result;
+}
+
+}  // namespace
+
+ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
+                               const Wrench& external, const ForceOptions& options) {
+  return checked_forces(contacts, frame, external, nullptr, options);
+}
+
+ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
+                               const Wrench& external, const HandTorques& hand,
+                               const ForceOptions& options) {
+  return checked_forces(contacts, frame, external, &hand, options);
+}
+
+Resistance wrench_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             const Wrench& external, const ForceOptions& options) {
+  const ContactForces forces = balancing_forces(contacts, frame, external, options);
+  if (forces.outcome == ForceOutcome::impossible) return {0.0, 0.0, forces.outcome};
+  const double largest = std::numeric_limits<double>::infinity();
+  const bool shared = options.measure == ForceMeasure::sum_of_normals;
+  const double measure = shared ? forces.sum_of_normals : forces.largest_normal;
+  const bool balances = forces.residual <= options.residual_tolerance;
+  Resistance result;
+  result.outcome = forces.outcome;
+  if (balances) result.lower = measure > 0.0 ? 1.0 / measure : largest;
+  result.upper = forces.lowest > 0.0 ? 1.0 / forces.lowest : largest;
+  return result;
+}
+
+}  // namespace prehend

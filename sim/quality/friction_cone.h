@@ -1,0 +1,31 @@
+// The forces that a contact's friction allows, as a cone over a few coordinates.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "sim/quality/contact.h"
+
+namespace prehend {
+
+enum class FrictionCone {
+  exact,    // the quadratic cone of the contact's model
+  pyramid,  // the hull of the corners of contact_wrenches
+};
+
+// What a contact transmits, [normal force, force along the first and second tangent, torque about
+// the normal], is `transmits` v, where v0 >= |v1| if `second_order`, and v >= 0 otherwise.
+struct ContactCone {
+  Eigen::Matrix<double, 4, Eigen::Dynamic> transmits;
+  bool second_order = false;
+
+  Eigen::Index size() const { return transmits.cols(); }
+
+  // The smallest value of loads . f over the forces f of unit normal force.
+  double lowest(const Eigen::Vector4d& loads) const;
+};
+
+// A contact without friction has one coordinate, a point contact three, a soft finger four; in a
+// pyramid with `edges` (>= 3) edges each corner has one.
+ContactCone contact_cone(const Contact& contact, FrictionCone cone, int edges);
+
+}  // namespace prehend

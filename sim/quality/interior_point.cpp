@@ -1,0 +1,237 @@
+#include "sim/quality/interior_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/quality/cone_scaling.h"
+#include "sim/quality/kkt_system.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kStepBack = 0.99;      // of the step to the border of the cone
+constexpr double kSmallestStep = 1e-7;  // shorter ones are rounding
+constexpr int kPatience = 12;           // iterations without a better iterate
+
+double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
+
+// A point of the embedding: the program's variables times tau, and kappa.
+struct Point {
+  KktSystem::Vector v;
+  Eigen::VectorXd s;
+  double tau = 1.0;
+  double kappa = 1.0;
+};
+
+// How far a point is from the embedding's equations.
+struct Residual {
+  KktSystem::Vector v;
+  double t = 0.0;
+};
+
+class InteriorPoint {
+ public:
+  InteriorPoint(const ConicProgram& program, const ConicOptions& options)
+      : p_(program),
+        options_(options),
+        identity_(cone_identity(program.cone)),
+        kkt_(program.A, program.G),
+        c_size_(std::max(1.0, largest(program.c))),
+        b_size_(std::max({1.0, largest(program.b), largest(program.h)})) {}
+
+  ConicSolution run() {
+    start();
+    for (; iterations_ < options_.max_iterations; ++iterations_) {
+      residual_ = residual();
+      const double proof = proof_error();
+      if (proof <= options_.infeasible_tolerance) {
+        return certificate(ConicStatus::primal_infeasible, point_);
+      }
+      if (dual_infeasible()) return certificate(ConicStatus::dual_infeasible, point_);
+      keep_better(measure(), best_error_, best_);
+      keep_better(proof, best_proof_error_, best_proof_);
+      if (best_error_ <= options_.tolerance) break;
+      if (iterations_ - last_better_ > kPatience || !step()) break;
+    }
+    return best();
+  }
+
+ private:
+  // The points nearest to the equations of primal and dual, moved into the cone.
+  void start() {
+    const ConeScaling unit(p_.cone, identity_, identity_);
+    kkt_.factor(unit);
+    const Eigen::Index n = p_.A.cols();
+    const KktSystem::Vector primal = kkt_.solve({Eigen::VectorXd::Zero(n), p_.b, p_.h});
+    const KktSystem::Vector dual =
+        kkt_.solve({-p_.c, Eigen::VectorXd::Zero(p_.b.size()), Eigen::VectorXd::Zero(p_.h.size())});
+    point_.v = {primal.x, dual.y, inside(dual.z)};
+    point_.s = inside(-primal.z);
+    best_ = point_;
+  }
+
+  Eigen::VectorXd inside(const Eigen::VectorXd& v) const {
+    const double margin = cone_margin(p_.cone, v);
+    if (margin > 1e-3 * largest(v)) return v;
+    return v + (1.0 - margin) * identity_;
+  }
+
+  Residual residual() const {
+    const KktSystem::Vector& v = point_.v;
+    return {{-p_.A.transpose() * v.y - p_.G.transpose() * v.z - p_.c * point_.tau,
+             p_.A * v.x - p_.b * point_.tau, point_.s + p_.G * v.x - p_.h * point_.tau},
+            point_.kappa + p_.c.dot(v.x) + p_.b.dot(v.y) + p_.h.dot(v.z)};
+  }
+
+  void keep_better(double error, double& best_error, Point& best) {
+    if (!(error < best_error)) return;
+    best_error = error;
+    best = point_;
+    last_better_ = iterations_;
+  }
+
+  // What is wrong with y and z as a certificate of value -1.
+  double proof_error() const {
+    const double value = -p_.b.dot(point_.v.y) - p_.h.dot(point_.v.z);
+    if (!(value > 0.0)) return std::numeric_limits<double>::infinity();
+    return largest(residual_.v.x + p_.c * point_.tau) / value;
+  }
+
+  bool dual_infeasible() const {
+    const double value = -p_.c.dot(point_.v.x);
+    if (value <= 0.0) return false;
+    const double error = std::max(largest(residual_.v.y + p_.b * point_.tau),
+                                  largest(residual_.v.z + p_.h * point_.tau));
+    return error <= options_.infeasible_tolerance * value;
+  }
+
+  // The largest of residuals and gap, relative to the program's size.
+  double measure() const {
+    const double tau = point_.tau;
+    const double primal = std::max(largest(residual_.v.y), largest(residual_.v.z)) / tau / b_size_;
+    const double dual = largest(residual_.v.x) / tau / c_size_;
+    const double primal_value = p_.c.dot(point_.v.x) / tau;
+    const double dual_value = -(p_.b.dot(point_.v.y) + p_.h.dot(point_.v.z)) / tau;
+    const double size = std::max({1.0, std::abs(primal_value), std::abs(dual_value)});
+    const double gap =
+        std::max(point_.s.dot(point_.v.z) / tau / tau, std::abs(primal_value - dual_value));
+    const double error = std::max({primal, dual, gap / size});
+    return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
+  }
+
+  // Newton's step towards residuals of (1 - centring) times theirs and the complementarity
+  // products `ds` and `dk` less than theirs.
+  Point direction(const ConeScaling& scaling, const KktSystem::Vector& constant, double centring,
+                  const Eigen::VectorXd& ds, double dk) const {
+    const double rest = 1.0 - centring;
+    const Eigen::VectorXd quotient = cone_quotient(p_.cone, scaling.lambda(), ds);
+    const KktSystem::Vector v = kkt_.solve({rest * residual_.v.x, -rest * residual_.v.y,
+                                            scaling.apply(quotient) - rest * residual_.v.z});
+    Point d;
+    d.tau = rest * residual_.t - dk / point_.tau + p_.c.dot(v.x) + p_.b.dot(v.y) + p_.h.dot(v.z);
+    d.tau /= point_.kappa / point_.tau + scaling.apply(constant.z).squaredNorm();
+    d.v = {v.x + d.tau * constant.x, v.y + d.tau * constant.y, v.z + d.tau * constant.z};
+    // From the equation of the cone, not from W: its rounding would not go away again.
+    d.s = d.tau * p_.h - rest * residual_.v.z - p_.G * d.v.x;
+    d.kappa = -(dk + point_.kappa * d.tau) / point_.tau;
+    return d;
+  }
+
+  // How far one can go along the direction inside the cone, at most 1. In scaled coordinates, in
+  // which the point is well inside.
+  double longest(const ConeScaling& scaling, const Point& d, double back) const {
+    const Eigen::VectorXd ds = scaling.apply_inverse(d.s);
+    const Eigen::VectorXd dz = scaling.apply(d.v.z);
+    double step = std::min(cone_step(p_.cone, scaling.lambda(), ds),
+                           cone_step(p_.cone, scaling.lambda(), dz));
+    if (d.tau < 0.0) step = std::min(step, -point_.tau / d.tau);
+    if (d.kappa < 0.0) step = std::min(step, -point_.kappa / d.kappa);
+    return std::min(1.0, back * step);
+  }
+
+  // One predictor-corrector step; false where rounding allows none.
+  bool step() {
+    const ConeScaling scaling(p_.cone, point_.s, point_.v.z);
+    if (!scaling.valid() || !(point_.tau > 0.0) || !(point_.kappa > 0.0)) return false;
+    kkt_.factor(scaling);
+    const KktSystem::Vector constant = kkt_.solve({-p_.c, p_.b, p_.h});
+    const Eigen::VectorXd& lambda = scaling.lambda();
+    const Eigen::VectorXd square = cone_product(p_.cone, lambda, lambda);
+    const double product = point_.kappa * point_.tau;
+    const double mu = (lambda.squaredNorm() + product) / (p_.cone.degree() + 1);
+
+    const Point affine = direction(scaling, constant, 0.0, square, product);
+    const double centring = std::pow(1.0 - longest(scaling, affine, 1.0), 3);
+    const Eigen::VectorXd second =
+        cone_product(p_.cone, scaling.apply_inverse(affine.s), scaling.apply(affine.v.z));
+    const Point d =
+        direction(scaling, constant, centring, square + second - centring * mu * identity_,
+                  product + affine.kappa * affine.tau - centring * mu);
+    const double length = longest(scaling, d, kStepBack);
+    if (!(length > kSmallestStep)) return false;
+    advance(d, length);
+    return point_.v.x.allFinite() && point_.v.y.allFinite();
+  }
+
+  void advance(const Point& d, double length) {
+    point_.v.x += length * d.v.x;
+    point_.v.y += length * d.v.y;
+    point_.v.z += length * d.v.z;
+    point_.s += length * d.s;
+    point_.tau += length * d.tau;
+    point_.kappa += length * d.kappa;
+  }
+
+  ConicSolution certificate(ConicStatus status, const Point& point) const {
+    const KktSystem::Vector& v = point.v;
+    ConicSolution solution;
+    solution.status = status;
+    solution.iterations = iterations_;
+    const bool primal = status != ConicStatus::dual_infeasible;
+    const double size = primal ? -p_.b.dot(v.y) - p_.h.dot(v.z) : -p_.c.dot(v.x);
+    solution.x = (primal ? 0.0 : 1.0 / size) * v.x;
+    solution.s = (primal ? 0.0 : 1.0 / size) * point.s;
+    solution.y = (primal ? 1.0 / size : 0.0) * v.y;
+    solution.z = (primal ? 1.0 / size : 0.0) * v.z;
+    return solution;
+  }
+
+  ConicSolution best() const {
+    const bool good = best_error_ <= std::max(options_.tolerance, options_.acceptable);
+    if (!good && best_proof_error_ < best_error_) {
+      return certificate(ConicStatus::limit, best_proof_);
+    }
+    ConicSolution solution;
+    solution.status = good ? ConicStatus::optimal : ConicStatus::limit;
+    solution.iterations = iterations_;
+    solution.x = best_.v.x / best_.tau;
+    solution.y = best_.v.y / best_.tau;
+    solution.z = best_.v.z / best_.tau;
+    solution.s = best_.s / best_.tau;
+    return solution;
+  }
+
+  const ConicProgram& p_;
+  const ConicOptions& options_;
+  Eigen::VectorXd identity_;
+  KktSystem kkt_;
+  double c_size_;
+  double b_size_;
+  Point point_;
+  Residual residual_;
+  Point best_;
+  double best_error_ = std::numeric_limits<double>::infinity();
+  Point best_proof_;
+  double best_proof_error_ = std::numeric_limits<double>::infinity();
+  int last_better_ = 0;
+  int iterations_ = 0;
+};
+
+}  // namespace
+
+ConicSolution interior_point(const ConicProgram& program, const ConicOptions& options) {
+  return InteriorPoint(program, options).run();
+}
+
+}  // namespace prehend

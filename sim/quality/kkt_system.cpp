@@ -1,0 +1,64 @@
+#include "sim/quality/kkt_system.h"
+
+namespace prehend {
+
+KktSystem::KktSystem(const Eigen::MatrixXd& A, const Eigen::MatrixXd& G) : A_(A), G_(G) {
+  const Eigen::Index p = A.rows();
+  const Eigen::Index n = A.cols();
+  Eigen::MatrixXd Q = Eigen::MatrixXd::Identity(n, n);
+  if (p > 0) {
+    const Eigen::HouseholderQR<Eigen::MatrixXd> factors(A.transpose());
+    Q = factors.householderQ() * Q;
+    upper_ = factors.matrixQR().topRows(p);
+  }
+  range_ = Q.leftCols(p);
+  null_ = Q.rightCols(n - p);
+  G_null_ = G_ * null_;
+}
+
+void KktSystem::factor(const ConeScaling& scaling) {
+  scaling_ = &scaling;
+  if (null_.cols() > 0) scaled_.compute(scaling.apply_inverse(G_null_));
+}
+
+KktSystem::Vector KktSystem::solve(const Vector& right) const {
+  Vector solution = solve_once(right);
+  const Vector left = {right.x - A_.transpose() * solution.y - G_.transpose() * solution.z,
+                       right.y - A_ * solution.x,
+                       right.z - G_ * solution.x + scaling_->apply(scaling_->apply(solution.z))};
+  const Vector correction = solve_once(left);
+  solution.x += correction.x;
+  solution.y += correction.y;
+  solution.z += correction.z;
+  return solution;
+}
+
+// With x = Q1 a + Q2 d, W^-1 G Q2 = Q R and e = W^-1 (bz - G Q1 a):
+//   R d = R'^-1 Q2' bx + Q' e,   W z = Q R'^-1 Q2' bx - (I - Q Q') e.
+KktSystem::Vector KktSystem::solve_once(const Vector& right) const {
+  Vector solution;
+  const Eigen::Index k = null_.cols();
+  const auto R1 = upper_.triangularView<Eigen::Upper>();
+  solution.x = Eigen::VectorXd::Zero(null_.rows());
+  if (A_.rows() > 0) solution.x = range_ * R1.transpose().solve(right.y);
+  Eigen::VectorXd e = scaling_->apply_inverse(right.z - G_ * solution.x);
+  if (k > 0) {
+    const auto R = scaled_.matrixQR().topRows(k).triangularView<Eigen::Upper>();
+    const Eigen::VectorXd gradient = R.transpose().solve(null_.transpose() * right.x);
+    e.applyOnTheLeft(scaled_.householderQ().transpose());
+    solution.x += null_ * R.solve(gradient + e.head(k));
+    e = -e;
+    e.head(k) = gradient;
+    e.applyOnTheLeft(scaled_.householderQ());
+  } else {
+    e = -e;
+  }
+  solution.z = scaling_->apply_inverse(e);
+  solution.y = Eigen::VectorXd::Zero(A_.rows());
+  if (A_.rows() > 0) {
+    solution.y = R1.solve(range_.transpose() * (right.x - G_.transpose() * solution.z));
+  }
+  return solution;
+}
+
+}  // namespace prehend
