@@ -44,11 +44,23 @@ struct InspectCommand {
   std::string unit = "m";
 };
 
+struct QualityCommand {
+  std::filesystem::path contacts;
+  std::string space = "L1";        // L1 or Linf
+  std::string cone = "pyramid:8";  // pyramid:EDGES or exact
+  std::string force;               // at_most or exactly; empty: exactly for L1, at_most for Linf
+  std::string measures;            // names, with commas
+  std::string project;             // see run_quality.cpp; empty: no section
+  std::filesystem::path out = "out/slice.ply";
+  std::uint64_t seed = 1;
+};
+
 // Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake,
 // before anything is written.
 int run_plan(const PlanCommand& command);
 int run_evaluate(const EvaluateCommand& command);
 int run_render(const RenderCommand& command);
 int run_inspect(const InspectCommand& command);
+int run_quality(const QualityCommand& command);
 
 }  // namespace prehend

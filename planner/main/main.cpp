@@ -47,6 +47,7 @@ struct Program {
   prehend::EvaluateCommand evaluate;
   prehend::RenderCommand render;
   prehend::InspectCommand inspect;
+  prehend::QualityCommand quality;
   std::function<int()> chosen;
 
   Program() {
@@ -55,6 +56,7 @@ struct Program {
     add_evaluate();
     add_render();
     add_inspect();
+    add_quality();
   }
 
   void add_plan() {
@@ -102,6 +104,27 @@ struct Program {
     command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
         ->capture_default_str();
     command.callback([this] { chosen = [this] { return prehend::run_inspect(inspect); }; });
+  }
+
+  void add_quality() {
+    CLI::App& command = *app.add_subcommand("quality", "judge contacts without a scene (JSON)");
+    command.add_option("contacts", quality.contacts, "contacts file (docs/contacts-file.md)")
+        ->required();
+    command.add_option("--space", quality.space, "what is unit: sum of forces, or each")
+        ->check(CLI::IsMember({"L1", "Linf"}))
+        ->capture_default_str();
+    command.add_option("--cone", quality.cone, "friction cones: pyramid:EDGES or exact")
+        ->capture_default_str();
+    command.add_option("--force", quality.force, "unit forces: at_most or exactly")
+        ->check(CLI::IsMember({"at_most", "exactly"}));
+    command.add_option("--measures", quality.measures, "more measures by name, with commas");
+    command.add_option("--project", quality.project,
+                       "write a section: force, torque, or three like tx=0,ty=0,fz=0.5");
+    command.add_option("--out", quality.out, "mesh file of the section (PLY)")
+        ->capture_default_str();
+    command.add_option("--seed", quality.seed, "seed of the robust measures")
+        ->capture_default_str();
+    command.callback([this] { chosen = [this] { return prehend::run_quality(quality); }; });
   }
 };
 

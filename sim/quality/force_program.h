@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/quality/conic_program.h"
+#include "sim/conic/conic_program.h"
 #include "sim/quality/forces.h"
 
 namespace prehend {

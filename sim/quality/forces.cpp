@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "sim/quality/conic_program.h"
+#include "sim/conic/conic_program.h"
 #include "sim/quality/force_program.h"
 
 namespace prehend {

@@ -131,6 +131,15 @@ std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
   return combine(std::move(pyramids), options);
 }
 
+EpsilonOptions epsilon_options(const WrenchSpaceOptions& space) {
+  EpsilonOptions options;
+  if (space.cone == FrictionCone::exact) {
+    options.relative_tolerance = 1e-2;
+    options.max_facets = 25000;
+  }
+  return options;
+}
+
 EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
                              const WrenchSpaceOptions& space, const EpsilonOptions& options) {
   if (space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid) {

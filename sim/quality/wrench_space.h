@@ -6,6 +6,7 @@
 
 #include "sim/quality/contact.h"
 #include "sim/quality/epsilon.h"
+#include "sim/quality/friction_cone.h"
 #include "sim/quality/support.h"
 #include "sim/quality/wrench.h"
 
@@ -14,9 +15,6 @@ namespace prehend {
 // What is unit: the sum of all normal forces (the hull of the contacts' cones), or each of them
 // (the Minkowski sum). Source: Ferrari and Canny, ICRA 1992, section 3.
 enum class WrenchNorm { l1, linf };
-
-// Friction cones as pyramids of `edges` edges inside of them, or as they are.
-enum class FrictionCone { pyramid, exact };
 
 // Whether forces may stay below the unit. For L1 this only adds the origin to the set, and epsilon
 // is the same; for L-infinity, forces that have to be exactly unit shrink and shift it.
@@ -34,6 +32,10 @@ struct WrenchSpaceOptions {
 std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
                                          const WrenchFrame& frame,
                                          const WrenchSpaceOptions& options = {});
+
+// What grasp_epsilon takes when nobody says: exact cones are smooth, and end at 1 % or at 25,000
+// facets.
+EpsilonOptions epsilon_options(const WrenchSpaceOptions& space);
 
 // Ferrari and Canny's measure of the set: epsilon of support.h's set, or epsilon_l1 where the set
 // is a hull of columns. No contacts: no force closure. Throws as wrench_space and epsilon.

@@ -1,4 +1,4 @@
-#include "sim/quality/conic_presolve.h"
+#include "sim/conic/conic_presolve.h"
 
 #include <algorithm>
 #include <cmath>

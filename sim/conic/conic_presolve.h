@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/quality/conic_program.h"
+#include "sim/conic/conic_program.h"
 
 namespace prehend {
 

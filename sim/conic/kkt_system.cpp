@@ -1,4 +1,4 @@
-#include "sim/quality/kkt_system.h"
+#include "sim/conic/kkt_system.h"
 
 namespace prehend {
 

@@ -1,11 +1,11 @@
-#include "sim/quality/interior_point.h"
+#include "sim/conic/interior_point.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "sim/quality/cone_scaling.h"
-#include "sim/quality/kkt_system.h"
+#include "sim/conic/cone_scaling.h"
+#include "sim/conic/kkt_system.h"
 
 namespace prehend {
 namespace {

@@ -1,7 +1,7 @@
 // The iteration that solves a conic program.
 #pragma once
 
-#include "sim/quality/conic_program.h"
+#include "sim/conic/conic_program.h"
 
 namespace prehend {
 

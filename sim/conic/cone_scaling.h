@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/quality/cone.h"
+#include "sim/conic/cone.h"
 
 namespace prehend {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/QR>
 
-#include "sim/quality/cone_scaling.h"
+#include "sim/conic/cone_scaling.h"
 
 namespace prehend {
 

@@ -1,4 +1,4 @@
-#include "sim/quality/cone.h"
+#include "sim/conic/cone.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "sim/quality/conic_program.h"
+#include "sim/conic/conic_program.h"
 
 #include <cmath>
 #include <limits>

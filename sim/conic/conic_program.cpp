@@ -1,11 +1,11 @@
-#include "sim/quality/conic_program.h"
+#include "sim/conic/conic_program.h"
 
 #include <algorithm>
 #include <stdexcept>
 #include <string>
 
-#include "sim/quality/conic_presolve.h"
-#include "sim/quality/interior_point.h"
+#include "sim/conic/conic_presolve.h"
+#include "sim/conic/interior_point.h"
 
 namespace prehend {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/quality/cone_scaling.h"
+#include "sim/conic/cone_scaling.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,0 +1,203 @@
+#include <iostream>
+#include <sstream>
+
+#include <nlohmann/json.hpp>
+
+#include "planner/contacts_file.h"
+#include "planner/main/commands.h"
+#include "planner/output_file.h"
+#include "planner/ply.h"
+#include "sim/geometry/input_error.h"
+#include "sim/quality/wrench_slice.h"
+#include "sim/scene/json_pose.h"
+
+namespace prehend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string_view status_name(EpsilonStatus status) {
+  switch (status) {
+    case EpsilonStatus::converged:
+      return "converged";
+    case EpsilonStatus::no_force_closure:
+      return "no_force_closure";
+    case EpsilonStatus::below_cutoff:
+      return "below_cutoff";
+    case EpsilonStatus::limit:
+      return "limit";
+    default:
+      return "stalled";
+  }
+}
+
+std::string_view outcome_name(ForceOutcome outcome) {
+  switch (outcome) {
+    case ForceOutcome::balanced:
+      return "balanced";
+    case ForceOutcome::impossible:
+      return "impossible";
+    default:
+      return "limit";
+  }
+}
+
+// pyramid, pyramid:EDGES or exact.
+void read_cone(const std::string& word, WrenchSpaceOptions& space) {
+  const std::string prefix = "pyramid:";
+  if (word == "exact") {
+    space.cone = FrictionCone::exact;
+    return;
+  }
+  space.cone = FrictionCone::pyramid;
+  if (word == "pyramid") return;
+  std::istringstream number(word.rfind(prefix, 0) == 0 ? word.substr(prefix.size()) : "");
+  if (!(number >> space.edges) || !number.eof() || space.edges < 3) {
+    throw InputError("--cone: pyramid:EDGES with at least 3 edges, or exact (" + word + ")");
+  }
+}
+
+WrenchSpaceOptions read_space(const QualityCommand& command) {
+  WrenchSpaceOptions space;
+  const bool linf = command.space == "Linf";
+  space.norm = linf ? WrenchNorm::linf : WrenchNorm::l1;
+  const std::string force = command.force.empty() ? (linf ? "at_most" : "exactly") : command.force;
+  space.force = force == "at_most" ? UnitForce::at_most : UnitForce::exactly;
+  read_cone(command.cone, space);
+  return space;
+}
+
+// force: the forces without torque; torque: the other way round; or three of fx fy fz tx ty tz with
+// their values, as in "tx=0,ty=0,fz=0.5".
+FixedCoordinates read_fixed(const std::string& words) {
+  if (words == "force") return {{3, 4, 5}, Eigen::Vector3d::Zero()};
+  if (words == "torque") return {{0, 1, 2}, Eigen::Vector3d::Zero()};
+  static constexpr std::string_view kNames = "fx fy fz tx ty tz";
+  FixedCoordinates fixed;
+  std::istringstream list(words);
+  std::string word;
+  std::size_t count = 0;
+  while (std::getline(list, word, ',')) {
+    const auto at = kNames.find(word.substr(0, 2));
+    std::istringstream number(word.size() > 3 && word[2] == '=' ? word.substr(3) : "");
+    double value = 0.0;
+    if (at == std::string_view::npos || at % 3 != 0 || !(number >> value) || count == 3) {
+      throw InputError("--project: force, torque, or three like tx=0,ty=0,fz=0.5 (" + words + ")");
+    }
+    fixed.coordinates[count] = static_cast<int>(at / 3);
+    fixed.values[static_cast<Eigen::Index>(count++)] = value;
+  }
+  if (count != 3) throw InputError("--project: three coordinates are fixed (" + words + ")");
+  return fixed;
+}
+
+Json interval_json(const Interval& interval) {
+  return {{"lower", interval.lower}, {"upper", interval.upper}};
+}
+
+// As in a grasp file: the torque times the scale.
+Json wrench_json(const Wrench& wrench) {
+  return {{"force", vector_to_json(wrench.head<3>())},
+          {"torque", vector_to_json(wrench.tail<3>())}};
+}
+
+Json forces_json(const ContactsFile& file, const WrenchSpaceOptions& space) {
+  ForceOptions options;
+  options.cone = space.cone;
+  options.edges = space.edges;
+  options.measure =
+      space.norm == WrenchNorm::l1 ? ForceMeasure::sum_of_normals : ForceMeasure::largest_normal;
+  const ContactForces found =
+      file.hand ? balancing_forces(file.contacts, file.frame, *file.external, *file.hand, options)
+                : balancing_forces(file.contacts, file.frame, *file.external, options);
+  Json json{{"outcome", outcome_name(found.outcome)}};
+  if (found.outcome == ForceOutcome::impossible) {
+    json["separating_wrench"] = wrench_json(found.separating);
+    return json;
+  }
+  json["largest_normal"] = found.largest_normal;
+  json["sum_of_normals"] = found.sum_of_normals;
+  json["lowest"] = found.lowest;
+  json["residual"] = found.residual;
+  json["gap"] = found.gap;
+  json["contacts"] = Json::array();
+  for (Eigen::Index i = 0; i < found.forces.cols(); ++i) {
+    json["contacts"].push_back({{"force", vector_to_json(found.forces.col(i))},
+                                {"normal", found.components(0, i)},
+                                {"torsion", found.components(3, i)}});
+  }
+  return json;
+}
+
+void add_measures(const QualityCommand& command, const ContactsFile& file,
+                  const MeasureOptions& options, Json& json) {
+  std::istringstream list(command.measures);
+  std::string name;
+  while (std::getline(list, name, ',')) {
+    const NamedMeasure* measure = find_measure(name);
+    if (measure == nullptr) {
+      std::string known;
+      for (const NamedMeasure& m : measures()) known.append(" ").append(m.name);
+      throw InputError("--measures: unknown measure " + name + " (known:" + known + ")");
+    }
+    if (json.contains(name)) continue;
+    json[name] = interval_json(measure->measure(file.contacts, file.frame, options));
+  }
+}
+
+// The section as a mesh file; its three axes are the coordinates that are not fixed.
+void write_slice(const QualityCommand& command, const ContactsFile& file,
+                 const MeasureOptions& options) {
+  const FixedCoordinates fixed = read_fixed(command.project);
+  if (file.contacts.empty()) throw InputError("--project: there are no contacts");
+  const SetHull hull =
+      set_hull(*wrench_space(file.contacts, file.frame, options.space), options.hull);
+  if (hull.hull.status != PointHullStatus::solid) {
+    throw InputError("--project: the wrench space is flat");
+  }
+  const WrenchSlice slice = wrench_slice(hull.hull, fixed);
+  if (slice.empty()) throw InputError("--project: the section is empty (" + command.project + ")");
+  if (command.out.has_parent_path()) make_folder(command.out.parent_path());
+  write_file(command.out, ply_text(slice.vertices, slice.triangles));
+}
+
+Json quality_json(const QualityCommand& command, const ContactsFile& file,
+                  const MeasureOptions& options) {
+  const EpsilonBracket bracket =
+      grasp_epsilon(file.contacts, file.frame, options.space, epsilon_options(options.space));
+  Json json;
+  json["epsilon"] = {
+      {"lower", bracket.lower}, {"upper", bracket.upper}, {"status", status_name(bracket.status)}};
+  json["force_closure"] = bracket.force_closure();
+  const Interval volume = find_measure("volume")->measure(file.contacts, file.frame, options);
+  json["volume"] = volume.lower;
+  json["volume_bracket"] = interval_json(volume);
+  json["weakest_wrench"] = wrench_json(bracket.weakest);
+  add_measures(command, file, options, json);
+  if (file.external) json["forces"] = forces_json(file, options.space);
+  return json;
+}
+
+}  // namespace
+
+int run_quality(const QualityCommand& command) {
+  const ContactsFile file = load_contacts(command.contacts);
+  MeasureOptions options;
+  options.space = read_space(command);
+  options.task = file.task;
+  options.surface = file.surface;
+  options.noise.seed = command.seed;
+  if (file.hand) options.jacobian = file.hand->jacobian;
+  try {
+    const Json json = quality_json(command, file, options);
+    if (!command.project.empty()) write_slice(command, file, options);
+    std::cout << json.dump(1) << "\n";
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(command.contacts.string() + ": " + error.what());
+  }
+  return 0;
+}
+
+}  // namespace prehend

@@ -1,0 +1,40 @@
+// How epsilon fares when contacts are not quite where they were thought to be.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/quality/contact.h"
+#include "sim/quality/wrench_space.h"
+
+namespace prehend {
+
+// Normal distributions, by their standard deviations. Lengths are parts of r = 1 / torque_scale, so
+// that objects of any size fare alike.
+struct NoiseOptions {
+  // The object as a whole against the hand: moved, and turned about the torque origin.
+  double pose_position = 0.02;  // of r
+  double pose_angle = 0.05;     // rad
+  // Each contact by itself.
+  double contact_position = 0.01;  // of r
+  double normal_angle = 0.05;      // rad
+  double friction = 0.1;           // of the logarithm of the coefficient
+  int samples = 200;               // >= 1
+  std::uint64_t seed = 1;
+};
+
+// Epsilon is 0 for a sample without force closure. Lower bounds throughout.
+struct RobustEpsilon {
+  double mean = 0.0;
+  double percentile_5 = 0.0;   // of the samples, the smallest that at least 5 % do not exceed
+  double force_closure = 0.0;  // part of the samples that have it
+};
+
+// The same on every platform and for every number of threads. Source: Weisz and Allen, ICRA 2012
+// (probability of force closure under pose error). Throws std::invalid_argument for a deviation
+// that is negative or not finite or for no samples, and as wrench_space.
+RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             const WrenchSpaceOptions& space = {}, const NoiseOptions& noise = {});
+
+}  // namespace prehend

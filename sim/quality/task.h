@@ -1,0 +1,48 @@
+// What a grasp is for: the disturbances it has to resist, and how much of them it can.
+#pragma once
+
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "sim/quality/contact.h"
+#include "sim/quality/interval.h"
+#include "sim/quality/wrench_space.h"
+
+namespace prehend {
+
+// Wrenches in the frame of the grasp, [force; torque * scale], relative to a unit of normal force.
+
+// Any of these (their convex hull, too).
+struct TaskWrenches {
+  std::vector<Wrench> wrenches;
+};
+
+// {axes * u : |u| <= 1}, about the origin; the axes must be independent.
+struct TaskEllipsoid {
+  Eigen::Matrix<double, 6, 6> axes = Eigen::Matrix<double, 6, 6>::Identity();
+};
+
+// The weight of an object whose centre of mass is the torque origin, in units of the normal force.
+struct TaskGravity {
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();  // of the pull, any length above 0
+  double weight = 1.0;                                    // > 0
+};
+
+using Task = std::variant<TaskWrenches, TaskEllipsoid, TaskGravity>;
+
+// The largest k such that contacts with at most unit force (of the space's norm) resist k times
+// every wrench of the task; 0 where some wrench of it cannot be resisted at all.
+// Source: Borst, Fischer and Hirzinger, ICRA 2004 (task wrench space); Pollard 1994.
+// Throws std::invalid_argument for an empty task, wrenches that are not finite, axes that are not
+// independent, a weight or direction that is not positive; and as wrench_space.
+Interval task_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,
+                         const Task& task, const WrenchSpaceOptions& space = {});
+
+// The task of a disturbing unit force anywhere on the object: `surface` are contacts spread over
+// it, whose cones (space.edges) push. Source: Pollard 1994 (object wrench space).
+Interval object_wrench_ratio(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             std::span<const Contact> surface,
+                             const WrenchSpaceOptions& space = {});
+
+}  // namespace prehend

@@ -1,0 +1,175 @@
+#include "sim/quality/wrench_slice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "sim/conic/conic_program.h"
+
+namespace prehend {
+namespace {
+
+// Sections thinner than this part of the hull's size are flat.
+constexpr double kThin = 1e-9;
+
+// normals.col(i) . x <= offsets[i]; normals are unit.
+struct HalfSpaces {
+  Eigen::Matrix3Xd normals;
+  Eigen::VectorXd offsets;
+};
+
+std::array<int, 3> others(const std::array<int, 3>& fixed) {
+  std::array<int, 3> free = {};
+  std::size_t count = 0;
+  for (int i = 0; i < 6; ++i) {
+    if (std::find(fixed.begin(), fixed.end(), i) == fixed.end()) free[count++] = i;
+  }
+  return free;
+}
+
+void check(const PointHull& hull, const FixedCoordinates& fixed) {
+  if (hull.status != PointHullStatus::solid || hull.normals.rows() != 6) {
+    throw std::invalid_argument("hull: a section needs a solid one in six dimensions");
+  }
+  const std::array<int, 3>& c = fixed.coordinates;
+  const bool known = std::all_of(c.begin(), c.end(), [](int i) { return 0 <= i && i < 6; });
+  if (!known || c[0] == c[1] || c[0] == c[2] || c[1] == c[2]) {
+    throw std::invalid_argument("coordinates: three different ones of 0 to 5 are needed");
+  }
+  if (!fixed.values.allFinite()) throw std::invalid_argument("values: not finite");
+}
+
+// Facets parallel to the section only say whether there is one.
+std::optional<HalfSpaces> cut_facets(const PointHull& hull, const FixedCoordinates& fixed,
+                                     const std::array<int, 3>& free) {
+  const Eigen::Index count = hull.offsets.size();
+  HalfSpaces cut{Eigen::Matrix3Xd(3, count), Eigen::VectorXd(count)};
+  Eigen::Index kept = 0;
+  for (Eigen::Index f = 0; f < count; ++f) {
+    Eigen::Vector3d normal;
+    double offset = hull.offsets[f];
+    for (std::size_t i = 0; i < 3; ++i) {
+      normal[static_cast<Eigen::Index>(i)] = hull.normals(free[i], f);
+      offset -= hull.normals(fixed.coordinates[i], f) * fixed.values[static_cast<Eigen::Index>(i)];
+    }
+    const double length = normal.norm();
+    if (length < kThin) {
+      if (offset < 0.0) return std::nullopt;
+      continue;
+    }
+    cut.normals.col(kept) = normal / length;
+    cut.offsets[kept++] = offset / length;
+  }
+  cut.normals.conservativeResize(Eigen::NoChange, kept);
+  cut.offsets.conservativeResize(kept);
+  return cut;
+}
+
+struct Ball {
+  Eigen::Vector3d center;
+  double radius = 0.0;
+};
+
+// The largest ball inside those half-spaces that are listed and a cube of the given half size.
+Ball largest_ball(const HalfSpaces& all, const std::vector<Eigen::Index>& listed, double half) {
+  ConicProgram program;
+  program.c = -Eigen::Vector4d::Unit(3);
+  program.A.resize(0, 4);
+  program.b.resize(0);
+  const auto rows = static_cast<Eigen::Index>(listed.size()) + 6;
+  program.G.resize(rows, 4);
+  program.h.resize(rows);
+  program.cone.orthant = static_cast<int>(rows);
+  for (int i = 0; i < 6; ++i) {
+    program.G.row(i) << (i < 3 ? 1.0 : -1.0) * Eigen::RowVector3d::Unit(i % 3), 1.0;
+    program.h[i] = half;
+  }
+  for (Eigen::Index i = 6; i < rows; ++i) {
+    const Eigen::Index f = listed[static_cast<std::size_t>(i) - 6];
+    program.G.row(i) << all.normals.col(f).transpose(), 1.0;
+    program.h[i] = all.offsets[f];
+  }
+  const ConicSolution solution = solve(program);
+  return {solution.x.head<3>(), solution.x[3]};
+}
+
+// Few half-spaces touch the ball: those that the last one breaks most are added until none does.
+Ball inscribed_ball(const HalfSpaces& all, double half) {
+  std::vector<Eigen::Index> listed;
+  while (true) {
+    const Ball ball = largest_ball(all, listed, half);
+    Eigen::Index worst = 0;
+    const double slack = (all.offsets - all.normals.transpose() * ball.center).minCoeff(&worst);
+    const bool known = std::find(listed.begin(), listed.end(), worst) != listed.end();
+    if (known || slack >= ball.radius || ball.radius <= 0.0) {
+      return {ball.center, std::min(ball.radius, slack)};
+    }
+    listed.push_back(worst);
+  }
+}
+
+// Corners of the intersection are facets of the hull of the half-spaces' poles about the centre.
+Eigen::Matrix3Xd corners(const HalfSpaces& all, const Eigen::Vector3d& center) {
+  Eigen::MatrixXd poles = all.normals;
+  for (Eigen::Index f = 0; f < poles.cols(); ++f) {
+    poles.col(f) /= all.offsets[f] - all.normals.col(f).dot(center);
+  }
+  PointHull hull = point_hull(poles);
+  if (hull.status != PointHullStatus::solid) hull = point_hull(poles, HullInput::joggled);
+  Eigen::Matrix3Xd found(3, hull.offsets.size());
+  for (Eigen::Index f = 0; f < found.cols(); ++f) {
+    found.col(f) = center + hull.normals.col(f) / hull.offsets[f];
+  }
+  return found;
+}
+
+void add_surface(const Eigen::Matrix3Xd& points, WrenchSlice& slice) {
+  PointHull hull = point_hull(points);
+  if (hull.status == PointHullStatus::failed) hull = point_hull(points, HullInput::joggled);
+  if (hull.status != PointHullStatus::solid) return;
+  std::vector<int> number(static_cast<std::size_t>(points.cols()), -1);
+  slice.vertices.resize(3, points.cols());
+  slice.triangles.resize(3, hull.offsets.size());
+  Eigen::Index used = 0;
+  for (Eigen::Index f = 0; f < hull.offsets.size(); ++f) {
+    Eigen::Vector3i triangle = hull.corners.col(f);
+    const Eigen::Vector3d a = points.col(triangle[0]);
+    const Eigen::Vector3d b = points.col(triangle[1]);
+    const Eigen::Vector3d c = points.col(triangle[2]);
+    if ((b - a).cross(c - a).dot(Eigen::Vector3d(hull.normals.col(f))) < 0.0) {
+      std::swap(triangle[1], triangle[2]);
+    }
+    for (int& corner : triangle) {
+      int& at = number[static_cast<std::size_t>(corner)];
+      if (at < 0) {
+        at = static_cast<int>(used);
+        slice.vertices.col(used++) = points.col(corner);
+      }
+      corner = at;
+    }
+    slice.triangles.col(f) = triangle;
+  }
+  slice.vertices.conservativeResize(Eigen::NoChange, used);
+  slice.volume = hull.volume;
+}
+
+}  // namespace
+
+WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
+  check(hull, fixed);
+  WrenchSlice slice;
+  slice.coordinates = others(fixed.coordinates);
+  const std::optional<HalfSpaces> cut = cut_facets(hull, fixed, slice.coordinates);
+  if (!cut) return slice;
+  const double size = cut->offsets.cwiseAbs().maxCoeff();
+  const Ball ball = inscribed_ball(*cut, 10.0 * size);
+  if (!(ball.radius > kThin * size)) return slice;
+  add_surface(corners(*cut, ball.center), slice);
+  return slice;
+}
+
+}  // namespace prehend
