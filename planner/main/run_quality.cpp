@@ -136,9 +136,10 @@ void add_measures(const QualityCommand& command, const ContactsFile& file,
   while (std::getline(list, name, ',')) {
     const NamedMeasure* measure = find_measure(name);
     if (measure == nullptr) {
-      std::string known;
-      for (const NamedMeasure& m : measures()) known.append(" ").append(m.name);
-      throw InputError("--measures: unknown measure " + name + " (known:" + known + ")");
+      std::ostringstream message;
+      message << "--measures: unknown measure " << name << " (known:";
+      for (const NamedMeasure& known : measures()) message << " " << known.name;
+      throw InputError(message.str() + ")");
     }
     if (json.contains(name)) continue;
     json[name] = interval_json(measure->measure(file.contacts, file.frame, options));

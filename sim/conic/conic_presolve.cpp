@@ -42,11 +42,11 @@ Eigen::MatrixXd full_q(const PivotedQr& qr) {
 Equilibration::Equilibration(const ConicProgram& program)
     : scaled_(program),
       columns_(Eigen::VectorXd::Ones(program.c.size())),
-      A_rows_(Eigen::VectorXd::Ones(program.b.size())),
-      G_rows_(Eigen::VectorXd::Ones(program.h.size())) {
+      rows_of_A_(Eigen::VectorXd::Ones(program.b.size())),
+      rows_of_G_(Eigen::VectorXd::Ones(program.h.size())) {
   for (int round = 0; round < kRuizRounds; ++round) scale_once();
-  scaled_.b = A_rows_.cwiseProduct(scaled_.b);
-  scaled_.h = G_rows_.cwiseProduct(scaled_.h);
+  scaled_.b = rows_of_A_.cwiseProduct(scaled_.b);
+  scaled_.h = rows_of_G_.cwiseProduct(scaled_.h);
   scaled_.c = columns_.cwiseProduct(scaled_.c);
   right_ = power_of_two(std::max(largest(scaled_.b), largest(scaled_.h)));
   objective_ = power_of_two(largest(scaled_.c));
@@ -57,31 +57,31 @@ Equilibration::Equilibration(const ConicProgram& program)
 
 void Equilibration::scale_once() {
   Eigen::VectorXd column(scaled_.c.size());
-  Eigen::VectorXd A_row(scaled_.b.size());
-  Eigen::VectorXd G_row(scaled_.h.size());
+  Eigen::VectorXd row_of_A(scaled_.b.size());
+  Eigen::VectorXd row_of_G(scaled_.h.size());
   for (Eigen::Index j = 0; j < column.size(); ++j) {
     column[j] = inverse_root(std::max(largest(scaled_.A.col(j)), largest(scaled_.G.col(j))));
   }
-  for (Eigen::Index i = 0; i < A_row.size(); ++i)
-    A_row[i] = inverse_root(largest(scaled_.A.row(i)));
-  for (Eigen::Index i = 0; i < G_row.size(); ++i)
-    G_row[i] = inverse_root(largest(scaled_.G.row(i)));
+  for (Eigen::Index i = 0; i < row_of_A.size(); ++i)
+    row_of_A[i] = inverse_root(largest(scaled_.A.row(i)));
+  for (Eigen::Index i = 0; i < row_of_G.size(); ++i)
+    row_of_G[i] = inverse_root(largest(scaled_.G.row(i)));
   for_each_second_order(scaled_.cone, [&](Eigen::Index first, Eigen::Index rows) {
-    G_row.segment(first, rows)
+    row_of_G.segment(first, rows)
         .setConstant(inverse_root(largest(scaled_.G.middleRows(first, rows))));
   });
-  scaled_.A = A_row.asDiagonal() * scaled_.A * column.asDiagonal();
-  scaled_.G = G_row.asDiagonal() * scaled_.G * column.asDiagonal();
+  scaled_.A = row_of_A.asDiagonal() * scaled_.A * column.asDiagonal();
+  scaled_.G = row_of_G.asDiagonal() * scaled_.G * column.asDiagonal();
   columns_ = columns_.cwiseProduct(column);
-  A_rows_ = A_rows_.cwiseProduct(A_row);
-  G_rows_ = G_rows_.cwiseProduct(G_row);
+  rows_of_A_ = rows_of_A_.cwiseProduct(row_of_A);
+  rows_of_G_ = rows_of_G_.cwiseProduct(row_of_G);
 }
 
 void Equilibration::restore(ConicSolution& solution) const {
   solution.x = right_ * columns_.cwiseProduct(solution.x);
-  solution.s = right_ * solution.s.cwiseQuotient(G_rows_);
-  solution.y = objective_ * A_rows_.cwiseProduct(solution.y);
-  solution.z = objective_ * G_rows_.cwiseProduct(solution.z);
+  solution.s = right_ * solution.s.cwiseQuotient(rows_of_G_);
+  solution.y = objective_ * rows_of_A_.cwiseProduct(solution.y);
+  solution.z = objective_ * rows_of_G_.cwiseProduct(solution.z);
 }
 
 Reduction::Reduction(const ConicProgram& program) : reduced_(program), rows_(program.b.size()) {

@@ -24,8 +24,8 @@ class Equilibration {
 
   ConicProgram scaled_;
   Eigen::VectorXd columns_;
-  Eigen::VectorXd A_rows_;
-  Eigen::VectorXd G_rows_;
+  Eigen::VectorXd rows_of_A_;
+  Eigen::VectorXd rows_of_G_;
   double right_ = 1.0;      // b and h were divided by this
   double objective_ = 1.0;  // and c by this
 };

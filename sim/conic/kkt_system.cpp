@@ -2,7 +2,8 @@
 
 namespace prehend {
 
-KktSystem::KktSystem(const Eigen::MatrixXd& A, const Eigen::MatrixXd& G) : A_(A), G_(G) {
+KktSystem::KktSystem(const Eigen::MatrixXd& A, const Eigen::MatrixXd& G)
+    : matrix_A_(A), matrix_G_(G) {
   const Eigen::Index p = A.rows();
   const Eigen::Index n = A.cols();
   Eigen::MatrixXd Q = Eigen::MatrixXd::Identity(n, n);
@@ -13,19 +14,20 @@ KktSystem::KktSystem(const Eigen::MatrixXd& A, const Eigen::MatrixXd& G) : A_(A)
   }
   range_ = Q.leftCols(p);
   null_ = Q.rightCols(n - p);
-  G_null_ = G_ * null_;
+  null_of_G_ = matrix_G_ * null_;
 }
 
 void KktSystem::factor(const ConeScaling& scaling) {
   scaling_ = &scaling;
-  if (null_.cols() > 0) scaled_.compute(scaling.apply_inverse(G_null_));
+  if (null_.cols() > 0) scaled_.compute(scaling.apply_inverse(null_of_G_));
 }
 
 KktSystem::Vector KktSystem::solve(const Vector& right) const {
   Vector solution = solve_once(right);
-  const Vector left = {right.x - A_.transpose() * solution.y - G_.transpose() * solution.z,
-                       right.y - A_ * solution.x,
-                       right.z - G_ * solution.x + scaling_->apply(scaling_->apply(solution.z))};
+  const Vector left = {
+      right.x - matrix_A_.transpose() * solution.y - matrix_G_.transpose() * solution.z,
+      right.y - matrix_A_ * solution.x,
+      right.z - matrix_G_ * solution.x + scaling_->apply(scaling_->apply(solution.z))};
   const Vector correction = solve_once(left);
   solution.x += correction.x;
   solution.y += correction.y;
@@ -38,10 +40,10 @@ KktSystem::Vector KktSystem::solve(const Vector& right) const {
 KktSystem::Vector KktSystem::solve_once(const Vector& right) const {
   Vector solution;
   const Eigen::Index k = null_.cols();
-  const auto R1 = upper_.triangularView<Eigen::Upper>();
+  const auto triangle = upper_.triangularView<Eigen::Upper>();
   solution.x = Eigen::VectorXd::Zero(null_.rows());
-  if (A_.rows() > 0) solution.x = range_ * R1.transpose().solve(right.y);
-  Eigen::VectorXd e = scaling_->apply_inverse(right.z - G_ * solution.x);
+  if (matrix_A_.rows() > 0) solution.x = range_ * triangle.transpose().solve(right.y);
+  Eigen::VectorXd e = scaling_->apply_inverse(right.z - matrix_G_ * solution.x);
   if (k > 0) {
     const auto R = scaled_.matrixQR().topRows(k).triangularView<Eigen::Upper>();
     const Eigen::VectorXd gradient = R.transpose().solve(null_.transpose() * right.x);
@@ -54,9 +56,10 @@ KktSystem::Vector KktSystem::solve_once(const Vector& right) const {
     e = -e;
   }
   solution.z = scaling_->apply_inverse(e);
-  solution.y = Eigen::VectorXd::Zero(A_.rows());
-  if (A_.rows() > 0) {
-    solution.y = R1.solve(range_.transpose() * (right.x - G_.transpose() * solution.z));
+  solution.y = Eigen::VectorXd::Zero(matrix_A_.rows());
+  if (matrix_A_.rows() > 0) {
+    solution.y =
+        triangle.solve(range_.transpose() * (right.x - matrix_G_.transpose() * solution.z));
   }
   return solution;
 }

@@ -35,12 +35,12 @@ class KktSystem {
  private:
   Vector solve_once(const Vector& right) const;
 
-  Eigen::MatrixXd A_;
-  Eigen::MatrixXd G_;
+  Eigen::MatrixXd matrix_A_;
+  Eigen::MatrixXd matrix_G_;
   Eigen::MatrixXd range_;  // Q1, of A': A' = Q1 R1
   Eigen::MatrixXd null_;   // Q2
   Eigen::MatrixXd upper_;  // R1
-  Eigen::MatrixXd G_null_;
+  Eigen::MatrixXd null_of_G_;
   const ConeScaling* scaling_ = nullptr;
   Eigen::HouseholderQR<Eigen::MatrixXd> scaled_;  // of W^-1 G Q2
 };
