@@ -1,0 +1,10 @@
+#include "sim/quality/quality.h"
+
+namespace prehend {
+
+template <>
+int library_compiled_for_eigen_alignment<EIGEN_DEFAULT_ALIGN_BYTES>() {
+  return EIGEN_DEFAULT_ALIGN_BYTES;
+}
+
+}  // namespace prehend

@@ -1,0 +1,56 @@
+// The wrench space of contacts, whole: contacts in, numbers out, with no scene, hand or file.
+//
+// Contacts
+//   contact.h         a contact: position, normal, friction, model
+//   contact_map.h     the frame of wrenches; the map from a contact's forces to a wrench
+//   friction_cone.h   the forces that friction allows, exact or as a pyramid
+//   wrench.h          wrenches of contacts, as the corners of pyramids
+//   grasp_matrix.h    the map of all contacts, its singular values; manipulability of a hand
+// The set of wrenches that contacts can exert
+//   wrench_space.h    the set, for either norm of the forces; grasp_epsilon, the quality of a grasp
+//   support.h         any convex set, by its support function
+//   epsilon.h         the largest ball inside a set: the smallest disturbance that breaks the grasp
+//   wrench_hull.h     the hull of wrenches, with its volume
+//   set_hull.h        the hull of a set that is smooth, with bounds of its volume
+//   point_hull.h      the hull of points in any dimension
+//   wrench_slice.h    three-dimensional sections of a hull, to be looked at
+// What the set is good for
+//   forces.h          the contact forces that balance a wrench, and the largest such wrench
+//   task.h            resistance to the disturbances of a task
+//   robust_epsilon.h  epsilon of contacts that are not quite where they were thought to be
+//   measures.h        all measures by name
+//   interval.h        what many of these answer with
+#pragma once
+
+#include <Eigen/Core>
+
+#include "sim/quality/contact.h"
+#include "sim/quality/contact_map.h"
+#include "sim/quality/epsilon.h"
+#include "sim/quality/forces.h"
+#include "sim/quality/friction_cone.h"
+#include "sim/quality/grasp_matrix.h"
+#include "sim/quality/interval.h"
+#include "sim/quality/measures.h"
+#include "sim/quality/point_hull.h"
+#include "sim/quality/robust_epsilon.h"
+#include "sim/quality/set_hull.h"
+#include "sim/quality/support.h"
+#include "sim/quality/task.h"
+#include "sim/quality/wrench.h"
+#include "sim/quality/wrench_hull.h"
+#include "sim/quality/wrench_slice.h"
+#include "sim/quality/wrench_space.h"
+
+namespace prehend {
+
+// Eigen lays out memory by the vector extensions (-march) that it is compiled for. A program that
+// differs from the library in that would crash: instead, the linker does not find its function.
+template <int bytes>
+int library_compiled_for_eigen_alignment();
+template <>
+int library_compiled_for_eigen_alignment<EIGEN_DEFAULT_ALIGN_BYTES>();
+inline const int kEigenAlignment =
+    library_compiled_for_eigen_alignment<EIGEN_DEFAULT_ALIGN_BYTES>();
+
+}  // namespace prehend
