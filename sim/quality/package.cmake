@@ -21,6 +21,6 @@ set(internal_headers
   cone_scaling conic_presolve interior_point kkt_system
   expanding_polytope force_program hyperplane start_simplex wrench_size)
 list(JOIN internal_headers "|" internal_headers)
-install(DIRECTORY sim/conic sim/quality DESTINATION include/sim
+install(DIRECTORY sim/conic sim/quality DESTINATION include/prehend/sim
   COMPONENT quality
   FILES_MATCHING PATTERN "*.h" REGEX "/(${internal_headers})\\.h$" EXCLUDE)

@@ -38,9 +38,9 @@ foreach(file IN LISTS exported)
 endforeach()
 
 # quality.h is the table of contents of what is installed.
-file(GLOB headers RELATIVE ${prefix}/include ${prefix}/include/sim/quality/*.h)
+file(GLOB headers RELATIVE ${prefix}/include/prehend ${prefix}/include/prehend/sim/quality/*.h)
 list(REMOVE_ITEM headers sim/quality/quality.h)
-file(READ ${prefix}/include/sim/quality/quality.h umbrella)
+file(READ ${prefix}/include/prehend/sim/quality/quality.h umbrella)
 foreach(header IN LISTS headers)
   string(FIND "${umbrella}" "#include \"${header}\"" included)
   cmake_path(GET header FILENAME name)

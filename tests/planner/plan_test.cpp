@@ -9,6 +9,7 @@
 #include "planner/scene_library.h"
 #include "sim/geometry/input_error.h"
 #include "sim/geometry/object_generator.h"
+#include "sim/quality/wrench_hull.h"
 #include "sim/robot/robot_file.h"
 #include "sim/scene/scene_file.h"
 
@@ -66,6 +67,19 @@ TEST(Plan, EvaluateRepeatsWhatPlanFound) {
     if (b.outcome == Outcome::stable && std::abs(a.epsilon.lower - b.epsilon.lower) < 0.02) ++same;
   }
   EXPECT_EQ(same, static_cast<int>(planned.grasps.size()));
+}
+
+// The epsilon that ranks is that of the full hull.
+TEST(Plan, RanksAsTheFullHullWould) {
+  const CompiledScene scene = default_scene();
+  const PlanResult result = plan(scene, few_candidates(2));
+  ASSERT_FALSE(result.grasps.empty());
+  for (const ScoredGrasp& grasp : result.grasps) {
+    const Wrenches wrenches =
+        contact_wrenches(contacts_of(grasp.trial.contacts), scene.wrench_frame);
+    const double epsilon = wrench_hull(wrenches).min_offset;
+    EXPECT_NEAR(grasp.trial.epsilon.lower, epsilon, 1e-9 * epsilon);
+  }
 }
 
 TEST(Plan, GivenPrimitivesAreUsed) {
