@@ -38,8 +38,9 @@ class Growth {
       polytope_.set_bound(upper_);
       const ExpandingPolytope::Nearest nearest = polytope_.nearest();
       const double offset = nearest.facet < 0 ? upper_ : std::min(nearest.plane.offset, upper_);
-      // Offsets that fall from above zero again are rounding: the surface is not to be trusted.
-      if (offset <= 0.0 && lower_ > 0.0) return bracket(EpsilonStatus::stalled);
+      // Offsets that fall from above zero again are rounding: the surface is not to be trusted. Up
+      // to `rounding_` they were zero all along: symmetric sets start with the origin on an edge.
+      if (offset <= 0.0 && lower_ > rounding_) return bracket(EpsilonStatus::stalled);
       lower_ = std::max(lower_, offset);
       if (upper_ - lower_ <= slack()) return bracket(EpsilonStatus::converged);
       if (upper_ < options_.cutoff) return bracket(EpsilonStatus::below_cutoff);
