@@ -112,7 +112,7 @@ void print_cost(const std::string& family, int contacts, std::span<const Contact
 }
 
 void print_costs(const Space& space) {
-  std::printf("\n**%s**\n\n", space.name);
+  std::printf("\n## %s\n\n", space.name);
   std::printf(
       "| family | contacts | us, median | 90 %% | largest | width, median | largest | limit |\n"
       "|---|---|---|---|---|---|---|---|\n");
@@ -151,10 +151,10 @@ void print_pyramid(const Family& family) {
 }  // namespace
 
 int main() {
-  for (const Space& space : kSpaces) print_costs(space);
-  std::printf("\n**Pyramids of 8 edges below exact cones, L1**\n\n");
+  std::printf("## Pyramids of 8 edges below exact cones, L1\n\n");
   std::printf(
       "| family | grasps | below, median | worst | widest bracket | hold with the exact cone only "
       "|\n|---|---|---|---|---|---|\n");
   for (const Family& family : all_families()) print_pyramid(family);
+  for (const Space& space : kSpaces) print_costs(space);
 }
