@@ -3,85 +3,24 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "benchmarks/grasp_families.h"
+#include "benchmarks/families_by_size.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench_hull.h"
 
 namespace {
 
-using prehend::Contact;
 using prehend::Wrenches;
-using prehend::bench::Contacts;
+using prehend::bench::families_by_size;
+using prehend::bench::Family;
 using prehend::bench::Random;
 
 constexpr int kEdges = 8;
 constexpr int kGrasps = 15;  // that hold, of a family
 constexpr int kTries = 400;
 constexpr int kRepeats = 5;
-
-struct Family {
-  std::string name;
-  int multiple;  // of contacts that it has
-  int fewest;
-  std::function<Contacts(Random&, int contacts, double friction)> make;
-};
-
-Contacts turned(Random& random, const Contacts& contacts) {
-  return prehend::bench::rotated(contacts, random.rotation());
-}
-
-std::vector<Family> families() {
-  using prehend::bench::cylinder_grasp;
-  using prehend::bench::doubled;
-  using prehend::bench::jaw_grasp;
-  using prehend::bench::loose_grasp;
-  using prehend::bench::patches_grasp;
-  using prehend::bench::random_grasp;
-  using prehend::bench::ring_grasp;
-  return {
-      {"random", 1, 3, random_grasp},
-      {"loose", 1, 3, loose_grasp},
-      {"ring", 1, 3,
-       [](Random& random, int n, double f) { return turned(random, ring_grasp(n, f)); }},
-      {"ring aligned", 1, 3, [](Random&, int n, double f) { return ring_grasp(n, f); }},
-      {"cylinder", 1, 3,
-       [](Random& random, int n, double f) {
-         return turned(random, cylinder_grasp(random, n, f));
-       }},
-      {"cylinder aligned", 1, 3, cylinder_grasp},
-      {"patches", 4, 8,
-       [](Random& random, int n, double f) { return patches_grasp(random, n / 4, f); }},
-      {"jaw", 8, 8,
-       [](Random& random, int, double f) {
-         return turned(random, jaw_grasp(random.between(0.01, 0.2), f));
-       }},
-      {"two, nearly, twice", 4, 4,
-       [](Random& random, int n, double f) {
-         Contacts pair = turned(random, ring_grasp(2, f));
-         for (; n > 2; n /= 2) pair = doubled(random, pair, 0.05);
-         return pair;
-       }},
-      {"some frictionless", 1, 3,
-       [](Random& random, int n, double f) {
-         Contacts contacts = random_grasp(random, n, f);
-         contacts[0].friction = 0.0;
-         return contacts;
-       }},
-      {"soft fingers", 1, 3,
-       [](Random& random, int n, double f) {
-         Contacts contacts = random_grasp(random, n, f);
-         for (Contact& contact : contacts) {
-           contact.model = prehend::ContactModel::soft_finger;
-           contact.torsion = 0.1;
-         }
-         return contacts;
-       }},
-  };
-}
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -130,7 +69,7 @@ double measure(const Family& family, int contacts) {
 int main() {
   for (const int contacts : {3, 4, 6, 8}) {
     std::vector<double> ratios;
-    for (const Family& family : families()) {
+    for (const Family& family : families_by_size()) {
       if (contacts < family.fewest || contacts % family.multiple != 0) continue;
       const double ratio = measure(family, contacts);
       if (ratio > 0.0) ratios.push_back(ratio);

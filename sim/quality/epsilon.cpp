@@ -33,13 +33,15 @@ class Growth {
         polytope_(start.points, start.scale) {}
 
   EpsilonBracket run() {
+    descend();
     while (true) {
       if (upper_ <= zero_) return {};
       polytope_.set_bound(upper_);
       const ExpandingPolytope::Nearest nearest = polytope_.nearest();
       const double offset = nearest.facet < 0 ? upper_ : std::min(nearest.plane.offset, upper_);
-      // Offsets that fall from above zero again are rounding: the surface is not to be trusted.
-      if (offset <= 0.0 && lower_ > 0.0) return bracket(EpsilonStatus::stalled);
+      // Offsets that fall from above zero again are rounding: the surface is not to be trusted. Up
+      // to `rounding_` they were zero all along: symmetric sets start with the origin on an edge.
+      if (offset <= 0.0 && lower_ > rounding_) return bracket(EpsilonStatus::stalled);
       lower_ = std::max(lower_, offset);
       if (upper_ - lower_ <= slack()) return bracket(EpsilonStatus::converged);
       if (upper_ < options_.cutoff) return bracket(EpsilonStatus::below_cutoff);
@@ -57,9 +59,30 @@ class Growth {
     if (value < upper_) {
       upper_ = value;
       upper_normal_ = nearest.plane.normal;
+      descend();
     }
     const bool final = value - nearest.plane.offset <= slack();
     return final || upper_ <= zero_ || polytope_.expand(nearest.facet, point);
+  }
+
+  // Lowers the upper bound by descent over unit normals. The gradient of the support function h at
+  // n is the support point p, along the sphere p - h n. Over h it has no unit; the step grows where
+  // it succeeds and shrinks where it does not.
+  void descend() {
+    if (options_.descent_steps <= 0) return;
+    Wrench point = set_.support(upper_normal_);
+    double step = 1.0;
+    for (int i = 0; i < options_.descent_steps && upper_ > zero_; ++i) {
+      const Wrench downhill = upper_normal_ - point / upper_;
+      const Wrench normal = (upper_normal_ + step * downhill).normalized();
+      const Wrench next = set_.support(normal);
+      const double value = normal.dot(next);
+      step *= value < upper_ ? 1.5 : 0.4;
+      if (value >= upper_) continue;
+      upper_ = value;
+      upper_normal_ = normal;
+      point = next;
+    }
   }
 
   double slack() const { return std::max(options_.relative_tolerance * upper_, rounding_); }

@@ -110,6 +110,8 @@ void read_facets(qhT& qhull, PointHull& hull) {
 PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   PointHull hull;
   if (points.cols() <= points.rows()) return hull;
+  // qhull takes one point many times for an error of its own.
+  if ((points.colwise() - points.col(0)).isZero(0.0)) return hull;
   Eigen::MatrixXd copy = points;
   std::string command = input == HullInput::joggled ? "qhull QJ" : "qhull Qt";
   MessageStream messages;

@@ -132,12 +132,8 @@ std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
 }
 
 EpsilonOptions epsilon_options(const WrenchSpaceOptions& space) {
-  EpsilonOptions options;
-  if (space.cone == FrictionCone::exact) {
-    options.relative_tolerance = 1e-2;
-    options.max_facets = 25000;
-  }
-  return options;
+  if (space.cone == FrictionCone::pyramid) return {};
+  return {.relative_tolerance = 1e-2, .max_facets = 20000, .descent_steps = 12};
 }
 
 EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
@@ -147,6 +143,11 @@ EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFram
   }
   const std::unique_ptr<SupportMap> set = wrench_space(contacts, frame, space);
   return contacts.empty() ? EpsilonBracket{} : epsilon(*set, options);
+}
+
+EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             const WrenchSpaceOptions& space) {
+  return grasp_epsilon(contacts, frame, space, epsilon_options(space));
 }
 
 }  // namespace prehend

@@ -33,14 +33,19 @@ std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
                                          const WrenchFrame& frame,
                                          const WrenchSpaceOptions& options = {});
 
-// What grasp_epsilon takes when nobody says: exact cones are smooth, and end at 1 % or at 25,000
-// facets.
+// What to ask of epsilon on such a set when the caller has no wish. Pyramids have corners and end
+// in them: EpsilonOptions' own defaults. The sets of exact cones are smooth, and each digit costs
+// many times the facets of the one before: a bracket within 1e-2, or what 20,000 facets (about 4
+// ms) give.
 EpsilonOptions epsilon_options(const WrenchSpaceOptions& space);
 
 // Ferrari and Canny's measure of the set: epsilon of support.h's set, or epsilon_l1 where the set
 // is a hull of columns. No contacts: no force closure. Throws as wrench_space and epsilon.
 EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
-                             const WrenchSpaceOptions& space = {},
-                             const EpsilonOptions& options = {});
+                             const WrenchSpaceOptions& space, const EpsilonOptions& options);
+
+// The same, with epsilon_options of the space.
+EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
+                             const WrenchSpaceOptions& space = {});
 
 }  // namespace prehend

@@ -178,6 +178,31 @@ TEST(Epsilon, SmoothSetIsBracketed) {
   EXPECT_GE(bracket.lower, 0.99 * bracket.upper);
 }
 
+// Descent changes the upper bound only, and on an ellipsoid beside the origin it finds the minimum
+// long before the facets do.
+TEST(Epsilon, DescentLowersTheUpperBound) {
+  Wrench semi_axes;
+  semi_axes << 1.0, 0.9, 0.8, 0.7, 0.6, 0.5;
+  const Ellipsoid ellipsoid(semi_axes, Wrench::Constant(0.1));
+  const EpsilonBracket fine = epsilon(ellipsoid, {.relative_tolerance = 1e-3});
+  const EpsilonBracket plain = epsilon(ellipsoid, {.max_facets = 1000});
+  const EpsilonBracket lower = epsilon(ellipsoid, {.max_facets = 1000, .descent_steps = 12});
+  EXPECT_LT(lower.upper, plain.upper);
+  EXPECT_GE(lower.upper, fine.lower);
+  EXPECT_LE(lower.upper, 1.001 * fine.upper);
+  EXPECT_LE(lower.lower, fine.upper);
+  EXPECT_NEAR(lower.weakest.norm(), lower.upper, 1e-14);
+  // Along its weakest disturbance the set reaches exactly as far as the upper bound.
+  const Wrench normal = -lower.weakest.normalized();
+  EXPECT_NEAR(normal.dot(ellipsoid.support(normal)), lower.upper, 1e-14);
+}
+
+TEST(Epsilon, DescentFindsTheProofThatThereIsNone) {
+  const Ellipsoid ball(Wrench::Ones(), Wrench::Constant(0.41));  // its centre 1.004 away
+  const EpsilonBracket bracket = epsilon(ball, {.max_facets = 0, .descent_steps = 50});
+  EXPECT_EQ(bracket.status, EpsilonStatus::no_force_closure);
+}
+
 TEST(Epsilon, SmoothSetRunsIntoItsLimit) {
   const Ellipsoid ball(Wrench::Ones(), Wrench::Unit(2) * 0.5);
   const EpsilonBracket bracket = epsilon(ball, {.relative_tolerance = 1e-9, .max_facets = 20000});
