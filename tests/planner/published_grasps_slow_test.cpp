@@ -72,11 +72,11 @@ TEST_P(PublishedGrasps, EachGetsAnOutcome) {
 
 INSTANTIATE_TEST_SUITE_P(
     DexYcb, PublishedGrasps,
-    testing::Values(Published{"banana", 30, 0}, Published{"bowl", 0, 0},
-                    Published{"cracker_box", 40, 0}, Published{"large_clamp", 8, 0},
-                    Published{"large_marker", 6, 0}, Published{"mug", 0, 0},
-                    Published{"mustard_bottle", 42, 0}, Published{"pitcher_base", 1, 0},
-                    Published{"power_drill", 42, 0}, Published{"tomato_soup_can", 38, 0}),
+    testing::Values(Published{"banana", 80, 80}, Published{"bowl", 56, 66},
+                    Published{"cracker_box", 88, 88}, Published{"large_clamp", 69, 75},
+                    Published{"large_marker", 85, 86}, Published{"mug", 41, 53},
+                    Published{"mustard_bottle", 73, 79}, Published{"pitcher_base", 61, 67},
+                    Published{"power_drill", 79, 83}, Published{"tomato_soup_can", 52, 69}),
     [](const auto& published) { return std::string(published.param.object); });
 
 }  // namespace
