@@ -35,7 +35,7 @@ std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
 
 // What to ask of epsilon on such a set when the caller has no wish. Pyramids have corners and end
 // in them: EpsilonOptions' own defaults. The sets of exact cones are smooth, and each digit costs
-// many times the facets of the one before: a bracket within 1e-2, or what 20,000 facets (about 4
+// many times the facets of the one before: a bracket within 1e-2, or what 20,000 facets (about 3
 // ms) give.
 EpsilonOptions epsilon_options(const WrenchSpaceOptions& space);
 
