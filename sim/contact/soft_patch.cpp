@@ -1,6 +1,7 @@
 #include "sim/contact/soft_patch.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 
@@ -14,18 +15,20 @@ namespace {
 // Patches weaker than this part of the strongest are left out.
 constexpr double kWeakest = 0.1;
 
-// A little of the pressure.
-struct Pressure {
-  Vector3 position;
-  Vector3 normal;  // into the object
-  double force = 0.0;
-  double gap = 0.0;
-  int triangle = 0;  // of the object
+// A triangle of the object's surface, or a part of one, that presses springs.
+struct PressedPart {
+  Corners corners;
+  Vector3 normal;               // into the object
+  std::array<double, 3> force;  // at the middle of the edge from corner i
+  std::array<double, 3> gap;    // there
+  int triangle = 0;             // of the object
+
+  Vector3 middle(std::size_t i) const { return 0.5 * (corners[i] + corners[(i + 1) % 3]); }
 };
 
 // The springs of one triangle of the link that one triangle of the object presses.
-void add_pressure(const Corners& on_object, const Corners& on_link, int triangle, double depth,
-                  std::vector<Pressure>& pressures) {
+void add_pressed(const Corners& on_object, const Corners& on_link, int triangle, double depth,
+                 std::vector<PressedPart>& parts) {
   const Vector3 up = unit_normal(on_link);
   const Vector3 outward = unit_normal(on_object);
   const double facing = -outward.dot(up);
@@ -33,22 +36,27 @@ void add_pressure(const Corners& on_object, const Corners& on_link, int triangle
   Polygon pressed = cut(over_face(on_link, up, on_object), on_link[0], up);
   pressed = cut(pressed, on_link[0] + depth * up, -up);
   for (std::size_t k = 2; k < pressed.size; ++k) {
-    const Corners part = {pressed.corner[0], pressed.corner[k - 1], pressed.corner[k]};
-    const double area = 0.5 * facing * (part[1] - part[0]).cross(part[2] - part[0]).norm();
+    PressedPart part;
+    part.corners = {pressed.corner[0], pressed.corner[k - 1], pressed.corner[k]};
+    const Vector3 edge = part.corners[1] - part.corners[0];
+    const double area = 0.5 * facing * edge.cross(part.corners[2] - part.corners[0]).norm();
+    if (area <= 0.0) continue;
+    part.normal = -outward;
+    part.triangle = triangle;
     // The midpoints of the edges integrate a linear pressure, and its moments, exactly.
     for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 middle = 0.5 * (part[i] + part[(i + 1) % 3]);
-      const double height = (middle - on_link[0]).dot(up);
-      pressures.push_back({middle, -outward, area / 3.0 * (depth - height), height, triangle});
+      part.gap[i] = (part.middle(i) - on_link[0]).dot(up);
+      part.force[i] = area / 3.0 * (depth - part.gap[i]);
     }
+    parts.push_back(part);
   }
 }
 
-// For each pressure, the smallest vertex of the object that its patch is connected to.
+// For each part, the smallest vertex of the object that its patch is connected to.
 std::vector<std::size_t> patch_of_each(const TriangleMesh& object,
-                                       const std::vector<Pressure>& pressures) {
+                                       const std::vector<PressedPart>& parts) {
   std::map<int, std::size_t> number;  // of the vertices met
-  for (const Pressure& p : pressures) {
+  for (const PressedPart& p : parts) {
     for (const int v : object.triangles[static_cast<std::size_t>(p.triangle)]) {
       number.emplace(v, 0);
     }
@@ -56,35 +64,71 @@ std::vector<std::size_t> patch_of_each(const TriangleMesh& object,
   std::size_t next = 0;
   for (auto& [vertex, at] : number) at = next++;
   DisjointSets sets(number.size());
-  for (const Pressure& p : pressures) {
+  for (const PressedPart& p : parts) {
     const Triangle& t = object.triangles[static_cast<std::size_t>(p.triangle)];
     sets.merge(number[t[0]], number[t[1]]);
     sets.merge(number[t[0]], number[t[2]]);
   }
   std::vector<std::size_t> patches;
-  for (const Pressure& p : pressures) {
+  for (const PressedPart& p : parts) {
     const Triangle& t = object.triangles[static_cast<std::size_t>(p.triangle)];
     patches.push_back(sets.find(number[t[0]]));
   }
   return patches;
 }
 
-SoftPatch resultant(const std::vector<Pressure>& pressures) {
+Vector3 nearest_on_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 ab = b - a;
+  const double length = ab.squaredNorm();
+  return length > 0.0 ? a + std::clamp((p - a).dot(ab) / length, 0.0, 1.0) * ab : a;
+}
+
+Vector3 nearest_on_triangle(const Vector3& p, const Corners& c) {
+  const Vector3 normal = unit_normal(c);
+  const Vector3 foot = p - (p - c[0]).dot(normal) * normal;
+  bool inside = true;
+  Vector3 nearest = c[0];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3& a = c[k];
+    const Vector3& b = c[(k + 1) % 3];
+    inside = inside && (b - a).cross(foot - a).dot(normal) >= 0.0;
+    const Vector3 on_edge = nearest_on_segment(p, a, b);
+    if ((on_edge - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = on_edge;
+  }
+  return inside ? foot : nearest;
+}
+
+Vector3 nearest_on_patch(const Vector3& p, const std::vector<PressedPart>& parts) {
+  Vector3 nearest = parts.front().corners[0];
+  for (const PressedPart& part : parts) {
+    const Vector3 candidate = nearest_on_triangle(p, part.corners);
+    if ((candidate - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = candidate;
+  }
+  return nearest;
+}
+
+SoftPatch resultant(const std::vector<PressedPart>& parts) {
   SoftPatch patch;
   Vector3 normal = Vector3::Zero();
+  Vector3 center = Vector3::Zero();  // of pressure
   patch.gap = std::numeric_limits<double>::infinity();
-  for (const Pressure& p : pressures) {
-    patch.force += p.force;
-    patch.position += p.force * p.position;
-    normal += p.force * p.normal;
-    patch.gap = std::min(patch.gap, p.gap);
+  for (const PressedPart& part : parts) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      patch.force += part.force[i];
+      center += part.force[i] * part.middle(i);
+      normal += part.force[i] * part.normal;
+      patch.gap = std::min(patch.gap, part.gap[i]);
+    }
   }
-  patch.position /= patch.force;
+  center /= patch.force;
   patch.normal = normal.normalized();
-  for (const Pressure& p : pressures) {
-    const Vector3 arm = p.position - patch.position;
-    patch.torsion += p.force * arm.cross(patch.normal).norm() / patch.force;
+  for (const PressedPart& part : parts) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3 arm = part.middle(i) - center;
+      patch.torsion += part.force[i] * arm.cross(patch.normal).norm() / patch.force;
+    }
   }
+  patch.position = nearest_on_patch(center, parts);
   return patch;
 }
 
@@ -93,18 +137,18 @@ SoftPatch resultant(const std::vector<Pressure>& pressures) {
 std::vector<SoftPatch> soft_patches(const ProximityMesh& object, const ProximityMesh& link,
                                     const Pose& X_OL, double depth, ContactWorkspace& workspace) {
   find_pairs_within(object, link, X_OL, depth, workspace.pairs);
-  std::vector<Pressure> pressures;
+  std::vector<PressedPart> parts;
   for (const TrianglePair& pair : workspace.pairs) {
     if (is_degenerate(object.mesh(), static_cast<std::size_t>(pair.a)) ||
         is_degenerate(link.mesh(), static_cast<std::size_t>(pair.b))) {
       continue;
     }
-    add_pressure(corners_of(object.mesh(), pair.a), moved(corners_of(link.mesh(), pair.b), X_OL),
-                 pair.a, depth, pressures);
+    add_pressed(corners_of(object.mesh(), pair.a), moved(corners_of(link.mesh(), pair.b), X_OL),
+                pair.a, depth, parts);
   }
-  std::map<std::size_t, std::vector<Pressure>> by_patch;
-  const std::vector<std::size_t> patch_of = patch_of_each(object.mesh(), pressures);
-  for (std::size_t i = 0; i < pressures.size(); ++i) by_patch[patch_of[i]].push_back(pressures[i]);
+  std::map<std::size_t, std::vector<PressedPart>> by_patch;
+  const std::vector<std::size_t> patch_of = patch_of_each(object.mesh(), parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) by_patch[patch_of[i]].push_back(parts[i]);
   std::vector<SoftPatch> patches;
   for (const auto& [vertex, those] : by_patch) {
     const SoftPatch patch = resultant(those);

@@ -9,7 +9,7 @@ namespace prehend {
 
 // The force of one patch, taken together; in the object's frame O.
 struct SoftPatch {
-  Vector3 position = Vector3::Zero();  // centre of pressure [m]
+  Vector3 position = Vector3::Zero();  // on the object, nearest to the centre of pressure [m]
   Vector3 normal = Vector3::UnitZ();   // unit, from the link into the object: the mean pressure's
   // Mean distance of the pressure from the centre: largest torque about the normal over largest
   // friction force [m].

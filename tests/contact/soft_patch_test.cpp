@@ -72,6 +72,7 @@ TEST(SoftPatch, ASphereIsPressedOnItsCap) {
   EXPECT_NEAR(patches[0].torsion / (8.0 / 15.0 * std::sqrt(2.0 * radius * depth)), 1.0, 0.05);
   EXPECT_NEAR(patches[0].position.x(), 0.002, 2e-4);
   EXPECT_NEAR(patches[0].position.y(), 0.001, 2e-4);
+  EXPECT_NEAR(patches[0].position.z(), 0.0, 2e-5);  // on the ball, not inside
   EXPECT_NEAR(patches[0].normal.z(), 1.0, 1e-3);
 }
 

@@ -71,7 +71,10 @@ void check_contacts(const CompiledScene& scene, const Trial& trial,
   for (const GraspContact& contact : trial.contacts) {
     const Vector3& p = contact.point.position;
     EXPECT_LE(test::point_to_surface(p, object), kTouching);
-    EXPECT_LE(test::point_to_surface(p, links[static_cast<std::size_t>(contact.link)]), kTouching);
+    const auto link = static_cast<std::size_t>(contact.link);
+    const bool soft = contact.point.model == ContactModel::soft_finger;
+    EXPECT_LE(test::point_to_surface(p, links[link]),
+              soft ? scene.links[link].compliant_depth + 1e-9 : kTouching);
     EXPECT_NEAR(contact.point.normal.norm(), 1.0, 1e-9);
     // On the link's side of the surface is free space.
     EXPECT_EQ(test::winding(p - 1e-5 * contact.point.normal, object), 0);
