@@ -8,7 +8,7 @@
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/primitive.h"
 #include "sim/geometry/triangle_mesh.h"
-#include "sim/robot/robot.h"
+#include "sim/robot/platform.h"
 #include "sim/scene/material.h"
 
 namespace prehend {
@@ -33,10 +33,19 @@ struct GraspableBody {
   MassSource mass_source = MassSource::signed_volume;
 };
 
+// What carries the hand to the object.
+struct Carrier {
+  Platform platform;  // limits as the scene narrows them
+  int hand = 0;       // which of its robots grasps; the scene's hand is a copy of that one
+  Pose X_WB = Pose::Identity();
+  std::vector<double> start;  // of each degree of freedom of the assembled platform [rad or m]
+};
+
 struct Scene {
   std::string name;
   GraspableBody object;
   Robot hand;
+  std::optional<Carrier> carrier;  // without one the hand flies free
   std::vector<StaticBody> obstacles;
   FrictionTable friction;
   CompliantDepths compliant_depths;

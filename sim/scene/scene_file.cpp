@@ -1,5 +1,6 @@
 #include "sim/scene/scene_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/geometry/input_error.h"
@@ -7,6 +8,7 @@
 #include "sim/geometry/mesh_file.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/robot/json_field.h"
+#include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
 #include "sim/scene/json_pose.h"
@@ -132,8 +134,80 @@ Robot read_hand(const JsonField& field) {
   return find_robot(std::filesystem::is_regular_file(beside) ? beside.string() : text);
 }
 
+// The degree of freedom called ROBOT/NAME; its place among all of the platform.
+struct NamedDof {
+  DegreeOfFreedom* dof = nullptr;
+  std::size_t index = 0;
+};
+
+NamedDof find_dof(const JsonField& field, const std::string& name, Platform& platform) {
+  std::size_t index = 0;
+  for (MountedRobot& mounted : platform.robots) {
+    for (DegreeOfFreedom& dof : mounted.robot.dofs) {
+      if (mounted.name + "/" + dof.name == name) return {&dof, index};
+      ++index;
+    }
+  }
+  field.fail("no degree of freedom is called " + name + " in " + platform.name);
+}
+
+void narrow_limits(const JsonField& limits, Platform& platform) {
+  for (const std::string& name : limits.keys()) {
+    const JsonField field = limits[name];
+    DegreeOfFreedom& dof = *find_dof(field, name, platform).dof;
+    const std::vector<double> range = field.numbers(2);
+    if (range[0] > range[1]) field.fail("limits the wrong way round");
+    if (range[0] < dof.lower || range[1] > dof.upper) {
+      field.fail("wider than the robot's own limits " + std::to_string(dof.lower) + " to " +
+                 std::to_string(dof.upper));
+    }
+    dof.lower = range[0];
+    dof.upper = range[1];
+    dof.initial = std::clamp(dof.initial, dof.lower, dof.upper);
+  }
+}
+
+std::vector<double> read_start(const JsonField& robot, Platform& platform) {
+  std::vector<double> start;
+  for (const MountedRobot& mounted : platform.robots) {
+    for (const DegreeOfFreedom& dof : mounted.robot.dofs) start.push_back(dof.initial);
+  }
+  if (!robot.has("start")) return start;
+  for (const std::string& name : robot["start"].keys()) {
+    const JsonField field = robot["start"][name];
+    const NamedDof named = find_dof(field, name, platform);
+    start[named.index] = field.number();
+    if (start[named.index] < named.dof->lower || start[named.index] > named.dof->upper) {
+      field.fail("outside the limits " + std::to_string(named.dof->lower) + " to " +
+                 std::to_string(named.dof->upper) + " rad or m");
+    }
+  }
+  return start;
+}
+
+// `hand` replaces the platform's own; empty: as it is.
+Carrier read_carrier(const JsonField& field, const std::string& hand) {
+  field.allow_only({"platform", "pose", "start", "limits"});
+  const std::string name = field["platform"].text();
+  const std::filesystem::path beside = field.file().parent_path() / name;
+  Carrier carrier;
+  carrier.platform =
+      find_platform(std::filesystem::is_regular_file(beside) ? beside.string() : name);
+  carrier.hand = hand_of(carrier.platform);
+  MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
+  if (mounted.parent < 0) field["platform"].fail("nothing carries the hand");
+  if (!hand.empty()) mounted.robot = find_robot(hand);
+  if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
+  if (field.has("limits")) narrow_limits(field["limits"], carrier.platform);
+  carrier.start = read_start(field, carrier.platform);
+  return carrier;
+}
+
 Scene read_scene(const JsonField& root, const SceneSource& source) {
-  root.allow_only({"name", "object", "hand", "obstacles", "friction", "compliant_depths"});
+  root.allow_only({"name", "object", "hand", "robot", "obstacles", "friction", "compliant_depths"});
+  if (root.has("hand") && root.has("robot")) {
+    root["hand"].fail("not beside \"robot\", whose platform has a hand");
+  }
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   scene.object = read_object(root["object"]);
@@ -142,7 +216,11 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
       scene.primitives.push_back(read_primitive(field));
     }
   }
-  if (!source.hand.empty()) {
+  if (root.has("robot")) {
+    scene.carrier = read_carrier(root["robot"], source.hand);
+    const Carrier& carrier = *scene.carrier;
+    scene.hand = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)].robot;
+  } else if (!source.hand.empty()) {
     scene.hand = find_robot(source.hand);
   } else {
     scene.hand = root.has("hand") ? read_hand(root["hand"]) : find_robot(kDefaultHand);

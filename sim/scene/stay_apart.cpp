@@ -1,0 +1,72 @@
+#include "sim/scene/stay_apart.h"
+
+#include <cmath>
+#include <vector>
+
+namespace prehend {
+namespace {
+
+constexpr std::size_t kMostJoints = 4;  // more of them and the boxes get too many
+constexpr int kMostQueries = 300;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+struct Range {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+// One range for each joint of the pair.
+using PostureBox = std::vector<Range>;
+
+class Proof {
+ public:
+  Proof(const CompiledArm& arm, const ArmPair& pair) : arm_(arm), pair_(pair) {
+    joints_ = joint_values(arm.robot(), arm.start);
+  }
+
+  bool succeeds(const PostureBox& box) {
+    if (++queries_ > kMostQueries) return false;
+    double farthest = 0.0;  // any point from where it is in the middle
+    std::size_t widest = 0;
+    double widest_motion = -1.0;
+    for (std::size_t k = 0; k < box.size(); ++k) {
+      joints_[index(pair_.joints[k])] = 0.5 * (box[k].lower + box[k].upper);
+      const double motion = pair_.reach[k] * 0.5 * (box[k].upper - box[k].lower);
+      farthest += motion;
+      if (motion > widest_motion) {
+        widest_motion = motion;
+        widest = k;
+      }
+    }
+    arm_link_poses(arm_, joints_, X_BL_);
+    const double gap = pair_gap(arm_, pair_, X_BL_, farthest).lower;
+    if (gap > farthest) return true;
+    if (gap <= 0.0 || box.empty()) return false;
+    PostureBox low = box;
+    PostureBox high = box;
+    low[widest].upper = high[widest].lower = 0.5 * (box[widest].lower + box[widest].upper);
+    return succeeds(low) && succeeds(high);
+  }
+
+ private:
+  const CompiledArm& arm_;
+  const ArmPair& pair_;
+  std::vector<double> joints_;
+  std::vector<Pose> X_BL_;
+  int queries_ = 0;
+};
+
+}  // namespace
+
+bool stay_apart(const CompiledArm& arm, const ArmPair& pair) {
+  if (pair.joints.size() > kMostJoints) return false;
+  PostureBox box;
+  for (const int j : pair.joints) {
+    const Joint& joint = arm.robot().joints[index(j)];
+    box.push_back({joint.lower, joint.upper});
+  }
+  return Proof(arm, pair).succeeds(box);
+}
+
+}  // namespace prehend
