@@ -21,6 +21,8 @@ constexpr double kNearLimit = 0.15;
 constexpr int kRelaxSteps = 12;
 // Random starts lie within this of the given start: the limits may be a field away [rad or m].
 constexpr double kNearby = 4.0;
+// Limits and values pass through different sums; a limit itself must count as inside.
+constexpr double kRounding = 1e-9;  // rad or m
 // Solutions closer than this in every degree of freedom are one [rad or m].
 constexpr double kSame = 1e-3;
 
@@ -288,13 +290,16 @@ void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target
   const SphericalWrist::Solutions branches = SphericalWrist(robot, chain).solve(X_CT, near);
   for (int b = 0; b < branches.count; ++b) {
     DofValues branch = values;
+    bool inside = true;
     for (std::size_t k = 0; k < near.size(); ++k) {
       const Joint& joint = robot.joints[index(chain.first_joint) + k];
       const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
       const double value = (branches.joints[index(b)][k] - joint.offset) / joint.ratio;
+      // A scene may narrow what the joints allow.
+      inside = inside && value >= dof.lower - kRounding && value <= dof.upper + kRounding;
       branch[index(joint.dof)] = std::clamp(value, dof.lower, dof.upper);
     }
-    found.add(branch);
+    if (inside) found.add(branch);
   }
 }
 

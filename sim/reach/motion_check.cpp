@@ -1,0 +1,120 @@
+#include "sim/reach/motion_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// A path with the way of each joint along it.
+class MeasuredPath {
+ public:
+  explicit MeasuredPath(const JointPath& path) : path_(path), way_(path.size()) {
+    way_[0].assign(path[0].size(), 0.0);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      way_[i] = way_[i - 1];
+      for (std::size_t j = 0; j < path[i].size(); ++j) {
+        way_[i][j] += std::abs(path[i][j] - path[i - 1][j]);
+      }
+    }
+  }
+
+  double end() const { return static_cast<double>(path_.size() - 1); }
+
+  // At waypoint `at`, or between two of them.
+  void posture(double at, std::vector<double>& joints) const { blend(path_, at, joints); }
+  void way(double at, std::vector<double>& way) const { blend(way_, at, way); }
+
+ private:
+  static void blend(const JointPath& values, double at, std::vector<double>& result) {
+    const double whole = std::min(std::floor(at), static_cast<double>(values.size() - 1));
+    const auto i = static_cast<std::size_t>(whole);
+    const double rest = at - whole;
+    result = values[i];
+    if (rest <= 0.0) return;
+    for (std::size_t j = 0; j < result.size(); ++j) {
+      result[j] += rest * (values[i + 1][j] - values[i][j]);
+    }
+  }
+
+  const JointPath& path_;
+  JointPath way_;
+};
+
+class MotionCheck {
+ public:
+  MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
+              const MotionCheckOptions& options)
+      : arm_(arm), pairs_(pairs), path_(path), options_(options) {}
+
+  std::optional<ArmPair> run() {
+    std::vector<int> all(pairs_.size());
+    for (std::size_t p = 0; p < all.size(); ++p) all[p] = static_cast<int>(p);
+    const int blocked = stretch(0.0, path_.end(), all);
+    if (blocked < 0) return std::nullopt;
+    return pairs_[index(blocked)];
+  }
+
+ private:
+  // The first of `open` that is not proven from `from` to `to`, -1 for none.
+  int stretch(double from, double to, const std::vector<int>& open) {
+    double middle = 0.5 * (from + to);
+    if (to - from > 1.0) middle = std::round(middle);
+    std::vector<double> before;
+    std::vector<double> here;
+    std::vector<double> after;
+    path_.way(from, before);
+    path_.way(middle, here);
+    path_.way(to, after);
+    path_.posture(middle, joints_);
+    arm_link_poses(arm_, joints_, X_BL_);
+    std::vector<int> left;
+    for (const int p : open) {
+      const ArmPair& pair = pairs_[index(p)];
+      double back = 0.0;
+      double ahead = 0.0;
+      for (std::size_t k = 0; k < pair.joints.size(); ++k) {
+        const std::size_t j = index(pair.joints[k]);
+        back += pair.reach[k] * (here[j] - before[j]);
+        ahead += pair.reach[k] * (after[j] - here[j]);
+      }
+      const double farthest = std::max(back, ahead);
+      const double gap = pair_gap(arm_, pair, X_BL_, farthest).lower;
+      if (gap > farthest) continue;
+      if (gap <= 0.0 || farthest <= 0.5 * options_.tightest) return p;
+      left.push_back(p);
+    }
+    if (left.empty()) return -1;
+    const int first = stretch(from, middle, left);
+    return first >= 0 ? first : stretch(middle, to, left);
+  }
+
+  const CompiledArm& arm_;
+  const std::vector<ArmPair>& pairs_;
+  const MeasuredPath path_;
+  const MotionCheckOptions& options_;
+  std::vector<double> joints_;
+  std::vector<Pose> X_BL_;
+};
+
+}  // namespace
+
+std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
+                                     const JointPath& path, const MotionCheckOptions& options) {
+  if (path.empty() || pairs.empty()) return std::nullopt;
+  return MotionCheck(arm, pairs, path, options).run();
+}
+
+std::optional<ArmPair> first_meeting(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
+                                     const std::vector<double>& joints) {
+  std::vector<Pose> X_BL;
+  arm_link_poses(arm, joints, X_BL);
+  for (const ArmPair& pair : pairs) {
+    if (pair_meets(arm, pair, X_BL)) return pair;
+  }
+  return std::nullopt;
+}
+
+}  // namespace prehend

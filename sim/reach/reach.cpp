@@ -1,0 +1,95 @@
+#include "sim/reach/reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+IkTarget target_at(const CompiledArm& arm, const Pose& X_OH) {
+  return {arm.hand_part().joint, arm.hand_part().X_JR, arm.X_BO * X_OH};
+}
+
+JointPath joints_of(const CompiledArm& arm, const std::vector<DofValues>& line,
+                    const std::vector<double>& hand_joints) {
+  JointPath path;
+  path.reserve(line.size());
+  for (const DofValues& dofs : line) path.push_back(arm_joints(arm, dofs, hand_joints));
+  return path;
+}
+
+// The posture at each step of the line, each from the one before; empty where that ends.
+std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, const DofValues& first,
+                              const ReachOptions& options) {
+  const Vector3 way = line.X_OH_to.translation() - line.X_OH_from.translation();
+  const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / options.line_step)));
+  std::vector<DofValues> postures = {first};
+  Pose X_OH = line.X_OH_from;
+  for (int i = 1; i <= steps; ++i) {
+    X_OH.translation() = line.X_OH_from.translation() + (static_cast<double>(i) / steps) * way;
+    const auto next =
+        solve_near(arm.robot(), {target_at(arm, X_OH)}, postures.back(), options.kinematics);
+    if (!next) return {};
+    for (const int d : arm.dofs) {
+      const double step = std::abs((*next)[index(d)] - postures.back()[index(d)]);
+      if (step > options.largest_joint_step) return {};
+    }
+    postures.push_back(*next);
+  }
+  return postures;
+}
+
+Reach try_posture(const CompiledArm& arm, const HandLine& line, const DofValues& posture,
+                  const ReachOptions& options) {
+  Reach reach;
+  const auto block = [&](const std::optional<ArmPair>& pair) {
+    if (!pair) return false;
+    reach.end = ReachEnd::blocked;
+    reach.pair = pair;
+    return true;
+  };
+  if (block(first_meeting(arm, arm.arm_pairs, arm_joints(arm, posture, line.hand_joints)))) {
+    return reach;
+  }
+  std::vector<DofValues> postures = follow(arm, line, posture, options);
+  if (postures.empty()) return reach;
+  if (block(first_blocked(arm, arm.arm_pairs, joints_of(arm, postures, line.hand_joints),
+                          options.motion))) {
+    return reach;
+  }
+  reach.end = ReachEnd::reached;
+  reach.line = std::move(postures);
+  return reach;
+}
+
+}  // namespace
+
+std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
+                                   const ReachOptions& options) {
+  return solve_all(arm.robot(), {target_at(arm, X_OH)}, arm.start, options.kinematics);
+}
+
+std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
+                                const ReachOptions& options) {
+  std::vector<Reach> found;
+  Reach failure;
+  for (const DofValues& posture : postures_at(arm, line.X_OH_from, options)) {
+    Reach reach = try_posture(arm, line, posture, options);
+    if (reach.end == ReachEnd::reached) {
+      found.push_back(std::move(reach));
+      if (found.size() >= index(most)) break;
+    } else if (failure.end == ReachEnd::unreachable) {
+      failure = std::move(reach);
+    }
+  }
+  if (found.empty()) found.push_back(std::move(failure));
+  return found;
+}
+
+Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options) {
+  return find_reaches(arm, line, 1, options).front();
+}
+
+}  // namespace prehend

@@ -1,0 +1,55 @@
+// Whether the arm brings the hand to a grasp: from the pre-grasp along a straight line.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/reach/motion_check.h"
+#include "sim/robot/inverse_kinematics.h"
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend {
+
+struct ReachOptions {
+  IkOptions kinematics = {.max_solutions = 24};
+  // The line is followed in steps of this; between them the joints move straight [m].
+  double line_step = 2e-3;
+  // Largest change of a joint in one step: more is a jump to another branch [rad or m].
+  double largest_joint_step = 0.15;
+  MotionCheckOptions motion;
+};
+
+// A straight motion of the hand with its joints at rest, in the object's frame.
+struct HandLine {
+  Pose X_OH_from = Pose::Identity();  // the pre-grasp
+  Pose X_OH_to = Pose::Identity();    // the grasp: moved, not turned
+  std::vector<double> hand_joints;
+};
+
+enum class ReachEnd {
+  reached,
+  unreachable,  // no posture inside the limits, or none that follows the line without a jump
+  blocked,      // by `pair`, in the last posture that was tried
+};
+
+struct Reach {
+  ReachEnd end = ReachEnd::unreachable;
+  std::optional<ArmPair> pair;
+  // Degrees of freedom along the line, from the pre-grasp to the grasp; of the platform.
+  std::vector<DofValues> line;
+};
+
+// Postures that put the hand at X_OH, the one with the shortest way from the start first.
+std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
+                                   const ReachOptions& options);
+
+// Tries the postures of the pre-grasp, nearest to the start first, until one follows the line with
+// one continuous solution and without collision of the robots with themselves and of all but the
+// hand with the object and the obstacles: where the hand goes, the trial has seen to that.
+// Up to `most` ways that reach, or the reason of the first that does not.
+std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
+                                const ReachOptions& options);
+
+Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options);
+
+}  // namespace prehend
