@@ -4,14 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "sim/geometry/uniform.h"
+
 namespace prehend {
 namespace {
-
-// [0, 1): std::uniform_real_distribution may differ between standard libraries.
-double uniform(std::mt19937_64& random) {
-  constexpr double kTwoToMinus53 = 0x1p-53;
-  return static_cast<double>(random() >> 11) * kTwoToMinus53;
-}
 
 Vector3 point_in_triangle(const TriangleMesh& mesh, std::size_t t, double u, double v) {
   if (u + v > 1.0) {

@@ -1,5 +1,6 @@
 #include "sim/robot/robot.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -25,19 +26,7 @@ Pose across(const Joint& joint, double value) {
                             joint.d + (revolute ? 0.0 : value), joint.a, joint.alpha);
 }
 
-// Calls visit(joint index, pose of the frame after it), chain by chain, base to tip.
-template <typename Visit>
-void for_each_joint_frame(const Robot& robot, const std::vector<double>& joints, Visit visit) {
-  assert(joints.size() == robot.joints.size());
-  for (const Chain& chain : robot.chains) {
-    Pose X_BJ = chain.X_BC;
-    for (int j = chain.first_joint; j < chain.first_joint + chain.joint_count; ++j) {
-      const auto index = static_cast<std::size_t>(j);
-      X_BJ = X_BJ * across(robot.joints[index], joints[index]);
-      visit(j, X_BJ);
-    }
-  }
-}
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
@@ -52,19 +41,32 @@ std::vector<double> joint_values(const Robot& robot, const std::vector<double>& 
 }
 
 void link_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BL) {
-  X_BL.assign(robot.links.size(), Pose::Identity());
-  // Robots have few links, so asking each of them beats storing a second index.
-  for_each_joint_frame(robot, joints, [&](int j, const Pose& X_BJ) {
-    for (std::size_t l = 0; l < robot.links.size(); ++l) {
-      if (robot.links[l].joint == j) X_BL[l] = X_BJ;
-    }
-  });
+  std::vector<Pose> X_BJ;
+  joint_poses(robot, joints, X_BJ);
+  X_BL.resize(robot.links.size());
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    const int joint = robot.links[l].joint;
+    X_BL[l] = joint < 0 ? Pose::Identity() : X_BJ[index(joint)];
+  }
+}
+
+std::vector<int> joints_to(const Robot& robot, int joint) {
+  std::vector<int> path;
+  for (int j = joint; j >= 0; j = robot.joints[index(j)].parent) path.push_back(j);
+  std::reverse(path.begin(), path.end());
+  return path;
 }
 
 void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BJ) {
+  assert(joints.size() == robot.joints.size());
   X_BJ.resize(robot.joints.size());
-  for_each_joint_frame(robot, joints,
-                       [&](int j, const Pose& X) { X_BJ[static_cast<std::size_t>(j)] = X; });
+  for (const Chain& chain : robot.chains) {
+    Pose X = chain.parent < 0 ? chain.X_PC : X_BJ[index(chain.parent)] * chain.X_PC;
+    for (int j = chain.first_joint; j < chain.first_joint + chain.joint_count; ++j) {
+      X = X * across(robot.joints[index(j)], joints[index(j)]);
+      X_BJ[index(j)] = X;
+    }
+  }
 }
 
 }  // namespace prehend

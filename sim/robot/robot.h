@@ -26,16 +26,25 @@ struct Joint {
   int dof = 0;         // the degree of freedom that drives it
   double ratio = 1.0;  // value = ratio * dof + offset
   double offset = 0.0;
-  int parent = -1;  // the joint before it in its chain, -1 for the first
+  int parent = -1;  // the joint before it towards the base, -1 for none
   int chain = 0;
+};
+
+// A closed-form solution of inverse kinematics that is known for a chain.
+enum class ClosedForm {
+  none,
+  spherical_wrist,  // six revolute joints, elbow and spherical wrist (spherical_wrist.h)
 };
 
 // Joints first_joint .. first_joint + joint_count - 1 of the robot, base to tip.
 struct Chain {
   std::string name;
-  Pose X_BC = Pose::Identity();  // the frame before the chain's first joint, in the robot's base
+  // The frame before the chain's first joint, in the frame after joint `parent`.
+  Pose X_PC = Pose::Identity();
   int first_joint = 0;
   int joint_count = 0;
+  int parent = -1;  // -1: the robot's base; chains stand after those that carry them
+  ClosedForm closed_form = ClosedForm::none;
 };
 
 // How the joints of one degree of freedom part when one of them is stopped.
@@ -52,6 +61,8 @@ struct DegreeOfFreedom {
   double upper = 0.0;
   double initial = 0.0;
   double closing_velocity = 0.0;  // signed; 0: auto-grasp leaves it alone [rad/s or m/s]
+  double max_velocity = 0.0;      // 0: not said [rad/s or m/s]
+  double max_acceleration = 0.0;  // 0: not said [rad/s^2 or m/s^2]
   Coupling coupling = Coupling::rigid;
 };
 
@@ -94,6 +105,9 @@ std::vector<double> joint_values(const Robot& robot, const std::vector<double>& 
 
 // Poses of all links in the robot's base frame for joint values (one each); `X_BL` is resized.
 void link_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BL);
+
+// Joints from the base to `joint`, in that order; none for joint -1.
+std::vector<int> joints_to(const Robot& robot, int joint);
 
 // As link_poses, for the frames after each joint.
 void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BJ);

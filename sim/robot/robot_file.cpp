@@ -9,6 +9,7 @@
 #include "sim/robot/hand_file.h"
 #include "sim/robot/json_field.h"
 #include "sim/robot/robot_geometry.h"
+#include "sim/robot/spherical_wrist.h"
 
 namespace prehend {
 namespace {
@@ -63,6 +64,23 @@ JointType read_type(const JsonField& field) {
   field.fail("unknown joint type, known are revolute and prismatic");
 }
 
+// 0 where it is not said.
+double read_positive_or_zero(const JsonField& field, const char* key) {
+  if (!field.has(key)) return 0.0;
+  const double value = field[key].number();
+  if (!(value > 0.0)) field[key].fail("must be positive");
+  return value;
+}
+
+ClosedForm read_closed_form(const JsonField& field, const Robot& robot, const Chain& chain) {
+  if (field.text() != "spherical_wrist") {
+    field.fail("unknown closed form, known is spherical_wrist");
+  }
+  const std::string defect = spherical_wrist_defect(robot, chain);
+  if (!defect.empty()) field.fail(defect);
+  return ClosedForm::spherical_wrist;
+}
+
 Robot RobotReader::read() {
   root_.allow_only({"name", "units", "geometries", "base", "chains", "dofs", "hand"});
   robot_.name = root_["name"].text();
@@ -101,16 +119,19 @@ void RobotReader::read_link(const JsonField& field, int joint) {
 }
 
 void RobotReader::read_chain(const JsonField& field) {
-  field.allow_only({"name", "base", "joints", "links"});
+  field.allow_only({"name", "base", "joints", "links", "inverse_kinematics"});
   require_new_name(field["name"], robot_.chains);
   Chain chain{.name = field["name"].text()};
-  if (field.has("base")) chain.X_BC = read_pose(field["base"], units_);
+  if (field.has("base")) chain.X_PC = read_pose(field["base"], units_);
   chain.first_joint = static_cast<int>(robot_.joints.size());
   const std::vector<JsonField> joints = field["joints"].items();
   if (joints.empty()) field["joints"].fail("a chain needs at least one joint");
   chain.joint_count = static_cast<int>(joints.size());
   for (std::size_t k = 0; k < joints.size(); ++k) {
     read_joint(joints[k], k == 0 ? -1 : chain.first_joint + static_cast<int>(k) - 1);
+  }
+  if (field.has("inverse_kinematics")) {
+    chain.closed_form = read_closed_form(field["inverse_kinematics"], robot_, chain);
   }
   robot_.chains.push_back(std::move(chain));
 }
@@ -137,7 +158,8 @@ void RobotReader::read_joint(const JsonField& field, int parent) {
 }
 
 void RobotReader::read_dof(const JsonField& field) {
-  field.allow_only({"name", "drives", "initial", "closing_velocity", "coupling"});
+  field.allow_only(
+      {"name", "drives", "initial", "closing_velocity", "coupling", "velocity", "acceleration"});
   require_new_name(field["name"], robot_.dofs);
   const int dof = static_cast<int>(robot_.dofs.size());
   robot_.dofs.push_back({.name = field["name"].text()});
@@ -199,8 +221,10 @@ void RobotReader::read_motion(const JsonField& field, int dof) {
   const bool turns = std::any_of(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& j) {
     return j.dof == dof && j.type == JointType::revolute;
   });
-  motion.closing_velocity =
-      field["closing_velocity"].number() * (turns ? units_.angular_velocity : units_.length);
+  const double rate = turns ? units_.angular_velocity : units_.length;
+  motion.closing_velocity = field["closing_velocity"].number() * rate;
+  motion.max_velocity = read_positive_or_zero(field, "velocity") * rate;
+  motion.max_acceleration = read_positive_or_zero(field, "acceleration") * rate;
   if (field.has("coupling")) motion.coupling = read_coupling(field["coupling"], dof);
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "sim/geometry/input_error.h"
+#include "sim/robot/json_field.h"
+#include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
 
 namespace prehend {
@@ -10,9 +12,9 @@ constexpr const char* kRobotFile = "robot.json";
 
 std::filesystem::path library() { return PREHEND_ROBOTS_DIR; }
 
-}  // namespace
+bool is_platform(const std::filesystem::path& file) { return JsonFile(file).root().has("robots"); }
 
-std::vector<std::string> library_robot_names() {
+std::vector<std::string> names_in_library() {
   std::vector<std::string> names;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(library(), error)) {
@@ -24,15 +26,38 @@ std::vector<std::string> library_robot_names() {
   return names;
 }
 
-Robot find_robot(const std::string& name_or_file) {
-  const std::vector<std::string> names = library_robot_names();
+// The file of a library name, else the path as it is.
+std::filesystem::path file_of(const std::string& name_or_file) {
+  const std::vector<std::string> names = names_in_library();
   if (std::find(names.begin(), names.end(), name_or_file) != names.end()) {
-    return load_robot(library() / name_or_file / kRobotFile);
+    return library() / name_or_file / kRobotFile;
   }
-  if (std::filesystem::exists(name_or_file)) return load_robot(name_or_file);
+  if (std::filesystem::exists(name_or_file)) return name_or_file;
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
   throw InputError("robot: neither a file nor one of " + known + " (" + name_or_file + ")");
+}
+
+}  // namespace
+
+std::vector<std::string> library_robot_names() {
+  std::vector<std::string> names = names_in_library();
+  std::erase_if(names,
+                [](const std::string& name) { return is_platform(library() / name / kRobotFile); });
+  return names;
+}
+
+std::vector<std::string> library_platform_names() {
+  std::vector<std::string> names = names_in_library();
+  std::erase_if(
+      names, [](const std::string& name) { return !is_platform(library() / name / kRobotFile); });
+  return names;
+}
+
+Robot find_robot(const std::string& name_or_file) { return load_robot(file_of(name_or_file)); }
+
+Platform find_platform(const std::string& name_or_file) {
+  return load_platform(file_of(name_or_file));
 }
 
 }  // namespace prehend

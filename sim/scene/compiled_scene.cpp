@@ -26,14 +26,6 @@ double slide_of(const Joint& joint) {
   return std::max(std::abs(joint.lower), std::abs(joint.upper));
 }
 
-// Joints from the base to `joint`, in that order.
-std::vector<int> joints_to(const Robot& robot, int joint) {
-  std::vector<int> path;
-  for (int j = joint; j >= 0; j = robot.joints[index(j)].parent) path.push_back(j);
-  std::reverse(path.begin(), path.end());
-  return path;
-}
-
 // For each joint of the path, the most that a point of the link can be away from its axis.
 std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
                             const TriangleMesh& mesh) {

@@ -12,7 +12,7 @@ FingerPair finger_pair(const Robot& hand, int dof) {
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     if (hand.joints[j].dof == dof) joints.push_back(static_cast<int>(j));
   }
-  const Pose& X_HC = hand.chains[index(hand.joints[index(joints[0])].chain)].X_BC;
+  const Pose& X_HC = hand.chains[index(hand.joints[index(joints[0])].chain)].X_PC;
   return {dof, joints[0], joints[1], X_HC.linear() * Vector3::UnitZ()};
 }
 

@@ -67,7 +67,7 @@ TEST(RobotFile, JoinsChainsJointsAndLinks) {
   EXPECT_EQ(robot.links[2].name, "fore");
   EXPECT_EQ(robot.links[2].joint, 1);
   EXPECT_EQ(robot.links[3].material, "rubber");
-  const Vector3 along_x = robot.chains[1].X_BC.linear().col(2);
+  const Vector3 along_x = robot.chains[1].X_PC.linear().col(2);
   EXPECT_LT((along_x - Vector3::UnitX()).norm(), kRounding);
 }
 

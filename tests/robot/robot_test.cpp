@@ -73,7 +73,7 @@ TEST(ForwardKinematics, PrismaticJointSlidesAlongZOfTheFrameBefore) {
 TEST(ForwardKinematics, ChainsStartAtTheirOwnBase) {
   Robot robot = planar_arm(0.3, 0.2);
   robot.chains.push_back({.name = "second", .first_joint = 2, .joint_count = 1});
-  robot.chains[1].X_BC =
+  robot.chains[1].X_PC =
       translation({0.0, 0.0, 0.5}) * Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitY());
   robot.joints.push_back({.name = "slide", .type = JointType::prismatic, .chain = 1});
   std::vector<Pose> X_BJ;

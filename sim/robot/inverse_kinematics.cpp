@@ -1,0 +1,356 @@
+#include "sim/robot/inverse_kinematics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "sim/geometry/uniform.h"
+
+namespace prehend {
+namespace {
+
+using Vector = Eigen::VectorXd;
+using Matrix = Eigen::MatrixXd;
+
+// Damping that is left at the solution; small enough to keep convergence fast near singularities.
+constexpr double kLeastDamping = 1e-9;
+// Largest turn of a degree of freedom in one iteration [rad].
+constexpr double kLargestTurn = 0.7;
+// Within this part of its range from a limit a redundant degree of freedom moves away from it.
+constexpr double kNearLimit = 0.15;
+constexpr int kRelaxSteps = 12;
+// Random starts lie within this of the given start: the limits may be a field away [rad or m].
+constexpr double kNearby = 4.0;
+// Solutions closer than this in every degree of freedom are one [rad or m].
+constexpr double kSame = 1e-3;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+struct Task {
+  const Robot& robot;
+  const std::vector<IkTarget>& targets;
+  std::vector<int> dofs;    // that move any target
+  std::vector<bool> turns;  // whether each of those drives revolute joints
+};
+
+Task make_task(const Robot& robot, const std::vector<IkTarget>& targets) {
+  Task task{robot, targets, {}, {}};
+  for (const IkTarget& target : targets) {
+    for (const int dof : dofs_to(robot, target.joint)) {
+      if (std::find(task.dofs.begin(), task.dofs.end(), dof) == task.dofs.end()) {
+        task.dofs.push_back(dof);
+      }
+    }
+  }
+  for (const int dof : task.dofs) {
+    task.turns.push_back(std::any_of(
+        robot.joints.begin(), robot.joints.end(),
+        [&](const Joint& joint) { return joint.dof == dof && joint.type == JointType::revolute; }));
+  }
+  return task;
+}
+
+// The motion that is missing, and how each degree of freedom moves the targets.
+struct Linearized {
+  Vector error;     // per target: translation [m], rotation [rad], base frame
+  Matrix jacobian;  // a column for each of task.dofs
+  double position_error = 0.0;
+  double angle_error = 0.0;
+};
+
+Vector3 rotation_vector(const Matrix3& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+class Linearizer {
+ public:
+  explicit Linearizer(const Task& task) : task_(task) {
+    for (const IkTarget& target : task.targets) {
+      paths_.push_back(joints_to(task.robot, target.joint));
+    }
+    column_.assign(task.robot.dofs.size(), -1);
+    for (std::size_t c = 0; c < task.dofs.size(); ++c) {
+      column_[index(task.dofs[c])] = static_cast<int>(c);
+    }
+    const auto rows = static_cast<Eigen::Index>(6 * task.targets.size());
+    at_.error.resize(rows);
+    at_.jacobian.resize(rows, static_cast<Eigen::Index>(task.dofs.size()));
+  }
+
+  const Linearized& operator()(const DofValues& values) {
+    joint_poses(task_.robot, joint_values(task_.robot, values), X_BJ_);
+    at_.jacobian.setZero();
+    at_.position_error = at_.angle_error = 0.0;
+    for (std::size_t t = 0; t < task_.targets.size(); ++t) add_target(t);
+    return at_;
+  }
+
+ private:
+  void add_target(std::size_t t) {
+    const IkTarget& target = task_.targets[t];
+    const auto row = static_cast<Eigen::Index>(6 * t);
+    const Pose X_BT = X_BJ_[index(target.joint)] * target.X_JT;
+    const Vector3 shift = target.X_BT.translation() - X_BT.translation();
+    const Vector3 turn = rotation_vector(target.X_BT.linear() * X_BT.linear().transpose());
+    at_.error.segment<3>(row) = shift;
+    at_.error.segment<3>(row + 3) = turn;
+    at_.position_error = std::max(at_.position_error, shift.norm());
+    at_.angle_error = std::max(at_.angle_error, turn.norm());
+    for (const int j : paths_[t]) add_joint(j, row, X_BT.translation());
+  }
+
+  void add_joint(int j, Eigen::Index row, const Vector3& p_T) {
+    const Joint& joint = task_.robot.joints[index(j)];
+    const Chain& chain = task_.robot.chains[index(joint.chain)];
+    const Pose X_BP = joint.parent < 0 ? Pose::Identity() : X_BJ_[index(joint.parent)];
+    const Pose X_before = j == chain.first_joint ? X_BP * chain.X_PC : X_BP;
+    const Vector3 axis = X_before.linear().col(2);
+    auto column = at_.jacobian.col(column_[index(joint.dof)]);
+    if (joint.type == JointType::prismatic) {
+      column.segment<3>(row) += joint.ratio * axis;
+    } else {
+      column.segment<3>(row) += joint.ratio * axis.cross(p_T - X_before.translation());
+      column.segment<3>(row + 3) += joint.ratio * axis;
+    }
+  }
+
+  const Task& task_;
+  std::vector<std::vector<int>> paths_;
+  std::vector<int> column_;  // of each degree of freedom, -1: not moved
+  std::vector<Pose> X_BJ_;
+  Linearized at_;
+};
+
+// True where a step would only push the value against its limit.
+bool is_stuck(const DegreeOfFreedom& dof, double value, double step) {
+  return (value <= dof.lower && step < 0.0) || (value >= dof.upper && step > 0.0);
+}
+
+// The damped step; degrees of freedom that are stuck at a limit are taken out, one round after
+// another.
+Vector damped_step(const Task& task, const Linearized& at, const DofValues& values) {
+  const Eigen::Index n = at.jacobian.cols();
+  const double damping = 0.5 * at.error.squaredNorm() + kLeastDamping;
+  Matrix jacobian = at.jacobian;
+  Vector step = Vector::Zero(n);
+  for (Eigen::Index round = 0; round < n; ++round) {
+    Matrix normal = jacobian.transpose() * jacobian;
+    normal.diagonal().array() += damping;
+    step = normal.ldlt().solve(jacobian.transpose() * at.error);
+    bool all_free = true;
+    for (Eigen::Index c = 0; c < n; ++c) {
+      const int dof = task.dofs[static_cast<std::size_t>(c)];
+      if (!is_stuck(task.robot.dofs[index(dof)], values[index(dof)], step[c])) continue;
+      if (jacobian.col(c).isZero(0.0)) {
+        step[c] = 0.0;
+        continue;
+      }
+      jacobian.col(c).setZero();
+      all_free = false;
+    }
+    if (all_free) break;
+  }
+  double largest = 0.0;
+  for (Eigen::Index c = 0; c < n; ++c) {
+    if (task.turns[static_cast<std::size_t>(c)]) largest = std::max(largest, std::abs(step[c]));
+  }
+  if (largest > kLargestTurn) step *= kLargestTurn / largest;
+  return step;
+}
+
+void move(const Task& task, const Vector& step, DofValues& values) {
+  for (std::size_t c = 0; c < task.dofs.size(); ++c) {
+    const DegreeOfFreedom& dof = task.robot.dofs[index(task.dofs[c])];
+    double& value = values[index(task.dofs[c])];
+    value = std::clamp(value + step[static_cast<Eigen::Index>(c)], dof.lower, dof.upper);
+  }
+}
+
+bool arrive(const Task& task, Linearizer& linearize, const IkOptions& options, DofValues& values) {
+  for (int i = 0; i < options.max_iterations; ++i) {
+    const Linearized& at = linearize(values);
+    if (at.position_error <= options.position_tolerance &&
+        at.angle_error <= options.angle_tolerance) {
+      return true;
+    }
+    move(task, damped_step(task, at, values), values);
+  }
+  return false;
+}
+
+// Away from limits that are near: 1 at a limit, 0 from kNearLimit of the range on.
+Vector away_from_limits(const Task& task, const DofValues& values) {
+  Vector push = Vector::Zero(static_cast<Eigen::Index>(task.dofs.size()));
+  for (std::size_t c = 0; c < task.dofs.size(); ++c) {
+    const DegreeOfFreedom& dof = task.robot.dofs[index(task.dofs[c])];
+    const double value = values[index(task.dofs[c])];
+    const double margin = kNearLimit * std::min(dof.upper - dof.lower, kNearby);
+    if (margin <= 0.0) continue;
+    const auto i = static_cast<Eigen::Index>(c);
+    push[i] += std::max(0.0, 1.0 - (value - dof.lower) / margin);
+    push[i] -= std::max(0.0, 1.0 - (dof.upper - value) / margin);
+  }
+  return push;
+}
+
+// Uses what the targets leave free to move away from limits; gives up what does not arrive again.
+void relax(const Task& task, Linearizer& linearize, const IkOptions& options, DofValues& values) {
+  if (task.dofs.size() <= 6 * task.targets.size()) return;
+  for (int i = 0; i < kRelaxSteps; ++i) {
+    const Vector push = away_from_limits(task, values);
+    if (push.isZero(0.0)) return;
+    const Matrix& jacobian = linearize(values).jacobian;
+    Matrix across = jacobian * jacobian.transpose();
+    across.diagonal().array() += kLeastDamping;
+    const Vector free = push - jacobian.transpose() * across.ldlt().solve(jacobian * push);
+    DofValues moved = values;
+    move(task, 0.1 * free, moved);
+    if (!arrive(task, linearize, options, moved)) return;
+    if (limit_margin(task.robot, task.dofs, moved) <= limit_margin(task.robot, task.dofs, values)) {
+      return;
+    }
+    values = moved;
+  }
+}
+
+DofValues random_start(const Task& task, const DofValues& start, std::mt19937_64& random) {
+  DofValues values = start;
+  for (const int d : task.dofs) {
+    const DegreeOfFreedom& dof = task.robot.dofs[index(d)];
+    const double lower = std::max(dof.lower, start[index(d)] - kNearby);
+    const double upper = std::min(dof.upper, start[index(d)] + kNearby);
+    values[index(d)] = lower + (upper - lower) * uniform(random);
+  }
+  return values;
+}
+
+class Collector {
+ public:
+  Collector(const Task& task, const IkOptions& options) : task_(task), options_(options) {}
+
+  void add(const DofValues& values) {
+    if (full()) return;
+    const bool known = std::any_of(found_.begin(), found_.end(), [&](const DofValues& other) {
+      return std::all_of(task_.dofs.begin(), task_.dofs.end(), [&](int d) {
+        return std::abs(other[index(d)] - values[index(d)]) <= kSame;
+      });
+    });
+    if (!known) found_.push_back(values);
+  }
+
+  bool full() const { return found_.size() >= static_cast<std::size_t>(options_.max_solutions); }
+  bool empty() const { return found_.empty(); }
+
+  std::vector<DofValues> nearest_first(const DofValues& start) {
+    const auto way = [&](const DofValues& values) {
+      double sum = 0.0;
+      for (const int d : task_.dofs) sum += std::abs(values[index(d)] - start[index(d)]);
+      return sum;
+    };
+    std::stable_sort(found_.begin(), found_.end(),
+                     [&](const DofValues& a, const DofValues& b) { return way(a) < way(b); });
+    return std::move(found_);
+  }
+
+ private:
+  const Task& task_;
+  const IkOptions& options_;
+  std::vector<DofValues> found_;
+};
+
+// The chain that ends at the target's joint when its closed form may be used: each of its joints
+// has a degree of freedom of its own.
+const Chain* closed_form_chain(const Robot& robot, int joint) {
+  const Chain& chain = robot.chains[index(robot.joints[index(joint)].chain)];
+  if (chain.closed_form == ClosedForm::none) return nullptr;
+  if (joint != chain.first_joint + chain.joint_count - 1) return nullptr;
+  for (int j = chain.first_joint; j <= joint; ++j) {
+    const int dof = robot.joints[index(j)].dof;
+    const auto shares = [&](const Joint& other) { return other.dof == dof; };
+    if (std::count_if(robot.joints.begin(), robot.joints.end(), shares) != 1) return nullptr;
+  }
+  return &chain;
+}
+
+// All branches of the closed form with everything before its chain as in `values`.
+void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target,
+                  const DofValues& values, Collector& found) {
+  std::vector<Pose> X_BJ;
+  joint_poses(robot, joint_values(robot, values), X_BJ);
+  const Pose X_BP = chain.parent < 0 ? Pose::Identity() : X_BJ[index(chain.parent)];
+  const Pose X_CT = (X_BP * chain.X_PC).inverse() * target.X_BT * target.X_JT.inverse();
+  SphericalWrist::Joints near{};
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    const Joint& joint = robot.joints[index(chain.first_joint) + k];
+    near[k] = joint.ratio * values[index(joint.dof)] + joint.offset;
+  }
+  const SphericalWrist::Solutions branches = SphericalWrist(robot, chain).solve(X_CT, near);
+  for (int b = 0; b < branches.count; ++b) {
+    DofValues branch = values;
+    for (std::size_t k = 0; k < near.size(); ++k) {
+      const Joint& joint = robot.joints[index(chain.first_joint) + k];
+      const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
+      const double value = (branches.joints[index(b)][k] - joint.offset) / joint.ratio;
+      branch[index(joint.dof)] = std::clamp(value, dof.lower, dof.upper);
+    }
+    found.add(branch);
+  }
+}
+
+}  // namespace
+
+std::vector<int> dofs_to(const Robot& robot, int joint) {
+  std::vector<int> dofs;
+  for (const int j : joints_to(robot, joint)) {
+    const int dof = robot.joints[index(j)].dof;
+    if (std::find(dofs.begin(), dofs.end(), dof) == dofs.end()) dofs.push_back(dof);
+  }
+  return dofs;
+}
+
+double limit_margin(const Robot& robot, const std::vector<int>& dofs, const DofValues& values) {
+  double margin = 1.0;
+  for (const int d : dofs) {
+    const DegreeOfFreedom& dof = robot.dofs[index(d)];
+    const double half = 0.5 * (dof.upper - dof.lower);
+    const double nearest = std::min(values[index(d)] - dof.lower, dof.upper - values[index(d)]);
+    margin = std::min(margin, half > 0.0 ? nearest / half : 0.0);
+  }
+  return margin;
+}
+
+std::optional<DofValues> solve_near(const Robot& robot, const std::vector<IkTarget>& targets,
+                                    const DofValues& start, const IkOptions& options) {
+  const Task task = make_task(robot, targets);
+  Linearizer linearize(task);
+  DofValues values = start;
+  if (!arrive(task, linearize, options, values)) return std::nullopt;
+  return values;
+}
+
+std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>& targets,
+                                 const DofValues& start, const IkOptions& options) {
+  const Task task = make_task(robot, targets);
+  const Chain* chain = targets.size() == 1 ? closed_form_chain(robot, targets[0].joint) : nullptr;
+  Collector found(task, options);
+  if (chain != nullptr && task.dofs.size() == 6) {
+    add_branches(robot, *chain, targets[0], start, found);
+    return found.nearest_first(start);
+  }
+  Linearizer linearize(task);
+  std::mt19937_64 random(options.seed);
+  const bool redundant = task.dofs.size() > 6 * targets.size();
+  for (int i = 0; i <= options.restarts && !found.full(); ++i) {
+    // Without redundancy there are few solutions, and most starts lead to the same ones.
+    if (!redundant && !found.empty() && i > options.restarts / 4) break;
+    DofValues values = i == 0 ? start : random_start(task, start, random);
+    if (!arrive(task, linearize, options, values)) continue;
+    relax(task, linearize, options, values);
+    found.add(values);
+    if (chain != nullptr) add_branches(robot, *chain, targets[0], values, found);
+  }
+  return found.nearest_first(start);
+}
+
+}  // namespace prehend

@@ -1,0 +1,85 @@
+#include "sim/robot/platform.h"
+
+#include <utility>
+
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// Copies one robot behind what is there already.
+void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole) {
+  const Robot& robot = mounted.robot;
+  const auto named = [&](const std::string& name) { return mounted.name + "/" + name; };
+  const int first_chain = static_cast<int>(whole.chains.size());
+  const auto carried = [&](int joint) { return joint < 0 ? part.joint : part.first_joint + joint; };
+  for (Chain chain : robot.chains) {
+    chain.name = named(chain.name);
+    if (chain.parent < 0) chain.X_PC = part.X_JR * chain.X_PC;
+    chain.parent = carried(chain.parent);
+    chain.first_joint += part.first_joint;
+    whole.chains.push_back(std::move(chain));
+  }
+  for (Joint joint : robot.joints) {
+    joint.name = named(joint.name);
+    joint.parent = carried(joint.parent);
+    joint.dof += part.first_dof;
+    joint.chain += first_chain;
+    whole.joints.push_back(std::move(joint));
+  }
+  for (DegreeOfFreedom dof : robot.dofs) {
+    dof.name = named(dof.name);
+    whole.dofs.push_back(std::move(dof));
+  }
+  for (Link link : robot.links) {
+    link.name = named(link.name);
+    if (link.joint < 0) link.mesh = transformed(link.mesh, part.X_JR);
+    link.joint = carried(link.joint);
+    whole.links.push_back(std::move(link));
+  }
+}
+
+}  // namespace
+
+AssembledPlatform assemble(const Platform& platform) {
+  AssembledPlatform assembled;
+  Robot& whole = assembled.robot;
+  whole.name = platform.name;
+  for (const MountedRobot& mounted : platform.robots) {
+    PlatformPart part;
+    part.X_JR = mounted.X_MR;
+    if (mounted.parent >= 0) {
+      const Chain& chain =
+          platform.robots[index(mounted.parent)].robot.chains[index(mounted.chain)];
+      part.joint = assembled.parts[index(mounted.parent)].first_joint + chain.first_joint +
+                   chain.joint_count - 1;
+    }
+    if (mounted.mount) {
+      Link mount = *mounted.mount;
+      mount.name = mounted.name + "/" + mount.name;
+      mount.joint = part.joint;
+      whole.links.push_back(std::move(mount));
+    }
+    part.first_joint = static_cast<int>(whole.joints.size());
+    part.first_dof = static_cast<int>(whole.dofs.size());
+    part.first_link = static_cast<int>(whole.links.size());
+    append(mounted, part, whole);
+    assembled.parts.push_back(part);
+  }
+  return assembled;
+}
+
+int hand_of(const Platform& platform) {
+  int hand = -1;
+  for (std::size_t r = 0; r < platform.robots.size(); ++r) {
+    if (!platform.robots[r].robot.hand) continue;
+    if (hand >= 0) throw InputError(platform.name + ": robots: has more than one hand");
+    hand = static_cast<int>(r);
+  }
+  if (hand < 0) throw InputError(platform.name + ": robots: none is a hand");
+  return hand;
+}
+
+}  // namespace prehend

@@ -1,0 +1,47 @@
+// Robots on robots: a tree of arms, bases and hands, and the one robot that they are together.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/robot/robot.h"
+
+namespace prehend {
+
+struct MountedRobot {
+  std::string name;  // unique in its platform
+  Robot robot;
+  int parent = -1;  // the robot that carries it, which stands before it; -1: the first
+  int chain = 0;    // of the parent: it is attached to the frame after that chain's last joint
+  Pose X_MR = Pose::Identity();    // the robot's base in that frame, or in the platform's base
+  std::optional<Link> mount = {};  // a body fixed to that frame, between the two
+};
+
+struct Platform {
+  std::string name;
+  std::vector<MountedRobot> robots;
+};
+
+// Where one robot of a platform is in the robot of them all.
+struct PlatformPart {
+  int joint = -1;                // it sits on the frame after this one, -1: the base
+  Pose X_JR = Pose::Identity();  // its base in that frame
+  int first_joint = 0;
+  int first_dof = 0;
+  int first_link = 0;  // its base link; the mount, if any, stands before it
+};
+
+struct AssembledPlatform {
+  Robot robot;                      // joints, degrees of freedom and links are called ROBOT/NAME
+  std::vector<PlatformPart> parts;  // as the platform's robots
+};
+
+// The robots joined: a child's base link belongs to the joint that carries it.
+AssembledPlatform assemble(const Platform& platform);
+
+// The only robot of the platform that is a hand.
+// Throws InputError when there is none or more than one.
+int hand_of(const Platform& platform);
+
+}  // namespace prehend

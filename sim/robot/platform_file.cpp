@@ -1,0 +1,86 @@
+#include "sim/robot/platform_file.h"
+
+#include <utility>
+
+#include "sim/robot/json_field.h"
+#include "sim/robot/robot_file.h"
+#include "sim/robot/robot_geometry.h"
+
+namespace prehend {
+namespace {
+
+// A robot file beside the platform, else a name of the library or a path.
+Robot read_named_robot(const JsonField& field) {
+  const std::filesystem::path beside = field.file().parent_path() / field.text();
+  if (std::filesystem::is_regular_file(beside)) return load_robot(beside);
+  return find_robot(field.text());
+}
+
+int find_parent(const JsonField& field, const Platform& platform) {
+  for (std::size_t r = 0; r < platform.robots.size(); ++r) {
+    if (platform.robots[r].name == field.text()) return static_cast<int>(r);
+  }
+  field.fail("no robot of this name stands before it");
+}
+
+int find_chain(const JsonField& field, const Robot& robot) {
+  for (std::size_t c = 0; c < robot.chains.size(); ++c) {
+    if (robot.chains[c].name == field.text()) return static_cast<int>(c);
+  }
+  field.fail("no chain of this name in " + robot.name);
+}
+
+Link read_mount(const JsonField& field, const FileUnits& units) {
+  field.allow_only({"name", "material", "geometry"});
+  return {.name = field["name"].text(),
+          .material = field["material"].text(),
+          .joint = -1,
+          .mesh = read_geometry(field["geometry"], units, {})};
+}
+
+MountedRobot read_mounted(const JsonField& field, const FileUnits& units,
+                          const Platform& platform) {
+  field.allow_only({"name", "robot", "on", "mount"});
+  MountedRobot mounted;
+  mounted.name = field["name"].text();
+  for (const MountedRobot& other : platform.robots) {
+    if (other.name == mounted.name) field["name"].fail("name used twice");
+  }
+  mounted.robot = read_named_robot(field["robot"]);
+  if (field.has("on")) {
+    const JsonField on = field["on"];
+    on.allow_only({"robot", "chain", "pose"});
+    mounted.parent = find_parent(on["robot"], platform);
+    mounted.chain =
+        find_chain(on["chain"], platform.robots[static_cast<std::size_t>(mounted.parent)].robot);
+    if (on.has("pose")) mounted.X_MR = read_pose(on["pose"], units);
+  } else if (!platform.robots.empty()) {
+    field.fail("every robot but the first needs \"on\"");
+  }
+  if (field.has("mount")) mounted.mount = read_mount(field["mount"], units);
+  return mounted;
+}
+
+}  // namespace
+
+Platform load_platform(const std::filesystem::path& file) {
+  const JsonFile json(file);
+  const JsonField root = json.root();
+  Platform platform;
+  if (!root.has("robots")) {
+    Robot robot = load_robot(file);
+    platform.name = robot.name;
+    platform.robots.push_back({.name = robot.name, .robot = std::move(robot)});
+    return platform;
+  }
+  root.allow_only({"name", "units", "robots"});
+  platform.name = root["name"].text();
+  const FileUnits units = read_units(root);
+  for (const JsonField& field : root["robots"].items()) {
+    platform.robots.push_back(read_mounted(field, units, platform));
+  }
+  if (platform.robots.empty()) root["robots"].fail("a platform needs at least one robot");
+  return platform;
+}
+
+}  // namespace prehend
