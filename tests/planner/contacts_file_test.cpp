@@ -51,14 +51,14 @@ struct Mistake {
 class ContactsFileMistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(ContactsFileMistakes, AreNamed) {
-  const std::filesystem::path file = testing::TempDir() + "/mistake.json";
+  const std::filesystem::path file = testing::TempDir() + "/mistake_" + GetParam().name + ".json";
   std::ofstream(file) << GetParam().text;
   try {
     (void)load_contacts(file);
     FAIL() << "no error";
   } catch (const InputError& error) {
     const std::string what = error.what();
-    EXPECT_NE(what.find("mistake.json"), std::string::npos) << what;
+    EXPECT_NE(what.find("mistake_"), std::string::npos) << what;
     EXPECT_NE(what.find(GetParam().complaint), std::string::npos) << what;
   }
 }

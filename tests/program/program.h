@@ -34,8 +34,9 @@ inline std::filesystem::path fresh_folder(const std::string& name) {
 
 // `words` as typed in a shell.
 inline ProgramRun run_program(const std::string& words) {
-  const std::filesystem::path folder = fresh_folder(
-      std::string("run_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path folder =
+      fresh_folder(std::string("run_") + test->test_suite_name() + "." + test->name());
   const std::string command = std::string(PREHEND_PROGRAM) + " " + words + " >'" +
                               (folder / "out").string() + "' 2>'" + (folder / "err").string() + "'";
   const int raw = std::system(command.c_str());
