@@ -1,65 +1,27 @@
 // The Barrett hand against poses and boxes that another simulator printed.
-#include <fstream>
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include "sim/robot/robot_file.h"
-#include "tests/robot/hand_shape.h"
-#include "tests/shared_data.h"
+#include "tests/robot/reference_robot.h"
 
 namespace prehend {
 namespace {
 
 constexpr const char* kReference = "reference/graspit/fk/Barrett.json";
 
-nlohmann::json reference() {
-  return nlohmann::json::parse(std::ifstream(test::shared(kReference)));
-}
-
-Pose pose_of(const nlohmann::json& json) {
-  const auto q = json["quat_wxyz"].get<std::vector<double>>();
-  const auto t = json["t_mm"].get<std::vector<double>>();
-  Pose pose = Pose::Identity();
-  pose.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-  pose.translation() = 1e-3 * Vector3(t[0], t[1], t[2]);
-  return pose;
-}
-
-// Index in robot.links of link `k` of chain `c`.
-std::size_t link_index(const Robot& robot, int c, int k) {
-  const Chain& chain = robot.chains[static_cast<std::size_t>(c)];
-  for (std::size_t l = 0; l < robot.links.size(); ++l) {
-    if (robot.links[l].joint == chain.first_joint + k) return l;
-  }
-  ADD_FAILURE() << "no link " << k << " in chain " << c;
-  return 0;
-}
-
 TEST(BarrettReference, LinkPosesAgree) {
   PREHEND_NEEDS_SHARED(kReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = reference();
-  ASSERT_EQ(json["poses"].size(), 5U);
-  for (const nlohmann::json& pose : json["poses"]) {
-    const auto dofs = pose["dof"].get<std::vector<double>>();
-    const std::vector<Pose> X_BL = test::poses_at(robot, dofs);
-    for (const nlohmann::json& link : pose["links"]) {
-      const std::size_t l = link_index(robot, link["chain"].get<int>(), link["link"].get<int>());
-      const Pose expected = pose_of(link["pose"]);
-      EXPECT_LT((X_BL[l].translation() - expected.translation()).norm(), 1e-6)
-          << robot.links[l].name;
-      const Eigen::AngleAxisd turn(X_BL[l].linear().transpose() * expected.linear());
-      EXPECT_LT(std::abs(turn.angle()), 1e-6) << robot.links[l].name;
-    }
-  }
+  test::expect_link_poses_agree(robot, test::reference(kReference));
 }
 
 TEST(BarrettReference, JointValuesAgree) {
   PREHEND_NEEDS_SHARED(kReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = reference();
+  const nlohmann::json json = test::reference(kReference);
   ASSERT_EQ(json["poses"].size(), 5U);
   for (const nlohmann::json& pose : json["poses"]) {
     const auto expected = pose["joints"].get<std::vector<double>>();
@@ -72,12 +34,10 @@ TEST(BarrettReference, JointValuesAgree) {
 TEST(BarrettReference, DegreesOfFreedomAgree) {
   PREHEND_NEEDS_SHARED(kReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = reference();
-  ASSERT_EQ(json["dofs"].size(), robot.dofs.size());
+  const nlohmann::json json = test::reference(kReference);
+  test::expect_limits_agree(robot, json);
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     const nlohmann::json& dof = json["dofs"][d];
-    EXPECT_NEAR(robot.dofs[d].lower, dof["min"].get<double>(), 1e-8);
-    EXPECT_NEAR(robot.dofs[d].upper, dof["max"].get<double>(), 1e-8);
     EXPECT_EQ(robot.dofs[d].closing_velocity, dof["default_velocity"].get<double>());
     EXPECT_EQ(robot.dofs[d].coupling == Coupling::breakaway, dof["type"].get<int>() == 1);
   }
@@ -95,7 +55,7 @@ void expect_same_box(const Link& link, const nlohmann::json& json) {
 TEST(BarrettReference, LinkBoxesAgree) {
   PREHEND_NEEDS_SHARED(kReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = reference();
+  const nlohmann::json json = test::reference(kReference);
   expect_same_box(robot.links[0], json["palm"]);
   ASSERT_EQ(json["links"].size() + 1, robot.links.size());
   for (std::size_t l = 1; l < robot.links.size(); ++l) {
@@ -124,8 +84,8 @@ TEST(BarrettShape, InnerFacesPassThroughPublishedContactPlaces) {
   const Vector3 chamfer = Vector3(1.0, 1.0, 0.0).normalized();
   for (const int chain : {0, 1, 2}) {
     const int proximal = chain == 2 ? 0 : 1;
-    const TriangleMesh& link2 = robot.links[link_index(robot, chain, proximal)].mesh;
-    const TriangleMesh& link3 = robot.links[link_index(robot, chain, proximal + 1)].mesh;
+    const TriangleMesh& link2 = robot.links[test::link_index(robot, chain, proximal)].mesh;
+    const TriangleMesh& link3 = robot.links[test::link_index(robot, chain, proximal + 1)].mesh;
     EXPECT_NEAR(distance_to_face(link2, 1e-3 * Vector3(-19.861, 13.340, 0.0), tilted), 0.0, 2e-5);
     EXPECT_NEAR(distance_to_face(link2, 1e-3 * Vector3(-51.138, 14.778, 0.0), tilted), 0.0, 2e-5);
     EXPECT_NEAR(distance_to_face(link3, 1e-3 * Vector3(-5.399, 10.73, 0.0), Vector3::UnitY()), 0.0,

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +18,11 @@ namespace {
 class LibraryRobot : public testing::TestWithParam<std::string> {
  protected:
   const Robot robot_ = find_robot(GetParam());
+
+  // None for arms and bases.
+  std::vector<Preshape> preshapes() const {
+    return robot_.hand ? robot_.hand->preshapes : std::vector<Preshape>{};
+  }
 };
 
 TEST_P(LibraryRobot, IsNamedAfterItsFolderAndHasAReadme) {
@@ -53,9 +59,26 @@ TEST_P(LibraryRobot, LinksHaveNoSlivers) {
   }
 }
 
+TEST_P(LibraryRobot, InitialPostureIsInsideLimitsAndFreeOfSelfCollision) {
+  std::vector<double> initial;
+  for (const DegreeOfFreedom& dof : robot_.dofs) {
+    EXPECT_GE(dof.initial, dof.lower) << dof.name;
+    EXPECT_LE(dof.initial, dof.upper) << dof.name;
+    initial.push_back(dof.initial);
+  }
+  EXPECT_EQ(test::self_collisions(robot_, initial), "");
+}
+
+TEST_P(LibraryRobot, SaysHowFastItMoves) {
+  for (const DegreeOfFreedom& dof : robot_.dofs) {
+    EXPECT_GT(dof.max_velocity, 0.0) << dof.name;
+    EXPECT_GE(dof.max_velocity, std::abs(dof.closing_velocity)) << dof.name;
+    EXPECT_GT(dof.max_acceleration, dof.max_velocity) << dof.name;  // full speed within 1 s
+  }
+}
+
 TEST_P(LibraryRobot, PreshapesAreInsideLimitsAndFreeOfSelfCollision) {
-  ASSERT_TRUE(robot_.hand.has_value());
-  for (const Preshape& preshape : robot_.hand->preshapes) {
+  for (const Preshape& preshape : preshapes()) {
     ASSERT_EQ(preshape.dofs.size(), robot_.dofs.size());
     for (std::size_t d = 0; d < robot_.dofs.size(); ++d) {
       EXPECT_GE(preshape.dofs[d], robot_.dofs[d].lower) << preshape.name;
@@ -66,7 +89,7 @@ TEST_P(LibraryRobot, PreshapesAreInsideLimitsAndFreeOfSelfCollision) {
 }
 
 TEST_P(LibraryRobot, PreshapesLeaveRoomToClose) {
-  for (const Preshape& preshape : robot_.hand->preshapes) {
+  for (const Preshape& preshape : preshapes()) {
     EXPECT_LT(preshape.min_width, preshape.max_width) << preshape.name;
     for (std::size_t d = 0; d < robot_.dofs.size(); ++d) {
       const DegreeOfFreedom& dof = robot_.dofs[d];
@@ -80,9 +103,9 @@ TEST_P(LibraryRobot, PreshapesLeaveRoomToClose) {
 INSTANTIATE_TEST_SUITE_P(All, LibraryRobot, testing::ValuesIn(library_robot_names()),
                          [](const auto& one) { return one.param; });
 
-TEST(RobotLibrary, HoldsTheHandsOfTheManual) {
-  const std::vector<std::string> expected = {"barrett", "franka_hand", "parallel_jaw",
-                                             "parallel_jaw_wide"};
+TEST(RobotLibrary, HoldsTheRobotsOfTheManual) {
+  const std::vector<std::string> expected = {"barrett",           "franka_hand", "parallel_jaw",
+                                             "parallel_jaw_wide", "puma560",     "xr4000"};
   const std::vector<std::string> names = library_robot_names();
   for (const std::string& name : expected) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
@@ -100,8 +123,9 @@ TEST(RobotLibrary, UnknownNameListsTheKnownOnes) {
     FAIL() << "no complaint";
   } catch (const InputError& error) {
     const std::string message = error.what();
-    EXPECT_NE(message.find("barrett, franka_hand, parallel_jaw, parallel_jaw_wide"),
-              std::string::npos)
+    EXPECT_NE(
+        message.find("barrett, franka_hand, obelix, parallel_jaw, parallel_jaw_wide, puma560"),
+        std::string::npos)
         << message;
     EXPECT_NE(message.find("(barett)"), std::string::npos) << message;
   }
