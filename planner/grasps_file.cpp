@@ -41,10 +41,9 @@ Json primitive_json(const ScoredGrasp& grasp, const PlanResult& result) {
 }
 
 Json blocked_json(const CompiledScene& scene, const Trial& trial) {
-  if (trial.link < 0) return nullptr;
-  return {{"link", scene.links[index(trial.link)].name},
-          {"by", trial.obstacle < 0 ? scene.scene.object.name
-                                    : scene.obstacles[index(trial.obstacle)].name}};
+  const Blame blocked = blame(scene, trial);
+  if (blocked.link.empty()) return nullptr;
+  return {{"link", blocked.link}, {"by", blocked.by}};
 }
 
 Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const PlanResult& result) {

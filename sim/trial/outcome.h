@@ -12,15 +12,21 @@ enum class Outcome {
   no_contact,         // the hand closed on nothing
   hand_blocked,      // the hand collides where it starts, or where its palm is pushed to at the end
   approach_blocked,  // an obstacle stops the hand before it reaches the object
+  unreachable,       // no posture of the arm brings the hand there along the approach
+  arm_blocked,       // the arm collides in the posture that would, or on the line
+  no_path,  // the arm finds no way from its start to the pre-grasp; found out by the planner
 };
 
-inline constexpr std::array<Outcome, 5> kOutcomes = {Outcome::stable, Outcome::not_force_closure,
-                                                     Outcome::no_contact, Outcome::hand_blocked,
-                                                     Outcome::approach_blocked};
+inline constexpr std::array<Outcome, 8> kOutcomes = {
+    Outcome::stable,           Outcome::not_force_closure,
+    Outcome::no_contact,       Outcome::hand_blocked,
+    Outcome::approach_blocked, Outcome::unreachable,
+    Outcome::arm_blocked,      Outcome::no_path};
 
 constexpr std::string_view outcome_name(Outcome outcome) {
-  constexpr std::array<std::string_view, 5> kNames = {"stable", "not_force_closure", "no_contact",
-                                                      "hand_blocked", "approach_blocked"};
+  constexpr std::array<std::string_view, 8> kNames = {
+      "stable",           "not_force_closure", "no_contact",  "hand_blocked",
+      "approach_blocked", "unreachable",       "arm_blocked", "no_path"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 

@@ -89,7 +89,7 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
 
 void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial) {
   if (trial.outcome != Outcome::not_force_closure || options.settle_steps <= 0) return;
-  if (scene.has_obstacles()) return;
+  if (scene.has_obstacles() || scene.arm) return;
   const std::optional<FingerPair> fingers = self_centering_fingers(scene.scene.hand);
   if (!fingers) return;
   Trial now = trial;

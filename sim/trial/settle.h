@@ -10,7 +10,7 @@ namespace prehend {
 // the same) and the fingers close after it, until they hold or come no closer. Quasi-static, in
 // steps of options.settle_angle, at most options.settle_steps of them; the fingers lose width in
 // every step. What does not come to hold stays as it was. Leaves other hands and outcomes alone,
-// and objects among obstacles, which are not free to turn.
+// and objects among obstacles or in the hand of an arm: what is not free to turn.
 void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial);
 
 }  // namespace prehend

@@ -11,25 +11,34 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+std::vector<double> start_joints(const CompiledScene& scene, const Candidate& candidate) {
+  const Robot& hand = scene.scene.hand;
+  if (candidate.preshape >= 0) {
+    return joint_values(hand, hand.hand->preshapes[index(candidate.preshape)].dofs);
+  }
+  return candidate.joints.empty() ? joint_values(hand, candidate.dofs) : candidate.joints;
+}
+
 class TrialRun {
  public:
   TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options)
       : scene_(scene),
+        candidate_(candidate),
         options_(options),
         motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance} {
-    const Robot& hand = scene.scene.hand;
     if (candidate.preshape >= 0) {
-      start_.dofs = hand.hand->preshapes[index(candidate.preshape)].dofs;
+      start_.dofs = scene.scene.hand.hand->preshapes[index(candidate.preshape)].dofs;
       start_.self_clearance = scene.preshape_gaps[index(candidate.preshape)];
     } else {
       start_.dofs = candidate.dofs;
       start_.joints = candidate.joints;
     }
-    start_joints_ = start_.joints.empty() ? joint_values(hand, start_.dofs) : start_.joints;
+    start_joints_ = start_joints(scene, candidate);
   }
 
   Trial run() {
     Trial trial;
+    if (scene_.arm && !has_posture_at_pre_grasp(trial)) return trial;
     const ApproachResult reached = approach(scene_, start_joints_, motion_, options_);
     trial.X_OH = motion_.at(reached.travel);
     trial.travel = reached.travel;
@@ -43,6 +52,8 @@ class TrialRun {
       trial.obstacle = reached.obstacle;
       return trial;
     }
+    // Not before the hand's own way is free, and before the hand closes, which takes longer.
+    if (scene_.arm && !arm_follows(trial)) return trial;
     close_at(reached.travel, reached.object_clearance, trial);
     for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable;
          ++back) {
@@ -56,10 +67,35 @@ class TrialRun {
       again.back_offs = back;
       if (again.outcome == Outcome::stable) trial = again;
     }
+    // The line may have become shorter, or have moved aside with a hand that centres itself.
+    if (scene_.arm && trial.outcome == Outcome::stable) arm_follows(trial);
     return trial;
   }
 
  private:
+  bool has_posture_at_pre_grasp(Trial& trial) {
+    if (!postures_at(*scene_.arm, motion_.at(0.0), options_.reach).empty()) return true;
+    trial.X_OH = motion_.at(0.0);
+    trial.dofs = start_.dofs;
+    trial.joints = start_joints_;
+    trial.outcome = Outcome::unreachable;
+    return false;
+  }
+
+  bool arm_follows(Trial& trial) {
+    const Reach reach =
+        find_reach(*scene_.arm, approach_line(scene_, candidate_, trial), options_.reach);
+    if (reach.end == ReachEnd::reached) {
+      trial.arm_dofs = reach.line.back();
+      return true;
+    }
+    trial.outcome = reach.end == ReachEnd::blocked ? Outcome::arm_blocked : Outcome::unreachable;
+    trial.arm_pair = reach.pair;
+    trial.contacts.clear();
+    trial.epsilon = {};
+    return false;
+  }
+
   void close_at(double travel, const std::vector<double>& clearance, Trial& trial) {
     start_.X_OH = motion_.at(travel);
     start_.object_clearance = clearance;
@@ -69,6 +105,7 @@ class TrialRun {
   }
 
   const CompiledScene& scene_;
+  const Candidate& candidate_;
   const TrialOptions& options_;
   ApproachMotion motion_;
   ClosingStart start_;
@@ -76,6 +113,21 @@ class TrialRun {
 };
 
 }  // namespace
+
+Blame blame(const CompiledScene& scene, const Trial& trial) {
+  if (trial.arm_pair) {
+    return {first_name(*scene.arm, *trial.arm_pair), second_name(*scene.arm, *trial.arm_pair)};
+  }
+  if (trial.link < 0) return {};
+  return {scene.links[index(trial.link)].name, trial.obstacle < 0
+                                                   ? scene.scene.object.name
+                                                   : scene.obstacles[index(trial.obstacle)].name};
+}
+
+HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial) {
+  return {translation(-trial.travel * candidate.approach_O) * trial.X_OH, trial.X_OH,
+          start_joints(scene, candidate)};
+}
 
 Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
                 const TrialOptions& options) {

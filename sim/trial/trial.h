@@ -1,6 +1,7 @@
 // One candidate, from pre-grasp to quality: a pure function of scene, candidate and options.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,18 +31,31 @@ struct GraspContact {
 
 struct Trial {
   Outcome outcome = Outcome::no_contact;
-  int link = -1;                 // that was blocked, for hand_blocked and approach_blocked
-  int obstacle = -1;             // that blocked it, -1: the object
-  Pose X_OH = Pose::Identity();  // of the grasp
-  double travel = 0.0;           // of the approach until the grasp [m]
+  int link = -1;                    // that was blocked, for hand_blocked and approach_blocked
+  int obstacle = -1;                // that blocked it, -1: the object
+  std::optional<ArmPair> arm_pair;  // what met, for arm_blocked
+  Pose X_OH = Pose::Identity();     // of the grasp
+  double travel = 0.0;              // of the approach until the grasp [m]
   int back_offs = 0;
   double turned = 0.0;  // by this the object turned between the fingers, see settle.h [rad]
   std::vector<double> dofs;
   std::vector<double> joints;
+  std::vector<double> arm_dofs;  // of the platform, the hand as it starts; empty without an arm
   std::vector<GraspContact> contacts;
   EpsilonBracket epsilon;
 };
 
+// What was blocked, and by what; empty for other outcomes.
+struct Blame {
+  std::string link;
+  std::string by;
+};
+Blame blame(const CompiledScene& scene, const Trial& trial);
+
+// The way of the hand from the pre-grasp to the grasp, with its joints as the candidate says.
+HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial);
+
+// A scene with an arm also has it reach: see find_reach.
 Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
                 const TrialOptions& options = {});
 

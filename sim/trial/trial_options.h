@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/contact/surface_contact.h"
+#include "sim/reach/reach.h"
 
 namespace prehend {
 
@@ -23,6 +24,7 @@ struct TrialOptions {
   int settle_steps = 24;
   // Edges of the pyramid that stands for a friction cone (>= 3).
   int cone_edges = 8;
+  ReachOptions reach;  // for scenes with an arm
   // A pair of bodies is asked for its gap at most this often in one motion; then it counts as
   // stopped where it is, which can cost a contact but never makes a penetration.
   int max_gap_queries = 400;

@@ -1,0 +1,221 @@
+#include "planner/path/plan_transfer.h"
+
+#include <algorithm>
+#include <memory>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/geometric/PathSimplifier.h>
+#include <ompl/geometric/planners/prm/LazyPRM.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/Console.h>
+
+namespace prehend {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+// Longest edge that a tree grows at once: the farthest that any point of the arm moves [m].
+constexpr double kLongestEdge = 0.8;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// OMPL numbers its random generators in the order of their creation, on whatever thread: here each
+// gets a seed of its own.
+class SeededSampler : public ob::RealVectorStateSampler {
+ public:
+  SeededSampler(const ob::StateSpace* space, std::uint64_t seed)
+      : ob::RealVectorStateSampler(space) {
+    rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
+  }
+};
+
+template <typename Planner>
+class Seeded : public Planner {
+ public:
+  Seeded(const ob::SpaceInformationPtr& information, std::uint64_t seed) : Planner(information) {
+    this->rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
+  }
+};
+
+class SeededSimplifier : public og::PathSimplifier {
+ public:
+  SeededSimplifier(const ob::SpaceInformationPtr& information, std::uint64_t seed)
+      : og::PathSimplifier(information) {
+    rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
+  }
+};
+
+// The degrees of freedom that carry the hand as coordinates in which a unit is about a metre of
+// motion of the farthest point.
+class TransferSpace {
+ public:
+  TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options)
+      : arm_(arm), transfer_(transfer), options_(options) {
+    pairs_ = arm.arm_pairs;
+    pairs_.insert(pairs_.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+    for (const int dof : arm.dofs) scale_.push_back(motion_of(dof));
+  }
+
+  std::size_t size() const { return scale_.size(); }
+  double lower(std::size_t k) const { return scale_[k] * dof(k).lower; }
+  double upper(std::size_t k) const { return scale_[k] * dof(k).upper; }
+
+  DofValues dofs(const ob::State* state) const {
+    const double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    DofValues result = transfer_.from;
+    for (std::size_t k = 0; k < size(); ++k) result[index(arm_.dofs[k])] = values[k] / scale_[k];
+    return result;
+  }
+
+  void set(const DofValues& dofs, ob::State* state) const {
+    double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    for (std::size_t k = 0; k < size(); ++k) values[k] = scale_[k] * dofs[index(arm_.dofs[k])];
+  }
+
+  bool is_free(const ob::State* state) const {
+    return !first_meeting(arm_, pairs_, joints(dofs(state)));
+  }
+
+  bool is_free(const DofValues& from, const DofValues& to) const {
+    return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion);
+  }
+
+ private:
+  const DegreeOfFreedom& dof(std::size_t k) const { return arm_.robot().dofs[index(arm_.dofs[k])]; }
+
+  std::vector<double> joints(const DofValues& dofs) const {
+    return arm_joints(arm_, dofs, transfer_.hand_joints);
+  }
+
+  // Most that any point of a link moves for a unit of the degree of freedom.
+  double motion_of(int dof) const {
+    double most = 1e-3;
+    for (const CompiledLink& link : arm_.links) {
+      for (std::size_t k = 0; k < link.joints.size(); ++k) {
+        const Joint& joint = arm_.robot().joints[index(link.joints[k])];
+        if (joint.dof == dof) most = std::max(most, std::abs(joint.ratio) * link.reach[k]);
+      }
+    }
+    return most;
+  }
+
+  const CompiledArm& arm_;
+  const Transfer& transfer_;
+  const TransferOptions& options_;
+  std::vector<ArmPair> pairs_;
+  std::vector<double> scale_;
+};
+
+class FreeMotion : public ob::MotionValidator {
+ public:
+  FreeMotion(const ob::SpaceInformationPtr& information, const TransferSpace& space)
+      : ob::MotionValidator(information), space_(space) {}
+
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    return space_.is_free(space_.dofs(from), space_.dofs(to));
+  }
+  bool checkMotion(const ob::State* from, const ob::State* to,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    if (checkMotion(from, to)) return true;
+    if (last_valid.first != nullptr) si_->copyState(last_valid.first, from);
+    last_valid.second = 0.0;
+    return false;
+  }
+
+ private:
+  const TransferSpace& space_;
+};
+
+ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t seed) {
+  auto vectors = std::make_shared<ob::RealVectorStateSpace>(static_cast<unsigned>(space.size()));
+  ob::RealVectorBounds bounds(static_cast<unsigned>(space.size()));
+  for (std::size_t k = 0; k < space.size(); ++k) {
+    bounds.low[k] = space.lower(k);
+    bounds.high[k] = space.upper(k);
+  }
+  vectors->setBounds(bounds);
+  vectors->setStateSamplerAllocator(
+      [seed](const ob::StateSpace* of) { return std::make_shared<SeededSampler>(of, seed); });
+  auto information = std::make_shared<ob::SpaceInformation>(vectors);
+  information->setStateValidityChecker(
+      [&space](const ob::State* state) { return space.is_free(state); });
+  information->setMotionValidator(std::make_shared<FreeMotion>(information, space));
+  information->setup();
+  return information;
+}
+
+ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
+                          const TransferOptions& options) {
+  switch (options.planner) {
+    case PathPlanner::roadmap: {
+      auto planner = std::make_shared<og::LazyPRM>(information);
+      planner->setRange(kLongestEdge);
+      return planner;
+    }
+    case PathPlanner::rrt_star: {
+      auto planner = std::make_shared<Seeded<og::RRTstar>>(information, options.seed);
+      planner->setRange(kLongestEdge);
+      return planner;
+    }
+    default: {
+      auto planner = std::make_shared<Seeded<og::RRTConnect>>(information, options.seed);
+      planner->setRange(kLongestEdge);
+      return planner;
+    }
+  }
+}
+
+// Counts how often the planner asks, and ends it at the limit: the same on every machine.
+ob::PlannerTerminationCondition after(int iterations) {
+  auto left = std::make_shared<int>(iterations);
+  return ob::PlannerTerminationCondition([left] { return --*left < 0; });
+}
+
+std::vector<DofValues> search(const TransferSpace& space, const Transfer& transfer,
+                              const TransferOptions& options) {
+  const ob::SpaceInformationPtr information = information_of(space, options.seed);
+  auto problem = std::make_shared<ob::ProblemDefinition>(information);
+  ob::ScopedState<> from(information);
+  ob::ScopedState<> to(information);
+  space.set(transfer.from, from.get());
+  space.set(transfer.to, to.get());
+  problem->setStartAndGoalStates(from, to);
+  problem->setOptimizationObjective(
+      std::make_shared<ob::PathLengthOptimizationObjective>(information));
+  const ob::PlannerPtr planner = planner_of(information, options);
+  planner->setProblemDefinition(problem);
+  planner->setup();
+  planner->solve(after(options.max_iterations));
+  if (!problem->hasExactSolution()) return {};
+  auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
+  SeededSimplifier simplifier(information, options.seed);
+  const auto steps = static_cast<unsigned>(options.simplify_steps);
+  simplifier.reduceVertices(*path, steps, steps);
+  simplifier.shortcutPath(*path, steps, steps);
+  simplifier.reduceVertices(*path, steps, steps);
+  std::vector<DofValues> waypoints;
+  for (const ob::State* state : path->getStates()) waypoints.push_back(space.dofs(state));
+  waypoints.front() = transfer.from;
+  waypoints.back() = transfer.to;
+  return waypoints;
+}
+
+}  // namespace
+
+std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
+                                     const TransferOptions& options) {
+  ompl::msg::noOutputHandler();
+  const TransferSpace space(arm, transfer, options);
+  if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
+  std::vector<DofValues> waypoints = search(space, transfer, options);
+  // Rounding in and out of the planner's coordinates must not cost the proof.
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    if (!space.is_free(waypoints[i - 1], waypoints[i])) return {};
+  }
+  return waypoints;
+}
+
+}  // namespace prehend
