@@ -1,15 +1,33 @@
 #include "planner/path_spline.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 namespace prehend {
 namespace {
 
-// Slope at s0 of the parabola through three points, of which the secants have the slopes `near`
-// (s0 to s1, `h0` long) and `far` (s1 to s2, `h1` long).
-double end_slope(double near, double h0, double far, double h1) {
-  return near + (near - far) * (h0 / (h0 + h1));
+// Slope at the first of the points (at most four are used) of the polynomial through them, by
+// Newton's divided differences. `at(i)` is the index of the i-th point from that end.
+template <typename At>
+double end_slope(const std::vector<double>& knots, const std::vector<double>& q, const At& at) {
+  const std::size_t count = std::min<std::size_t>(4, q.size());
+  std::array<double, 4> differences{};
+  for (std::size_t i = 0; i < count; ++i) differences[i] = q[at(i)];
+  for (std::size_t order = 1; order < count; ++order) {
+    for (std::size_t i = count - 1; i >= order; --i) {
+      differences[i] =
+          (differences[i] - differences[i - 1]) / (knots[at(i)] - knots[at(i - order)]);
+    }
+  }
+  // The derivative of d1 (s - s0) + d2 (s - s0)(s - s1) + d3 (s - s0)(s - s1)(s - s2) at s0.
+  double slope = 0.0;
+  double product = 1.0;
+  for (std::size_t order = 1; order < count; ++order) {
+    slope += differences[order] * product;
+    product *= knots[at(0)] - knots[at(order)];
+  }
+  return slope;
 }
 
 // Slopes of one joint at all knots: the second derivatives of neighbours agree where they meet.
@@ -23,8 +41,8 @@ std::vector<double> spline_slopes(const std::vector<double>& knots, const std::v
   }
   std::vector<double> slope(last + 1, secant[0]);
   if (last == 1) return slope;
-  slope[0] = end_slope(secant[0], h[0], secant[1], h[1]);
-  slope[last] = end_slope(secant[last - 1], h[last - 1], secant[last - 2], h[last - 2]);
+  slope[0] = end_slope(knots, q, [](std::size_t i) { return i; });
+  slope[last] = end_slope(knots, q, [last](std::size_t i) { return last - i; });
   // h1 m0 + 2 (h0 + h1) m1 + h0 m2 = 3 (h1 secant0 + h0 secant1), by elimination downwards (the
   // matrix is diagonally dominant) and substitution upwards.
   std::vector<double> above(last + 1, 0.0);

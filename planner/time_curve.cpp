@@ -36,10 +36,11 @@ std::vector<double> chosen(const std::vector<double>& values,
   return some;
 }
 
-// Seconds at full speed; hypot, because squares of short distances vanish.
+// Seconds at full speed. Never 0, so that knots increase; hypot, because squares of short distances
+// vanish.
 double distance(const std::vector<double>& from, const std::vector<double>& to,
                 const std::vector<double>& velocity) {
-  double length = 0.0;
+  double length = 1e-150;
   for (std::size_t j = 0; j < from.size(); ++j) {
     length = std::hypot(length, (to[j] - from[j]) / velocity[j]);
   }

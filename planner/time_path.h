@@ -38,7 +38,9 @@ struct TimedPath {
 // and braking are each divided evenly, so that the cubic between two samples is the motion itself.
 // smooth: speeds by reachability analysis (path_speed.h) along a cubic spline (path_spline.h),
 // samples evenly spaced, at least nine. Waypoints closer to the one before than 1e-9 of the path's
-// length are left out.
+// length are left out. The cubic between two samples strays from the curve by microradians (8e-6
+// rad was measured at 20 ms and 1 to 3 rad/s), and where the motion switches between two samples
+// its acceleration can be above the limit (1.66 times was measured).
 //
 // A path that goes nowhere is one sample. A motion takes at least a microsecond from stop to stop.
 // Throws InputError when waypoints are missing, ragged or not finite, a joint that moves has no
