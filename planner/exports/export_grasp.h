@@ -1,0 +1,38 @@
+// A grasp as other programs want to read it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/trajectory.h"
+#include "sim/geometry/pose.h"
+
+namespace prehend {
+
+// What all grasps of a file share.
+struct ExportHeader {
+  std::string object;
+  std::string hand;
+  std::string hand_base;  // link whose frame is the hand's (H)
+  std::vector<std::string> hand_dofs;
+  std::vector<std::string> hand_joints;
+};
+
+struct ExportGrasp {
+  int rank = 1;         // 1 is the best
+  std::string outcome;  // as in grasps.json: "stable", ...
+  double epsilon = 0.0;
+  double volume = 0.0;
+  Pose X_OH = Pose::Identity();         // the hand's base in the object's frame
+  Pose X_WH = Pose::Identity();         // and in the world's
+  std::string preshape;                 // empty: none
+  std::vector<double> dofs;             // of the closed hand, in the order of hand_dofs [rad or m]
+  std::vector<double> pregrasp_joints;  // in the order of hand_joints [rad or m]
+  std::vector<double> closed_joints;
+  Vector3 approach_O = Vector3::UnitZ();  // unit, object frame: the hand came this way
+  double approach_distance = 0.0;         // m
+  std::optional<Trajectory> path;
+};
+
+}  // namespace prehend

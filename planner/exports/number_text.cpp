@@ -1,0 +1,25 @@
+#include "planner/exports/number_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+
+std::string number_text(double value) {
+  if (!std::isfinite(value)) {
+    throw InputError("export: a number is not finite (" + std::to_string(value) + ")");
+  }
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.begin(), buffer.end(), value).ptr;
+  std::string text(buffer.begin(), end);
+  if (text.find('.') == std::string::npos) {
+    const std::size_t exponent = text.find('e');
+    text.insert(exponent == std::string::npos ? text.size() : exponent, ".0");
+  }
+  return text;
+}
+
+}  // namespace prehend

@@ -1,0 +1,13 @@
+// Numbers as text that every reader takes for the same number.
+#pragma once
+
+#include <string>
+
+namespace prehend {
+
+// The shortest decimal that reads back as `value`, always with a point, and with a sign in its
+// exponent: readers of YAML 1.1 (PyYAML, and so ROS and Isaac Sim) take 1e-05 for a word. Throws
+// InputError for what is not finite.
+std::string number_text(double value);
+
+}  // namespace prehend

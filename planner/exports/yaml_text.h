@@ -1,0 +1,27 @@
+// Pieces of the exported YAML files (the only place, with the formats, that knows yaml-cpp).
+#pragma once
+
+#include <string>
+#include <vector>
+#include <yaml-cpp/emitter.h>
+
+#include "sim/geometry/pose.h"
+
+namespace prehend {
+
+// Always in double quotes: "no", "1.0" and "~" would be read as something else without.
+void put_text(YAML::Emitter& yaml, const std::string& text);
+
+void put_number(YAML::Emitter& yaml, double value);
+
+// [a, b, c] on one line.
+void put_numbers(YAML::Emitter& yaml, const std::vector<double>& values);
+void put_texts(YAML::Emitter& yaml, const std::vector<std::string>& texts);
+
+// {x: , y: , z: } on one line.
+void put_vector(YAML::Emitter& yaml, const Vector3& v);
+
+// The finished text, with a line end. Our own mistake in the order of pieces is asserted.
+std::string yaml_text(const YAML::Emitter& yaml);
+
+}  // namespace prehend

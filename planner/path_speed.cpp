@@ -1,0 +1,114 @@
+#include "planner/path_speed.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+constexpr double kLargestSquaredSpeed = 1e4;
+
+// |at_start x + at_end y| <= bound, for the squared speeds x and y at both ends of an interval.
+struct Strip {
+  double at_start;
+  double at_end;
+  double bound;
+};
+
+struct Speeds {
+  double x;
+  double y;
+};
+
+// The acceleration limits on an interval. With d2s/dt2 = (y - x) / (2 ds) they are linear in x and
+// y.
+std::vector<Strip> acceleration_strips(const PathStation& start, const PathStation& end,
+                                       const std::vector<double>& limits) {
+  const double twice = 2.0 * (end.s - start.s);
+  std::vector<Strip> strips;
+  strips.reserve(2 * limits.size());
+  for (std::size_t j = 0; j < limits.size(); ++j) {
+    const double before = start.dq[j] / twice;
+    const double after = end.dq[j] / twice;
+    strips.push_back({start.ddq[j] - before, before, limits[j]});
+    strips.push_back({-after, after + end.ddq[j], limits[j]});
+  }
+  return strips;
+}
+
+double velocity_bound(const PathStation& station, const std::vector<double>& limits) {
+  double speed = std::sqrt(kLargestSquaredSpeed);
+  for (std::size_t j = 0; j < limits.size(); ++j) {
+    const double slope = std::abs(station.dq[j]);
+    if (limits[j] < speed * slope) speed = limits[j] / slope;
+  }
+  return speed * speed;
+}
+
+// Cuts off the part of a convex polygon where a x + b y > c (Sutherland and Hodgman 1974).
+void clip(std::vector<Speeds>& polygon, double a, double b, double c) {
+  std::vector<Speeds> kept;
+  kept.reserve(polygon.size() + 1);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Speeds& from = polygon[i];
+    const Speeds& to = polygon[(i + 1) % polygon.size()];
+    const double over_from = a * from.x + b * from.y - c;
+    const double over_to = a * to.x + b * to.y - c;
+    if (over_from <= 0.0) kept.push_back(from);
+    if ((over_from < 0.0 && over_to > 0.0) || (over_from > 0.0 && over_to < 0.0)) {
+      const double t = over_from / (over_from - over_to);
+      kept.push_back({from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)});
+    }
+  }
+  polygon.swap(kept);
+}
+
+// The largest x <= x_bound that allows some y in [0, y_bound]. The pairs allowed are a convex
+// polygon with the origin in it, so all smaller x do as well.
+double largest_start(const std::vector<Strip>& strips, double x_bound, double y_bound) {
+  std::vector<Speeds> polygon{{0.0, 0.0}, {x_bound, 0.0}, {x_bound, y_bound}, {0.0, y_bound}};
+  for (const Strip& strip : strips) {
+    const double reach = std::abs(strip.at_start) * x_bound + std::abs(strip.at_end) * y_bound;
+    if (reach <= strip.bound) continue;
+    clip(polygon, strip.at_start, strip.at_end, strip.bound);
+    clip(polygon, -strip.at_start, -strip.at_end, strip.bound);
+  }
+  double largest = 0.0;
+  for (const Speeds& corner : polygon) largest = std::max(largest, corner.x);
+  return largest;
+}
+
+// The largest y in [0, y_bound] for a given x.
+double largest_end(const std::vector<Strip>& strips, double x, double y_bound) {
+  double y = y_bound;
+  for (const Strip& strip : strips) {
+    const double most =
+        strip.at_end > 0.0 ? strip.bound - strip.at_start * x : strip.bound + strip.at_start * x;
+    const double slope = std::abs(strip.at_end);
+    if (most < y * slope) y = most / slope;
+  }
+  return std::max(y, 0.0);
+}
+
+}  // namespace
+
+std::vector<double> fastest_squared_speeds(const std::vector<PathStation>& stations,
+                                           const JointLimits& limits) {
+  assert(stations.size() >= 2);
+  const std::size_t last = stations.size() - 1;
+  std::vector<std::vector<Strip>> strips(last);
+  std::vector<double> reachable(last + 1, 0.0);  // from here the end can be reached
+  for (std::size_t i = last; i-- > 0;) {
+    strips[i] = acceleration_strips(stations[i], stations[i + 1], limits.acceleration);
+    const double bound = velocity_bound(stations[i], limits.velocity);
+    reachable[i] = largest_start(strips[i], bound, reachable[i + 1]);
+  }
+  std::vector<double> squared(last + 1, 0.0);
+  for (std::size_t i = 0; i < last; ++i) {
+    squared[i + 1] = largest_end(strips[i], squared[i], reachable[i + 1]);
+  }
+  return squared;
+}
+
+}  // namespace prehend

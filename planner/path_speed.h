@@ -1,0 +1,30 @@
+// The fastest run along a given curve.
+#pragma once
+
+#include <vector>
+
+#include "planner/joint_limits.h"
+
+namespace prehend {
+
+// A place on a curve q(s), with its derivatives by s, one number a joint.
+struct PathStation {
+  double s = 0.0;
+  std::vector<double> dq, ddq;
+};
+
+// The squared speed (ds/dt)^2 at each station, 0 at the first and the last, of the fastest run from
+// rest to rest. Between two stations d2s/dt2 is constant. At every station
+//   |q' ds/dt| <= velocity and |q' d2s/dt2 + q'' (ds/dt)^2| <= acceleration
+// hold for every joint, the latter with d2s/dt2 before and after it. (ds/dt)^2 is at most 1e4.
+//
+// A backward pass finds, for each station, the largest squared speed from which the end can still
+// be reached; a forward pass takes the largest of these that it can reach. Source: Pham and Pham
+// 2018, A New Approach to Time-Optimal Path Parameterization Based on Reachability Analysis,
+// sections III and IV, with the interpolation scheme of section V.
+//
+// `stations`: at least two, s increasing. All limits > 0.
+std::vector<double> fastest_squared_speeds(const std::vector<PathStation>& stations,
+                                           const JointLimits& limits);
+
+}  // namespace prehend

@@ -1,0 +1,120 @@
+#include "planner/time_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "planner/time_corners.h"
+#include "planner/time_curve.h"
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+using Points = std::vector<std::vector<double>>;
+
+// What rounding may leave above a limit.
+constexpr double kInside = 1.0 + 1e-10;
+
+[[noreturn]] void fail(const std::string& what) { throw InputError("joint path: " + what); }
+
+void check_limit(const char* name, double limit, std::size_t joint) {
+  if (std::isfinite(limit) && limit > 0.0) return;
+  fail("joint " + std::to_string(joint) + " moves, but its " + name + " limit is not positive (" +
+       std::to_string(limit) + ")");
+}
+
+void check(const Points& waypoints, const JointLimits& limits, const TimePathOptions& options) {
+  if (!(std::isfinite(options.sample_time) && options.sample_time > 0.0)) {
+    fail("sample_time is not positive (" + std::to_string(options.sample_time) + ")");
+  }
+  if (waypoints.empty()) fail("no waypoints");
+  const std::vector<double>& first = waypoints.front();
+  if (limits.velocity.size() != first.size() || limits.acceleration.size() != first.size()) {
+    fail("limits for " + std::to_string(limits.velocity.size()) + " velocities and " +
+         std::to_string(limits.acceleration.size()) + " accelerations of " +
+         std::to_string(first.size()) + " joints");
+  }
+  std::vector<bool> moves(first.size(), false);
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    const std::string name = "waypoint " + std::to_string(i);
+    if (waypoints[i].size() != first.size()) {
+      fail(name + " has " + std::to_string(waypoints[i].size()) + " numbers, the first " +
+           std::to_string(first.size()));
+    }
+    for (std::size_t j = 0; j < first.size(); ++j) {
+      if (!std::isfinite(waypoints[i][j])) {
+        fail(name + ", joint " + std::to_string(j) + " is not a finite number");
+      }
+      if (waypoints[i][j] != first[j]) moves[j] = true;
+    }
+  }
+  for (std::size_t j = 0; j < first.size(); ++j) {
+    if (!moves[j]) continue;
+    check_limit("velocity", limits.velocity[j], j);
+    check_limit("acceleration", limits.acceleration[j], j);
+  }
+}
+
+// By which factor (>= 1) the motion must be slowed down for all samples to be inside the limits.
+double excess(const TimedPath& path, const JointLimits& limits) {
+  double factor = 1.0;
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    for (std::size_t j = 0; j < limits.velocity.size(); ++j) {
+      const double speed = std::abs(path.velocities[i][j]);
+      if (speed > factor * limits.velocity[j]) factor = speed / limits.velocity[j];
+      if (i == 0) continue;
+      const double change = std::abs(path.velocities[i][j] - path.velocities[i - 1][j]);
+      const double rate = change / (path.times[i] - path.times[i - 1]);
+      if (rate > factor * factor * limits.acceleration[j]) {
+        factor = std::sqrt(rate / limits.acceleration[j]);
+      }
+    }
+  }
+  return factor;
+}
+
+}  // namespace
+
+TimedPath time_path(const Points& waypoints, PathKind kind, const JointLimits& limits,
+                    const TimePathOptions& options) {
+  check(waypoints, limits, options);
+  const bool moves = std::any_of(waypoints.begin(), waypoints.end(),
+                                 [&](const auto& q) { return q != waypoints.front(); });
+  std::optional<CurveRun> run;
+  if (moves && kind == PathKind::smooth) run.emplace(waypoints, limits);
+  double slower = 1.0;
+  while (true) {
+    TimedPath path = run ? run->sample(slower, options.sample_time)
+                         : time_corners(waypoints, limits, slower, options.sample_time);
+    const double factor = excess(path, limits);
+    if (factor <= kInside) return path;
+    slower *= factor;
+  }
+}
+
+void append(Trajectory& trajectory, const std::string& segment, const TimedPath& path) {
+  constexpr double kSamePlace = 1e-9;
+  const std::size_t joints = trajectory.joints.size();
+  if (path.positions.empty() || path.positions.front().size() != joints) {
+    fail("segment " + segment + " is empty or not of the trajectory's " + std::to_string(joints) +
+         " joints");
+  }
+  const bool first = trajectory.times.empty();
+  for (std::size_t j = 0; !first && j < joints; ++j) {
+    const double gap = path.positions.front()[j] - trajectory.positions.back()[j];
+    if (std::abs(gap) <= kSamePlace) continue;
+    fail("segment " + segment + " does not start where the one before ends: joint " +
+         trajectory.joints[j] + " is off by " + std::to_string(gap));
+  }
+  const double start = first ? 0.0 : trajectory.times.back();
+  const int begin = first ? 0 : static_cast<int>(trajectory.times.size()) - 1;
+  for (std::size_t i = first ? 0 : 1; i < path.times.size(); ++i) {
+    trajectory.times.push_back(start + path.times[i]);
+    trajectory.positions.push_back(path.positions[i]);
+    trajectory.velocities.push_back(path.velocities[i]);
+  }
+  trajectory.segments.push_back({segment, begin, static_cast<int>(trajectory.times.size()) - 1});
+}
+
+}  // namespace prehend

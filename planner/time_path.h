@@ -1,0 +1,57 @@
+// When to be where on a path: the fastest motion along a fixed curve that keeps to the limits of
+// the joints.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/joint_limits.h"
+#include "planner/trajectory.h"
+
+namespace prehend {
+
+// What lies between the waypoints.
+enum class PathKind {
+  corners,  // straight lines, with a full stop at each waypoint: a path of a sampling planner
+  smooth,   // a curve with continuous second derivative, run through without a stop: dense samples
+};
+
+struct TimePathOptions {
+  // Longest time between two samples (> 0) [s].
+  double sample_time = 0.02;
+};
+
+// A motion at rest at both ends. Time starts at 0 and increases.
+struct TimedPath {
+  std::vector<double> times;                   // s
+  std::vector<std::vector<double>> positions;  // one row a sample, one number a joint [rad or m]
+  std::vector<std::vector<double>> velocities;
+};
+
+// The fastest motion through `waypoints` (at least one, each with one number a joint).
+//
+// Every sample lies on the path; the last is the last waypoint, to the bit. No velocity exceeds its
+// limit, nor does any difference of two velocities over the time between them; what discretisation
+// leaves of an excess is removed by slowing the whole motion down.
+//
+// corners: the trapezoid (or triangle) of speed on each line, in closed form. Speeding up, cruising
+// and braking are each divided evenly, so that the cubic between two samples is the motion itself.
+// smooth: speeds by reachability analysis (path_speed.h) along a cubic spline (path_spline.h),
+// samples evenly spaced, at least nine. Waypoints closer to the one before than 1e-9 of the path's
+// length are left out. The cubic between two samples strays from the curve by microradians (8e-6
+// rad was measured at 20 ms and 1 to 3 rad/s), and where the motion switches between two samples
+// its acceleration can be above the limit (1.66 times was measured).
+//
+// A path that goes nowhere is one sample. A motion takes at least a microsecond from stop to stop.
+// Throws InputError when waypoints are missing, ragged or not finite, a joint that moves has no
+// limits, or they are so small that the motion would take ten million samples.
+TimedPath time_path(const std::vector<std::vector<double>>& waypoints, PathKind kind,
+                    const JointLimits& limits, const TimePathOptions& options = {});
+
+// Puts `path` behind the last sample of `trajectory`, as a segment; the sample where they meet is
+// kept once. An empty trajectory (joints named, no samples) takes the path as it is. Throws
+// InputError when the path does not start where the trajectory ends (within 1e-9 rad or m) or has
+// another number of joints.
+void append(Trajectory& trajectory, const std::string& segment, const TimedPath& path);
+
+}  // namespace prehend
