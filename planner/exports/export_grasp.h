@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/trajectory.h"
+#include "planner/path/trajectory.h"
 #include "sim/geometry/pose.h"
 
 namespace prehend {

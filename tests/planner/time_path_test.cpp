@@ -1,4 +1,4 @@
-#include "planner/time_path.h"
+#include "planner/path/time_path.h"
 
 #include <cmath>
 #include <limits>

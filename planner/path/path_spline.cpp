@@ -1,4 +1,4 @@
-#include "planner/path_spline.h"
+#include "planner/path/path_spline.h"
 
 #include <algorithm>
 #include <array>

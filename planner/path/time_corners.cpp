@@ -1,10 +1,10 @@
-#include "planner/time_corners.h"
+#include "planner/path/time_corners.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "planner/sample_count.h"
+#include "planner/path/sample_count.h"
 
 namespace prehend {
 namespace {

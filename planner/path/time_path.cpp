@@ -1,11 +1,11 @@
-#include "planner/time_path.h"
+#include "planner/path/time_path.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "planner/time_corners.h"
-#include "planner/time_curve.h"
+#include "planner/path/time_corners.h"
+#include "planner/path/time_curve.h"
 #include "sim/geometry/input_error.h"
 
 namespace prehend {

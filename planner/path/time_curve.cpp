@@ -1,10 +1,10 @@
-#include "planner/time_curve.h"
+#include "planner/path/time_curve.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "planner/path_speed.h"
-#include "planner/sample_count.h"
+#include "planner/path/path_speed.h"
+#include "planner/path/sample_count.h"
 
 namespace prehend {
 namespace {

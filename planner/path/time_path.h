@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/joint_limits.h"
-#include "planner/trajectory.h"
+#include "planner/path/joint_limits.h"
+#include "planner/path/trajectory.h"
 
 namespace prehend {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/time_path.h"
+#include "planner/path/time_path.h"
 
 namespace prehend {
 

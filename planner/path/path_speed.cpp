@@ -1,4 +1,4 @@
-#include "planner/path_speed.h"
+#include "planner/path/path_speed.h"
 
 #include <algorithm>
 #include <cassert>

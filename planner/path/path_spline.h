@@ -11,10 +11,10 @@ struct CurvePoint {
 };
 
 // The cubic spline through the points: twice continuously differentiable, a cubic in s between two
-// knots. Its slope at either end is that of the cubic through the four points there (of the parabola
-// or the line, if there are fewer). That follows a curve better than the natural end, whose second
-// derivative is 0 whatever the points say.
-// Source: de Boor 1978, A Practical Guide to Splines, chapter IV.
+// knots. Its slope at either end is that of the cubic through the four points there (of the
+// parabola or the line, if there are fewer). That follows a curve better than the natural end,
+// whose second derivative is 0 whatever the points say. Source: de Boor 1978, A Practical Guide to
+// Splines, chapter IV.
 class PathSpline {
  public:
   // At least two points, one increasing knot each.

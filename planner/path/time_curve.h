@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "planner/path_spline.h"
-#include "planner/time_path.h"
+#include "planner/path/path_spline.h"
+#include "planner/path/time_path.h"
 
 namespace prehend {
 

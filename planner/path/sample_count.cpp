@@ -1,4 +1,4 @@
-#include "planner/sample_count.h"
+#include "planner/path/sample_count.h"
 
 #include <algorithm>
 #include <cmath>

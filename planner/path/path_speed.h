@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/joint_limits.h"
+#include "planner/path/joint_limits.h"
 
 namespace prehend {
 

@@ -1,0 +1,168 @@
+#include "planner/path/check_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace prehend {
+namespace {
+
+// What rounding may add to a limit, as a part of it or in rad or m.
+constexpr double kRounding = 1e-6;
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+// The cubic with the positions and velocities of samples i and i + 1, at `part` of the way.
+std::vector<double> between(const Trajectory& path, std::size_t i, double part) {
+  const double h = path.times[i + 1] - path.times[i];
+  const double s = part;
+  const double from = (1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s);
+  const double to = s * s * (3.0 - 2.0 * s);
+  const double leave = s * (1.0 - s) * (1.0 - s) * h;
+  const double arrive = s * s * (s - 1.0) * h;
+  std::vector<double> joints(path.joints.size());
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    joints[j] = from * path.positions[i][j] + to * path.positions[i + 1][j] +
+                leave * path.velocities[i][j] + arrive * path.velocities[i + 1][j];
+  }
+  return joints;
+}
+
+// The corners of each link's bounding box: they move as far as any point of the link does.
+std::vector<std::vector<Vector3>> box_corners(const CompiledArm& arm) {
+  std::vector<std::vector<Vector3>> corners;
+  for (const CompiledLink& link : arm.links) {
+    const Bounds box = bounds(link.mesh.mesh());
+    std::vector<Vector3> points;
+    for (const double x : {box.lower.x(), box.upper.x()}) {
+      for (const double y : {box.lower.y(), box.upper.y()}) {
+        for (const double z : {box.lower.z(), box.upper.z()}) points.emplace_back(x, y, z);
+      }
+    }
+    corners.push_back(std::move(points));
+  }
+  return corners;
+}
+
+class PathChecker {
+ public:
+  PathChecker(const CompiledScene& scene, const Trajectory& path, const PathCheckOptions& options)
+      : arm_(*scene.arm),
+        path_(path),
+        options_(options),
+        pairs_(separate_pairs(arm_.links)),
+        corners_(box_corners(arm_)) {}
+
+  PathCheck run() {
+    check_limits();
+    look(path_.positions.front(), path_.times.front());
+    for (std::size_t i = 0; i + 1 < path_.times.size(); ++i) walk(i);
+    return check_;
+  }
+
+ private:
+  void check_limits() {
+    const Robot& robot = arm_.robot();
+    for (std::size_t i = 0; i < path_.times.size(); ++i) {
+      for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+        const Joint& joint = robot.joints[j];
+        const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
+        const double value = path_.positions[i][j];
+        check_.beyond_limits =
+            std::max({check_.beyond_limits, joint.lower - value, value - joint.upper});
+        const double speed = std::abs(path_.velocities[i][j] / joint.ratio);
+        if (speed > 0.0) check_.velocity = std::max(check_.velocity, speed / dof.max_velocity);
+        if (i == 0) continue;
+        const double change = std::abs(path_.velocities[i][j] - path_.velocities[i - 1][j]);
+        const double rate = change / std::abs(joint.ratio) / (path_.times[i] - path_.times[i - 1]);
+        if (change > 0.0) {
+          check_.acceleration = std::max(check_.acceleration, rate / dof.max_acceleration);
+        }
+      }
+    }
+  }
+
+  // From sample i to the next, in halves until the steps are short.
+  void walk(std::size_t i) {
+    int steps = 1;
+    while (steps < 4096 && longest_step(i, steps) > options_.step) steps *= 2;
+    for (int k = 1; k <= steps; ++k) {
+      const double part = static_cast<double>(k) / steps;
+      look(between(path_, i, part), path_.times[i] + part * (path_.times[i + 1] - path_.times[i]));
+    }
+  }
+
+  double longest_step(std::size_t i, int steps) {
+    double longest = 0.0;
+    std::vector<Pose> before;
+    std::vector<Pose> after;
+    arm_link_poses(arm_, between(path_, i, 0.0), before);
+    for (int k = 1; k <= steps; ++k) {
+      arm_link_poses(arm_, between(path_, i, static_cast<double>(k) / steps), after);
+      for (std::size_t l = 0; l < corners_.size(); ++l) {
+        for (const Vector3& p : corners_[l]) {
+          longest = std::max(longest, (after[l] * p - before[l] * p).norm());
+        }
+      }
+      before.swap(after);
+    }
+    return longest;
+  }
+
+  void look(const std::vector<double>& joints, double time) {
+    ++check_.postures;
+    arm_link_poses(arm_, joints, X_BL_);
+    const std::string met = what_meets();
+    if (met.empty()) return;
+    if (++check_.collisions > 1) return;
+    char when[32];
+    std::snprintf(when, sizeof when, " at %.3f s", time);
+    check_.first_collision = met + when;
+  }
+
+  std::string what_meets() const {
+    for (const LinkPair& pair : pairs_) {
+      const CompiledLink& a = arm_.links[index(pair.a)];
+      const CompiledLink& b = arm_.links[index(pair.b)];
+      if (meet(a.mesh, b.mesh, X_BL_[index(pair.a)], X_BL_[index(pair.b)])) {
+        return a.name + " meets " + b.name;
+      }
+    }
+    for (std::size_t l = 0; l < arm_.links.size(); ++l) {
+      for (const FixedBody& body : arm_.fixed) {
+        if (meet(body.mesh, arm_.links[l].mesh, body.X_BF, X_BL_[l])) {
+          return arm_.links[l].name + " meets " + body.name;
+        }
+      }
+    }
+    return "";
+  }
+
+  static bool meet(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_A,
+                   const Pose& X_B) {
+    const double apart = (X_A * a.ball_center() - X_B * b.ball_center()).norm();
+    return apart <= a.ball_radius() + b.ball_radius() && surfaces_cross(a, b, X_A.inverse() * X_B);
+  }
+
+  const CompiledArm& arm_;
+  const Trajectory& path_;
+  const PathCheckOptions& options_;
+  const std::vector<LinkPair> pairs_;
+  const std::vector<std::vector<Vector3>> corners_;
+  std::vector<Pose> X_BL_;
+  PathCheck check_;
+};
+
+}  // namespace
+
+bool PathCheck::ok() const {
+  return collisions == 0 && velocity <= 1.0 + kRounding && acceleration <= 1.0 + kRounding &&
+         beyond_limits <= kRounding;
+}
+
+PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
+                     const PathCheckOptions& options) {
+  return PathChecker(scene, path, options).run();
+}
+
+}  // namespace prehend

@@ -1,0 +1,34 @@
+// A second look at a finished path, by other means than those that made it.
+#pragma once
+
+#include <string>
+
+#include "planner/path/trajectory.h"
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend {
+
+struct PathCheck {
+  int postures = 0;             // that were looked at
+  int collisions = 0;           // of them
+  std::string first_collision;  // "LINK meets BODY at TIME s", empty for none
+  // Largest over all samples and joints, as parts of the limits: at most 1 is inside.
+  double velocity = 0.0;
+  double acceleration = 0.0;   // difference of the velocities of two samples over the time between
+  double beyond_limits = 0.0;  // farthest that a joint is outside its limits [rad or m]
+
+  bool ok() const;
+};
+
+struct PathCheckOptions {
+  double step = 2e-3;  // longest motion of any point of a link between two postures [m]
+};
+
+// Looks at postures along the cubics between the samples of the path, so densely that no point
+// moves more than `step` from one to the next: whether any two triangles meet, of every link with
+// every other that it is not joined to, with the object and with the obstacles. Knows no gaps, no
+// proven pairs and no bounds of motion but the points of the links themselves.
+PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
+                     const PathCheckOptions& options = {});
+
+}  // namespace prehend

@@ -1,0 +1,136 @@
+#include "planner/path/grasp_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planner/path/check_path.h"
+
+namespace prehend {
+namespace {
+
+std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+JointLimits limits_of(const Robot& robot) {
+  JointLimits limits;
+  for (const Joint& joint : robot.joints) {
+    const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
+    limits.velocity.push_back(std::abs(joint.ratio) * dof.max_velocity);
+    limits.acceleration.push_back(std::abs(joint.ratio) * dof.max_acceleration);
+  }
+  return limits;
+}
+
+// The joints of the hand while it closes: each moves at its rate until it is where it ends. One
+// posture for every time that one of them stops.
+JointPath closing_path(const Robot& hand, const std::vector<double>& from,
+                       const std::vector<double>& to) {
+  std::vector<double> rate(from.size(), 0.0);
+  std::vector<double> stop(from.size(), 0.0);  // in seconds of the closing velocities
+  std::vector<double> stops;
+  for (std::size_t j = 0; j < from.size(); ++j) {
+    const Joint& joint = hand.joints[j];
+    rate[j] = joint.ratio * hand.dofs[index(joint.dof)].closing_velocity;
+    const double way = to[j] - from[j];
+    // What does not close, or was pushed back, goes straight there in the first second.
+    if (rate[j] * way <= 0.0) rate[j] = way;
+    stop[j] = way == 0.0 ? 0.0 : way / rate[j];
+    stops.push_back(stop[j]);
+  }
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  JointPath path = {from};
+  for (const double time : stops) {
+    if (time <= 0.0) continue;
+    std::vector<double> joints = from;
+    for (std::size_t j = 0; j < from.size(); ++j) {
+      joints[j] = time >= stop[j] ? to[j] : from[j] + time * rate[j];
+    }
+    path.push_back(std::move(joints));
+  }
+  return path;
+}
+
+class GraspPathPlanner {
+ public:
+  GraspPathPlanner(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                   const GraspPathOptions& options)
+      : scene_(scene),
+        arm_(*scene.arm),
+        trial_(trial),
+        options_(options),
+        limits_(limits_of(arm_.robot())),
+        line_(approach_line(scene, candidate, trial)) {
+    const std::vector<double> start = joint_values(arm_.robot(), arm_.start);
+    const auto first = start.begin() + arm_.hand_part().first_joint;
+    start_hand_.assign(first, first + static_cast<std::ptrdiff_t>(line_.hand_joints.size()));
+    pairs_ = arm_.arm_pairs;
+    pairs_.insert(pairs_.end(), arm_.hand_pairs.begin(), arm_.hand_pairs.end());
+  }
+
+  std::optional<Trajectory> plan() {
+    ReachOptions reach = options_.reach;
+    for (const Reach& way : find_reaches(arm_, line_, options_.alternatives, reach)) {
+      if (way.end != ReachEnd::reached) continue;
+      for (const bool opens_first : {true, false}) {
+        if (!opens_first && start_hand_ == line_.hand_joints) continue;
+        std::optional<Trajectory> path = along(way, opens_first);
+        if (path && check_path(scene_, *path).ok()) return path;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // The hand takes its preshape before the arm moves, or at the pre-grasp.
+  std::optional<Trajectory> along(const Reach& way, bool opens_first) const {
+    const std::vector<double>& carried = opens_first ? line_.hand_joints : start_hand_;
+    const DofValues& opens_at = opens_first ? arm_.start : way.line.front();
+    const JointPath opening = {arm_joints(arm_, opens_at, start_hand_),
+                               arm_joints(arm_, opens_at, line_.hand_joints)};
+    if (first_blocked(arm_, pairs_, opening, options_.transfer.motion)) return std::nullopt;
+    const std::vector<DofValues> waypoints =
+        plan_transfer(arm_, {arm_.start, way.line.front(), carried}, options_.transfer);
+    if (waypoints.empty()) return std::nullopt;
+    Trajectory path;
+    for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);
+    if (opens_first) add(path, "preshape", opening, PathKind::corners);
+    add(path, "transfer", with_hand(waypoints, carried), PathKind::corners);
+    if (!opens_first) add(path, "preshape", opening, PathKind::corners);
+    add(path, "approach", with_hand(way.line, line_.hand_joints), PathKind::smooth);
+    JointPath closing;
+    for (const auto& hand : closing_path(scene_.scene.hand, line_.hand_joints, trial_.joints)) {
+      closing.push_back(arm_joints(arm_, way.line.back(), hand));
+    }
+    add(path, "close", closing, PathKind::corners);
+    return path;
+  }
+
+  JointPath with_hand(const std::vector<DofValues>& dofs, const std::vector<double>& hand) const {
+    JointPath path;
+    for (const DofValues& values : dofs) path.push_back(arm_joints(arm_, values, hand));
+    return path;
+  }
+
+  void add(Trajectory& path, const char* segment, const JointPath& waypoints, PathKind kind) const {
+    append(path, segment, time_path(waypoints, kind, limits_, options_.timing));
+  }
+
+  const CompiledScene& scene_;
+  const CompiledArm& arm_;
+  const Trial& trial_;
+  const GraspPathOptions& options_;
+  const JointLimits limits_;
+  const HandLine line_;
+  std::vector<double> start_hand_;
+  std::vector<ArmPair> pairs_;
+};
+
+}  // namespace
+
+std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
+                                          const Trial& trial, const GraspPathOptions& options) {
+  return GraspPathPlanner(scene, candidate, trial, options).plan();
+}
+
+}  // namespace prehend

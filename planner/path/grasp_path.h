@@ -1,0 +1,29 @@
+// The whole way of a robot to a grasp, in time.
+#pragma once
+
+#include <optional>
+
+#include "planner/path/plan_transfer.h"
+#include "planner/path/time_path.h"
+#include "planner/path/trajectory.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+struct GraspPathOptions {
+  ReachOptions reach;
+  TransferOptions transfer;
+  TimePathOptions timing;
+  int alternatives = 3;  // postures of the pre-grasp that are tried (>= 1)
+};
+
+// Segments of a path, in order: "preshape" (the hand opens, the arm at rest; left out where the
+// hand starts so), "transfer" (from the start to the pre-grasp), "approach" (straight to the
+// grasp), "close". Joints are those of the platform. Proven free of collision but for the closing
+// hand and what it closes on, and checked again (check_path); nothing where there is no such way.
+// The scene must have an arm, and the trial be stable. Throws InputError for a degree of freedom
+// that moves and has no velocity or acceleration limit.
+std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
+                                          const Trial& trial, const GraspPathOptions& options = {});
+
+}  // namespace prehend
