@@ -46,6 +46,18 @@ Json blocked_json(const CompiledScene& scene, const Trial& trial) {
   return {{"link", blocked.link}, {"by", blocked.by}};
 }
 
+Json path_json(const Trajectory& path) {
+  Json segments = Json::array();
+  for (const TrajectorySegment& segment : path.segments) {
+    segments.push_back({{"name", segment.name}, {"first", segment.first}, {"last", segment.last}});
+  }
+  return {{"joints", path.joints},
+          {"times", path.times},
+          {"positions", path.positions},
+          {"velocities", path.velocities},
+          {"segments", segments}};
+}
+
 Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const PlanResult& result) {
   const Trial& trial = grasp.trial;
   const Candidate& candidate = grasp.candidate;
@@ -77,6 +89,8 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
                       {"back_offs", trial.back_offs},
                       {"turned", trial.turned}};
   json["blocked"] = blocked_json(scene, trial);
+  if (!trial.arm_dofs.empty()) json["arm_dofs"] = trial.arm_dofs;
+  if (grasp.path) json["path"] = path_json(*grasp.path);
   return json;
 }
 
@@ -102,6 +116,16 @@ Json settings_json(const RunRecord& record) {
           {"sphere_turns", candidates.sphere_turns}};
 }
 
+Json path_settings_json(const GraspPathOptions& paths) {
+  return {{"planner", path_planner_name(paths.transfer.planner)},
+          {"max_iterations", paths.transfer.max_iterations},
+          {"simplify_steps", paths.transfer.simplify_steps},
+          {"alternatives", paths.alternatives},
+          {"line_step", paths.reach.line_step},
+          {"tightest", paths.transfer.motion.tightest},
+          {"sample_time", paths.timing.sample_time}};
+}
+
 Json names_json(const Robot& hand) {
   Json dofs = Json::array();
   for (const DegreeOfFreedom& dof : hand.dofs) dofs.push_back(dof.name);
@@ -125,7 +149,18 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                     {"center_of_mass", vector_to_json(object.center_of_mass)},
                     {"X_world_object", pose_to_json(object.X_WO)}};
   json["hand"] = names_json(scene.scene.hand);
+  if (scene.arm) {
+    json["robot"] = names_json(scene.arm->robot());
+    json["robot"]["X_world_robot"] = pose_to_json(scene.arm->X_WB);
+  }
+  if (scene.has_obstacles()) {
+    json["obstacles"] = Json::array();
+    for (const CompiledObstacle& obstacle : scene.obstacles) {
+      json["obstacles"].push_back(obstacle.name);
+    }
+  }
   json["settings"] = settings_json(record);
+  if (record.options.paths) json["settings"]["paths"] = path_settings_json(*record.options.paths);
   json["stages"] = Json::array();
   for (const Stage& stage : result.stages) {
     json["stages"].push_back({{"name", stage.name}, {"count", stage.count}});
@@ -134,6 +169,11 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   for (Outcome outcome : kOutcomes) {
     json["outcomes"][std::string(outcome_name(outcome))] =
         result.outcomes[static_cast<std::size_t>(outcome)];
+  }
+  json["blockers"] = Json::array();
+  for (const Blocker& blocker : result.blockers) {
+    json["blockers"].push_back(
+        {{"outcome", outcome_name(blocker.outcome)}, {"by", blocker.by}, {"count", blocker.count}});
   }
   json["primitives"] = Json::array();
   for (const Primitive& primitive : result.primitives) {

@@ -1,7 +1,11 @@
 #include "planner/plan.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <sstream>
+#include <utility>
 
 #include "sim/geometry/input_error.h"
 #include "sim/quality/wrench_hull.h"
@@ -20,8 +24,36 @@ namespace {
   throw InputError(message.str());
 }
 
-void count_outcomes(const std::vector<Trial>& trials, PlanResult& result) {
-  for (const Trial& trial : trials) ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
+void count_outcomes(const CompiledScene& scene, const std::vector<Trial>& trials,
+                    PlanResult& result) {
+  std::map<std::pair<Outcome, std::string>, int> blocked;
+  for (const Trial& trial : trials) {
+    ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
+    const std::string by = blame(scene, trial).by;
+    if (!by.empty()) ++blocked[{trial.outcome, by}];
+  }
+  for (const auto& [what, count] : blocked) {
+    result.blockers.push_back({what.first, what.second, count});
+  }
+  std::stable_sort(result.blockers.begin(), result.blockers.end(),
+                   [](const Blocker& a, const Blocker& b) { return a.count > b.count; });
+}
+
+// What the trials of this scene had to do: a stage that a scene does not ask for is not there.
+void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
+  int total = 0;
+  for (const int count : result.outcomes) total += count;
+  const auto count_of = [&](Outcome outcome) {
+    return result.outcomes[static_cast<std::size_t>(outcome)];
+  };
+  if (scene.arm) {
+    const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked);
+    result.stages.push_back({"reach", total - lost});
+  }
+  if (scene.has_obstacles()) {
+    result.stages.push_back({"obstacles", static_cast<int>(scene.obstacles.size())});
+  }
+  result.stages.push_back({"trials", total});
 }
 
 // The full hull, for those grasps only that will be shown.
@@ -35,9 +67,39 @@ void add_volumes(const CompiledScene& scene, const RunTrialsOptions& options, Pl
   });
 }
 
+// Paths for the best grasps, in groups of as many as are still wanted, so that the answer does not
+// depend on the threads. Grasps without a path go.
+void add_paths(const CompiledScene& scene, const PlanOptions& options, PlanResult& result) {
+  std::vector<ScoredGrasp> all = std::move(result.grasps);
+  result.grasps.clear();
+  const auto wanted = static_cast<std::size_t>(options.rank.top);
+  std::size_t next = 0;
+  while (next < all.size() && result.grasps.size() < wanted) {
+    const std::size_t count = std::min(wanted - result.grasps.size(), all.size() - next);
+    for_each_in_parallel(count, options.trials.threads, [&](std::size_t i) {
+      ScoredGrasp& grasp = all[next + i];
+      GraspPathOptions path = *options.paths;
+      path.transfer.seed += next + i;
+      grasp.path = plan_grasp_path(scene, grasp.candidate, grasp.trial, path);
+    });
+    for (std::size_t i = next; i < next + count; ++i) {
+      if (all[i].path) {
+        result.grasps.push_back(std::move(all[i]));
+      } else {
+        --result.outcomes[static_cast<std::size_t>(Outcome::stable)];
+        ++result.outcomes[static_cast<std::size_t>(Outcome::no_path)];
+      }
+    }
+    next += count;
+  }
+}
+
 }  // namespace
 
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
+  if (options.paths && !scene.arm) {
+    throw InputError(scene.scene.name + ": robot: no arm to plan paths for, the hand flies free");
+  }
   PlanResult result;
   Stopwatch watch;
   const bool given = !scene.scene.primitives.empty();
@@ -55,18 +117,26 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
   std::vector<Candidate> candidates;
   for (const ProposedGrasp& grasp : proposals.grasps) candidates.push_back(grasp.candidate);
   std::vector<Trial> trials = run_trials(scene, candidates, options.trials);
-  count_outcomes(trials, result);
-  result.stages.push_back({"trials", static_cast<int>(trials.size())});
+  count_outcomes(scene, trials, result);
+  add_trial_stages(scene, result);
   watch.lap("trials");
 
-  for (std::size_t i : rank(trials, options.rank)) {
+  RankOptions ranking = options.rank;
+  if (options.paths) ranking.top = std::numeric_limits<int>::max();  // some may have no path
+  for (std::size_t i : rank(trials, ranking)) {
     const ProposedGrasp& proposed = proposals.grasps[i];
     result.grasps.push_back(
-        {std::move(trials[i]), proposed.candidate, 0.0, proposed.primitive, proposed.rule});
+        {std::move(trials[i]), proposed.candidate, 0.0, proposed.primitive, proposed.rule, {}});
   }
-  add_volumes(scene, options.trials, result);
   result.stages.push_back({"ranked", static_cast<int>(result.grasps.size())});
   watch.lap("rank");
+  if (options.paths) {
+    add_paths(scene, options, result);
+    result.stages.push_back({"paths", static_cast<int>(result.grasps.size())});
+    watch.lap("paths");
+  }
+  add_volumes(scene, options.trials, result);
+  watch.lap("volumes");
   result.times = watch.laps();
   return result;
 }
@@ -76,11 +146,11 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   PlanResult result;
   Stopwatch watch;
   std::vector<Trial> trials = run_trials(scene, candidates, options);
-  count_outcomes(trials, result);
+  count_outcomes(scene, trials, result);
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    result.grasps.push_back({std::move(trials[i]), candidates[i], 0.0, -1, "given"});
+    result.grasps.push_back({std::move(trials[i]), candidates[i], 0.0, -1, "given", {}});
   }
-  result.stages.push_back({"trials", static_cast<int>(candidates.size())});
+  add_trial_stages(scene, result);
   watch.lap("trials");
   add_volumes(scene, options, result);
   watch.lap("volumes");

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "planner/candidates.h"
+#include "planner/path/grasp_path.h"
 #include "planner/rank.h"
 #include "planner/run_trials.h"
 #include "planner/stopwatch.h"
@@ -21,6 +23,8 @@ struct PlanOptions {
   CandidateOptions candidates;
   RunTrialsOptions trials;
   RankOptions rank;
+  // Paths for the grasps that are returned; those without one are left out. Needs an arm.
+  std::optional<GraspPathOptions> paths;
 };
 
 // A grasp with everything that is said about it.
@@ -30,6 +34,14 @@ struct ScoredGrasp {
   double volume = 0.0;  // of the wrench hull, 0 without force closure
   int primitive = -1;   // it came from, -1: given by the caller
   std::string rule;
+  std::optional<Trajectory> path;
+};
+
+// How many candidates ended in `outcome` because of one body.
+struct Blocker {
+  Outcome outcome = Outcome::hand_blocked;
+  std::string by;
+  int count = 0;
 };
 
 struct Stage {
@@ -41,11 +53,13 @@ struct PlanResult {
   std::vector<Primitive> primitives;
   std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: as asked
   std::array<int, kOutcomes.size()> outcomes{};  // of all trials
+  std::vector<Blocker> blockers;                 // that with the most candidates first
   std::vector<Stage> stages;
   std::vector<StageTime> times;
 };
 
-// Throws InputError when no candidate can be proposed: the object is too large for the hand.
+// Throws InputError when no candidate can be proposed: the object is too large for the hand; and
+// when paths are wanted of a scene without an arm.
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options = {});
 
 // Each candidate is tried where it is; nothing is ranked or left out.

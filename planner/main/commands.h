@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace prehend {
 
@@ -19,6 +20,9 @@ struct PlanCommand {
   std::string hand;           // empty: the scene's
   std::string unit = "m";
   int top = 10;
+  bool path = false;  // paths of the arm as well
+  std::string path_planner = "rrt_connect";
+  std::vector<std::string> exports;  // formats besides grasps.json
   CommonOptions common;
 };
 

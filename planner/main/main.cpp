@@ -69,6 +69,13 @@ struct Program {
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");
+    command.add_option("--path-planner", plan.path_planner, "how ways are searched for")
+        ->check(CLI::IsMember({"rrt_connect", "roadmap", "rrt_star"}))
+        ->capture_default_str();
+    command.add_option("--export", plan.exports, "more files, with commas: csv, isaac, moveit")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"json", "csv", "isaac", "moveit"}));
     add_common(command, plan.common);
     add_contacts(command, plan.common);
     command.callback([this] { chosen = [this] { return prehend::run_plan(plan); }; });

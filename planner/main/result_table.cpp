@@ -46,10 +46,20 @@ std::string outcome_line(const PlanResult& result) {
   for (Outcome outcome : kOutcomes) {
     const int count = result.outcomes[static_cast<std::size_t>(outcome)];
     total += count;
+    if (count == 0 && outcome >= Outcome::unreachable) continue;  // only arms have these
     counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " +
               std::string(outcome_name(outcome));
   }
   return std::to_string(total) + " tried: " + counts;
+}
+
+std::string blocker_line(const PlanResult& result) {
+  std::string text;
+  for (const Blocker& blocker : result.blockers) {
+    text += (text.empty() ? "blocked by: " : ", ") + blocker.by + " " +
+            std::to_string(blocker.count) + " (" + std::string(outcome_name(blocker.outcome)) + ")";
+  }
+  return text.empty() ? text : text + "\n";
 }
 
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {

@@ -13,6 +13,9 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
 // "1420 tried: 388 stable, 1001 not_force_closure, ...": one line that counts every outcome.
 std::string outcome_line(const PlanResult& result);
 
+// "blocked by: table 120 (hand_blocked), ...", a line that is empty where nothing was.
+std::string blocker_line(const PlanResult& result);
+
 // "rank 1   epsilon 0.2130 ...": a picture's title.
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank);
 

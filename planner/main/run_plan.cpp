@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "planner/export_files.h"
 #include "planner/grasp_picture.h"
 #include "planner/grasps_file.h"
 #include "planner/main/commands.h"
@@ -25,6 +26,12 @@ void write_best_picture(const CompiledScene& scene, const PlanResult& result,
                                         best.trial.epsilon.weakest, grasp_title(best, 1)}));
 }
 
+std::string names_of(const std::vector<ExportFile>& files) {
+  std::string names;
+  for (const ExportFile& file : files) names += (names.empty() ? "" : ", ") + file.name;
+  return names;
+}
+
 }  // namespace
 
 int run_plan(const PlanCommand& command) {
@@ -42,14 +49,29 @@ int run_plan(const PlanCommand& command) {
   options.trials.trial.soft_fingers = !command.common.hard_contacts;
   options.trials.progress = [&](const TrialProgress& progress) { bar.show(progress); };
   options.rank.top = command.top;
+  options.trials.trial.reach.kinematics.seed = command.common.seed;
+  if (command.path) {
+    options.paths.emplace();
+    options.paths->reach = options.trials.trial.reach;
+    options.paths->transfer.seed = command.common.seed;
+    options.paths->transfer.planner = path_planner_named(command.path_planner).value();
+  }
   const PlanResult result = plan(scene, options);
   bar.clear();
   watch.add(result.times);
 
   const RunRecord record{scene_reference(file), command.unit, command.hand, command.common.seed,
                          options};
+  std::vector<ExportFile> files = {{"grasps.json", grasps_json(scene, result, record)}};
+  for (const std::string& format : command.exports) {
+    for (ExportFile& file_of : export_files(scene, result, format)) {
+      files.push_back(std::move(file_of));
+    }
+  }
   make_folder(command.common.out);
-  write_file(command.common.out / "grasps.json", grasps_json(scene, result, record));
+  for (const ExportFile& written : files) {
+    write_file(command.common.out / written.name, written.content);
+  }
   write_best_picture(scene, result, command.common.out / "best.png");
   watch.lap("picture");
   write_file(command.common.out / "timings.json",
@@ -57,8 +79,9 @@ int run_plan(const PlanCommand& command) {
 
   std::cout << grasp_table(scene, result, static_cast<std::size_t>(command.top))
             << outcome_line(result) << "\n"
-            << "wrote " << command.common.out.string() << ": grasps.json, timings.json"
-            << (result.grasps.empty() ? "" : ", best.png") << "\n";
+            << blocker_line(result) << "wrote " << command.common.out.string() << ": "
+            << names_of(files) << ", timings.json" << (result.grasps.empty() ? "" : ", best.png")
+            << "\n";
   return 0;
 }
 

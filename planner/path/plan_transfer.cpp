@@ -1,6 +1,7 @@
 #include "planner/path/plan_transfer.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -10,6 +11,7 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/util/Console.h>
+#include <utility>
 
 namespace prehend {
 namespace {
@@ -203,7 +205,23 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   return waypoints;
 }
 
+constexpr std::array<std::pair<PathPlanner, std::string_view>, 3> kNames = {
+    {{PathPlanner::rrt_connect, "rrt_connect"},
+     {PathPlanner::roadmap, "roadmap"},
+     {PathPlanner::rrt_star, "rrt_star"}}};
+
 }  // namespace
+
+std::string_view path_planner_name(PathPlanner planner) {
+  return kNames[static_cast<std::size_t>(planner)].second;
+}
+
+std::optional<PathPlanner> path_planner_named(std::string_view name) {
+  for (const auto& [planner, known] : kNames) {
+    if (known == name) return planner;
+  }
+  return std::nullopt;
+}
 
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
                                      const TransferOptions& options) {

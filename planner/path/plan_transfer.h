@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "sim/reach/motion_check.h"
@@ -14,6 +16,10 @@ enum class PathPlanner {
   roadmap,      // lazy probabilistic roadmap (Bohlin and Kavraki 2000)
   rrt_star,     // shorter the longer it may take (Karaman and Frazzoli 2011)
 };
+
+// "rrt_connect", ...
+std::string_view path_planner_name(PathPlanner planner);
+std::optional<PathPlanner> path_planner_named(std::string_view name);
 
 struct TransferOptions {
   PathPlanner planner = PathPlanner::rrt_connect;
