@@ -200,6 +200,20 @@ TEST(TimeCorners, CubicBetweenSamplesIsTheMotion) {
   }
 }
 
+// A line that just reaches full speed has no cruise of a picosecond, over which rounding would
+// show.
+TEST(TimeCorners, NoStepIsTooShortForItsDifferences) {
+  for (const double over : {1e-15, 1e-12, 1e-9}) {
+    const double distance = 0.4 * (1.0 + over);
+    const JointLimits limits{{2.0}, {10.0}};
+    const TimedPath path = time_path({{0.0}, {distance}}, PathKind::corners, limits);
+    expect_kept(path, {{0.0}, {distance}}, limits);
+    for (std::size_t i = 1; i < path.times.size(); ++i) {
+      ASSERT_GE(path.times[i] - path.times[i - 1], 1e-7) << over;
+    }
+  }
+}
+
 TEST(TimeCorners, RandomPathsStopAtEachCornerAndKeepTheLimits) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     test::Random random(seed);
