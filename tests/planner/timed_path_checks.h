@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/time_path.h"
+#include "planner/path/time_path.h"
 #include "tests/random.h"
 
 namespace prehend::test {
