@@ -26,7 +26,7 @@ class Row {
 
   void texts(const std::string& prefix, const std::vector<std::string>& names,
              const std::string& suffix) {
-    for (const std::string& name : names) text(prefix + name + suffix);
+    for (const std::string& name : names) text(std::string(prefix).append(name).append(suffix));
   }
 
   void number(double value) { text(number_text(value)); }
