@@ -81,9 +81,9 @@ class MotionCheck {
         ahead += pair.reach[k] * (after[j] - here[j]);
       }
       const double farthest = std::max(back, ahead);
-      const double gap = pair_gap(arm_, pair, X_BL_, farthest).lower;
-      if (gap > farthest) continue;
-      if (gap <= 0.0 || farthest <= 0.5 * options_.tightest) return p;
+      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest);
+      if (gap == GapAnswer::larger) continue;
+      if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);
     }
     if (left.empty()) return -1;

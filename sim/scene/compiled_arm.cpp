@@ -12,6 +12,9 @@
 namespace prehend {
 namespace {
 
+constexpr double kCapBeyond = 1.01;
+constexpr double kLeastCap = 1e-6;  // m
+
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // What moves link `a` relative to link `b`, or to the base for no b: the joints that they do not
@@ -133,16 +136,21 @@ void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
   link_poses(arm.robot(), joints, X_BL);
 }
 
-Gap pair_gap(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
-             double cap) {
+GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
+                     double distance) {
   const CompiledLink& link = arm.links[index(pair.link)];
   const Pose& X = X_BL[index(pair.link)];
   const Other other = other_of(arm, pair, X_BL);
   const double apart = (X * link.mesh.ball_center() - other.X_BF * other.mesh.ball_center()).norm();
-  const double balls = apart - link.mesh.ball_radius() - other.mesh.ball_radius();
-  if (balls > cap) return {.lower = balls, .upper = balls, .pair = {}};
-  return find_gap(other.mesh, link.mesh, other.X_BF.inverse() * X,
-                  {.cap = cap, .relative_error = 0.5, .hint = {}});
+  if (apart - link.mesh.ball_radius() - other.mesh.ball_radius() > distance) {
+    return GapAnswer::larger;
+  }
+  // A little more than is asked, so that a gap at the cap is an answer.
+  const GapOptions options{
+      .cap = kCapBeyond * distance + kLeastCap, .relative_error = 0.5, .hint = {}};
+  const Gap gap = find_gap(other.mesh, link.mesh, other.X_BF.inverse() * X, options);
+  if (gap.lower > distance) return GapAnswer::larger;
+  return gap.lower <= 0.0 ? GapAnswer::meets : GapAnswer::not_proven;
 }
 
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {

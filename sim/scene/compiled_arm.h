@@ -62,9 +62,11 @@ std::vector<double> arm_joints(const CompiledArm& arm, const std::vector<double>
 void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
                     std::vector<Pose>& X_BL);
 
-// The gap between the two bodies of a pair; beyond `cap` no more is known than that.
-Gap pair_gap(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
-             double cap);
+// Whether the gap between the bodies is larger than `distance`, as far as a query at little cost
+// tells; `meets` where there is none.
+enum class GapAnswer { larger, not_proven, meets };
+GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
+                     double distance);
 
 // True when the bodies meet or one is inside the other.
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL);

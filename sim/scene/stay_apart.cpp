@@ -40,9 +40,9 @@ class Proof {
       }
     }
     arm_link_poses(arm_, joints_, X_BL_);
-    const double gap = pair_gap(arm_, pair_, X_BL_, farthest).lower;
-    if (gap > farthest) return true;
-    if (gap <= 0.0 || box.empty()) return false;
+    const GapAnswer gap = gap_beyond(arm_, pair_, X_BL_, farthest);
+    if (gap == GapAnswer::larger) return true;
+    if (gap == GapAnswer::meets || box.empty()) return false;
     PostureBox low = box;
     PostureBox high = box;
     low[widest].upper = high[widest].lower = 0.5 * (box[widest].lower + box[widest].upper);
