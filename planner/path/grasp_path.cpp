@@ -94,9 +94,10 @@ class GraspPathPlanner {
     if (waypoints.empty()) return std::nullopt;
     Trajectory path;
     for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);
-    if (opens_first) add(path, "preshape", opening, PathKind::corners);
+    const bool opens = start_hand_ != line_.hand_joints;
+    if (opens && opens_first) add(path, "preshape", opening, PathKind::corners);
     add(path, "transfer", with_hand(waypoints, carried), PathKind::corners);
-    if (!opens_first) add(path, "preshape", opening, PathKind::corners);
+    if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
     add(path, "approach", with_hand(way.line, line_.hand_joints), PathKind::smooth);
     JointPath closing;
     for (const auto& hand : closing_path(scene_.scene.hand, line_.hand_joints, trial_.joints)) {
