@@ -106,13 +106,13 @@ class Linearizer {
     const Joint& joint = task_.robot.joints[index(j)];
     const Chain& chain = task_.robot.chains[index(joint.chain)];
     const Pose X_BP = joint.parent < 0 ? Pose::Identity() : X_BJ_[index(joint.parent)];
-    const Pose X_before = j == chain.first_joint ? X_BP * chain.X_PC : X_BP;
-    const Vector3 axis = X_before.linear().col(2);
+    const Pose X_BF = j == chain.first_joint ? X_BP * chain.X_PC : X_BP;
+    const Vector3 axis = X_BF.linear().col(2);
     auto column = at_.jacobian.col(column_[index(joint.dof)]);
     if (joint.type == JointType::prismatic) {
       column.segment<3>(row) += joint.ratio * axis;
     } else {
-      column.segment<3>(row) += joint.ratio * axis.cross(p_T - X_before.translation());
+      column.segment<3>(row) += joint.ratio * axis.cross(p_T - X_BF.translation());
       column.segment<3>(row + 3) += joint.ratio * axis;
     }
   }

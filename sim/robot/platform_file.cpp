@@ -70,7 +70,7 @@ Platform load_platform(const std::filesystem::path& file) {
   if (!root.has("robots")) {
     Robot robot = load_robot(file);
     platform.name = robot.name;
-    platform.robots.push_back({.name = robot.name, .robot = std::move(robot)});
+    platform.robots.push_back({.name = platform.name, .robot = std::move(robot)});
     return platform;
   }
   root.allow_only({"name", "units", "robots"});

@@ -32,9 +32,9 @@ std::vector<BadField> bad_fields() {
       {"UnknownJointField", "/chains/0/joints/1/thetta", "3",
        "chains[0].joints[1].thetta: unknown field, known here are name, type, theta, d, a, alpha, "
        "limits (3)"},
-      {"UnknownDofField", "/dofs/0/velocity", "1",
-       "dofs[0].velocity: unknown field, known here are name, drives, initial, closing_velocity, "
-       "coupling (1)"},
+      {"UnknownDofField", "/dofs/0/speed", "1",
+       "dofs[0].speed: unknown field, known here are name, drives, initial, closing_velocity, "
+       "coupling, velocity, acceleration (1)"},
       {"UnknownLengthUnit", "/units/length", R"("furlong")", "units.length: "},
       {"UnknownAngleUnit", "/units/angle", R"("grad")",
        R"(units.angle: unknown unit, known are rad and deg ("grad"))"},
