@@ -2,13 +2,13 @@
 // would cost if qhull judged the contacts, and whether the ranking would be the same.
 //   trial_benchmark [SCENE | MESH] [HAND]
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <numeric>
 #include <vector>
 
+#include "benchmarks/percentile.h"
 #include "planner/candidates.h"
 #include "planner/plan.h"
 #include "planner/scene_library.h"
@@ -20,23 +20,14 @@ namespace {
 using prehend::CompiledScene;
 using prehend::Outcome;
 using prehend::Trial;
-
-double percentile(std::vector<double> values, double part) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
-}
+using prehend::benchmark::Clock;
+using prehend::benchmark::milliseconds_since;
+using prehend::benchmark::percentile;
 
 void print(const char* what, const std::vector<double>& milliseconds) {
   std::printf("%-24s %6zu   median %7.2f ms   p90 %7.2f ms   p99 %7.2f ms\n", what,
               milliseconds.size(), percentile(milliseconds, 0.5), percentile(milliseconds, 0.9),
               percentile(milliseconds, 0.99));
-}
-
-using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
 // The same trial, judged by the full hull: what its last contacts cost is exchanged.

@@ -11,7 +11,8 @@
 namespace prehend {
 
 struct ReachOptions {
-  IkOptions kinematics = {.max_solutions = 24};
+  // Redundant robots arrive from one of the first few starts or not at all.
+  IkOptions kinematics = {.restarts = 30, .max_solutions = 24};
   // The line is followed in steps of this; between them the joints move straight [m].
   double line_step = 2e-3;
   // Largest change of a joint in one step: more is a jump to another branch [rad or m].

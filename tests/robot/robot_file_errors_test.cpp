@@ -85,7 +85,8 @@ std::vector<BadField> bad_fields() {
       {"LinkOfAnotherChain", "/chains/1/links/0/joint", R"("elbow")",
        R"(chains[1].links[0].joint: no joint of this name in the link's chain ("elbow"))"},
       {"UnknownShape", "/geometries/bar/0/shape", R"("torus")",
-       "geometries.bar[0].shape: unknown shape, known are box, cylinder, sphere and prism "
+       "geometries.bar[0].shape: unknown shape, known are box, cylinder, sphere, prism "
+       "and triangles "
        R"(("torus"))"},
       {"FlatBox", "/geometries/bar/0/size", "[10, 0, 4]",
        "geometries.bar[0].size: must be greater than 0 ([10,0,4])"},
