@@ -131,7 +131,23 @@ void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
 Robot read_hand(const JsonField& field) {
   const std::string text = field.text();
   const std::filesystem::path beside = field.file().parent_path() / text;
-  return find_robot(std::filesystem::is_regular_file(beside) ? beside.string() : text);
+  if (std::filesystem::is_regular_file(beside)) return load_robot(beside);
+  try {
+    return find_robot(text);
+  } catch (const InputError& error) {
+    field.fail(error.what());
+  }
+}
+
+// Likewise a platform.
+Platform read_platform(const JsonField& field) {
+  const std::filesystem::path beside = field.file().parent_path() / field.text();
+  if (std::filesystem::is_regular_file(beside)) return load_platform(beside);
+  try {
+    return find_platform(field.text());
+  } catch (const InputError& error) {
+    field.fail(error.what());
+  }
 }
 
 // The degree of freedom called ROBOT/NAME; its place among all of the platform.
@@ -188,11 +204,8 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 // `hand` replaces the platform's own; empty: as it is.
 Carrier read_carrier(const JsonField& field, const std::string& hand) {
   field.allow_only({"platform", "pose", "start", "limits"});
-  const std::string name = field["platform"].text();
-  const std::filesystem::path beside = field.file().parent_path() / name;
   Carrier carrier;
-  carrier.platform =
-      find_platform(std::filesystem::is_regular_file(beside) ? beside.string() : name);
+  carrier.platform = read_platform(field["platform"]);
   carrier.hand = hand_of(carrier.platform);
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (mounted.parent < 0) field["platform"].fail("nothing carries the hand");
