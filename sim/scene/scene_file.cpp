@@ -139,12 +139,13 @@ Robot read_hand(const JsonField& field) {
   }
 }
 
-// Likewise a platform.
-Platform read_platform(const JsonField& field) {
+// Likewise a platform and which of its robots is the hand.
+void read_platform(const JsonField& field, Carrier& carrier) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
-  if (std::filesystem::is_regular_file(beside)) return load_platform(beside);
   try {
-    return find_platform(field.text());
+    carrier.platform =
+        find_platform(std::filesystem::is_regular_file(beside) ? beside.string() : field.text());
+    carrier.hand = hand_of(carrier.platform);
   } catch (const InputError& error) {
     field.fail(error.what());
   }
@@ -205,8 +206,7 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 Carrier read_carrier(const JsonField& field, const std::string& hand) {
   field.allow_only({"platform", "pose", "start", "limits"});
   Carrier carrier;
-  carrier.platform = read_platform(field["platform"]);
-  carrier.hand = hand_of(carrier.platform);
+  read_platform(field["platform"], carrier);
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (mounted.parent < 0) field["platform"].fail("nothing carries the hand");
   if (!hand.empty()) mounted.robot = find_robot(hand);
