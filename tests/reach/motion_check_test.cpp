@@ -195,7 +195,7 @@ void expect_plate_seen(std::size_t dof, double step) {
 }
 
 TEST(MotionCheck, AThinPlateInTheWayOfTheTurningArmIsSeen) { expect_plate_seen(0, 0.05); }
-// Here the bound on the motion of the fingertips is tight; only the ends are free.
+// Only the ends are free here.
 TEST(MotionCheck, AThinPlateInTheWayOfTheTurningWristIsSeen) { expect_plate_seen(4, 1.0); }
 
 }  // namespace
