@@ -13,10 +13,13 @@ namespace {
 constexpr Color kObject{0.80, 0.78, 0.70, 0.22};
 constexpr Color kHard{0.45, 0.53, 0.63, 1.0};
 constexpr Color kRubber{0.27, 0.31, 0.37, 1.0};
-constexpr Color kObstacle{0.72, 0.72, 0.72, 1.0};
+constexpr Color kArm{0.87, 0.70, 0.36, 1.0};
+constexpr Color kObstacle{0.72, 0.72, 0.72, 0.25};
 constexpr Color kCone{0.88, 0.13, 0.12, 1.0};
 constexpr Color kWeakest{0.50, 0.16, 0.75, 1.0};
 constexpr Color kText{0.15, 0.15, 0.18, 1.0};
+
+constexpr double kMarker = 0.01;  // m
 
 // Sizes of marks as parts of the object's radius.
 constexpr double kConeLength = 0.22;
@@ -40,10 +43,27 @@ void write_title(Image& image, const std::string& title) {
   label(image, 12, image.height - size.height - 12, title, kText, kScale);
 }
 
-Image view(const std::vector<DrawnBody>& bodies, const Vector3& direction,
-           const GraspPictureOptions& options) {
+// `seen` fill the picture.
+Image view(const std::vector<DrawnBody>& seen, const std::vector<DrawnBody>& around,
+           const Vector3& direction, const GraspPictureOptions& options) {
   const DrawOptions draw_options{.width = options.width, .height = options.height};
-  return draw(bodies, camera_around(bodies, direction, draw_options), draw_options);
+  std::vector<DrawnBody> all = seen;
+  all.insert(all.end(), around.begin(), around.end());
+  return draw(all, camera_around(seen, direction, draw_options), draw_options);
+}
+
+// Links of the platform that are not the hand's.
+std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  std::vector<DrawnBody> bodies;
+  if (grasp.arm_joints.empty()) return bodies;
+  const CompiledArm& arm = *scene.arm;
+  std::vector<Pose> X_BL;
+  arm_link_poses(arm, grasp.arm_joints, X_BL);
+  for (std::size_t l = 0; l < X_BL.size(); ++l) {
+    if (arm.is_hand_link(static_cast<int>(l))) continue;
+    bodies.push_back({arm.robot().links[l].mesh, arm.X_WB * X_BL[l], kArm});
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -60,9 +80,6 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
     const Color& color = link.material == "rubber" ? kRubber : kHard;
     bodies.push_back({link.mesh, X_WO * grasp.X_OH * X_HL[l], color});
   }
-  for (const StaticBody& body : scene.scene.obstacles) {
-    bodies.push_back({body.mesh, body.X_WB, kObstacle});
-  }
   for (const GraspContact& contact : grasp.contacts) {
     // A frictionless cone would not show.
     const double slope = std::max(0.05, contact.point.friction);
@@ -71,6 +88,15 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
         {cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO, kCone});
   }
   add_wrench(scene, grasp.weakest, bodies);
+  return bodies;
+}
+
+std::vector<DrawnBody> surrounding_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  std::vector<DrawnBody> bodies;
+  for (const StaticBody& body : scene.scene.obstacles) {
+    bodies.push_back({body.mesh, body.X_WB, kObstacle});
+  }
+  for (const DrawnBody& link : arm_bodies(scene, grasp)) bodies.push_back(link);
   return bodies;
 }
 
@@ -83,7 +109,27 @@ Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
   Vector3 direction = aside - 0.35 * approach;
   if (direction.z() < 0.0) direction -= 2.0 * aside;
   direction += 0.6 * Vector3::UnitZ();
-  Image image = view(grasp_bodies(scene, grasp), direction, options);
+  Image image =
+      view(grasp_bodies(scene, grasp), surrounding_bodies(scene, grasp), direction, options);
+  write_title(image, grasp.title);
+  return image;
+}
+
+Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
+                  const GraspPictureOptions& options) {
+  std::vector<DrawnBody> seen = grasp_bodies(scene, grasp);
+  for (const DrawnBody& link : arm_bodies(scene, grasp)) {
+    // A base that only marks a place is not looked at.
+    if (bounds(link.mesh).size().norm() > kMarker) seen.push_back(link);
+  }
+  // From the side of the arm's way to the object.
+  const Vector3 way = scene.scene.object.X_WO.translation() - scene.arm->X_WB.translation();
+  Vector3 aside = Vector3::UnitZ().cross(way);
+  if (!(aside.norm() > 1e-6)) aside = Vector3::UnitX();
+  const Vector3 direction = aside.normalized() - 0.3 * way.normalized() + 0.5 * Vector3::UnitZ();
+  PosedGrasp alone = grasp;
+  alone.arm_joints.clear();
+  Image image = view(seen, surrounding_bodies(scene, alone), direction, options);
   write_title(image, grasp.title);
   return image;
 }
@@ -94,7 +140,8 @@ Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
   std::vector<Image> views;
   for (int side = 0; side < 4; ++side) {
     const double angle = (0.25 + 0.5 * side) * std::numbers::pi;
-    views.push_back(view(bodies, Vector3(std::cos(angle), std::sin(angle), 0.55),
+    views.push_back(view(bodies, surrounding_bodies(scene, grasp),
+                         Vector3(std::cos(angle), std::sin(angle), 0.55),
                          {options.width / 2, options.height / 2}));
   }
   Image image = grid(views, 2);

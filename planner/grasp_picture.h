@@ -14,8 +14,9 @@ struct PosedGrasp {
   Pose X_OH = Pose::Identity();
   std::vector<double> joints;
   std::vector<GraspContact> contacts;
-  Wrench weakest = Wrench::Zero();  // drawn from the centre of mass; zero: not drawn
-  std::string title;                // lines under the picture
+  Wrench weakest = Wrench::Zero();      // drawn from the centre of mass; zero: not drawn
+  std::string title;                    // lines under the picture
+  std::vector<double> arm_joints = {};  // of the whole platform; empty: no arm is drawn
 };
 
 struct GraspPictureOptions {
@@ -23,13 +24,21 @@ struct GraspPictureOptions {
   int height = 700;
 };
 
-// Object partly transparent, hand solid, obstacles grey, friction cones red (as wide as the
-// friction), weakest wrench purple (force thick, torque thin). In the world's frame.
+// Object partly transparent, hand solid, friction cones red (as wide as the friction), weakest
+// wrench purple (force thick, torque thin). In the world's frame.
 std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
 
+// What stands around: the arm, solid, and the obstacles, which can be seen through.
+std::vector<DrawnBody> surrounding_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
+
 // One view: across the approach, from slightly above, so that palm, object and fingers all show.
+// What stands around is drawn as far as it is in the picture.
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
                     const GraspPictureOptions& options = {});
+
+// One view of the arm that holds the object; needs arm_joints.
+Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
+                  const GraspPictureOptions& options = {});
 
 // Four views around the vertical in one picture, half as wide and high each.
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,

@@ -1,6 +1,6 @@
 #include "planner/grasps_file.h"
 
-#include "sim/scene/json_pose.h"
+#include "sim/scene/json_primitive.h"
 
 namespace prehend {
 namespace {
@@ -8,20 +8,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-Json shape_json(const Primitive& primitive) {
-  Json json{{"shape", shape_name(primitive.shape)}};
-  if (const Box* box = std::get_if<Box>(&primitive.shape)) json["size"] = vector_to_json(box->size);
-  if (const Sphere* sphere = std::get_if<Sphere>(&primitive.shape)) {
-    json["radius"] = sphere->radius;
-  }
-  if (const Cylinder* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
-    json["radius"] = cylinder->radius;
-    json["height"] = cylinder->height;
-  }
-  json["pose"] = pose_to_json(primitive.X_OP);
-  return json;
-}
 
 Json contact_json(const CompiledScene& scene, const GraspContact& contact) {
   return {{"link", scene.links[index(contact.link)].name},
@@ -177,7 +163,7 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   }
   json["primitives"] = Json::array();
   for (const Primitive& primitive : result.primitives) {
-    json["primitives"].push_back(shape_json(primitive));
+    json["primitives"].push_back(primitive_to_json(primitive));
   }
   json["grasps"] = Json::array();
   for (const ScoredGrasp& grasp : result.grasps) {

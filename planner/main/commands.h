@@ -46,6 +46,7 @@ struct RenderCommand {
 struct InspectCommand {
   std::string file;
   std::string unit = "m";
+  std::filesystem::path save;  // of a scene: write it there; empty: do not
 };
 
 struct QualityCommand {

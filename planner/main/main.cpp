@@ -110,6 +110,7 @@ struct Program {
         ->required();
     command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
         ->capture_default_str();
+    command.add_option("--save", inspect.save, "of a scene: write it to this file");
     command.callback([this] { chosen = [this] { return prehend::run_inspect(inspect); }; });
   }
 

@@ -2,14 +2,17 @@
 #include <cstdio>
 
 #include "planner/main/commands.h"
+#include "planner/output_file.h"
 #include "planner/scene_library.h"
 #include "primitives/decompose.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/mesh_file.h"
 #include "sim/robot/json_field.h"
+#include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_text.h"
 
 namespace prehend {
 namespace {
@@ -102,10 +105,28 @@ void print_robot(const Robot& robot) {
   }
 }
 
+void print_platform(const Platform& platform) {
+  if (platform.robots.size() > 1) {
+    std::printf("platform %s: %zu robots\n", platform.name.c_str(), platform.robots.size());
+  }
+  for (const MountedRobot& mounted : platform.robots) {
+    if (mounted.parent >= 0) {
+      const MountedRobot& parent = platform.robots[static_cast<std::size_t>(mounted.parent)];
+      const Vector3 p = kMillimetres * mounted.X_MR.translation();
+      std::printf("%s on %s, chain %s, at (%.1f, %.1f, %.1f) mm: ", mounted.name.c_str(),
+                  parent.name.c_str(),
+                  parent.robot.chains[static_cast<std::size_t>(mounted.chain)].name.c_str(), p.x(),
+                  p.y(), p.z());
+    }
+    print_robot(mounted.robot);
+  }
+}
+
 void print_scene(const Scene& scene) {
   std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
               scene.object.name.c_str(), std::string(material_name(scene.object.material)).c_str(),
               scene.object.mass, scene.hand.name.c_str(), scene.obstacles.size());
+  if (scene.carrier) print_platform(scene.carrier->platform);
   print_mesh(scene.object.mesh);
   for (const StaticBody& body : scene.obstacles) {
     std::printf("obstacle %s of %s\n", body.name.c_str(),
@@ -121,15 +142,17 @@ void print_scene(const Scene& scene) {
 }
 
 bool is_robot_name(const std::string& name) {
-  const std::vector<std::string> names = library_robot_names();
-  return std::find(names.begin(), names.end(), name) != names.end();
+  for (const auto& names : {library_robot_names(), library_platform_names()}) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 int run_inspect(const InspectCommand& command) {
   if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
-    print_robot(find_robot(command.file));
+    print_platform(find_platform(command.file));
     return 0;
   }
   const std::filesystem::path file = find_scene(command.file);
@@ -144,11 +167,14 @@ int run_inspect(const InspectCommand& command) {
     print_primitives(loaded.mesh);
     return 0;
   }
-  if (JsonFile(file).root().has("chains")) {
-    print_robot(load_robot(file));
-  } else {
-    print_scene(load_scene(file));
+  const JsonFile json(file);
+  if (json.root().has("chains") || json.root().has("robots")) {
+    print_platform(load_platform(file));
+    return 0;
   }
+  const Scene scene = load_scene(file);
+  print_scene(scene);
+  if (!command.save.empty()) write_file(command.save, scene_text(scene));
   return 0;
 }
 

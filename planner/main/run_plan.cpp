@@ -13,17 +13,26 @@
 namespace prehend {
 namespace {
 
-// Without a grasp there is no picture, and none of an earlier run stays behind.
-void write_best_picture(const CompiledScene& scene, const PlanResult& result,
-                        const std::filesystem::path& file) {
-  if (result.grasps.empty()) {
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    return;
-  }
+// Pictures of the best grasp, by file name.
+std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& scene,
+                                                         const PlanResult& result) {
+  std::vector<std::pair<std::string, Image>> pictures;
+  if (result.grasps.empty()) return pictures;
   const ScoredGrasp& best = result.grasps.front();
-  write_png(file, grasp_picture(scene, {best.trial.X_OH, best.trial.joints, best.trial.contacts,
-                                        best.trial.epsilon.weakest, grasp_title(best, 1)}));
+  PosedGrasp posed{best.trial.X_OH, best.trial.joints, best.trial.contacts,
+                   best.trial.epsilon.weakest, grasp_title(best, 1)};
+  if (scene.arm) posed.arm_joints = arm_joints(*scene.arm, best.trial.arm_dofs, best.trial.joints);
+  pictures.emplace_back("best.png", grasp_picture(scene, posed));
+  if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
+  return pictures;
+}
+
+// Those of an earlier run do not stay behind.
+void remove_pictures(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"best.png", "best_arm.png"}) {
+    std::filesystem::remove(folder / name, ignored);
+  }
 }
 
 std::string names_of(const std::vector<ExportFile>& files) {
@@ -72,7 +81,12 @@ int run_plan(const PlanCommand& command) {
   for (const ExportFile& written : files) {
     write_file(command.common.out / written.name, written.content);
   }
-  write_best_picture(scene, result, command.common.out / "best.png");
+  remove_pictures(command.common.out);
+  std::string written_last;
+  for (const auto& [name, image] : best_pictures(scene, result)) {
+    write_png(command.common.out / name, image);
+    written_last += ", " + name;
+  }
   watch.lap("picture");
   write_file(command.common.out / "timings.json",
              timings_json(watch.laps(), command.common.threads));
@@ -80,8 +94,7 @@ int run_plan(const PlanCommand& command) {
   std::cout << grasp_table(scene, result, static_cast<std::size_t>(command.top))
             << outcome_line(result) << "\n"
             << blocker_line(result) << "wrote " << command.common.out.string() << ": "
-            << names_of(files) << ", timings.json" << (result.grasps.empty() ? "" : ", best.png")
-            << "\n";
+            << names_of(files) << ", timings.json" << written_last << "\n";
   return 0;
 }
 

@@ -55,6 +55,7 @@ class JsonField {
   std::string text_or(std::string_view key, const std::string& otherwise) const;
 
   bool is_text() const { return value_->is_string(); }
+  std::string json() const { return value_->dump(); }  // as it stands in the file, on one line
 
   const std::filesystem::path& file() const { return *file_; }
   const std::string& name() const { return name_; }

@@ -105,6 +105,26 @@ TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
   return transformed(mesh, plane_pose(shape));
 }
 
+TriangleMesh triangles(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "vertices", "triangles", "pose"});
+  TriangleMesh mesh;
+  for (const JsonField& vertex : shape["vertices"].items()) {
+    mesh.vertices.push_back(vertex.vector3() * units.length);
+  }
+  const int count = static_cast<int>(mesh.vertices.size());
+  for (const JsonField& triangle : shape["triangles"].items()) {
+    Triangle corners{};
+    const std::vector<JsonField> indices = triangle.items();
+    if (indices.size() != corners.size()) triangle.fail("must be three numbers of vertices");
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      corners[k] = indices[k].integer();
+      if (corners[k] < 0 || corners[k] >= count) indices[k].fail("no vertex of this number");
+    }
+    mesh.triangles.push_back(corners);
+  }
+  return mesh;
+}
+
 TriangleMesh mesh_from_file(const JsonField& part, const FileUnits& units) {
   part.allow_only({"mesh", "unit", "pose"});
   const JsonField name = part["mesh"];
@@ -125,7 +145,8 @@ TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
   if (name == "cylinder") return cylinder(part, units);
   if (name == "sphere") return sphere(part, units);
   if (name == "prism") return prism(part, units);
-  shape.fail("unknown shape, known are box, cylinder, sphere and prism");
+  if (name == "triangles") return triangles(part, units);
+  shape.fail("unknown shape, known are box, cylinder, sphere, prism and triangles");
 }
 
 }  // namespace

@@ -13,12 +13,18 @@
 
 namespace prehend {
 
+// What a file says of a body's surface, so that it can be said again: an object with "mesh" (an
+// absolute path) and "unit", or "generate" and "triangles", or "geometry"; as JSON. Empty: made by
+// a program.
+using ShapeSource = std::string;
+
 // A body that does not move: it can be touched and stands in the way.
 struct StaticBody {
   std::string name;
   TriangleMesh mesh;  // body frame
   Pose X_WB = Pose::Identity();
   Material material = Material::wood;
+  ShapeSource source = {};
 };
 
 // The body to grasp.
@@ -31,12 +37,14 @@ struct GraspableBody {
   Vector3 center_of_mass = Vector3::Zero();  // frame O
   Matrix3 inertia = Matrix3::Zero();         // about the centre of mass, axes of O [kg m^2]
   MassSource mass_source = MassSource::signed_volume;
+  ShapeSource source = {};
 };
 
 // What carries the hand to the object.
 struct Carrier {
-  Platform platform;  // limits as the scene narrows them
-  int hand = 0;       // which of its robots grasps; the scene's hand is a copy of that one
+  Platform platform;   // limits as the scene narrows them
+  std::string source;  // a name of the library, or an absolute path
+  int hand = 0;        // which of its robots grasps; the scene's hand is a copy of that one
   Pose X_WB = Pose::Identity();
   std::vector<double> start;  // of each degree of freedom of the assembled platform [rad or m]
 };
@@ -45,6 +53,7 @@ struct Scene {
   std::string name;
   GraspableBody object;
   Robot hand;
+  std::string hand_source;  // a name of the library, or an absolute path; empty: the carrier's own
   std::optional<Carrier> carrier;  // without one the hand flies free
   std::vector<StaticBody> obstacles;
   FrictionTable friction;

@@ -12,6 +12,7 @@
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
 #include "sim/scene/json_pose.h"
+#include "sim/scene/json_primitive.h"
 
 namespace prehend {
 namespace {
@@ -55,6 +56,43 @@ TriangleMesh read_body_mesh(const JsonField& body) {
   }
 }
 
+ShapeSource read_source(const JsonField& body) {
+  nlohmann::ordered_json source;
+  if (body.has("mesh")) {
+    const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
+    source["mesh"] = std::filesystem::absolute(file).lexically_normal().string();
+  }
+  for (const char* key : {"unit", "generate", "triangles", "geometry"}) {
+    if (body.has(key)) source[key] = nlohmann::ordered_json::parse(body[key].json());
+  }
+  return source.dump();
+}
+
+// A path is made absolute; a name stays.
+std::string robot_source(const std::string& name_or_file) {
+  if (!std::filesystem::is_regular_file(name_or_file)) return name_or_file;
+  return std::filesystem::absolute(name_or_file).lexically_normal().string();
+}
+
+// A name of the library, or the absolute path of a file: beside the scene if there is one.
+std::string robot_source(const JsonField& field) {
+  const std::filesystem::path beside = field.file().parent_path() / field.text();
+  if (std::filesystem::is_regular_file(beside)) {
+    return std::filesystem::absolute(beside).lexically_normal().string();
+  }
+  return robot_source(field.text());
+}
+
+// What a file or name is refused for, said of the field that names it.
+template <typename Read>
+auto named_by(const JsonField& field, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    field.fail(error.what());
+  }
+}
+
 GraspableBody read_object(const JsonField& field) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
@@ -63,43 +101,21 @@ GraspableBody read_object(const JsonField& field) {
                                       read_positive(field, "mass", kDefaultObjectMass));
   if (field.has("center_of_mass")) body.center_of_mass = field["center_of_mass"].vector3();
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
+  body.source = read_source(field);
   return body;
 }
 
 StaticBody read_obstacle(const JsonField& field) {
   field.allow_only(
       {"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose"});
-  StaticBody body{field["name"].text(), read_body_mesh(field), Pose::Identity(),
-                  read_material(field, Material::wood)};
+  StaticBody body{field["name"].text(),
+                  read_body_mesh(field),
+                  Pose::Identity(),
+                  read_material(field, Material::wood),
+                  {}};
   if (field.has("pose")) body.X_WB = read_pose(field["pose"]);
+  body.source = read_source(field);
   return body;
-}
-
-Shape read_shape(const JsonField& field) {
-  const std::string shape = field["shape"].text();
-  if (shape == "box") {
-    const Box box{field["size"].vector3()};
-    if (!(box.size.minCoeff() > 0.0)) field["size"].fail("must be positive");
-    return box;
-  }
-  if (shape == "sphere") return Sphere{read_positive(field, "radius", 0.0)};
-  if (shape == "cylinder") {
-    return Cylinder{read_positive(field, "radius", 0.0), read_positive(field, "height", 0.0)};
-  }
-  field["shape"].fail("unknown shape (known: box, sphere, cylinder)");
-}
-
-Primitive read_primitive(const JsonField& field) {
-  field.allow_only({"shape", "size", "radius", "height", "pose"});
-  for (const char* key : {"size", "radius", "height"}) {
-    const std::string shape = field["shape"].text();
-    const bool belongs = key == std::string("size")     ? shape == "box"
-                         : key == std::string("height") ? shape == "cylinder"
-                                                        : shape != "box";
-    if (belongs) (void)field[key];
-    if (!belongs && field.has(key)) field[key].fail("a " + shape + " has no " + key);
-  }
-  return {read_shape(field), field.has("pose") ? read_pose(field["pose"]) : Pose::Identity()};
 }
 
 void read_friction(const JsonField& list, FrictionTable& table) {
@@ -124,30 +140,6 @@ void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
     } catch (const InputError& error) {
       field.fail(error.what());
     }
-  }
-}
-
-// A name of the library, or a robot file: beside the scene if there is one.
-Robot read_hand(const JsonField& field) {
-  const std::string text = field.text();
-  const std::filesystem::path beside = field.file().parent_path() / text;
-  if (std::filesystem::is_regular_file(beside)) return load_robot(beside);
-  try {
-    return find_robot(text);
-  } catch (const InputError& error) {
-    field.fail(error.what());
-  }
-}
-
-// Likewise a platform and which of its robots is the hand.
-void read_platform(const JsonField& field, Carrier& carrier) {
-  const std::filesystem::path beside = field.file().parent_path() / field.text();
-  try {
-    carrier.platform =
-        find_platform(std::filesystem::is_regular_file(beside) ? beside.string() : field.text());
-    carrier.hand = hand_of(carrier.platform);
-  } catch (const InputError& error) {
-    field.fail(error.what());
   }
 }
 
@@ -204,12 +196,18 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 
 // `hand` replaces the platform's own; empty: as it is.
 Carrier read_carrier(const JsonField& field, const std::string& hand) {
-  field.allow_only({"platform", "pose", "start", "limits"});
+  field.allow_only({"platform", "hand", "pose", "start", "limits"});
   Carrier carrier;
-  read_platform(field["platform"], carrier);
+  carrier.source = robot_source(field["platform"]);
+  carrier.platform = named_by(field["platform"], [&] { return find_platform(carrier.source); });
+  carrier.hand = named_by(field["platform"], [&] { return hand_of(carrier.platform); });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (mounted.parent < 0) field["platform"].fail("nothing carries the hand");
-  if (!hand.empty()) mounted.robot = find_robot(hand);
+  if (!hand.empty()) {
+    const auto find = [&] { return find_robot(hand); };
+    const bool asked_here = field.has("hand") && hand == robot_source(field["hand"]);
+    mounted.robot = asked_here ? named_by(field["hand"], find) : find();
+  }
   if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
   if (field.has("limits")) narrow_limits(field["limits"], carrier.platform);
   carrier.start = read_start(field, carrier.platform);
@@ -230,13 +228,18 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
     }
   }
   if (root.has("robot")) {
-    scene.carrier = read_carrier(root["robot"], source.hand);
+    if (root["robot"].has("hand")) scene.hand_source = robot_source(root["robot"]["hand"]);
+    if (!source.hand.empty()) scene.hand_source = robot_source(source.hand);
+    scene.carrier = read_carrier(root["robot"], scene.hand_source);
     const Carrier& carrier = *scene.carrier;
     scene.hand = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)].robot;
-  } else if (!source.hand.empty()) {
-    scene.hand = find_robot(source.hand);
   } else {
-    scene.hand = root.has("hand") ? read_hand(root["hand"]) : find_robot(kDefaultHand);
+    scene.hand_source = !source.hand.empty() ? robot_source(source.hand)
+                        : root.has("hand")   ? robot_source(root["hand"])
+                                             : kDefaultHand;
+    const auto find = [&] { return find_robot(scene.hand_source); };
+    const bool asked_here = source.hand.empty() && root.has("hand");
+    scene.hand = asked_here ? named_by(root["hand"], find) : find();
   }
   if (root.has("obstacles")) {
     for (const JsonField& field : root["obstacles"].items()) {
@@ -259,7 +262,11 @@ Scene load_scene(const std::filesystem::path& file, const SceneSource& source) {
   Scene scene;
   scene.name = file.stem().string();
   scene.object = make_graspable(scene.name, mesh_from_file(file, source.unit), Material::plastic);
-  scene.hand = find_robot(source.hand.empty() ? kDefaultHand : source.hand);
+  scene.object.source = nlohmann::json{
+      {"mesh", std::filesystem::absolute(file).lexically_normal().string()},
+      {"unit", source.unit}}.dump();
+  scene.hand_source = source.hand.empty() ? kDefaultHand : robot_source(source.hand);
+  scene.hand = find_robot(scene.hand_source);
   return scene;
 }
 

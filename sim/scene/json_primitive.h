@@ -1,0 +1,15 @@
+// Boxes, spheres and cylinders in scene and grasp files.
+#pragma once
+
+#include "sim/geometry/primitive.h"
+#include "sim/scene/json_pose.h"
+
+namespace prehend {
+
+// "shape", its sizes and "pose", metres (docs/scene-file.md). Throws InputError that names the
+// field.
+Primitive read_primitive(const JsonField& field);
+
+nlohmann::ordered_json primitive_to_json(const Primitive& primitive);
+
+}  // namespace prehend

@@ -1,0 +1,117 @@
+#include "sim/scene/scene_text.h"
+
+#include "sim/geometry/input_error.h"
+#include "sim/robot/platform_file.h"
+#include "sim/scene/json_primitive.h"
+
+namespace prehend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triangles_json(const TriangleMesh& mesh) {
+  Json shape{{"shape", "triangles"}, {"vertices", Json::array()}, {"triangles", Json::array()}};
+  for (const Vector3& v : mesh.vertices) shape["vertices"].push_back(vector_to_json(v));
+  for (const Triangle& t : mesh.triangles) shape["triangles"].push_back(t);
+  return Json::array({shape});
+}
+
+template <typename Body>
+Json body_json(const Body& body, const Pose& X_WB) {
+  Json json{{"name", body.name}};
+  if (body.source.empty()) {
+    json["geometry"] = triangles_json(body.mesh);
+  } else {
+    json.update(Json::parse(body.source));
+  }
+  json["material"] = material_name(body.material);
+  json["pose"] = pose_to_json(X_WB);
+  return json;
+}
+
+Json object_json(const Scene& scene) {
+  Json json = body_json(scene.object, scene.object.X_WO);
+  json["mass"] = scene.object.mass;
+  json["center_of_mass"] = vector_to_json(scene.object.center_of_mass);
+  for (const Primitive& primitive : scene.primitives) {
+    json["primitives"].push_back(primitive_to_json(primitive));
+  }
+  return json;
+}
+
+// What the scene says of the platform: where it stands, where it starts, and limits that are not
+// its own.
+Json carrier_json(const Scene& scene) {
+  const Carrier& carrier = *scene.carrier;
+  if (carrier.source.empty()) throw InputError(scene.name + ": robot: has no file to be named by");
+  const Platform own = find_platform(carrier.source);
+  Json json{{"platform", carrier.source}, {"pose", pose_to_json(carrier.X_WB)}};
+  std::size_t next = 0;
+  for (std::size_t r = 0; r < carrier.platform.robots.size(); ++r) {
+    const MountedRobot& mounted = carrier.platform.robots[r];
+    const bool replaced = static_cast<int>(r) == carrier.hand && !scene.hand_source.empty();
+    for (std::size_t d = 0; d < mounted.robot.dofs.size(); ++d) {
+      const DegreeOfFreedom& dof = mounted.robot.dofs[d];
+      const std::string name = mounted.name + "/" + dof.name;
+      json["start"][name] = carrier.start[next++];
+      if (replaced) continue;
+      const DegreeOfFreedom& its_own = own.robots[r].robot.dofs[d];
+      if (dof.lower != its_own.lower || dof.upper != its_own.upper) {
+        json["limits"][name] = {dof.lower, dof.upper};
+      }
+    }
+  }
+  return json;
+}
+
+// Only what differs from the table that everybody has.
+Json friction_json(const FrictionTable& table) {
+  const FrictionTable standard;
+  Json json = Json::array();
+  for (std::size_t a = 0; a < kMaterials.size(); ++a) {
+    for (std::size_t b = a; b < kMaterials.size(); ++b) {
+      const double friction = table.between(kMaterials[a], kMaterials[b]);
+      if (friction == standard.between(kMaterials[a], kMaterials[b])) continue;
+      json.push_back({{"between", {material_name(kMaterials[a]), material_name(kMaterials[b])}},
+                      {"static", friction}});
+    }
+  }
+  return json;
+}
+
+Json compliant_json(const CompliantDepths& depths) {
+  const CompliantDepths standard;
+  Json json = Json::object();
+  for (const Material material : kMaterials) {
+    if (depths.of(material) == standard.of(material)) continue;
+    json[std::string(material_name(material))] = depths.of(material);
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string scene_text(const Scene& scene) {
+  Json json{{"name", scene.name}, {"object", object_json(scene)}};
+  if (scene.carrier) {
+    json["robot"] = carrier_json(scene);
+    if (!scene.hand_source.empty()) json["robot"]["hand"] = scene.hand_source;
+  } else {
+    if (scene.hand_source.empty()) {
+      throw InputError(scene.name + ": hand: has no file to be named by");
+    }
+    json["hand"] = scene.hand_source;
+  }
+  for (const StaticBody& body : scene.obstacles) {
+    json["obstacles"].push_back(body_json(body, body.X_WB));
+  }
+  if (const Json friction = friction_json(scene.friction); !friction.empty()) {
+    json["friction"] = friction;
+  }
+  if (const Json depths = compliant_json(scene.compliant_depths); !depths.empty()) {
+    json["compliant_depths"] = depths;
+  }
+  return json.dump(1) + "\n";
+}
+
+}  // namespace prehend
