@@ -281,9 +281,12 @@ INSTANTIATE_TEST_SUITE_P(
                R"(robot.platform: nothing carries the hand ("barrett"))"},
         BadArm{"MissingPlatform", "/robot/platform", R"("tentacle")",
                "robot.platform: robot: neither a file nor one of barrett, "},
+        BadArm{"MissingHand", "/robot/hand", R"("tentacle")",
+               "robot.hand: robot: neither a file nor one of barrett, "},
         BadArm{"NoPlatform", "/robot", "{}", "robot.platform: missing field"},
-        BadArm{"UnknownField", "/robot/speed", "1",
-               "robot.speed: unknown field, known here are platform, pose, start, limits (1)"}),
+        BadArm{
+            "UnknownField", "/robot/speed", "1",
+            "robot.speed: unknown field, known here are platform, hand, pose, start, limits (1)"}),
     [](const auto& bad) { return std::string(bad.param.label); });
 
 }  // namespace
