@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/geometry/input_error.h"
 #include "sim/robot/json_field.h"
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
@@ -13,7 +14,11 @@ namespace {
 Robot read_named_robot(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
   if (std::filesystem::is_regular_file(beside)) return load_robot(beside);
-  return find_robot(field.text());
+  try {
+    return find_robot(field.text());
+  } catch (const InputError& error) {
+    field.fail(error.what());
+  }
 }
 
 int find_parent(const JsonField& field, const Platform& platform) {

@@ -25,6 +25,12 @@ double slide_of(const Joint& joint) {
   return std::max(std::abs(joint.lower), std::abs(joint.upper));
 }
 
+// Where the frame before the joint is in the frame after the one before it.
+Vector3 after_the_one_before(const Robot& robot, int joint) {
+  const Chain& chain = robot.chains[index(robot.joints[index(joint)].chain)];
+  return joint == chain.first_joint ? Vector3(chain.X_PC.translation()) : Vector3::Zero();
+}
+
 // For each joint of the path, the most that a point of the link can be away from its axis.
 std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
                             const TriangleMesh& mesh) {
@@ -43,8 +49,9 @@ std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
         from_frame = std::max(from_frame, q.norm());
       }
     } else {
-      from_axis = std::abs(joint.a) + from_frame;
-      from_frame += std::hypot(joint.a, joint.d);
+      const Vector3 next = at_zero(joint) * after_the_one_before(robot, path[k + 1]);
+      from_axis = std::hypot(next.x(), next.y()) + from_frame;
+      from_frame += next.norm();
     }
     from_frame += slide_of(joint);
     reach[k] = joint.type == JointType::revolute ? from_axis : 1.0;

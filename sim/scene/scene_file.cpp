@@ -83,6 +83,16 @@ std::string robot_source(const JsonField& field) {
   return robot_source(field.text());
 }
 
+// What a file or name is refused for, said of the field that names it.
+template <typename Read>
+auto named_by(const JsonField& field, const Read& read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    field.fail(error.what());
+  }
+}
+
 GraspableBody read_object(const JsonField& field) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
@@ -189,11 +199,15 @@ Carrier read_carrier(const JsonField& field, const std::string& hand) {
   field.allow_only({"platform", "hand", "pose", "start", "limits"});
   Carrier carrier;
   carrier.source = robot_source(field["platform"]);
-  carrier.platform = find_platform(carrier.source);
-  carrier.hand = hand_of(carrier.platform);
+  carrier.platform = named_by(field["platform"], [&] { return find_platform(carrier.source); });
+  carrier.hand = named_by(field["platform"], [&] { return hand_of(carrier.platform); });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (mounted.parent < 0) field["platform"].fail("nothing carries the hand");
-  if (!hand.empty()) mounted.robot = find_robot(hand);
+  if (!hand.empty()) {
+    const auto find = [&] { return find_robot(hand); };
+    const bool asked_here = field.has("hand") && hand == robot_source(field["hand"]);
+    mounted.robot = asked_here ? named_by(field["hand"], find) : find();
+  }
   if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
   if (field.has("limits")) narrow_limits(field["limits"], carrier.platform);
   carrier.start = read_start(field, carrier.platform);
@@ -223,7 +237,9 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
     scene.hand_source = !source.hand.empty() ? robot_source(source.hand)
                         : root.has("hand")   ? robot_source(root["hand"])
                                              : kDefaultHand;
-    scene.hand = find_robot(scene.hand_source);
+    const auto find = [&] { return find_robot(scene.hand_source); };
+    const bool asked_here = source.hand.empty() && root.has("hand");
+    scene.hand = asked_here ? named_by(root["hand"], find) : find();
   }
   if (root.has("obstacles")) {
     for (const JsonField& field : root["obstacles"].items()) {

@@ -66,7 +66,11 @@ bool stay_apart(const CompiledArm& arm, const ArmPair& pair) {
     const Joint& joint = arm.robot().joints[index(j)];
     box.push_back({joint.lower, joint.upper});
   }
-  return Proof(arm, pair).succeeds(box);
+  if (!Proof(arm, pair).succeeds(box)) return false;
+  // Surfaces that never meet: if one body holds the other, it does so in every posture.
+  std::vector<Pose> X_BL;
+  arm_link_poses(arm, joint_values(arm.robot(), arm.start), X_BL);
+  return !pair_meets(arm, pair, X_BL);
 }
 
 }  // namespace prehend
