@@ -50,6 +50,7 @@ class PathChecker {
       : arm_(*scene.arm),
         path_(path),
         options_(options),
+        hand_joints_(scene.scene.hand.joints.size()),
         pairs_(separate_pairs(arm_.links)),
         corners_(box_corners(arm_)) {}
 
@@ -70,6 +71,12 @@ class PathChecker {
         const double value = path_.positions[i][j];
         check_.beyond_limits =
             std::max({check_.beyond_limits, joint.lower - value, value - joint.upper});
+        // A scene may narrow what the joints allow; fingers part from theirs.
+        if (!is_in_hand(j)) {
+          const double dof_value = (value - joint.offset) / joint.ratio;
+          check_.beyond_limits =
+              std::max({check_.beyond_limits, dof.lower - dof_value, dof_value - dof.upper});
+        }
         const double speed = std::abs(path_.velocities[i][j] / joint.ratio);
         if (speed > 0.0) check_.velocity = std::max(check_.velocity, speed / dof.max_velocity);
         if (i == 0) continue;
@@ -80,6 +87,11 @@ class PathChecker {
         }
       }
     }
+  }
+
+  bool is_in_hand(std::size_t joint) const {
+    const auto first = index(arm_.hand_part().first_joint);
+    return joint >= first && joint < first + hand_joints_;
   }
 
   // From sample i to the next, in halves until the steps are short.
@@ -147,6 +159,7 @@ class PathChecker {
   const CompiledArm& arm_;
   const Trajectory& path_;
   const PathCheckOptions& options_;
+  const std::size_t hand_joints_;
   const std::vector<LinkPair> pairs_;
   const std::vector<std::vector<Vector3>> corners_;
   std::vector<Pose> X_BL_;

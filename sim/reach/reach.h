@@ -47,7 +47,7 @@ std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
 // Tries the postures of the pre-grasp, nearest to the start first, until one follows the line with
 // one continuous solution and without collision of the robots with themselves and of all but the
 // hand with the object and the obstacles: where the hand goes, the trial has seen to that.
-// Up to `most` ways that reach, or the reason of the first that does not.
+// Up to `most` ways that reach, or one reason: the first collision, else unreachable.
 std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
                                 const ReachOptions& options);
 

@@ -69,9 +69,9 @@ INSTANTIATE_TEST_SUITE_P(
     Library, ArmPlan,
     testing::Values(Case{"Mug", "mug_on_table", PathPlanner::rrt_connect, 40, 800, 25},
                     Case{"Clutter", "cluttered_table", PathPlanner::rrt_connect, 40, 800, 8},
-                    Case{"Shelf", "shelf", PathPlanner::rrt_connect, 40, 800, 20},
+                    Case{"Shelf", "shelf", PathPlanner::rrt_connect, 40, 800, 3},
                     Case{"LivingRoom", "living_room", PathPlanner::rrt_connect, 20, 250, 5},
-                    Case{"MugRoadmap", "mug_on_table", PathPlanner::roadmap, 20, 800, 15},
+                    Case{"MugRoadmap", "mug_on_table", PathPlanner::roadmap, 40, 800, 25},
                     Case{"MugStar", "mug_on_table", PathPlanner::rrt_star, 20, 800, 15}),
     [](const auto& one) { return std::string(one.param.label); });
 
@@ -184,19 +184,8 @@ BestTwo plan_twice(Scene scene, const Goes& goes) {
 
 bool is_shelf(const StaticBody& body) { return body.name == "shelf"; }
 
-// The bottle's best grasp is from the front, where the shelf is open.
-TEST(ArmPlanObstacles, WithoutTheShelfThereAreMoreGrasps) {
+TEST(ArmPlanObstacles, WithoutTheShelfTheBestGraspIsBetter) {
   const BestTwo two = plan_twice(load_scene(test::library_scene("shelf")), is_shelf);
-  EXPECT_GE(best_epsilon(two.without), best_epsilon(two.with));
-  EXPECT_GT(best_epsilon(two.with), 0.0);
-}
-
-// That of a mug whose handle is turned to the side is not.
-TEST(ArmPlanObstacles, WithoutTheShelfTheBestGraspOfAMugIsBetter) {
-  nlohmann::json shelf = test::scene_json("shelf");
-  shelf["object"]["generate"] = "mug";
-  shelf["object"]["pose"]["quaternion_wxyz"] = {0.866025, 0, 0, -0.5};
-  const BestTwo two = plan_twice(load_scene(test::write_scene(shelf)), is_shelf);
   EXPECT_GT(best_epsilon(two.without), 1.2 * best_epsilon(two.with));
   EXPECT_GT(best_epsilon(two.with), 0.0);
 }
