@@ -172,7 +172,8 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   return json.dump(1) + "\n";
 }
 
-std::string timings_json(const std::vector<StageTime>& times, int threads) {
+std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds& trials,
+                         int threads) {
   Json json{{"threads", threads}, {"stages", Json::array()}};
   double total = 0.0;
   for (const StageTime& time : times) {
@@ -180,6 +181,8 @@ std::string timings_json(const std::vector<StageTime>& times, int threads) {
     total += time.seconds;
   }
   json["total"] = total;
+  json["trials_on_all_threads"] = {
+      {"reach", trials.reach}, {"approach", trials.approach}, {"close", trials.close}};
   return json.dump(1) + "\n";
 }
 

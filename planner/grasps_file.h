@@ -22,7 +22,8 @@ struct RunRecord {
 std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                         const RunRecord& record);
 
-// Seconds a stage, and in all.
-std::string timings_json(const std::vector<StageTime>& times, int threads);
+// Seconds a stage, and in all; of the trials also what each of their stages took.
+std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds& trials,
+                         int threads);
 
 }  // namespace prehend

@@ -29,6 +29,9 @@ void count_outcomes(const CompiledScene& scene, const std::vector<Trial>& trials
   std::map<std::pair<Outcome, std::string>, int> blocked;
   for (const Trial& trial : trials) {
     ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
+    result.trial_seconds.reach += trial.seconds.reach;
+    result.trial_seconds.approach += trial.seconds.approach;
+    result.trial_seconds.close += trial.seconds.close;
     const std::string by = blame(scene, trial).by;
     if (!by.empty()) ++blocked[{trial.outcome, by}];
   }

@@ -56,6 +56,7 @@ struct PlanResult {
   std::vector<Blocker> blockers;                 // that with the most candidates first
   std::vector<Stage> stages;
   std::vector<StageTime> times;
+  TrialSeconds trial_seconds;  // of all trials, on all threads together
 };
 
 // Throws InputError when no candidate can be proposed: the object is too large for the hand; and

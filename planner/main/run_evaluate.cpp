@@ -33,7 +33,7 @@ int run_evaluate(const EvaluateCommand& command) {
   make_folder(command.common.out);
   write_file(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));
   write_file(command.common.out / "timings.json",
-             timings_json(watch.laps(), command.common.threads));
+             timings_json(watch.laps(), result.trial_seconds, command.common.threads));
   constexpr std::size_t kMostRows = 20;
   std::cout << grasp_table(loaded.scene, result, kMostRows);
   if (result.grasps.size() > kMostRows) {

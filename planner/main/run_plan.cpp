@@ -89,7 +89,7 @@ int run_plan(const PlanCommand& command) {
   }
   watch.lap("picture");
   write_file(command.common.out / "timings.json",
-             timings_json(watch.laps(), command.common.threads));
+             timings_json(watch.laps(), result.trial_seconds, command.common.threads));
 
   std::cout << grasp_table(scene, result, static_cast<std::size_t>(command.top))
             << outcome_line(result) << "\n"

@@ -1,6 +1,7 @@
 #include "sim/trial/trial.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "sim/trial/approach.h"
 #include "sim/trial/grasp_at.h"
@@ -18,6 +19,20 @@ std::vector<double> start_joints(const CompiledScene& scene, const Candidate& ca
   }
   return candidate.joints.empty() ? joint_values(hand, candidate.dofs) : candidate.joints;
 }
+
+// Adds the time that it exists to `seconds`.
+class Timer {
+ public:
+  explicit Timer(double& seconds) : seconds_(seconds) {}
+  ~Timer() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  Timer(const Timer&) = delete;
+  Timer& operator=(const Timer&) = delete;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double& seconds_;
+  Clock::time_point start_ = Clock::now();
+};
 
 class TrialRun {
  public:
@@ -37,9 +52,16 @@ class TrialRun {
   }
 
   Trial run() {
+    Trial trial = try_it();
+    trial.seconds = seconds_;
+    return trial;
+  }
+
+ private:
+  Trial try_it() {
     Trial trial;
     if (scene_.arm && !has_posture_at_pre_grasp(trial)) return trial;
-    const ApproachResult reached = approach(scene_, start_joints_, motion_, options_);
+    const ApproachResult reached = move_to_object();
     trial.X_OH = motion_.at(reached.travel);
     trial.travel = reached.travel;
     trial.dofs = start_.dofs;
@@ -72,8 +94,13 @@ class TrialRun {
     return trial;
   }
 
- private:
+  ApproachResult move_to_object() {
+    const Timer timer(seconds_.approach);
+    return approach(scene_, start_joints_, motion_, options_);
+  }
+
   bool has_posture_at_pre_grasp(Trial& trial) {
+    const Timer timer(seconds_.reach);
     if (!postures_at(*scene_.arm, motion_.at(0.0), options_.reach).empty()) return true;
     trial.X_OH = motion_.at(0.0);
     trial.dofs = start_.dofs;
@@ -83,6 +110,7 @@ class TrialRun {
   }
 
   bool arm_follows(Trial& trial) {
+    const Timer timer(seconds_.reach);
     const Reach reach =
         find_reach(*scene_.arm, approach_line(scene_, candidate_, trial), options_.reach);
     if (reach.end == ReachEnd::reached) {
@@ -97,6 +125,7 @@ class TrialRun {
   }
 
   void close_at(double travel, const std::vector<double>& clearance, Trial& trial) {
+    const Timer timer(seconds_.close);
     start_.X_OH = motion_.at(travel);
     start_.object_clearance = clearance;
     trial.travel = travel;
@@ -110,6 +139,7 @@ class TrialRun {
   ApproachMotion motion_;
   ClosingStart start_;
   std::vector<double> start_joints_;
+  TrialSeconds seconds_;
 };
 
 }  // namespace

@@ -29,6 +29,13 @@ struct GraspContact {
   double gap = 0.0;  // between link and object [m]
 };
 
+// Where the time of a trial went; a stage that the scene does not ask for took none.
+struct TrialSeconds {
+  double reach = 0.0;
+  double approach = 0.0;
+  double close = 0.0;  // with contacts and quality
+};
+
 struct Trial {
   Outcome outcome = Outcome::no_contact;
   int link = -1;                    // that was blocked, for hand_blocked and approach_blocked
@@ -43,6 +50,7 @@ struct Trial {
   std::vector<double> arm_dofs;  // of the platform, the hand as it starts; empty without an arm
   std::vector<GraspContact> contacts;
   EpsilonBracket epsilon;
+  TrialSeconds seconds;  // the only part that is not the same in every run
 };
 
 // What was blocked, and by what; empty for other outcomes.
