@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "sim/geometry/input_error.h"
@@ -26,17 +27,18 @@ namespace {
 
 void count_outcomes(const CompiledScene& scene, const std::vector<Trial>& trials,
                     PlanResult& result) {
-  std::map<std::pair<Outcome, std::string>, int> blocked;
+  std::map<std::tuple<Outcome, std::string, std::string>, int> blocked;
   for (const Trial& trial : trials) {
     ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
-    const std::string by = blame(scene, trial).by;
-    if (!by.empty()) ++blocked[{trial.outcome, by}];
+    const Blame why = blame(scene, trial);
+    if (!why.by.empty()) ++blocked[{trial.outcome, why.link, why.by}];
   }
   for (const auto& [what, count] : blocked) {
-    result.blockers.push_back({what.first, what.second, count});
+    const auto& [outcome, link, by] = what;
+    result.blockers.push_back({outcome, link, by, count});
   }
   std::stable_sort(result.blockers.begin(), result.blockers.end(),
                    [](const Blocker& a, const Blocker& b) { return a.count > b.count; });

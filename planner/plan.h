@@ -37,10 +37,11 @@ struct ScoredGrasp {
   std::optional<Trajectory> path;
 };
 
-// How many candidates ended in `outcome` because of one body.
+// How many candidates ended in `outcome` because one link met one body.
 struct Blocker {
   Outcome outcome = Outcome::hand_blocked;
-  std::string by;
+  std::string link;
+  std::string by;  // the object, an obstacle, or another link
   int count = 0;
 };
 
@@ -53,7 +54,7 @@ struct PlanResult {
   std::vector<Primitive> primitives;
   std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: as asked
   std::array<int, kOutcomes.size()> outcomes{};  // of all trials
-  std::vector<Blocker> blockers;                 // that with the most candidates first
+  std::vector<Blocker> blockers;                 // those with the most candidates first
   std::vector<Stage> stages;
   std::vector<StageTime> times;
   TrialSeconds trial_seconds;  // of all trials, on all threads together

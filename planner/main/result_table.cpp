@@ -1,5 +1,6 @@
 #include "planner/main/result_table.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace prehend {
@@ -54,10 +55,24 @@ std::string outcome_line(const PlanResult& result) {
 }
 
 std::string blocker_line(const PlanResult& result) {
-  std::string text;
+  // Links are in the file; here it is about what is in the way.
+  std::vector<Blocker> bodies;
   for (const Blocker& blocker : result.blockers) {
-    text += (text.empty() ? "blocked by: " : ", ") + blocker.by + " " +
-            std::to_string(blocker.count) + " (" + std::string(outcome_name(blocker.outcome)) + ")";
+    const auto known = std::find_if(bodies.begin(), bodies.end(), [&](const Blocker& body) {
+      return body.outcome == blocker.outcome && body.by == blocker.by;
+    });
+    if (known == bodies.end()) {
+      bodies.push_back(blocker);
+    } else {
+      known->count += blocker.count;
+    }
+  }
+  std::stable_sort(bodies.begin(), bodies.end(),
+                   [](const Blocker& a, const Blocker& b) { return a.count > b.count; });
+  std::string text;
+  for (const Blocker& body : bodies) {
+    text += (text.empty() ? "blocked by: " : ", ") + body.by + " " + std::to_string(body.count) +
+            " (" + std::string(outcome_name(body.outcome)) + ")";
   }
   return text.empty() ? text : text + "\n";
 }
