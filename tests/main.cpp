@@ -1,0 +1,17 @@
+// Every run of a test program has a folder of its own for its files: runs go on side by side.
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+int main(int argc, char** argv) {
+  std::string folder = (std::filesystem::temp_directory_path() / "prehend_test_XXXXXX").string();
+  if (mkdtemp(folder.data()) == nullptr) return EXIT_FAILURE;
+  setenv("TEST_TMPDIR", folder.c_str(), 1);  // what testing::TempDir() answers
+  testing::InitGoogleTest(&argc, argv);
+  const int status = RUN_ALL_TESTS();
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+  return status;
+}
