@@ -34,6 +34,13 @@ class SeededSampler : public ob::RealVectorStateSampler {
   }
 };
 
+// Without the random projections that OMPL makes for planners which are not used here.
+class PlainSpace : public ob::RealVectorStateSpace {
+ public:
+  using ob::RealVectorStateSpace::RealVectorStateSpace;
+  void registerProjections() override {}
+};
+
 template <typename Planner>
 class Seeded : public Planner {
  public:
@@ -132,7 +139,7 @@ class FreeMotion : public ob::MotionValidator {
 };
 
 ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t seed) {
-  auto vectors = std::make_shared<ob::RealVectorStateSpace>(static_cast<unsigned>(space.size()));
+  auto vectors = std::make_shared<PlainSpace>(static_cast<unsigned>(space.size()));
   ob::RealVectorBounds bounds(static_cast<unsigned>(space.size()));
   for (std::size_t k = 0; k < space.size(); ++k) {
     bounds.low[k] = space.lower(k);
