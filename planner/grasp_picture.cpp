@@ -32,8 +32,10 @@ void add_wrench(const CompiledScene& scene, const Wrench& wrench, std::vector<Dr
   const Vector3& origin = scene.wrench_frame.torque_origin;
   const Vector3 force = wrench.head<3>() / wrench.norm() * kArrowLength * radius;
   const Vector3 torque = wrench.tail<3>() / wrench.norm() * kArrowLength * radius;
-  bodies.push_back({arrow_mesh(origin, origin + force, 0.035 * radius), X_WO, kWeakest});
-  bodies.push_back({arrow_mesh(origin, origin + torque, 0.015 * radius), X_WO, kWeakest});
+  bodies.push_back(
+      {arrow_mesh(origin, origin + force, 0.035 * radius), X_WO, kWeakest, "weakest force"});
+  bodies.push_back(
+      {arrow_mesh(origin, origin + torque, 0.015 * radius), X_WO, kWeakest, "weakest torque"});
 }
 
 void write_title(Image& image, const std::string& title) {
@@ -61,7 +63,8 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
   arm_link_poses(arm, grasp.arm_joints, X_BL);
   for (std::size_t l = 0; l < X_BL.size(); ++l) {
     if (arm.is_hand_link(static_cast<int>(l))) continue;
-    bodies.push_back({arm.robot().links[l].mesh, arm.X_WB * X_BL[l], kArm});
+    const Link& link = arm.robot().links[l];
+    bodies.push_back({link.mesh, arm.X_WB * X_BL[l], kArm, link.name});
   }
   return bodies;
 }
@@ -72,20 +75,20 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
   const Pose& X_WO = scene.scene.object.X_WO;
   const double radius = 1.0 / scene.wrench_frame.torque_scale;
   std::vector<DrawnBody> bodies;
-  bodies.push_back({scene.scene.object.mesh, X_WO, kObject});
+  bodies.push_back({scene.scene.object.mesh, X_WO, kObject, scene.scene.object.name});
   std::vector<Pose> X_HL;
   link_poses(scene.scene.hand, grasp.joints, X_HL);
   for (std::size_t l = 0; l < scene.scene.hand.links.size(); ++l) {
     const Link& link = scene.scene.hand.links[l];
     const Color& color = link.material == "rubber" ? kRubber : kHard;
-    bodies.push_back({link.mesh, X_WO * grasp.X_OH * X_HL[l], color});
+    bodies.push_back({link.mesh, X_WO * grasp.X_OH * X_HL[l], color, link.name});
   }
   for (const GraspContact& contact : grasp.contacts) {
     // A frictionless cone would not show.
     const double slope = std::max(0.05, contact.point.friction);
     const double length = kConeLength * radius / std::sqrt(1.0 + slope * slope);
-    bodies.push_back(
-        {cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO, kCone});
+    bodies.push_back({cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO,
+                      kCone, "contact"});
   }
   add_wrench(scene, grasp.weakest, bodies);
   return bodies;
@@ -94,7 +97,7 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
 std::vector<DrawnBody> surrounding_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
   std::vector<DrawnBody> bodies;
   for (const StaticBody& body : scene.scene.obstacles) {
-    bodies.push_back({body.mesh, body.X_WB, kObstacle});
+    bodies.push_back({body.mesh, body.X_WB, kObstacle, body.name});
   }
   for (const DrawnBody& link : arm_bodies(scene, grasp)) bodies.push_back(link);
   return bodies;

@@ -158,8 +158,10 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   }
   json["blockers"] = Json::array();
   for (const Blocker& blocker : result.blockers) {
-    json["blockers"].push_back(
-        {{"outcome", outcome_name(blocker.outcome)}, {"by", blocker.by}, {"count", blocker.count}});
+    json["blockers"].push_back({{"outcome", outcome_name(blocker.outcome)},
+                                {"link", blocker.link},
+                                {"by", blocker.by},
+                                {"count", blocker.count}});
   }
   json["primitives"] = Json::array();
   for (const Primitive& primitive : result.primitives) {

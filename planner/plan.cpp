@@ -25,15 +25,17 @@ namespace {
   throw InputError(message.str());
 }
 
-void count_outcomes(const CompiledScene& scene, const std::vector<Trial>& trials,
-                    PlanResult& result) {
+void record_trials(const CompiledScene& scene, const std::vector<Candidate>& candidates,
+                   const std::vector<Trial>& trials, PlanResult& result) {
   std::map<std::tuple<Outcome, std::string, std::string>, int> blocked;
-  for (const Trial& trial : trials) {
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const Trial& trial = trials[i];
     ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
     const Blame why = blame(scene, trial);
+    result.tried.push_back({candidates[i].X_OH, candidates[i].approach_O, trial.outcome, why});
     if (!why.by.empty()) ++blocked[{trial.outcome, why.link, why.by}];
   }
   for (const auto& [what, count] : blocked) {
@@ -93,6 +95,7 @@ void add_paths(const CompiledScene& scene, const PlanOptions& options, PlanResul
       } else {
         --result.outcomes[static_cast<std::size_t>(Outcome::stable)];
         ++result.outcomes[static_cast<std::size_t>(Outcome::no_path)];
+        result.tried[static_cast<std::size_t>(all[i].tried)].outcome = Outcome::no_path;
       }
     }
     next += count;
@@ -122,7 +125,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
   std::vector<Candidate> candidates;
   for (const ProposedGrasp& grasp : proposals.grasps) candidates.push_back(grasp.candidate);
   std::vector<Trial> trials = run_trials(scene, candidates, options.trials);
-  count_outcomes(scene, trials, result);
+  record_trials(scene, candidates, trials, result);
   add_trial_stages(scene, result);
   watch.lap("trials");
 
@@ -130,8 +133,8 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
   if (options.paths) ranking.top = std::numeric_limits<int>::max();  // some may have no path
   for (std::size_t i : rank(trials, ranking)) {
     const ProposedGrasp& proposed = proposals.grasps[i];
-    result.grasps.push_back(
-        {std::move(trials[i]), proposed.candidate, 0.0, proposed.primitive, proposed.rule, {}});
+    result.grasps.push_back({std::move(trials[i]), proposed.candidate, 0.0, proposed.primitive,
+                             proposed.rule, std::nullopt, static_cast<int>(i)});
   }
   result.stages.push_back({"ranked", static_cast<int>(result.grasps.size())});
   watch.lap("rank");
@@ -151,9 +154,10 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   PlanResult result;
   Stopwatch watch;
   std::vector<Trial> trials = run_trials(scene, candidates, options);
-  count_outcomes(scene, trials, result);
+  record_trials(scene, candidates, trials, result);
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    result.grasps.push_back({std::move(trials[i]), candidates[i], 0.0, -1, "given", {}});
+    result.grasps.push_back(
+        {std::move(trials[i]), candidates[i], 0.0, -1, "given", std::nullopt, static_cast<int>(i)});
   }
   add_trial_stages(scene, result);
   watch.lap("trials");

@@ -35,6 +35,15 @@ struct ScoredGrasp {
   int primitive = -1;   // it came from, -1: given by the caller
   std::string rule;
   std::optional<Trajectory> path;
+  int tried = 0;  // index into PlanResult::tried
+};
+
+// A candidate and how it ended.
+struct Tried {
+  Pose X_OH = Pose::Identity();           // where its approach was to end
+  Vector3 approach_O = Vector3::UnitZ();  // unit
+  Outcome outcome = Outcome::no_contact;
+  Blame blame;
 };
 
 // How many candidates ended in `outcome` because one link met one body.
@@ -53,6 +62,7 @@ struct Stage {
 struct PlanResult {
   std::vector<Primitive> primitives;
   std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: as asked
+  std::vector<Tried> tried;                      // all candidates, in the order they were made
   std::array<int, kOutcomes.size()> outcomes{};  // of all trials
   std::vector<Blocker> blockers;                 // those with the most candidates first
   std::vector<Stage> stages;

@@ -1,10 +1,10 @@
 #include "planner/path/grasp_path.h"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "planner/path/check_path.h"
+#include "planner/path/closing_path.h"
 
 namespace prehend {
 namespace {
@@ -19,36 +19,6 @@ JointLimits limits_of(const Robot& robot) {
     limits.acceleration.push_back(std::abs(joint.ratio) * dof.max_acceleration);
   }
   return limits;
-}
-
-// The joints of the hand while it closes: each moves at its rate until it is where it ends. One
-// posture for every time that one of them stops.
-JointPath closing_path(const Robot& hand, const std::vector<double>& from,
-                       const std::vector<double>& to) {
-  std::vector<double> rate(from.size(), 0.0);
-  std::vector<double> stop(from.size(), 0.0);  // in seconds of the closing velocities
-  std::vector<double> stops;
-  for (std::size_t j = 0; j < from.size(); ++j) {
-    const Joint& joint = hand.joints[j];
-    rate[j] = joint.ratio * hand.dofs[index(joint.dof)].closing_velocity;
-    const double way = to[j] - from[j];
-    // What does not close, or was pushed back, goes straight there in the first second.
-    if (rate[j] * way <= 0.0) rate[j] = way;
-    stop[j] = way == 0.0 ? 0.0 : way / rate[j];
-    stops.push_back(stop[j]);
-  }
-  std::sort(stops.begin(), stops.end());
-  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
-  JointPath path = {from};
-  for (const double time : stops) {
-    if (time <= 0.0) continue;
-    std::vector<double> joints = from;
-    for (std::size_t j = 0; j < from.size(); ++j) {
-      joints[j] = time >= stop[j] ? to[j] : from[j] + time * rate[j];
-    }
-    path.push_back(std::move(joints));
-  }
-  return path;
 }
 
 class GraspPathPlanner {
@@ -100,7 +70,8 @@ class GraspPathPlanner {
     if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
     add(path, "approach", with_hand(way.line, line_.hand_joints), PathKind::smooth);
     JointPath closing;
-    for (const auto& hand : closing_path(scene_.scene.hand, line_.hand_joints, trial_.joints)) {
+    for (const auto& hand :
+         closing_path(scene_.scene.hand, line_.hand_joints, trial_.joints).postures) {
       closing.push_back(arm_joints(arm_, way.line.back(), hand));
     }
     add(path, "close", closing, PathKind::corners);

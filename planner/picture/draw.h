@@ -1,6 +1,7 @@
 // A small software renderer: triangles with opacity, a perspective camera, no display.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "planner/picture/camera.h"
@@ -18,6 +19,7 @@ struct DrawnBody {
   TriangleMesh mesh = {};
   Pose X_WB = Pose::Identity();
   Color color = {};
+  std::string name = {};  // for files that name bodies; not drawn
 };
 
 struct DrawOptions {

@@ -1,0 +1,87 @@
+#include "planner/grasp_motion.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "planner/path/closing_path.h"
+
+namespace prehend {
+namespace {
+
+// The hand of a platform in one of its postures.
+MotionFrame frame_of(const CompiledScene& scene, double time, std::vector<double> arm_joints) {
+  const CompiledArm& arm = *scene.arm;
+  const PlatformPart& part = arm.hand_part();
+  std::vector<Pose> X_BJ;
+  joint_poses(arm.robot(), arm_joints, X_BJ);
+  const Pose X_BJh = part.joint < 0 ? Pose::Identity() : X_BJ[static_cast<std::size_t>(part.joint)];
+  MotionFrame frame{time, arm.X_BO.inverse() * X_BJh * part.X_JR, {}, std::move(arm_joints)};
+  const auto first = frame.arm_joints.begin() + part.first_joint;
+  frame.joints.assign(first, first + static_cast<std::ptrdiff_t>(scene.scene.hand.joints.size()));
+  return frame;
+}
+
+GraspMotion motion_along(const CompiledScene& scene, const Trajectory& path) {
+  GraspMotion motion;
+  for (std::size_t i = 0; i < path.times.size(); ++i) {
+    motion.frames.push_back(frame_of(scene, path.times[i], path.positions[i]));
+  }
+  motion.segments = path.segments;
+  return motion;
+}
+
+}  // namespace
+
+GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                         const Trajectory* path, const GraspMotionOptions& options) {
+  if (path != nullptr && scene.arm) return motion_along(scene, *path);
+  const HandLine line = approach_line(scene, candidate, trial);
+  std::vector<DofValues> arm_line;
+  if (scene.arm && !trial.arm_dofs.empty()) {
+    arm_line = find_reach(*scene.arm, line, options.reach).line;
+  }
+  GraspMotion motion;
+  const auto add = [&](double time, const Pose& X_OH, const std::vector<double>& joints,
+                       const DofValues* dofs) {
+    motion.frames.push_back(dofs != nullptr
+                                ? frame_of(scene, time, arm_joints(*scene.arm, *dofs, joints))
+                                : MotionFrame{time, X_OH, joints});
+  };
+  const double seconds = trial.travel / options.approach_speed;
+  const std::size_t steps = arm_line.empty() ? 2 : arm_line.size();
+  if (seconds > 0.0) {
+    for (std::size_t i = 0; i + 1 < steps; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(steps - 1);
+      add(part * seconds, line.X_OH_from, line.hand_joints,
+          arm_line.empty() ? nullptr : &arm_line[i]);
+    }
+  }
+  const int closes = static_cast<int>(motion.frames.size());
+  const DofValues* held = arm_line.empty() ? nullptr : &arm_line.back();
+  const ClosingPath closing = closing_path(scene.scene.hand, line.hand_joints, trial.joints);
+  for (std::size_t i = 0; i < closing.times.size(); ++i) {
+    add(seconds + closing.times[i], trial.X_OH, closing.postures[i], held);
+  }
+  motion.segments = {{"approach", 0, closes},
+                     {"close", closes, static_cast<int>(motion.frames.size()) - 1}};
+  return motion;
+}
+
+GraspMotion thinned(const GraspMotion& motion, int most) {
+  const auto count = static_cast<int>(motion.frames.size());
+  const int step = std::max(1, (count + most - 1) / most);
+  GraspMotion few;
+  for (const TrajectorySegment& segment : motion.segments) {
+    if (few.frames.empty())
+      few.frames.push_back(motion.frames[static_cast<std::size_t>(segment.first)]);
+    const int first = static_cast<int>(few.frames.size()) - 1;
+    for (int i = segment.first + step; i < segment.last + step && segment.last > segment.first;
+         i += step) {
+      few.frames.push_back(motion.frames[static_cast<std::size_t>(std::min(i, segment.last))]);
+    }
+    few.segments.push_back({segment.name, first, static_cast<int>(few.frames.size()) - 1});
+  }
+  return few;
+}
+
+}  // namespace prehend

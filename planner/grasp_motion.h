@@ -1,0 +1,39 @@
+// How a hand comes to a grasp and closes, posture by posture: to be looked at.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/path/trajectory.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+struct MotionFrame {
+  double time = 0.0;                    // s
+  Pose X_OH = Pose::Identity();         // the hand's base in the object's frame
+  std::vector<double> joints;           // of the hand [rad or m]
+  std::vector<double> arm_joints = {};  // of the whole platform; empty without an arm
+};
+
+// Between two frames everything moves straight.
+struct GraspMotion {
+  std::vector<MotionFrame> frames;          // at least one; the last is the grasp
+  std::vector<TrajectorySegment> segments;  // "approach", "close"; with a path also those before
+};
+
+struct GraspMotionOptions {
+  // Of the hand on the way to the object, where no path says how fast [m/s].
+  double approach_speed = 0.1;
+  ReachOptions reach;
+};
+
+// The samples of `path`, if there is one. If not, what the trial did: the hand approaches and
+// closes at its closing velocities, on the arm where that reached.
+GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                         const Trajectory* path, const GraspMotionOptions& options = {});
+
+// At most about `most` of the frames (>= 2), evenly in time of samples; ends of segments stay.
+GraspMotion thinned(const GraspMotion& motion, int most);
+
+}  // namespace prehend
