@@ -3,6 +3,7 @@
 #include "planner/exports/csv.h"
 #include "planner/exports/isaac.h"
 #include "planner/exports/moveit.h"
+#include "planner/grasp_words.h"
 #include "sim/geometry/input_error.h"
 
 namespace prehend {
@@ -28,10 +29,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   exported.volume = grasp.volume;
   exported.X_OH = trial.X_OH;
   exported.X_WH = scene.scene.object.X_WO * trial.X_OH;
-  if (grasp.candidate.preshape >= 0) {
-    const auto preshape = static_cast<std::size_t>(grasp.candidate.preshape);
-    exported.preshape = scene.scene.hand.hand->preshapes[preshape].name;
-  }
+  exported.preshape = preshape_name(scene, grasp.candidate);
   exported.dofs = trial.dofs;
   exported.pregrasp_joints = approach_line(scene, grasp.candidate, trial).hand_joints;
   exported.closed_joints = trial.joints;

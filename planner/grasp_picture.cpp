@@ -6,18 +6,10 @@
 
 #include "planner/picture/label.h"
 #include "planner/picture/marks.h"
+#include "planner/picture/palette.h"
 
 namespace prehend {
 namespace {
-
-constexpr Color kObject{0.80, 0.78, 0.70, 0.22};
-constexpr Color kHard{0.45, 0.53, 0.63, 1.0};
-constexpr Color kRubber{0.27, 0.31, 0.37, 1.0};
-constexpr Color kArm{0.87, 0.70, 0.36, 1.0};
-constexpr Color kObstacle{0.72, 0.72, 0.72, 0.25};
-constexpr Color kCone{0.88, 0.13, 0.12, 1.0};
-constexpr Color kWeakest{0.50, 0.16, 0.75, 1.0};
-constexpr Color kText{0.15, 0.15, 0.18, 1.0};
 
 constexpr double kMarker = 0.01;  // m
 
@@ -32,17 +24,17 @@ void add_wrench(const CompiledScene& scene, const Wrench& wrench, std::vector<Dr
   const Vector3& origin = scene.wrench_frame.torque_origin;
   const Vector3 force = wrench.head<3>() / wrench.norm() * kArrowLength * radius;
   const Vector3 torque = wrench.tail<3>() / wrench.norm() * kArrowLength * radius;
-  bodies.push_back(
-      {arrow_mesh(origin, origin + force, 0.035 * radius), X_WO, kWeakest, "weakest force"});
-  bodies.push_back(
-      {arrow_mesh(origin, origin + torque, 0.015 * radius), X_WO, kWeakest, "weakest torque"});
+  bodies.push_back({arrow_mesh(origin, origin + force, 0.035 * radius), X_WO, palette::kWeakest,
+                    "weakest force"});
+  bodies.push_back({arrow_mesh(origin, origin + torque, 0.015 * radius), X_WO, palette::kWeakest,
+                    "weakest torque"});
 }
 
 void write_title(Image& image, const std::string& title) {
   if (title.empty()) return;
   constexpr int kScale = 2;
   const TextSize size = text_size(title, kScale);
-  label(image, 12, image.height - size.height - 12, title, kText, kScale);
+  label(image, 12, image.height - size.height - 12, title, palette::kText, kScale);
 }
 
 // `seen` fill the picture.
@@ -64,7 +56,7 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
   for (std::size_t l = 0; l < X_BL.size(); ++l) {
     if (arm.is_hand_link(static_cast<int>(l))) continue;
     const Link& link = arm.robot().links[l];
-    bodies.push_back({link.mesh, arm.X_WB * X_BL[l], kArm, link.name});
+    bodies.push_back({link.mesh, arm.X_WB * X_BL[l], palette::kArm, link.name});
   }
   return bodies;
 }
@@ -75,12 +67,12 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
   const Pose& X_WO = scene.scene.object.X_WO;
   const double radius = 1.0 / scene.wrench_frame.torque_scale;
   std::vector<DrawnBody> bodies;
-  bodies.push_back({scene.scene.object.mesh, X_WO, kObject, scene.scene.object.name});
+  bodies.push_back({scene.scene.object.mesh, X_WO, palette::kObject, scene.scene.object.name});
   std::vector<Pose> X_HL;
   link_poses(scene.scene.hand, grasp.joints, X_HL);
   for (std::size_t l = 0; l < scene.scene.hand.links.size(); ++l) {
     const Link& link = scene.scene.hand.links[l];
-    const Color& color = link.material == "rubber" ? kRubber : kHard;
+    const Color& color = link.material == "rubber" ? palette::kRubber : palette::kHard;
     bodies.push_back({link.mesh, X_WO * grasp.X_OH * X_HL[l], color, link.name});
   }
   for (const GraspContact& contact : grasp.contacts) {
@@ -88,7 +80,7 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
     const double slope = std::max(0.05, contact.point.friction);
     const double length = kConeLength * radius / std::sqrt(1.0 + slope * slope);
     bodies.push_back({cone_mesh(contact.point.position, contact.point.normal, slope, length), X_WO,
-                      kCone, "contact"});
+                      palette::kContact, "contact"});
   }
   add_wrench(scene, grasp.weakest, bodies);
   return bodies;
@@ -97,7 +89,7 @@ std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp
 std::vector<DrawnBody> surrounding_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
   std::vector<DrawnBody> bodies;
   for (const StaticBody& body : scene.scene.obstacles) {
-    bodies.push_back({body.mesh, body.X_WB, kObstacle, body.name});
+    bodies.push_back({body.mesh, body.X_WB, palette::kObstacle, body.name});
   }
   for (const DrawnBody& link : arm_bodies(scene, grasp)) bodies.push_back(link);
   return bodies;

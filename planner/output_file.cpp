@@ -30,4 +30,9 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
   throw InputError(file.string() + ": cannot be written");
 }
 
+void remove_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
 }  // namespace prehend

@@ -13,6 +13,7 @@ struct CommonOptions {
   int threads = 0;  // 0: all processors
   std::uint64_t seed = 1;
   bool hard_contacts = false;
+  bool no_report = false;
 };
 
 struct PlanCommand {
@@ -56,8 +57,9 @@ struct QualityCommand {
   std::string force;               // at_most or exactly; empty: exactly for L1, at_most for Linf
   std::string measures;            // names, with commas
   std::string project;             // see run_quality.cpp; empty: no section
-  std::filesystem::path out = "out/slice.ply";
+  std::filesystem::path out = "out/quality";
   std::uint64_t seed = 1;
+  bool no_report = false;
 };
 
 // Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake,

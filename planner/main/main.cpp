@@ -24,6 +24,10 @@ void add_common(CLI::App& command, CommonOptions& common) {
   command.add_option("--out", common.out, "folder to write to")->capture_default_str();
 }
 
+void add_no_report(CLI::App& command, bool& no_report) {
+  command.add_flag("--no-report", no_report, "do without report.html");
+}
+
 void add_contacts(CLI::App& command, CommonOptions& common) {
   command
       .add_option_function<std::string>(
@@ -78,6 +82,7 @@ struct Program {
         ->check(CLI::IsMember({"json", "csv", "isaac", "moveit"}));
     add_common(command, plan.common);
     add_contacts(command, plan.common);
+    add_no_report(command, plan.common.no_report);
     command.callback([this] { chosen = [this] { return prehend::run_plan(plan); }; });
   }
 
@@ -88,6 +93,7 @@ struct Program {
     evaluate.common.out = "out/evaluate";
     add_common(command, evaluate.common);
     add_contacts(command, evaluate.common);
+    add_no_report(command, evaluate.common.no_report);
     command.callback([this] { chosen = [this] { return prehend::run_evaluate(evaluate); }; });
   }
 
@@ -128,10 +134,10 @@ struct Program {
     command.add_option("--measures", quality.measures, "more measures by name, with commas");
     command.add_option("--project", quality.project,
                        "write a section: force, torque, or three like tx=0,ty=0,fz=0.5");
-    command.add_option("--out", quality.out, "mesh file of the section (PLY)")
-        ->capture_default_str();
+    command.add_option("--out", quality.out, "folder to write to")->capture_default_str();
     command.add_option("--seed", quality.seed, "seed of the robust measures")
         ->capture_default_str();
+    add_no_report(command, quality.no_report);
     command.callback([this] { chosen = [this] { return prehend::run_quality(quality); }; });
   }
 };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "planner/grasp_words.h"
+
 namespace prehend {
 namespace {
 
@@ -14,18 +16,6 @@ std::string format(const char* pattern, Values... values) {
   return text;
 }
 
-std::string origin_of(const ScoredGrasp& grasp, const PlanResult& result) {
-  if (grasp.primitive < 0) return grasp.rule;
-  const auto p = static_cast<std::size_t>(grasp.primitive);
-  const std::string shape(shape_name(result.primitives[p].shape));
-  return shape + " " + std::to_string(grasp.primitive + 1) + " (" + grasp.rule + ")";
-}
-
-std::string preshape_of(const CompiledScene& scene, const ScoredGrasp& grasp) {
-  if (grasp.candidate.preshape < 0) return "-";
-  return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(grasp.candidate.preshape)].name;
-}
-
 }  // namespace
 
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
@@ -33,10 +23,11 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
                             "contacts", "outcome", "preshape", "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
+    const std::string preshape = preshape_name(scene, grasp.candidate);
     text += format("%4zu  %8.4f  %9.3g  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
                    grasp.volume, grasp.trial.contacts.size(),
                    std::string(outcome_name(grasp.trial.outcome)).c_str(),
-                   preshape_of(scene, grasp).c_str(), origin_of(grasp, result).c_str());
+                   preshape.empty() ? "-" : preshape.c_str(), origin_words(grasp, result).c_str());
   }
   return text;
 }

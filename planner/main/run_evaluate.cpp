@@ -5,6 +5,8 @@
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
 #include "planner/output_file.h"
+#include "planner/plan_report.h"
+#include "planner/report/report_html.h"
 
 namespace prehend {
 
@@ -30,7 +32,14 @@ int run_evaluate(const EvaluateCommand& command) {
   RunRecord record = loaded.record;
   record.seed = command.common.seed;
   record.options.trials = options;
+  std::string report;
+  if (!command.common.no_report) {
+    report = report_html(plan_report(loaded.scene, result, record, {command.common.threads}));
+    watch.lap("report");
+  }
   make_folder(command.common.out);
+  remove_file(command.common.out / "report.html");
+  if (!report.empty()) write_file(command.common.out / "report.html", report);
   write_file(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));
   write_file(command.common.out / "timings.json",
              timings_json(watch.laps(), result.trial_seconds, command.common.threads));
@@ -40,7 +49,7 @@ int run_evaluate(const EvaluateCommand& command) {
     std::cout << "... and " << result.grasps.size() - kMostRows << " more\n";
   }
   std::cout << outcome_line(result) << "\nwrote " << command.common.out.string()
-            << ": grasps.json, timings.json\n";
+            << ": grasps.json, timings.json" << (report.empty() ? "" : ", report.html") << "\n";
   return 0;
 }
 

@@ -7,6 +7,8 @@
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
 #include "planner/output_file.h"
+#include "planner/plan_report.h"
+#include "planner/report/report_html.h"
 #include "planner/scene_library.h"
 #include "sim/scene/scene_file.h"
 
@@ -27,12 +29,9 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   return pictures;
 }
 
-// Those of an earlier run do not stay behind.
-void remove_pictures(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  for (const char* name : {"best.png", "best_arm.png"}) {
-    std::filesystem::remove(folder / name, ignored);
-  }
+// What this run may not write does not stay behind from an earlier one.
+void remove_earlier(const std::filesystem::path& folder) {
+  for (const char* name : {"best.png", "best_arm.png", "report.html"}) remove_file(folder / name);
 }
 
 std::string names_of(const std::vector<ExportFile>& files) {
@@ -77,11 +76,16 @@ int run_plan(const PlanCommand& command) {
       files.push_back(std::move(file_of));
     }
   }
+  if (!command.common.no_report) {
+    files.push_back(
+        {"report.html", report_html(plan_report(scene, result, record, {command.common.threads}))});
+    watch.lap("report");
+  }
   make_folder(command.common.out);
+  remove_earlier(command.common.out);
   for (const ExportFile& written : files) {
     write_file(command.common.out / written.name, written.content);
   }
-  remove_pictures(command.common.out);
   std::string written_last;
   for (const auto& [name, image] : best_pictures(scene, result)) {
     write_png(command.common.out / name, image);

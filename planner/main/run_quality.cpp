@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/contacts_file.h"
+#include "planner/contacts_report.h"
 #include "planner/main/commands.h"
 #include "planner/output_file.h"
 #include "planner/ply.h"
+#include "planner/report/report_html.h"
 #include "sim/geometry/input_error.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/scene/json_pose.h"
@@ -158,21 +160,28 @@ void write_slice(const QualityCommand& command, const ContactsFile& file,
   }
   const WrenchSlice slice = wrench_slice(hull.hull, fixed);
   if (slice.empty()) throw InputError("--project: the section is empty (" + command.project + ")");
-  if (command.out.has_parent_path()) make_folder(command.out.parent_path());
-  write_file(command.out, ply_text(slice.vertices, slice.triangles));
+  make_folder(command.out);
+  write_file(command.out / "slice.ply", ply_text(slice.vertices, slice.triangles));
+}
+
+// Words go to stderr: stdout is JSON.
+void write_report(const QualityCommand& command, const std::string& report) {
+  remove_file(command.out / "report.html");
+  if (report.empty()) return;
+  make_folder(command.out);
+  write_file(command.out / "report.html", report);
+  std::cerr << "wrote " << command.out.string() << ": report.html\n";
 }
 
 Json quality_json(const QualityCommand& command, const ContactsFile& file,
-                  const MeasureOptions& options) {
-  const EpsilonBracket bracket =
-      grasp_epsilon(file.contacts, file.frame, options.space, epsilon_options(options.space));
+                  const MeasureOptions& options, const JudgedContacts& judged) {
+  const EpsilonBracket& bracket = judged.epsilon;
   Json json;
   json["epsilon"] = {
       {"lower", bracket.lower}, {"upper", bracket.upper}, {"status", status_name(bracket.status)}};
   json["force_closure"] = bracket.force_closure();
-  const Interval volume = find_measure("volume")->measure(file.contacts, file.frame, options);
-  json["volume"] = volume.lower;
-  json["volume_bracket"] = interval_json(volume);
+  json["volume"] = judged.volume.lower;
+  json["volume_bracket"] = interval_json(judged.volume);
   json["weakest_wrench"] = wrench_json(bracket.weakest);
   add_measures(command, file, options, json);
   if (file.external) json["forces"] = forces_json(file, options.space);
@@ -190,8 +199,18 @@ int run_quality(const QualityCommand& command) {
   options.noise.seed = command.seed;
   if (file.hand) options.jacobian = file.hand->jacobian;
   try {
-    const Json json = quality_json(command, file, options);
+    const JudgedContacts judged{
+        options.space,
+        grasp_epsilon(file.contacts, file.frame, options.space, epsilon_options(options.space)),
+        find_measure("volume")->measure(file.contacts, file.frame, options)};
+    const Json json = quality_json(command, file, options, judged);
+    std::string report;
+    if (!command.no_report) {
+      const std::string name = command.contacts.stem().string();
+      report = report_html(contacts_report(name, file, judged, command.seed));
+    }
     if (!command.project.empty()) write_slice(command, file, options);
+    write_report(command, report);
     std::cout << json.dump(1) << "\n";
   } catch (const InputError&) {
     throw;

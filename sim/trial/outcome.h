@@ -30,4 +30,18 @@ constexpr std::string_view outcome_name(Outcome outcome) {
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
+// For a person who has not seen the word before.
+constexpr std::string_view outcome_meaning(Outcome outcome) {
+  constexpr std::array<std::string_view, 8> kMeanings = {
+      "the contacts can resist a disturbance in any direction",
+      "the hand touches the object, but some disturbance moves it freely",
+      "the hand closed without touching the object",
+      "the hand collides where it starts or where the approach ends",
+      "an obstacle stops the hand before it reaches the object",
+      "no posture of the arm brings the hand there",
+      "the arm collides on the way along the approach",
+      "the arm finds no way to where the approach starts"};
+  return kMeanings[static_cast<std::size_t>(outcome)];
+}
+
 }  // namespace prehend

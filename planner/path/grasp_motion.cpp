@@ -1,4 +1,4 @@
-#include "planner/grasp_motion.h"
+#include "planner/path/grasp_motion.h"
 
 #include <algorithm>
 #include <utility>

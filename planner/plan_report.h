@@ -1,0 +1,23 @@
+// The report of a plan or of grasps that somebody asked for.
+#pragma once
+
+#include "planner/grasps_file.h"
+#include "planner/report/report.h"
+
+namespace prehend {
+
+struct PlanReportOptions {
+  int threads = 0;  // 0: all processors
+  // Grasps that are listed, and those of them with robustness, wrench space and shares of contacts,
+  // which take time to find out and room to say.
+  std::size_t most_grasps = 1000;
+  std::size_t most_detailed = 30;
+  // Candidates that are drawn, evenly picked.
+  std::size_t most_candidates = 4000;
+};
+
+// `scene` must outlive the report. The same on any number of threads.
+Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
+                   const PlanReportOptions& options = {});
+
+}  // namespace prehend

@@ -1,0 +1,76 @@
+#include "planner/report/grasp_detail.h"
+
+#include <algorithm>
+
+#include "sim/quality/set_hull.h"
+#include "sim/quality/wrench.h"
+
+namespace prehend {
+namespace {
+
+// Hulls of smooth sets have as many corners as one asks for: enough to be looked at.
+constexpr int kMostPoints = 200;
+
+// Samples of the contacts as they may really be. A report says two digits of what comes of them.
+constexpr int kSamples = 100;
+
+PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame,
+                     const WrenchSpaceOptions& space) {
+  const bool is_hull_of_columns =
+      space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid;
+  if (!is_hull_of_columns) {
+    return set_hull(*wrench_space(contacts, frame, space), {.max_points = kMostPoints}).hull;
+  }
+  const Wrenches corners = contact_wrenches(contacts, frame, space.edges);
+  PointHull hull = point_hull(corners);
+  if (hull.status == PointHullStatus::failed) hull = point_hull(corners, HullInput::joggled);
+  return hull;
+}
+
+double epsilon_where(std::span<const Contact> contacts, const WrenchFrame& frame,
+                     const WrenchSpaceOptions& space, const std::vector<bool>& kept) {
+  std::vector<Contact> some;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (kept[i]) some.push_back(contacts[i]);
+  }
+  return grasp_epsilon(some, frame, space).lower;
+}
+
+void add_shares(std::span<const Contact> contacts, std::span<const std::string> links,
+                const WrenchFrame& frame, const WrenchSpaceOptions& space, GraspDetail& detail) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    std::vector<bool> kept(contacts.size(), true);
+    kept[i] = false;
+    detail.epsilon_without.push_back(epsilon_where(contacts, frame, space, kept));
+  }
+  for (const std::string& link : links) {
+    const bool known = std::any_of(detail.links.begin(), detail.links.end(),
+                                   [&](const LinkShare& share) { return share.link == link; });
+    if (known) continue;
+    std::vector<bool> kept(contacts.size());
+    for (std::size_t i = 0; i < links.size(); ++i) kept[i] = links[i] != link;
+    detail.links.push_back({link, epsilon_where(contacts, frame, space, kept)});
+  }
+}
+
+}  // namespace
+
+GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
+                         const WrenchFrame& frame, const WrenchSpaceOptions& space,
+                         std::uint64_t seed) {
+  GraspDetail detail;
+  if (contacts.empty()) return detail;
+  NoiseOptions noise;
+  noise.seed = seed;
+  noise.samples = kSamples;
+  detail.robust = robust_epsilon(contacts, frame, space, noise);
+  add_shares(contacts, links, frame, space, detail);
+  const PointHull hull = space_hull(contacts, frame, space);
+  if (hull.status == PointHullStatus::solid) {
+    detail.forces = wrench_slice(hull, {{3, 4, 5}, Eigen::Vector3d::Zero()});
+    detail.torques = wrench_slice(hull, {{0, 1, 2}, Eigen::Vector3d::Zero()});
+  }
+  return detail;
+}
+
+}  // namespace prehend

@@ -1,0 +1,50 @@
+// The report's data, unpacked.
+
+const data = JSON.parse(document.getElementById('data').textContent);
+
+const outcomeColors = {
+  stable: '#2e9e4f',
+  not_force_closure: '#e8952b',
+  no_contact: '#8d939b',
+  hand_blocked: '#d23b2f',
+  approach_blocked: '#8a5a2b',
+  unreachable: '#3f7fd6',
+  arm_blocked: '#1d3f80',
+  no_path: '#14909c',
+};
+
+const identityPose = [0, 0, 0, 0, 0, 0, 1];
+
+function bytesOf(base64) {
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+
+// A pose is a position and a quaternion (x, y, z, w).
+function matrixOf(pose) {
+  const [x, y, z, qx, qy, qz, qw] = pose;
+  return new THREE.Matrix4().compose(
+      new THREE.Vector3(x, y, z), new THREE.Quaternion(qx, qy, qz, qw).normalize(),
+      new THREE.Vector3(1, 1, 1));
+}
+
+function vectorOf(numbers) {
+  return new THREE.Vector3(numbers[0], numbers[1], numbers[2]);
+}
+
+// The frame of the object, in the world; with contacts alone the two are one.
+const X_WO = matrixOf(data.scene ? data.scene.object.X : identityPose);
+
+// Length by which marks are sized [m].
+const radius = data.frame.radius;
+
+// The grasp of the largest epsilon; -1 where none holds.
+function bestGrasp() {
+  let best = -1;
+  data.grasps.forEach((grasp, i) => {
+    if (grasp.epsilon[0] > (best < 0 ? 0 : data.grasps[best].epsilon[0])) best = i;
+  });
+  return best;
+}

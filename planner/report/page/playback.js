@@ -1,0 +1,82 @@
+// Plays the motion to a grasp: approach and closing, and the arm's path where there is one.
+
+class Playback {
+  constructor(view) {
+    this.view = view;
+    this.time = 0;
+    this.playing = false;
+    this.button = element('button', {type: 'button', onclick: () => this.toggle()}, '▶ play');
+    this.slider = element('input', {
+      type: 'range', min: 0, max: 1000, value: 1000, id: 'slider', 'aria-label': 'time',
+      oninput: () => this.seek(this.slider.value / 1000 * this.end()),
+    });
+    this.output = element('output', {id: 'moment'});
+    fill('playback', this.button, this.slider, this.output);
+  }
+
+  motion() {
+    return this.view.grasp ? this.view.grasp.motion : null;
+  }
+
+  end() {
+    const {times} = this.motion();
+    return times[times.length - 1];
+  }
+
+  // A new grasp starts at its end: as a grasp.
+  reset() {
+    this.stop();
+    const motion = this.motion();
+    byId('playback').hidden = !motion || motion.times.length < 2;
+    if (!byId('playback').hidden) this.seek(this.end(), true);
+  }
+
+  seek(time, fromOutside = false) {
+    if (!fromOutside) this.stop();
+    this.time = time;
+    this.view.pose(time);
+    const end = this.end();
+    this.slider.value = end > 0 ? Math.round(1000 * time / end) : 1000;
+    this.output.textContent =
+        `${this.segment(time)}, ${time.toFixed(2)} s of ${end.toFixed(2)} s`;
+  }
+
+  segment(time) {
+    const {times, segments} = this.motion();
+    if (time >= this.end()) return 'grasp';
+    const current = segments.find((s) => time <= times[s.last]);
+    return current ? current.name : '';
+  }
+
+  toggle() {
+    if (this.playing) {
+      this.stop();
+    } else {
+      this.play();
+    }
+  }
+
+  stop() {
+    this.playing = false;
+    this.button.textContent = '▶ play';
+  }
+
+  play() {
+    if (!this.motion()) return;
+    this.playing = true;
+    this.button.textContent = '❚❚ pause';
+    if (this.time >= this.end()) this.time = 0;
+    let last = null;
+    const step = (now) => {
+      if (!this.playing) return;
+      this.seek(Math.min(this.end(), this.time + (last === null ? 0 : (now - last) / 1000)), true);
+      last = now;
+      if (this.time >= this.end()) {
+        this.stop();
+      } else {
+        requestAnimationFrame(step);
+      }
+    };
+    requestAnimationFrame(step);
+  }
+}

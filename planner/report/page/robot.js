@@ -1,0 +1,52 @@
+// A robot as a tree of frames that its joints move.
+
+function fixedFrame(pose) {
+  const frame = new THREE.Group();
+  if (pose) {
+    frame.applyMatrix(matrixOf(pose));
+  }
+  return frame;
+}
+
+class RobotModel {
+  constructor(robot, colorOf) {
+    this.root = new THREE.Group();
+    this.motions = [];
+    this.frames = [];  // after each joint
+    for (const joint of robot.joints) {
+      const before = fixedFrame(joint.before);
+      const motion = new THREE.Group();
+      const after = fixedFrame(joint.after);
+      this.frameOf(joint.parent).add(before);
+      before.add(motion);
+      motion.add(after);
+      this.motions.push({node: motion, turns: joint.type === 'r'});
+      this.frames.push(after);
+    }
+    for (const link of robot.links) {
+      const geometry = meshGeometry(link.mesh);
+      const part = outlined(geometry, solid(geometry, colorOf(link)), 0x20242c, 0.55);
+      part.userData.link = link.name;
+      this.frameOf(link.joint).add(part);
+    }
+  }
+
+  // The frame after a joint; of -1 the base.
+  frameOf(joint) {
+    return joint < 0 ? this.root : this.frames[joint];
+  }
+
+  setJoints(values) {
+    this.motions.forEach(({node, turns}, j) => {
+      if (turns) {
+        node.rotation.z = values[j];
+      } else {
+        node.position.z = values[j];
+      }
+    });
+  }
+
+  setBase(matrix) {
+    matrix.decompose(this.root.position, this.root.quaternion, this.root.scale);
+  }
+}

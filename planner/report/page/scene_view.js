@@ -1,0 +1,266 @@
+// The scene in three dimensions: what is there, in which posture, seen from where.
+
+function colorOfLink(link) {
+  return link.material === 'rubber' ? data.palette.rubber : data.palette.hard;
+}
+
+class SceneView {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 1.5));
+    this.camera = new THREE.PerspectiveCamera(34, 1, 0.01, 100);
+    this.camera.up.set(0, 0, 1);
+    this.scene = new THREE.Scene();
+    this.scene.background = new THREE.Color('#ffffff');
+    this.light();
+    this.layers = {};
+    this.grasp = null;
+    this.lit = -1;
+    this.moved = false;  // by the person who looks
+    this.build();
+    this.controls = new THREE.OrbitControls(this.camera, canvas);
+    this.controls.enableKeys = false;
+    this.controls.addEventListener('start', () => { this.moved = true; });
+    this.controls.addEventListener('change', () => this.ask());
+    this.listeners = [];
+    this.asked = false;
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.resize();
+  }
+
+  // From behind the viewer, so that what is looked at is lit.
+  light() {
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a9aa4, 0.75), this.camera);
+    const lamp = new THREE.DirectionalLight(0xffffff, 0.5);
+    lamp.position.set(-0.4, 0.7, 1);
+    this.camera.add(lamp);
+  }
+
+  layer(name, parent, ...nodes) {
+    const group = new THREE.Group();
+    for (const node of nodes) group.add(node);
+    parent.add(group);
+    this.layers[name] = group;
+    return group;
+  }
+
+  build() {
+    this.objectFrame = new THREE.Group();
+    this.objectFrame.applyMatrix(X_WO);
+    this.scene.add(this.objectFrame);
+    if (data.scene) this.buildBodies();
+    const center = new THREE.Mesh(new THREE.SphereBufferGeometry(0.035 * radius, 20, 14),
+                                  new THREE.MeshBasicMaterial({color: '#111111', depthTest: false}));
+    center.renderOrder = 25;
+    center.position.copy(vectorOf(data.frame.origin));
+    this.layer('center', this.objectFrame, center);
+    this.layer('contacts', this.objectFrame);
+    this.layer('weakest', this.objectFrame);
+    this.layer('primitive', this.objectFrame).visible = false;
+    this.layer('frames', this.objectFrame, frameAxes(0.7 * radius, 'object')).visible = false;
+    this.arrows = new CandidateArrows();
+    this.layer('candidates', this.objectFrame, this.arrows.group).visible = false;
+  }
+
+  buildBodies() {
+    const {object, hand, arm, obstacles} = data.scene;
+    const surface = meshGeometry(object.mesh);
+    this.objectSphere = new THREE.Sphere();
+    surface.computeBoundingSphere();
+    this.objectSphere.copy(surface.boundingSphere).applyMatrix4(X_WO);
+    this.layer('object', this.objectFrame,
+               outlined(surface, solid(surface, data.palette.object, 0.42), '#6b6350', 0.5));
+    this.hand = new RobotModel(hand, colorOfLink);
+    this.handAxes = frameAxes(0.5 * radius, 'hand');
+    this.handAxes.visible = false;
+    this.hand.root.add(this.handAxes);
+    this.layer('hand', this.scene, this.hand.root);
+    if (arm) {
+      this.arm = new RobotModel(arm, () => data.palette.arm);
+      this.arm.setBase(matrixOf(arm.X));
+      this.handMount = fixedFrame(arm.X_hand);
+      this.arm.frameOf(arm.hand_joint).add(this.handMount);
+      this.layer('arm', this.scene, this.arm.root);
+    }
+    if (obstacles.length > 0) {
+      this.layer('obstacles', this.scene, ...obstacles.map((body) => {
+        const geometry = meshGeometry(body.mesh);
+        const part = outlined(geometry, solid(geometry, data.palette.obstacle, 0.3), '#555555', 0.6);
+        part.applyMatrix(matrixOf(body.X));
+        return part;
+      }));
+    }
+  }
+
+  // The grasp with its marks, as it ends; null for none.
+  show(grasp) {
+    this.grasp = grasp;
+    for (const name of ['contacts', 'weakest', 'primitive']) {
+      const group = this.layers[name];
+      group.traverse((node) => { if (node.geometry) node.geometry.dispose(); });
+      group.remove(...group.children);
+    }
+    if (grasp) {
+      this.layers.contacts.add(contactMarks(grasp));
+      this.layers.weakest.add(weakestMarks(grasp));
+      if (grasp.primitive >= 0) {
+        this.layers.primitive.add(primitiveSolid(data.primitives[grasp.primitive]));
+      }
+    } else {
+      data.primitives.forEach((p) => this.layers.primitive.add(primitiveSolid(p)));
+    }
+    this.highlight(-1);
+    this.pose(grasp && grasp.motion ? grasp.motion.times[grasp.motion.times.length - 1] : 0);
+  }
+
+  // Hand and arm as they are at a time of the grasp's motion.
+  pose(time) {
+    this.time = time;
+    if (data.scene) {
+      const motion = this.grasp ? this.grasp.motion : null;
+      this.hand.root.visible = motion !== null;
+      const row = motion ? motionRow(motion, time) : null;
+      if (this.arm) this.arm.setJoints(motion && motion.on_arm ? row : data.scene.arm.start);
+      if (row) this.poseHand(motion, row);
+    }
+    this.ask();
+  }
+
+  poseHand(motion, row) {
+    if (motion.on_arm) {
+      const first = data.scene.arm.first_hand_joint;
+      this.scene.updateMatrixWorld(true);
+      this.hand.setBase(this.handMount.matrixWorld);
+      this.hand.setJoints(row.slice(first));
+    } else {
+      const X_OH = matrixOf([...row.slice(0, 3), ...motion.X_OH.slice(3)]);
+      this.hand.setBase(X_WO.clone().multiply(X_OH));
+      this.hand.setJoints(row.slice(3));
+    }
+  }
+
+  // One contact in another colour; -1 for none.
+  highlight(i) {
+    this.lit = i;
+    this.layers.contacts.traverse((node) => {
+      if (node.isMesh) node.material = node.userData.contact === i ? litMaterial : contactMaterial;
+    });
+    this.ask();
+  }
+
+  setVisible(name, visible) {
+    if (name === 'frames' && this.handAxes) this.handAxes.visible = visible;
+    this.layers[name].visible = visible;
+    this.ask();
+  }
+
+  // What is to be in the picture: hand and object, or all there is.
+  box(everything) {
+    this.scene.updateMatrixWorld(true);
+    const box = new THREE.Box3();
+    if (!data.scene) {
+      const center = vectorOf(data.frame.origin);
+      return box.setFromCenterAndSize(center, new THREE.Vector3(1, 1, 1).multiplyScalar(2 * radius));
+    }
+    box.expandByObject(this.layers.object);
+    if (this.grasp && this.hand.root.visible) {
+      this.hand.root.traverse((node) => {
+        if (node.userData.link) box.expandByObject(node);
+      });
+    } else if (!everything) {
+      box.expandByScalar(0.6 * radius);
+    }
+    if (everything) {
+      for (const name of ['arm', 'obstacles']) {
+        if (this.layers[name]) box.expandByObject(this.layers[name]);
+      }
+    }
+    return box;
+  }
+
+  // Across the approach and the fingers' plane, from above: palm, object and fingers all show.
+  telling() {
+    const direction = new THREE.Vector3(1, -1, 0.8);
+    if (data.scene && this.grasp && this.grasp.motion) {
+      const turn = new THREE.Quaternion().setFromRotationMatrix(
+          new THREE.Matrix4().extractRotation(this.hand.root.matrixWorld));
+      const approach = vectorOf(data.scene.hand.approach).applyQuaternion(turn);
+      const closing = vectorOf(data.scene.hand.closing).applyQuaternion(turn);
+      const aside = approach.clone().cross(closing);
+      direction.copy(aside).addScaledVector(approach, -0.35);
+      if (direction.z < 0) direction.addScaledVector(aside, -2);
+      direction.z += 0.6;
+    }
+    return direction.normalize();
+  }
+
+  look(direction, everything = false) {
+    this.controls.target.copy(aim(this.camera, this.box(everything), direction));
+    this.controls.update();
+    this.ask();
+  }
+
+  direction() {
+    return this.camera.position.clone().sub(this.controls.target).normalize();
+  }
+
+  // The contact or candidate under a point of the page, as a mesh that was hit.
+  hit(event, name) {
+    if (!this.layers[name].visible) return null;
+    const box = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2((event.clientX - box.left) / box.width * 2 - 1,
+                                 1 - (event.clientY - box.top) / box.height * 2);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(at, this.camera);
+    return ray.intersectObject(this.layers[name], true)[0] || null;
+  }
+
+  resize() {
+    const box = this.canvas.parentElement.getBoundingClientRect();
+    if (!(box.width > 0 && box.height > 0)) return;
+    this.renderer.setSize(box.width, box.height, false);
+    this.camera.aspect = box.width / box.height;
+    this.camera.updateProjectionMatrix();
+    this.ask();
+  }
+
+  // Draws once before the next repaint, however often it is asked.
+  ask() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    this.renderer.render(this.scene, this.camera);
+    for (const listener of this.listeners) listener();
+  }
+}
+
+// Moves the camera so that the box fills the picture; where it looks is returned.
+function aim(camera, box, direction) {
+  const sphere = box.getBoundingSphere(new THREE.Sphere());
+  const half = Math.min(1, camera.aspect) * Math.tan(camera.fov / 2 * Math.PI / 180);
+  const distance = sphere.radius / Math.sin(Math.atan(half)) * 0.92;
+  camera.position.copy(sphere.center).addScaledVector(direction, distance);
+  camera.lookAt(sphere.center);
+  camera.near = distance / 100;
+  camera.far = distance * 30;
+  camera.updateProjectionMatrix();
+  return sphere.center;
+}
+
+// Between two rows everything moves straight.
+function motionRow(motion, time) {
+  const {times, rows} = motion;
+  let i = times.findIndex((t) => t >= time);
+  if (i < 0) i = times.length - 1;
+  if (i === 0) return rows[0];
+  const span = times[i] - times[i - 1];
+  const part = span > 0 ? (time - times[i - 1]) / span : 1;
+  return rows[i].map((value, k) => rows[i - 1][k] + part * (value - rows[i - 1][k]));
+}

@@ -1,0 +1,53 @@
+// Small pictures of grasps, drawn when they come into sight, from the scene of the large one.
+
+class Thumbnails {
+  constructor(view) {
+    this.view = view;
+    this.waiting = [];
+    this.camera = view.camera.clone();
+    this.camera.add(...view.camera.children.map((lamp) => lamp.clone()));
+    this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
+    this.watcher = new IntersectionObserver((entries) => {
+      for (const entry of entries) {
+        if (!entry.isIntersecting) continue;
+        this.watcher.unobserve(entry.target);
+        this.waiting.push(entry.target);
+      }
+      this.drawSome();
+    }, {rootMargin: '150px'});
+  }
+
+  watch(canvas) {
+    this.watcher.observe(canvas);
+  }
+
+  // One a frame, so that the page stays responsive.
+  drawSome() {
+    if (this.scheduled || this.waiting.length === 0) return;
+    this.scheduled = true;
+    requestAnimationFrame(() => {
+      this.scheduled = false;
+      this.draw(this.waiting.shift());
+      this.drawSome();
+    });
+  }
+
+  // Poses the scene for a picture and puts it back as it was.
+  draw(canvas) {
+    const {view} = this;
+    const {grasp, time, lit} = view;
+    const hidden = ['candidates', 'frames'].map((name) => view.layers[name]);
+    const visible = hidden.map((layer) => layer.visible);
+    hidden.forEach((layer) => { layer.visible = false; });
+    view.show(data.grasps[Number(canvas.dataset.grasp)]);
+    this.renderer.setSize(canvas.width, canvas.height, false);
+    this.camera.aspect = canvas.width / canvas.height;
+    aim(this.camera, view.box(false), view.telling());
+    this.renderer.render(view.scene, this.camera);
+    canvas.getContext('2d').drawImage(this.renderer.domElement, 0, 0);
+    hidden.forEach((layer, i) => { layer.visible = visible[i]; });
+    view.show(grasp);
+    view.pose(time);
+    view.highlight(lit);
+  }
+}

@@ -1,0 +1,78 @@
+// How good a grasp is, and where it is weakest, in words and numbers.
+
+const exampleForce = 10;  // N
+
+// "Where it is weakest": the disturbance that breaks it, for contacts that press with 10 N.
+function weakestWords(grasp) {
+  const force = vectorOf(grasp.weakest_force).transformDirection(X_WO)
+                    .multiplyScalar(exampleForce * vectorOf(grasp.weakest_force).length());
+  const torque = vectorOf(grasp.weakest_torque).transformDirection(X_WO)
+                     .multiplyScalar(exampleForce * radius * vectorOf(grasp.weakest_torque).length());
+  const parts = [];
+  if (force.length() > 0.05 * exampleForce * grasp.epsilon[1]) {
+    parts.push(`a push of ${numberText(force.length(), 2)} N towards ${directionWords(force)}`);
+  }
+  if (torque.length() > 0.05 * exampleForce * radius * grasp.epsilon[1]) {
+    parts.push(`a twist of ${numberText(torque.length(), 2)} N m about ${directionWords(torque)}`);
+  }
+  return `Weakest (purple): with ${data.unit_force} ${exampleForce} N, ` +
+      `${parts.join(' together with ')} at the centre of mass is more than it can resist.`;
+}
+
+function shareWords(grasp) {
+  if (!grasp.detail || grasp.detail.links.length === 0 || !grasp.force_closure) return null;
+  const links = [...grasp.detail.links].sort((a, b) => a.without - b.without);
+  const lost = links.filter((share) => share.without === 0);
+  if (lost.length > 0 && lost.length < links.length) {
+    return `It does not hold without ${lost.map((share) => share.link).join(', nor without ')}.`;
+  }
+  if (lost.length > 0) return 'It does not hold without any one of the links that touch.';
+  return `It depends most on ${links[0].link}: without it ε is ${numberText(links[0].without)}.`;
+}
+
+function verdict(grasp, i) {
+  const best = bestGrasp();
+  const color = grasp.outcome ? outcomeColors[grasp.outcome] : grasp.force_closure ? '#2e9e4f' : '#e8952b';
+  const name = grasp.outcome || (grasp.force_closure ? 'force closure' : 'no force closure');
+  const known = data.outcomes.find((outcome) => outcome.name === grasp.outcome);
+  const line = element('p', {}, element('span', {class: 'badge', color}, name), ' ',
+                       known ? known.meaning + (grasp.blame ? ': ' + grasp.blame : '') + '. ' : '',
+                       i === best && data.grasps.length > 1 ? 'The best of these grasps.' : '');
+  const weakest = grasp.force_closure ? element('p', {class: 'weakest'}, weakestWords(grasp)) : null;
+  const share = shareWords(grasp);
+  return [line, weakest, share ? element('p', {}, share) : null].filter((part) => part);
+}
+
+function bracketText([lower, upper]) {
+  const a = numberText(lower, 4);
+  const b = numberText(upper, 4);
+  return a === b ? a : `${a} to ${b}`;
+}
+
+function percentText(part) {
+  return `${Math.round(100 * part)} %`;
+}
+
+function numberRows(grasp) {
+  const rows = [['quality ε', bracketText(grasp.epsilon), 'the weakest disturbance it gives way to, as part of the contact force']];
+  rows.push(['volume', bracketText(grasp.volume), 'of the space of wrenches it can resist']);
+  if (grasp.detail && grasp.contacts.length > 0) {
+    const {robust} = grasp.detail;
+    rows.push(['robust ε', `${numberText(robust.mean)} mean, ${numberText(robust.percentile_5)} at 5 %`,
+               'with the object and the contacts not quite where they were thought to be']);
+    rows.push(['holds then', percentText(robust.force_closure), 'of such samples']);
+  }
+  rows.push(['contacts', String(grasp.contacts.length), '']);
+  if (grasp.origin) rows.push(['comes from', grasp.origin, '']);
+  if (grasp.preshape) rows.push(['preshape', grasp.preshape, 'of the hand as it comes']);
+  return rows;
+}
+
+function showNumbers(grasp, i) {
+  fill('grasp-title', data.grasps.length > 1 ? `Grasp ${i + 1}` : 'The grasp');
+  fill('verdict', ...verdict(grasp, i));
+  fill('numbers', ...numberRows(grasp).map(
+      ([name, value, note]) => element('tr', {}, element('th', {scope: 'row'}, name),
+                                       element('td', {}, value),
+                                       element('td', {class: 'note'}, note))));
+}

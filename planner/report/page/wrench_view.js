@@ -1,0 +1,165 @@
+// The space of wrenches in two sections side by side: forces without torque, torques without force.
+// They turn together with the scene.
+
+const contactEdges = 24;
+
+// Forces of a contact's friction cone at a unit normal force, and the scaled torques with them.
+function coneWrenches(contact) {
+  const n = vectorOf(contact.n).normalize();
+  const across = new THREE.Vector3(Math.abs(n.x) < 0.9 ? 1 : 0, Math.abs(n.x) < 0.9 ? 0 : 1, 0);
+  const t1 = n.clone().cross(across).normalize();
+  const t2 = n.clone().cross(t1);
+  const arm = vectorOf(contact.p).sub(vectorOf(data.frame.origin)).divideScalar(radius);
+  const mu = contact.model === 'frictionless' ? 0 : contact.mu;
+  const forces = [];
+  for (let k = 0; k < contactEdges; ++k) {
+    const angle = 2 * Math.PI * k / contactEdges;
+    forces.push(n.clone()
+                    .addScaledVector(t1, mu * Math.cos(angle))
+                    .addScaledVector(t2, mu * Math.sin(angle)));
+  }
+  const torques = forces.map((force) => arm.clone().cross(force));
+  const spin = (contact.torsion || 0) * mu / radius;
+  const middle = arm.clone().cross(n);
+  const poles = spin > 0 ? [middle.clone().addScaledVector(n, spin),
+                            middle.clone().addScaledVector(n, -spin)] : [];
+  return {forces, torques, poles};
+}
+
+// A fan from the origin over a closed curve, and spikes.
+function fan(curve, spikes) {
+  const group = new THREE.Group();
+  const positions = [];
+  curve.forEach((p, k) => {
+    const next = curve[(k + 1) % curve.length];
+    positions.push(0, 0, 0, ...p.toArray(), ...next.toArray());
+  });
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
+  group.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
+    color: data.palette.contact, side: THREE.DoubleSide, transparent: true, opacity: 0.75,
+    depthTest: false})));
+  const material = new THREE.MeshBasicMaterial({color: data.palette.contact, depthTest: false});
+  for (const spike of spikes) group.add(arrow(new THREE.Vector3(), spike, 0.008, material));
+  group.traverse((node) => { node.renderOrder = 20; });
+  return group;
+}
+
+class WrenchSection {
+  constructor(kind) {
+    this.kind = kind;  // 'forces' or 'torques'
+    this.scene = new THREE.Scene();
+    this.scene.background = new THREE.Color('#ffffff');
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a9aa4, 1));
+    this.turned = new THREE.Group();
+    this.turned.quaternion.setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
+    this.scene.add(this.turned);
+    this.content = new THREE.Group();
+    this.contribution = new THREE.Group();
+    this.turned.add(this.content, this.contribution);
+    this.size = 1;
+  }
+
+  show(grasp) {
+    this.highlight(null);
+    dispose(this.content);
+    this.content.remove(...this.content.children);
+    this.size = Math.max(0.05, 2 * grasp.epsilon[1]);
+    const slice = grasp.detail ? grasp.detail[this.kind] : {vertices: []};
+    for (const x of slice.vertices) this.size = Math.max(this.size, Math.abs(x));
+    if (slice.vertices.length > 0) {
+      const geometry = creasedGeometry(slice.vertices, slice.triangles);
+      this.content.add(outlined(geometry, solid(geometry, '#6f8fb8', 0.3), '#33507a', 0.55));
+    }
+    if (grasp.epsilon[0] > 0) {
+      const ball = new THREE.SphereBufferGeometry(grasp.epsilon[0], 32, 20);
+      this.content.add(solid(ball, '#2e9e4f', 0.75));
+    }
+    this.content.add(frameAxes(0.55 * this.size, ''));
+    const weakest = vectorOf(this.kind === 'forces' ? grasp.weakest_force : grasp.weakest_torque);
+    this.content.add(arrow(new THREE.Vector3(), weakest, 0.025 * this.size, weakestMaterial));
+  }
+
+  // What one contact can exert alone; null for none.
+  highlight(contact) {
+    dispose(this.contribution);
+    this.contribution.remove(...this.contribution.children);
+    if (!contact) return;
+    const wrenches = coneWrenches(contact);
+    this.contribution.add(this.kind === 'forces' ? fan(wrenches.forces, [])
+                                                 : fan(wrenches.torques, wrenches.poles));
+  }
+}
+
+class WrenchView {
+  constructor(canvas, view) {
+    this.canvas = canvas;
+    this.view = view;
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 1.5));
+    this.renderer.setScissorTest(true);
+    this.sections = [new WrenchSection('forces'), new WrenchSection('torques')];
+    this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.01, 100);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new THREE.OrbitControls(this.camera, canvas);
+    this.controls.enablePan = false;
+    this.controls.enableZoom = false;
+    this.controls.enableKeys = false;
+    this.camera.position.set(1, -1, 1);
+    this.controls.addEventListener('change', () => this.turnScene());
+    view.listeners.push(() => this.follow());
+    new ResizeObserver(() => this.draw()).observe(canvas.parentElement);
+  }
+
+  show(grasp) {
+    for (const section of this.sections) section.show(grasp);
+    this.draw();
+  }
+
+  highlight(contact) {
+    for (const section of this.sections) section.highlight(contact);
+    this.draw();
+  }
+
+  // Seen from where the scene is seen from.
+  follow() {
+    const direction = this.view.direction();
+    if (this.camera.position.clone().normalize().distanceTo(direction) < 1e-6) return;
+    this.camera.position.copy(direction).multiplyScalar(10);
+    this.camera.lookAt(0, 0, 0);
+    this.draw();
+  }
+
+  turnScene() {
+    const direction = this.camera.position.clone().normalize();
+    if (this.view.direction().distanceTo(direction) < 1e-6) return;
+    const {camera, controls} = this.view;
+    const distance = camera.position.distanceTo(controls.target);
+    camera.position.copy(controls.target).addScaledVector(direction, distance);
+    controls.update();
+    this.view.moved = true;
+    this.draw();
+  }
+
+  draw() {
+    const box = this.canvas.parentElement.getBoundingClientRect();
+    if (!(box.width > 0)) return;
+    const drawn = this.renderer.getSize(new THREE.Vector2());
+    if (drawn.x !== box.width || drawn.y !== box.height) {
+      this.renderer.setSize(box.width, box.height, false);
+    }
+    const width = box.width / 2;
+    this.sections.forEach((section, i) => {
+      const half = 1.15 * section.size;
+      const aspect = width / box.height;
+      this.camera.left = -half * Math.max(1, aspect);
+      this.camera.right = -this.camera.left;
+      this.camera.top = half * Math.max(1, 1 / aspect);
+      this.camera.bottom = -this.camera.top;
+      this.camera.updateProjectionMatrix();
+      this.renderer.setViewport(i * width, 0, width, box.height);
+      this.renderer.setScissor(i * width, 0, width, box.height);
+      this.renderer.render(section.scene, this.camera);
+    });
+  }
+}

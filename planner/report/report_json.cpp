@@ -1,0 +1,219 @@
+#include "planner/report/report_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "planner/picture/palette.h"
+#include "planner/report/packed_mesh.h"
+#include "planner/report/robot_json.h"
+
+namespace prehend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What a page draws in software at an interactive rate.
+constexpr std::size_t kMostTriangles = 60000;
+
+// Frames of a motion; the page draws what lies between.
+constexpr int kMostFrames = 160;
+
+std::string hex(const Color& color) {
+  const auto byte = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
+                byte(color.blue));
+  return text;
+}
+
+Json palette_json() {
+  return {{"object", hex(palette::kObject)},     {"hard", hex(palette::kHard)},
+          {"rubber", hex(palette::kRubber)},     {"arm", hex(palette::kArm)},
+          {"obstacle", hex(palette::kObstacle)}, {"primitive", hex(palette::kPrimitive)},
+          {"contact", hex(palette::kContact)},   {"weakest", hex(palette::kWeakest)}};
+}
+
+Json mesh_json(const TriangleMesh& mesh) {
+  const TriangleMesh drawn = simplified(mesh, kMostTriangles);
+  Json json = packed_mesh(drawn);
+  if (drawn.triangles.size() < mesh.triangles.size()) {
+    json["simplified_from"] = mesh.triangles.size();
+  }
+  return json;
+}
+
+Json body_json(const std::string& name, const TriangleMesh& mesh, const Pose& X_WB) {
+  return {{"name", name}, {"X", rounded(X_WB)}, {"mesh", mesh_json(mesh)}};
+}
+
+Json shape_json(const Primitive& primitive) {
+  Json json{{"shape", shape_name(primitive.shape)}, {"X", rounded(primitive.X_OP)}};
+  if (const auto* box = std::get_if<Box>(&primitive.shape)) json["size"] = rounded(box->size);
+  if (const auto* sphere = std::get_if<Sphere>(&primitive.shape)) {
+    json["radius"] = rounded(sphere->radius);
+  }
+  if (const auto* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
+    json["radius"] = rounded(cylinder->radius);
+    json["height"] = rounded(cylinder->height);
+  }
+  return json;
+}
+
+Json scene_json(const CompiledScene& scene) {
+  const GraspableBody& object = scene.scene.object;
+  Json json;
+  json["object"] = body_json(object.name, object.mesh, object.X_WO);
+  json["object"]["mass"] = rounded(object.mass);
+  json["object"]["material"] = material_name(object.material);
+  json["hand"] = robot_json(scene.scene.hand);
+  json["hand"]["approach"] = rounded(scene.scene.hand.hand->approach);
+  json["hand"]["closing"] = rounded(scene.scene.hand.hand->closing);
+  json["obstacles"] = Json::array();
+  for (const StaticBody& body : scene.scene.obstacles) {
+    json["obstacles"].push_back(body_json(body.name, body.mesh, body.X_WB));
+  }
+  json["arm"] = scene.arm ? arm_json(*scene.arm) : Json();
+  return json;
+}
+
+// Corners of a polyhedron, and triples of them. Scaled torques have no unit either.
+Json slice_json(const WrenchSlice& slice) {
+  Json json{{"vertices", Json::array()}, {"triangles", Json::array()}};
+  for (Eigen::Index i = 0; i < slice.vertices.size(); ++i) {
+    json["vertices"].push_back(rounded(slice.vertices.data()[i], 1e4));
+  }
+  for (Eigen::Index i = 0; i < slice.triangles.size(); ++i) {
+    json["triangles"].push_back(slice.triangles.data()[i]);
+  }
+  return json;
+}
+
+Json detail_json(const GraspDetail& detail) {
+  Json links = Json::array();
+  for (const LinkShare& share : detail.links) {
+    links.push_back({{"link", share.link}, {"without", significant(share.epsilon_without)}});
+  }
+  Json without = Json::array();
+  for (const double epsilon : detail.epsilon_without) without.push_back(significant(epsilon));
+  return {{"robust",
+           {{"mean", significant(detail.robust.mean)},
+            {"percentile_5", significant(detail.robust.percentile_5)},
+            {"force_closure", significant(detail.robust.force_closure)}}},
+          {"without", without},
+          {"links", links},
+          {"forces", slice_json(detail.forces)},
+          {"torques", slice_json(detail.torques)}};
+}
+
+Json contact_json(const ReportContact& contact) {
+  const Contact& point = contact.point;
+  Json json{{"p", rounded(point.position)},
+            {"n", rounded(point.normal)},
+            {"mu", significant(point.friction)},
+            {"model", contact_model_name(point.model)}};
+  if (point.model == ContactModel::soft_finger) json["torsion"] = rounded(point.torsion);
+  if (!contact.link.empty()) json["link"] = contact.link;
+  if (contact.gap) json["gap"] = rounded(*contact.gap, 1e8);
+  return json;
+}
+
+// On an arm a row has the joints of the whole platform; without, the hand's position and joints.
+Json motion_json(const GraspMotion& whole) {
+  const GraspMotion motion = thinned(whole, kMostFrames);
+  Json rows = Json::array();
+  Json times = Json::array();
+  const bool on_arm = !motion.frames.front().arm_joints.empty();
+  for (const MotionFrame& frame : motion.frames) {
+    Json row = on_arm ? Json::array() : rounded(Vector3(frame.X_OH.translation()));
+    for (const double joint : on_arm ? frame.arm_joints : frame.joints) {
+      row.push_back(rounded(joint, 1e5));
+    }
+    rows.push_back(std::move(row));
+    times.push_back(rounded(frame.time, 1e4));
+  }
+  Json segments = Json::array();
+  for (const TrajectorySegment& s : motion.segments) {
+    segments.push_back({{"name", s.name}, {"first", s.first}, {"last", s.last}});
+  }
+  return {{"on_arm", on_arm},
+          {"X_OH", rounded(motion.frames.back().X_OH)},
+          {"times", times},
+          {"rows", rows},
+          {"segments", segments}};
+}
+
+Json grasp_json(const ReportGrasp& grasp) {
+  Json json{{"outcome", grasp.outcome},
+            {"force_closure", grasp.force_closure},
+            {"epsilon", {significant(grasp.epsilon.lower), significant(grasp.epsilon.upper)}},
+            {"volume", {significant(grasp.volume.lower), significant(grasp.volume.upper)}},
+            {"origin", grasp.origin},
+            {"preshape", grasp.preshape},
+            {"blame", grasp.blame},
+            {"primitive", grasp.primitive},
+            {"weakest_force", rounded(Vector3(grasp.epsilon.weakest.head<3>()))},
+            {"weakest_torque", rounded(Vector3(grasp.epsilon.weakest.tail<3>()))}};
+  json["contacts"] = Json::array();
+  for (const ReportContact& contact : grasp.contacts) {
+    json["contacts"].push_back(contact_json(contact));
+  }
+  json["motion"] = grasp.motion ? motion_json(*grasp.motion) : Json();
+  json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
+  return json;
+}
+
+// Rows of eight: the aimed point, the approach, the outcome and what is to blame, by number.
+Json candidates_json(const Report& report) {
+  Json rows = Json::array();
+  std::vector<std::string> blames;
+  for (const ReportCandidate& candidate : report.candidates) {
+    const auto known = std::find(blames.begin(), blames.end(), candidate.blame);
+    const auto blame = known - blames.begin();
+    if (known == blames.end()) blames.push_back(candidate.blame);
+    Json row = rounded(candidate.p_O, 1e5);
+    for (const double x : candidate.approach_O) row.push_back(rounded(x, 1e3));
+    row.push_back(candidate.outcome);
+    row.push_back(blame);
+    rows.push_back(std::move(row));
+  }
+  return {{"rows", rows}, {"blames", blames}, {"in_all", report.candidates_in_all}};
+}
+
+}  // namespace
+
+std::string report_json(const Report& report) {
+  Json json;
+  json["title"] = report.title;
+  json["facts"] = Json::array();
+  for (const auto& [name, value] : report.facts) json["facts"].push_back({name, value});
+  json["palette"] = palette_json();
+  json["frame"] = {{"origin", rounded(report.frame.torque_origin)},
+                   {"radius", significant(1.0 / report.frame.torque_scale)}};
+  json["unit_force"] = report.unit_force;
+  json["scene"] = report.scene != nullptr ? scene_json(*report.scene) : Json();
+  json["primitives"] = Json::array();
+  for (const Primitive& p : report.primitives) json["primitives"].push_back(shape_json(p));
+  json["grasps"] = Json::array();
+  for (const ReportGrasp& grasp : report.grasps) json["grasps"].push_back(grasp_json(grasp));
+  json["grasps_in_all"] = report.grasps_in_all;
+  json["outcomes"] = Json::array();
+  for (const ReportOutcome& outcome : report.outcomes) {
+    json["outcomes"].push_back(
+        {{"name", outcome.name}, {"meaning", outcome.meaning}, {"count", outcome.count}});
+  }
+  json["blockers"] = Json::array();
+  for (const ReportBlocker& blocker : report.blockers) {
+    json["blockers"].push_back({{"outcome", blocker.outcome},
+                                {"link", blocker.link},
+                                {"by", blocker.by},
+                                {"count", blocker.count}});
+  }
+  json["candidates"] = candidates_json(report);
+  // File names need not be text in UTF-8.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace prehend

@@ -1,0 +1,30 @@
+// Robots as the page moves them: a tree of frames, and numbers short enough for a report.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "sim/scene/compiled_arm.h"
+
+namespace prehend {
+
+// To a multiple of 1/scale.
+double rounded(double value, double scale = 1e6);
+nlohmann::ordered_json rounded(const Vector3& v, double scale = 1e6);
+
+// Position [m], then a unit quaternion x, y, z, w.
+nlohmann::ordered_json rounded(const Pose& pose);
+
+// To six significant digits.
+double significant(double value);
+
+// "joints": for each its parent's number (-1: the base), whether it turns ("r") or slides ("p")
+// about its z axis, and the fixed poses before and after that motion (null: none). "links": name,
+// joint (-1: the base), material, mesh.
+nlohmann::ordered_json robot_json(const Robot& robot);
+
+// The platform in the same way, without the hand's links, with its base ("X", in the world), the
+// frame that carries the hand ("hand_joint", "X_hand"), the hand's first joint ("first_hand_joint")
+// and where it starts ("start").
+nlohmann::ordered_json arm_json(const CompiledArm& arm);
+
+}  // namespace prehend
