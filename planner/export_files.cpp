@@ -1,9 +1,13 @@
 #include "planner/export_files.h"
 
+#include <nlohmann/json.hpp>
+
 #include "planner/exports/csv.h"
 #include "planner/exports/isaac.h"
 #include "planner/exports/moveit.h"
 #include "planner/grasp_words.h"
+#include "planner/picture/glb_bytes.h"
+#include "planner/posed_grasp.h"
 #include "sim/geometry/input_error.h"
 
 namespace prehend {
@@ -39,9 +43,23 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   return exported;
 }
 
+// The grasp with all that stands around it.
+ExportFile gltf_file(const CompiledScene& scene, const ScoredGrasp& grasp,
+                     const ExportGrasp& exported) {
+  const PosedGrasp posed = posed_grasp(scene, grasp);
+  std::vector<DrawnBody> bodies = grasp_bodies(scene, posed);
+  for (DrawnBody& body : surrounding_bodies(scene, posed)) bodies.push_back(std::move(body));
+  const std::string rank = std::to_string(exported.rank);
+  return {"grasp_" + rank + ".glb", glb_bytes(bodies, "grasp " + rank,
+                                              {{"rank", exported.rank},
+                                               {"outcome", exported.outcome},
+                                               {"epsilon", exported.epsilon},
+                                               {"volume", exported.volume}})};
+}
+
 }  // namespace
 
-std::vector<std::string> export_formats() { return {"json", "csv", "isaac", "moveit"}; }
+std::vector<std::string> export_formats() { return {"json", "csv", "isaac", "moveit", "gltf"}; }
 
 std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResult& result,
                                      const std::string& format) {
@@ -66,6 +84,10 @@ std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResul
     files.push_back({"grasps_moveit.yaml", moveit_grasps_yaml(header, grasps)});
     add_paths([](int rank) { return "path_" + std::to_string(rank) + "_moveit.yaml"; },
               [](const Trajectory& path) { return moveit_trajectory_yaml(path); });
+  } else if (format == "gltf") {
+    for (std::size_t g = 0; g < grasps.size(); ++g) {
+      files.push_back(gltf_file(scene, result.grasps[g], grasps[g]));
+    }
   } else {
     std::string known;
     for (const std::string& name : export_formats()) known += (known.empty() ? "" : ", ") + name;

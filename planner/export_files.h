@@ -14,7 +14,7 @@ struct ExportFile {
 };
 
 // Formats that files can be asked for in: "json" (grasps.json, always written), "csv", "isaac",
-// "moveit".
+// "moveit", "gltf".
 std::vector<std::string> export_formats();
 
 // Files of one format (docs/exports.md). Throws InputError that lists the formats for another.

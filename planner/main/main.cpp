@@ -77,9 +77,10 @@ struct Program {
     command.add_option("--path-planner", plan.path_planner, "how ways are searched for")
         ->check(CLI::IsMember({"rrt_connect", "roadmap", "rrt_star"}))
         ->capture_default_str();
-    command.add_option("--export", plan.exports, "more files, with commas: csv, isaac, moveit")
+    command
+        .add_option("--export", plan.exports, "more files, with commas: csv, isaac, moveit, gltf")
         ->delimiter(',')
-        ->check(CLI::IsMember({"json", "csv", "isaac", "moveit"}));
+        ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf"}));
     add_common(command, plan.common);
     add_contacts(command, plan.common);
     add_no_report(command, plan.common.no_report);

@@ -8,6 +8,7 @@
 #include "planner/main/result_table.h"
 #include "planner/output_file.h"
 #include "planner/plan_report.h"
+#include "planner/posed_grasp.h"
 #include "planner/report/report_html.h"
 #include "planner/scene_library.h"
 #include "sim/scene/scene_file.h"
@@ -21,9 +22,7 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   std::vector<std::pair<std::string, Image>> pictures;
   if (result.grasps.empty()) return pictures;
   const ScoredGrasp& best = result.grasps.front();
-  PosedGrasp posed{best.trial.X_OH, best.trial.joints, best.trial.contacts,
-                   best.trial.epsilon.weakest, grasp_title(best, 1)};
-  if (scene.arm) posed.arm_joints = arm_joints(*scene.arm, best.trial.arm_dofs, best.trial.joints);
+  const PosedGrasp posed = posed_grasp(scene, best, grasp_title(best, 1));
   pictures.emplace_back("best.png", grasp_picture(scene, posed));
   if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
   return pictures;

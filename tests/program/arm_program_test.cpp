@@ -43,7 +43,7 @@ struct Written {
   std::filesystem::path folder = fresh_folder(
       std::string("arm_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   ProgramRun run = run_program(
-      "plan mug_on_table --path --export json,csv,isaac,moveit --top 3 "
+      "plan mug_on_table --path --export json,csv,isaac,moveit,gltf --top 3 "
       "--out " +
       folder.string());
   json grasps = json::parse(content(folder / "grasps.json"), nullptr, false);
@@ -74,6 +74,7 @@ TEST_F(ArmExport, AllFilesAreWrittenAndNamed) {
   for (std::size_t g = 0; g < 3; ++g) {
     names.push_back(path_name(g, ".csv"));
     names.push_back(path_name(g, "_moveit.yaml"));
+    names.push_back("grasp_" + std::to_string(g + 1) + ".glb");
   }
   for (const std::string& name : names) {
     EXPECT_GT(content(file(name)).size(), 10U) << name;

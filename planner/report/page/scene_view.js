@@ -183,6 +183,7 @@ class SceneView {
   telling() {
     const direction = new THREE.Vector3(1, -1, 0.8);
     if (data.scene && this.grasp && this.grasp.motion) {
+      this.scene.updateMatrixWorld(true);
       const turn = new THREE.Quaternion().setFromRotationMatrix(
           new THREE.Matrix4().extractRotation(this.hand.root.matrixWorld));
       const approach = vectorOf(data.scene.hand.approach).applyQuaternion(turn);
@@ -222,7 +223,7 @@ class SceneView {
     this.renderer.setSize(box.width, box.height, false);
     this.camera.aspect = box.width / box.height;
     this.camera.updateProjectionMatrix();
-    this.ask();
+    this.draw();  // at once: a new size leaves the canvas empty
   }
 
   // Draws once before the next repaint, however often it is asked.
@@ -243,15 +244,25 @@ class SceneView {
 
 // Moves the camera so that the box fills the picture; where it looks is returned.
 function aim(camera, box, direction) {
-  const sphere = box.getBoundingSphere(new THREE.Sphere());
-  const half = Math.min(1, camera.aspect) * Math.tan(camera.fov / 2 * Math.PI / 180);
-  const distance = sphere.radius / Math.sin(Math.atan(half)) * 0.92;
-  camera.position.copy(sphere.center).addScaledVector(direction, distance);
-  camera.lookAt(sphere.center);
+  const center = box.getCenter(new THREE.Vector3());
+  camera.position.copy(center).add(direction);
+  camera.lookAt(center);
+  camera.updateMatrixWorld(true);
+  const [right, up, back] = [0, 1, 2].map(
+      (i) => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, i));
+  const tall = 0.94 * Math.tan(camera.fov / 2 * Math.PI / 180);
+  let distance = 0;
+  for (let k = 0; k < 8; ++k) {
+    const corner = new THREE.Vector3(box[k & 1 ? 'max' : 'min'].x, box[k & 2 ? 'max' : 'min'].y,
+                                     box[k & 4 ? 'max' : 'min'].z).sub(center);
+    const aside = Math.max(Math.abs(corner.dot(right)) / camera.aspect, Math.abs(corner.dot(up)));
+    distance = Math.max(distance, corner.dot(back) + aside / tall);
+  }
+  camera.position.copy(center).addScaledVector(direction, distance);
   camera.near = distance / 100;
   camera.far = distance * 30;
   camera.updateProjectionMatrix();
-  return sphere.center;
+  return center;
 }
 
 // Between two rows everything moves straight.

@@ -1,0 +1,247 @@
+// Section numbers are those of the glTF 2.0 specification (Khronos Group, version 2.0.1).
+#include "planner/picture/glb_bytes.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "planner/picture/vertex_arrays.h"
+#include "sim/geometry/input_error.h"
+
+namespace prehend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
+
+constexpr int kUnsignedShort = 5123;
+constexpr int kUnsignedInt = 5125;
+constexpr int kFloat = 5126;
+constexpr int kVertexData = 34962;
+constexpr int kIndexData = 34963;
+
+// Of a dull, unmetallic surface.
+constexpr double kRoughness = 0.7;
+
+void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
+
+template <typename Element>
+void append_raw(std::string& bytes, const std::vector<Element>& elements) {
+  bytes.append(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element));
+}
+
+// The rotation is a unit quaternion with w >= 0, in glTF's order x, y, z, w.
+Json rotation_json(const Eigen::Quaterniond& rotation) {
+  Eigen::Quaterniond q = rotation.normalized();
+  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
+  return {q.x(), q.y(), q.z(), q.w()};
+}
+
+Json corner_json(const std::array<float, 3>& corner) {
+  return {static_cast<double>(corner[0]), static_cast<double>(corner[1]),
+          static_cast<double>(corner[2])};
+}
+
+// Header, a chunk of JSON, a chunk of data where there is any (4.4).
+std::string glb_file(std::string json, const std::string& data) {
+  constexpr std::uint32_t kJson = 0x4E4F534A;
+  constexpr std::uint32_t kBinary = 0x004E4942;
+  constexpr std::size_t kHeader = 12;
+  constexpr std::size_t kChunkHeader = 8;
+  pad(json, ' ');
+  std::size_t total = kHeader + kChunkHeader + json.size();
+  if (!data.empty()) total += kChunkHeader + data.size();
+  if (total > std::numeric_limits<std::uint32_t>::max()) {
+    throw InputError("glTF: more than 4 GiB (" + std::to_string(total) + " bytes)");
+  }
+  const auto word = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
+  std::string file = "glTF";
+  file.reserve(total);
+  append_raw<std::uint32_t>(file, {2, word(total), word(json.size()), kJson});
+  file += json;
+  if (data.empty()) return file;
+  append_raw<std::uint32_t>(file, {word(data.size()), kBinary});
+  return file += data;
+}
+
+// Gathers the lists of a document, and the buffer behind them.
+class GlbDocument {
+ public:
+  explicit GlbDocument(double crease_angle) : crease_angle_(crease_angle) {}
+
+  // Keeps the address of its mesh.
+  void add(const DrawnBody& body) {
+    if (!body.X_WB.matrix().allFinite()) throw InputError("X_WB: must be finite");
+    const int geometry = geometry_of(body.mesh);
+    if (geometry < 0) return;
+    const Vector3& p = body.X_WB.translation();
+    nodes_.push_back({{"name", body.name},
+                      {"translation", {p.x(), p.y(), p.z()}},
+                      {"rotation", rotation_json(Eigen::Quaterniond(body.X_WB.linear()))},
+                      {"mesh", mesh_of(geometry, material_of(body.color))}});
+  }
+
+  std::string bytes(const std::string& name, const Json& extras);
+
+ private:
+  // POSITION, NORMAL and indices in the accessors; no indices: nothing to show.
+  struct Geometry {
+    const TriangleMesh* mesh;
+    Json primitive;
+  };
+
+  int geometry_of(const TriangleMesh& mesh);
+  int mesh_of(int geometry, int material);
+  int material_of(const Color& color);
+  // Appends to the buffer; `accessor` lacks the view.
+  template <typename Element>
+  std::size_t accessor_of(const std::vector<Element>& elements, int target, Json accessor);
+  Json primitive_of(const VertexArrays& arrays);
+
+  double crease_angle_;
+  std::string buffer_;
+  Json nodes_ = Json::array();
+  Json meshes_ = Json::array();
+  Json materials_ = Json::array();
+  Json accessors_ = Json::array();
+  Json views_ = Json::array();
+  std::vector<Geometry> geometries_;
+  std::map<std::pair<int, int>, int> mesh_numbers_;  // by geometry and material
+};
+
+template <typename Element>
+std::size_t GlbDocument::accessor_of(const std::vector<Element>& elements, int target,
+                                     Json accessor) {
+  const std::size_t start = buffer_.size();
+  append_raw(buffer_, elements);
+  views_.push_back({{"buffer", 0},
+                    {"byteOffset", start},
+                    {"byteLength", buffer_.size() - start},
+                    {"target", target}});
+  pad(buffer_, '\0');
+  accessor["bufferView"] = views_.size() - 1;
+  accessors_.push_back(std::move(accessor));
+  return accessors_.size() - 1;
+}
+
+Json GlbDocument::primitive_of(const VertexArrays& arrays) {
+  std::array<float, 3> lower = arrays.positions.front();
+  std::array<float, 3> upper = lower;
+  for (const std::array<float, 3>& p : arrays.positions) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      lower[k] = std::min(lower[k], p[k]);
+      upper[k] = std::max(upper[k], p[k]);
+    }
+  }
+  Json primitive;
+  const std::size_t vertices = arrays.positions.size();
+  Json vectors = {{"componentType", kFloat}, {"count", vertices}, {"type", "VEC3"}};
+  primitive["attributes"]["NORMAL"] = accessor_of(arrays.normals, kVertexData, vectors);
+  vectors["min"] = corner_json(lower);
+  vectors["max"] = corner_json(upper);
+  primitive["attributes"]["POSITION"] = accessor_of(arrays.positions, kVertexData, vectors);
+
+  // The largest value of a type must not occur (3.7.2.1): it restarts strips.
+  const bool small = vertices <= std::numeric_limits<std::uint16_t>::max();
+  const Json indices = {{"componentType", small ? kUnsignedShort : kUnsignedInt},
+                        {"count", 3 * arrays.triangles.size()},
+                        {"type", "SCALAR"}};
+  if (small) {
+    std::vector<std::uint16_t> narrow;
+    for (const auto& triangle : arrays.triangles) {
+      for (const std::uint32_t v : triangle) narrow.push_back(static_cast<std::uint16_t>(v));
+    }
+    primitive["indices"] = accessor_of(narrow, kIndexData, indices);
+  } else {
+    primitive["indices"] = accessor_of(arrays.triangles, kIndexData, indices);
+  }
+  return primitive;
+}
+
+// -1 when there is nothing to show: the format knows no empty meshes.
+int GlbDocument::geometry_of(const TriangleMesh& mesh) {
+  auto known = std::find_if(geometries_.begin(), geometries_.end(), [&](const Geometry& other) {
+    return other.mesh->triangles == mesh.triangles && other.mesh->vertices == mesh.vertices;
+  });
+  if (known == geometries_.end()) {
+    const VertexArrays arrays = vertex_arrays(mesh, crease_angle_);
+    geometries_.push_back({&mesh, arrays.triangles.empty() ? Json() : primitive_of(arrays)});
+    known = geometries_.end() - 1;
+  }
+  return known->primitive.is_null() ? -1 : static_cast<int>(known - geometries_.begin());
+}
+
+int GlbDocument::mesh_of(int geometry, int material) {
+  const auto next = static_cast<int>(meshes_.size());
+  const auto [known, is_new] = mesh_numbers_.try_emplace({geometry, material}, next);
+  if (is_new) {
+    Json primitive = geometries_[static_cast<std::size_t>(geometry)].primitive;
+    primitive["material"] = material;
+    meshes_.push_back({{"primitives", Json::array({primitive})}});
+  }
+  return known->second;
+}
+
+// Base colors are amounts of light (3.9.2).
+int GlbDocument::material_of(const Color& color) {
+  const Light light = light_of(color);
+  const double opacity = color.opacity > 0.0 ? std::min(color.opacity, 1.0) : 0.0;
+  Json material;
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {light[0], light[1], light[2], opacity}},
+                                      {"metallicFactor", 0.0},
+                                      {"roughnessFactor", kRoughness}};
+  if (opacity < 1.0) material["alphaMode"] = "BLEND";
+  material["doubleSided"] = true;
+  const auto known = std::find(materials_.begin(), materials_.end(), material);
+  const auto number = static_cast<int>(known - materials_.begin());
+  if (known == materials_.end()) materials_.push_back(std::move(material));
+  return number;
+}
+
+// The root comes last, when its children are known.
+std::string GlbDocument::bytes(const std::string& name, const Json& extras) {
+  Json document;
+  document["asset"] = {{"version", "2.0"}, {"generator", "prehend"}};
+  document["scene"] = 0;
+  document["scenes"] = Json::array({{{"nodes", Json::array({nodes_.size()})}}});
+  const Eigen::AngleAxisd y_up(-0.5 * std::numbers::pi, Vector3::UnitX());
+  Json root = {{"name", name}, {"rotation", rotation_json(Eigen::Quaterniond(y_up))}};
+  for (std::size_t n = 0; n < nodes_.size(); ++n) root["children"].push_back(n);
+  if (!extras.empty()) root["extras"] = extras;
+  document["nodes"] = nodes_;
+  document["nodes"].push_back(std::move(root));
+  // Empty lists are not allowed either.
+  const auto list = [&](const char* key, const Json& entries) {
+    if (!entries.empty()) document[key] = entries;
+  };
+  list("meshes", meshes_);
+  list("materials", materials_);
+  list("accessors", accessors_);
+  list("bufferViews", views_);
+  if (!buffer_.empty()) document["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+  return glb_file(document.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_);
+}
+
+}  // namespace
+
+std::string glb_bytes(const std::vector<DrawnBody>& bodies, const std::string& name,
+                      const Json& extras, double crease_angle) {
+  GlbDocument document(crease_angle);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    try {
+      document.add(bodies[b]);
+    } catch (const InputError& error) {
+      throw InputError("glTF: body " + std::to_string(b) + ": " + error.what());
+    }
+  }
+  return document.bytes(name, extras);
+}
+
+}  // namespace prehend

@@ -1,0 +1,15 @@
+// A grasp that was tried, as something to look at.
+#pragma once
+
+#include <string>
+
+#include "planner/grasp_picture.h"
+#include "planner/plan.h"
+
+namespace prehend {
+
+// The hand closed, and where the scene has one, the arm that holds it there.
+PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
+                       const std::string& title = "");
+
+}  // namespace prehend
