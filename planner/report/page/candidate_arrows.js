@@ -35,9 +35,10 @@ class CandidateArrows {
     if (aside.length() < 0.1) aside.set(1, 0, 0).cross(along);
     aside.setLength(0.02 * radius);
     const other = along.clone().cross(aside).setLength(0.02 * radius);
-    const corners = [0, 1, 2].map((k) => back.clone()
-                                             .addScaledVector(aside, Math.cos(k * 2.0944))
-                                             .addScaledVector(other, Math.sin(k * 2.0944)));
+    const corners = [0, 1, 2].map(
+        (k) => back.clone()
+                   .addScaledVector(aside, Math.cos(k * 2.0944))
+                   .addScaledVector(other, Math.sin(k * 2.0944)));
     for (let k = 0; k < 3; ++k) {
       for (const p of [tip, corners[k], corners[(k + 1) % 3]]) positions.push(p.x, p.y, p.z);
     }

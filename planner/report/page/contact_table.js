@@ -7,8 +7,9 @@ function contactColumns(grasp) {
   }
   columns.push(
       ['friction', true, (contact) => numberText(contact.mu)],
-      ['model', false, (contact) => contact.model.replace('_', ' ')],
-      ['position (mm)', false, (contact) => contact.p.map((x) => (1000 * x).toFixed(1)).join(', ')]);
+      ['model', false, (contact) => contact.model.replace('_', ' ')], [
+        'position (mm)', false, (contact) => contact.p.map((x) => (1000 * x).toFixed(1)).join(', ')
+      ]);
   if (grasp.contacts.some((contact) => contact.gap !== undefined)) {
     columns.push(['gap (mm)', true, (contact) => (1000 * contact.gap).toFixed(3)]);
   }
@@ -24,15 +25,22 @@ function showContacts(grasp, light) {
       element(tag, number ? {class: 'number'} : {}, String(text));
   const head = element('tr', {}, ...columns.map((column) => cell('th', column, column[0])));
   const rows = grasp.contacts.map(
-      (contact, i) => element('tr', {
-        'data-contact': i,
-        onpointerenter: () => light(i),
-        onpointerleave: () => light(-1),
-      }, ...columns.map((column) => cell('td', column, column[2](contact, i)))));
+      (contact, i) => element(
+          'tr', {
+            'data-contact': i,
+            onpointerenter: () => light(i),
+            onpointerleave: () => light(-1),
+          },
+          ...columns.map((column) => cell('td', column, column[2](contact, i)))));
   fill('contacts', head, ...rows);
   const links = grasp.detail && grasp.force_closure ? grasp.detail.links : [];
-  fill('shares', ...links.map((share) => element('p', {class: 'note'},
-      `Without ${share.link}: ${share.without > 0 ? `ε ${numberText(share.without)}` : 'does not hold'}`)));
+  fill(
+      'shares',
+      ...links.map(
+          (share) => element(
+              'p', {class: 'note'},
+              `Without ${share.link}: ${
+                  share.without > 0 ? `ε ${numberText(share.without)}` : 'does not hold'}`)));
 }
 
 function lightRow(i) {

@@ -32,14 +32,14 @@ function numberText(value, digits = 3) {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
   const size = Math.abs(value);
-  return size >= 1e-4 && size < 1e5 ? String(Number(value.toPrecision(digits)))
-                                    : value.toExponential(digits - 1);
+  return size >= 1e-4 && size < 1e5 ? String(Number(value.toPrecision(digits))) :
+                                      value.toExponential(digits - 1);
 }
 
 // A force or torque is felt in a direction: the nearest axis says it in a word.
 function directionWords(v) {
-  const parts = [['+x', v.x], ['+y', v.y], ['up (+z)', v.z], ['−x', -v.x], ['−y', -v.y],
-                 ['down (−z)', -v.z]];
+  const parts =
+      [['+x', v.x], ['+y', v.y], ['up (+z)', v.z], ['−x', -v.x], ['−y', -v.y], ['down (−z)', -v.z]];
   const size = v.length();
   const along = parts.filter(([, part]) => part > 0.38 * size).sort((a, b) => b[1] - a[1]);
   return along.map(([name]) => name).join(' and ');

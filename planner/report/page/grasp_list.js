@@ -4,8 +4,12 @@ class GraspList {
   constructor(thumbnails) {
     const shown = data.grasps.length;
     const all = data.grasps_in_all;
-    fill('grasps-title', shown === 0 ? 'No grasp holds' : all > shown ?
-        `The first ${shown} of ${all} grasps` : shown === 1 ? 'One grasp' : `${shown} grasps`);
+    fill(
+        'grasps-title',
+        shown === 0     ? 'No grasp holds' :
+            all > shown ? `The first ${shown} of ${all} grasps` :
+            shown === 1 ? 'One grasp' :
+                          `${shown} grasps`);
     const best = bestGrasp();
     this.links = data.grasps.map((grasp, i) => this.entry(grasp, i, i === best));
     fill('list', ...this.links.map((link) => element('li', {}, link)));
@@ -16,16 +20,16 @@ class GraspList {
 
   entry(grasp, i, best) {
     const words = grasp.force_closure ? `ε ${numberText(grasp.epsilon[0], 4)}` :
-        grasp.outcome || 'no force closure';
+                                        grasp.outcome || 'no force closure';
     const picture = element('canvas', {width: 224, height: 168, 'data-grasp': i});
     picture.hidden = !data.scene;
-    return element('a', {href: `#${i + 1}`, 'data-grasp': i}, picture,
-                   element('div', {}, element('span', {class: 'rank'}, `${i + 1}`),
-                           best && data.grasps.length > 1 ?
-                               element('span', {class: 'best'}, 'best') : null,
-                           element('div', {}, words),
-                           element('small', {}, grasp.preshape || ''),
-                           element('small', {}, `${grasp.contacts.length} contacts`)));
+    return element(
+        'a', {href: `#${i + 1}`, 'data-grasp': i}, picture,
+        element(
+            'div', {}, element('span', {class: 'rank'}, `${i + 1}`),
+            best && data.grasps.length > 1 ? element('span', {class: 'best'}, 'best') : null,
+            element('div', {}, words), element('small', {}, grasp.preshape || ''),
+            element('small', {}, `${grasp.contacts.length} contacts`)));
   }
 
   select(i) {

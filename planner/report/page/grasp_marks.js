@@ -53,8 +53,8 @@ function primitiveSolid(primitive) {
   } else if (primitive.shape === 'sphere') {
     geometry = new THREE.SphereBufferGeometry(primitive.radius, 32, 20);
   } else {
-    geometry = new THREE.CylinderBufferGeometry(primitive.radius, primitive.radius,
-                                                primitive.height, 40);
+    geometry =
+        new THREE.CylinderBufferGeometry(primitive.radius, primitive.radius, primitive.height, 40);
     geometry.rotateX(Math.PI / 2);
   }
   const group = solid(geometry, data.palette.primitive, 0.25);

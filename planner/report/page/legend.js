@@ -4,25 +4,49 @@ function legendRows() {
   const colors = data.palette;
   const rows = [];
   if (data.scene) {
-    rows.push([[colors.object], 'object', 'what is grasped, seen through'],
-              [[colors.hard, colors.rubber], 'hand', 'light links are hard, dark ones rubber']);
+    rows.push(
+        [[colors.object], 'object', 'what is grasped, seen through'],
+        [[colors.hard, colors.rubber], 'hand', 'light links are hard, dark ones rubber']);
     if (data.scene.arm) rows.push([[colors.arm], 'arm', 'what carries the hand']);
-    if (data.scene.obstacles.length > 0) rows.push([[colors.obstacle], 'obstacles', 'what stands in the way']);
-    rows.push([[colors.primitive], 'primitive', 'the box, sphere or cylinder that the grasp was made from']);
+    if (data.scene.obstacles.length > 0)
+      rows.push([[colors.obstacle], 'obstacles', 'what stands in the way']);
+    rows.push([
+      [colors.primitive], 'primitive', 'the box, sphere or cylinder that the grasp was made from'
+    ]);
   }
   rows.push(
-      [[colors.contact], 'contact', 'where hand and object touch; the cone holds the forces that friction allows, as wide as the friction'],
-      [[colors.weakest], 'weakest', 'the disturbance that the grasp resists least: the arrow is its force, the ring its torque'],
+      [
+        [colors.contact], 'contact',
+        'where hand and object touch; the cone holds the forces that friction allows, as wide as the friction'
+      ],
+      [
+        [colors.weakest], 'weakest',
+        'the disturbance that the grasp resists least: the arrow is its force, the ring its torque'
+      ],
       [['#111111'], 'centre of mass', 'torques are taken about it'],
       [axisColors, 'frames', 'x, y and z axes of the object and of the hand'],
-      [['#6f8fb8'], 'wrench space', 'what the contacts can exert with unit force: forces where there is no torque, torques where there is no force. Forces are parts of the contact force, torques parts of it times r'],
+      [
+        ['#6f8fb8'], 'wrench space',
+        'what the contacts can exert with unit force: forces where there is no torque, torques where there is no force. Forces are parts of the contact force, torques parts of it times r'
+      ],
       [['#2e9e4f'], 'ε ball', 'the largest ball inside the wrench space']);
   const meanings = [
-    ['ε (epsilon)', 'radius of that ball, from 0 to 1: the grasp resists every disturbance smaller than ε times the contact force (with torques over r). 0: it does not hold. The larger the better'],
-    ['volume', 'of the wrench space in its six dimensions: how much the grasp resists in all directions together'],
-    ['robust ε', 'ε over samples in which the object, the contacts and the friction are off by a little: mean, and what 95 % of the samples reach'],
+    [
+      'ε (epsilon)',
+      'radius of that ball, from 0 to 1: the grasp resists every disturbance smaller than ε times the contact force (with torques over r). 0: it does not hold. The larger the better'
+    ],
+    [
+      'volume',
+      'of the wrench space in its six dimensions: how much the grasp resists in all directions together'
+    ],
+    [
+      'robust ε',
+      'ε over samples in which the object, the contacts and the friction are off by a little: mean, and what 95 % of the samples reach'
+    ],
     ['ε without it', 'of the other contacts alone: the smaller, the more the grasp needs this one'],
-    ['r', `largest distance of the object from its centre of mass, ${numberText(1000 * radius)} mm`],
+    [
+      'r', `largest distance of the object from its centre of mass, ${numberText(1000 * radius)} mm`
+    ],
     ['units', 'lengths in mm, forces in N, torques in N m'],
   ];
   return rows.map(([swatches, name, text]) => [[...swatches.map(swatch), name], text])
@@ -30,8 +54,13 @@ function legendRows() {
 }
 
 function showLegend() {
-  fill('meanings', ...legendRows().flatMap(
-      ([term, text]) => [element('dt', {}, ...term), element('dd', {}, text)]));
-  fill('facts', ...data.facts.map(
-      ([name, value]) => element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value))));
+  fill(
+      'meanings',
+      ...legendRows().flatMap(
+          ([term, text]) => [element('dt', {}, ...term), element('dd', {}, text)]));
+  fill(
+      'facts',
+      ...data.facts.map(
+          ([name, value]) =>
+              element('tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value))));
 }

@@ -1,13 +1,21 @@
 // Puts the page together and keeps its parts at the same grasp.
 
 const layerNames = {
-  object: 'object', hand: 'hand', arm: 'arm', obstacles: 'obstacles', primitive: 'primitive',
-  contacts: 'contacts', weakest: 'weakest', center: 'centre of mass', frames: 'frames',
+  object: 'object',
+  hand: 'hand',
+  arm: 'arm',
+  obstacles: 'obstacles',
+  primitive: 'primitive',
+  contacts: 'contacts',
+  weakest: 'weakest',
+  center: 'centre of mass',
+  frames: 'frames',
   candidates: 'candidates',
 };
 
 function failure(error) {
-  byId('stage').append(element('p', {class: 'failure'},
+  byId('stage').append(element(
+      'p', {class: 'failure'},
       'This browser cannot draw in three dimensions (WebGL): ' + error.message));
   return null;
 }
@@ -42,31 +50,45 @@ class Page {
       return `${words}ε ${numberText(data.grasps[best].epsilon[0], 4)}` +
           (tried > 0 ? ` (${tried} candidates tried)` : '');
     }
-    const most = data.outcomes.filter((outcome) => outcome.count > 0)
-                     .sort((a, b) => b.count - a.count)[0];
-    return most ? `${tried} candidates were tried and none holds; most ended with ${most.name}: ${most.meaning}.`
-                : 'These contacts do not hold.';
+    const most =
+        data.outcomes.filter((outcome) => outcome.count > 0).sort((a, b) => b.count - a.count)[0];
+    return most ? `${tried} candidates were tried and none holds; most ended with ${most.name}: ${
+                      most.meaning}.` :
+                  'These contacts do not hold.';
   }
 
   prepareView() {
     this.arrowsUpToDate = false;
-    const layers = Object.keys(layerNames).filter((name) => this.view.layers[name]);
-    fill('toggles', ...layers.filter((name) => name !== 'candidates' || data.outcomes.length > 0)
-        .map((name) => this.toggle(name)),
-         element('button', {type: 'button', onclick: () => this.see(false)}, 'see the grasp'),
-         element('button', {type: 'button', onclick: () => this.see(true)}, 'see everything'));
+    const layers = Object.keys(layerNames)
+                       .filter((name) => this.view.layers[name])
+                       .filter((name) => name !== 'primitive' || data.primitives.length > 0);
+    fill(
+        'toggles',
+        ...layers.filter((name) => name !== 'candidates' || data.outcomes.length > 0)
+            .map((name) => this.toggle(name)),
+        element('button', {type: 'button', onclick: () => this.see(false)}, 'fit the grasp'),
+        this.view.layers.arm || this.view.layers.obstacles ?
+            element('button', {type: 'button', onclick: () => this.see(true)}, 'fit everything') :
+            '');
     if (data.grasps.length === 0) this.setLayer('candidates', true);
     byId('scene').addEventListener('pointermove', (event) => this.point(event));
     byId('scene').addEventListener('pointerleave', () => this.light(-1));
   }
 
   toggle(name) {
-    const box = element('input', {type: 'checkbox', 'data-layer': name,
-                                  onchange: () => this.setLayer(name, box.checked)});
+    const box = element(
+        'input',
+        {type: 'checkbox', 'data-layer': name, onchange: () => this.setLayer(name, box.checked)});
     box.checked = this.view.layers[name].visible;
-    const color = {center: '#111111', frames: axisColors[0], candidates: outcomeColors.not_force_closure,
-                   contacts: data.palette.contact, hand: data.palette.hard,
-                   obstacles: data.palette.obstacle}[name] || data.palette[name];
+    const color = {
+      center: '#111111',
+      frames: axisColors[0],
+      candidates: outcomeColors.not_force_closure,
+      contacts: data.palette.contact,
+      hand: data.palette.hard,
+      obstacles: data.palette.obstacle
+    }[name] ||
+        data.palette[name];
     return element('label', {}, box, swatch(color), layerNames[name]);
   }
 
@@ -125,9 +147,13 @@ class Page {
 
   showWrenches(grasp) {
     const some = grasp.detail && grasp.detail.forces.vertices.length > 0;
-    fill('wrench-note', !grasp.detail ? 'Worked out for the first grasps only.' : !some ?
-        'The wrench space is flat: there are directions in which the contacts exert nothing.' :
-        'Point at a contact to see in red what it exerts alone: its forces, and the torques that come with them.');
+    fill(
+        'wrench-note',
+        !grasp.detail ?
+            'Worked out for the first grasps only.' :
+            !some ?
+            'The wrench space is flat: there are directions in which the contacts exert nothing.' :
+            'Point at a contact to see in red what it exerts alone: its forces, and the torques that come with them.');
     this.wrench.show(grasp);
   }
 

@@ -42,8 +42,7 @@ function twist(center, axis, ringRadius, angle, thickness, material) {
   head.translate(ringRadius * Math.cos(angle), ringRadius * Math.sin(angle), 0);
   group.add(new THREE.Mesh(ring, material), new THREE.Mesh(head, material));
   group.position.copy(center);
-  group.quaternion.setFromUnitVectors(
-      new THREE.Vector3(0, 0, 1), axis.clone().normalize());
+  group.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), axis.clone().normalize());
   return group;
 }
 

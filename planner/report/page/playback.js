@@ -7,7 +7,12 @@ class Playback {
     this.playing = false;
     this.button = element('button', {type: 'button', onclick: () => this.toggle()}, '▶ play');
     this.slider = element('input', {
-      type: 'range', min: 0, max: 1000, value: 1000, id: 'slider', 'aria-label': 'time',
+      type: 'range',
+      min: 0,
+      max: 1000,
+      value: 1000,
+      id: 'slider',
+      'aria-label': 'time',
       oninput: () => this.seek(this.slider.value / 1000 * this.end()),
     });
     this.output = element('output', {id: 'moment'});
@@ -37,8 +42,7 @@ class Playback {
     this.view.pose(time);
     const end = this.end();
     this.slider.value = end > 0 ? Math.round(1000 * time / end) : 1000;
-    this.output.textContent =
-        `${this.segment(time)}, ${time.toFixed(2)} s of ${end.toFixed(2)} s`;
+    this.output.textContent = `${this.segment(time)}, ${time.toFixed(2)} s of ${end.toFixed(2)} s`;
   }
 
   segment(time) {

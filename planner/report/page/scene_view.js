@@ -21,7 +21,9 @@ class SceneView {
     this.build();
     this.controls = new THREE.OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false;
-    this.controls.addEventListener('start', () => { this.moved = true; });
+    this.controls.addEventListener('start', () => {
+      this.moved = true;
+    });
     this.controls.addEventListener('change', () => this.ask());
     this.listeners = [];
     this.asked = false;
@@ -31,8 +33,8 @@ class SceneView {
 
   // From behind the viewer, so that what is looked at is lit.
   light() {
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a9aa4, 0.75), this.camera);
-    const lamp = new THREE.DirectionalLight(0xffffff, 0.5);
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a94, 0.62), this.camera);
+    const lamp = new THREE.DirectionalLight(0xffffff, 0.42);
     lamp.position.set(-0.4, 0.7, 1);
     this.camera.add(lamp);
   }
@@ -50,8 +52,9 @@ class SceneView {
     this.objectFrame.applyMatrix(X_WO);
     this.scene.add(this.objectFrame);
     if (data.scene) this.buildBodies();
-    const center = new THREE.Mesh(new THREE.SphereBufferGeometry(0.035 * radius, 20, 14),
-                                  new THREE.MeshBasicMaterial({color: '#111111', depthTest: false}));
+    const center = new THREE.Mesh(
+        new THREE.SphereBufferGeometry(0.035 * radius, 20, 14),
+        new THREE.MeshBasicMaterial({color: '#111111', depthTest: false}));
     center.renderOrder = 25;
     center.position.copy(vectorOf(data.frame.origin));
     this.layer('center', this.objectFrame, center);
@@ -59,6 +62,11 @@ class SceneView {
     this.layer('weakest', this.objectFrame);
     this.layer('primitive', this.objectFrame).visible = false;
     this.layer('frames', this.objectFrame, frameAxes(0.7 * radius, 'object')).visible = false;
+    // Where there is no grasp, so much is seen around the centre.
+    this.surroundings = new THREE.Mesh(new THREE.SphereBufferGeometry(1.5 * radius, 8, 6));
+    this.surroundings.visible = false;
+    this.surroundings.position.copy(center.position);
+    this.objectFrame.add(this.surroundings);
     this.arrows = new CandidateArrows();
     this.layer('candidates', this.objectFrame, this.arrows.group).visible = false;
   }
@@ -66,11 +74,9 @@ class SceneView {
   buildBodies() {
     const {object, hand, arm, obstacles} = data.scene;
     const surface = meshGeometry(object.mesh);
-    this.objectSphere = new THREE.Sphere();
-    surface.computeBoundingSphere();
-    this.objectSphere.copy(surface.boundingSphere).applyMatrix4(X_WO);
-    this.layer('object', this.objectFrame,
-               outlined(surface, solid(surface, data.palette.object, 0.42), '#6b6350', 0.5));
+    this.layer(
+        'object', this.objectFrame,
+        outlined(surface, solid(surface, data.palette.object, 0.42), '#6b6350', 0.5));
     this.hand = new RobotModel(hand, colorOfLink);
     this.handAxes = frameAxes(0.5 * radius, 'hand');
     this.handAxes.visible = false;
@@ -86,7 +92,8 @@ class SceneView {
     if (obstacles.length > 0) {
       this.layer('obstacles', this.scene, ...obstacles.map((body) => {
         const geometry = meshGeometry(body.mesh);
-        const part = outlined(geometry, solid(geometry, data.palette.obstacle, 0.3), '#555555', 0.6);
+        const part =
+            outlined(geometry, solid(geometry, data.palette.obstacle, 0.3), '#555555', 0.6);
         part.applyMatrix(matrixOf(body.X));
         return part;
       }));
@@ -98,7 +105,9 @@ class SceneView {
     this.grasp = grasp;
     for (const name of ['contacts', 'weakest', 'primitive']) {
       const group = this.layers[name];
-      group.traverse((node) => { if (node.geometry) node.geometry.dispose(); });
+      group.traverse((node) => {
+        if (node.geometry) node.geometry.dispose();
+      });
       group.remove(...group.children);
     }
     if (grasp) {
@@ -156,27 +165,14 @@ class SceneView {
   }
 
   // What is to be in the picture: hand and object, or all there is.
-  box(everything) {
+  corners(everything) {
     this.scene.updateMatrixWorld(true);
-    const box = new THREE.Box3();
-    if (!data.scene) {
-      const center = vectorOf(data.frame.origin);
-      return box.setFromCenterAndSize(center, new THREE.Vector3(1, 1, 1).multiplyScalar(2 * radius));
-    }
-    box.expandByObject(this.layers.object);
-    if (this.grasp && this.hand.root.visible) {
-      this.hand.root.traverse((node) => {
-        if (node.userData.link) box.expandByObject(node);
-      });
-    } else if (!everything) {
-      box.expandByScalar(0.6 * radius);
-    }
-    if (everything) {
-      for (const name of ['arm', 'obstacles']) {
-        if (this.layers[name]) box.expandByObject(this.layers[name]);
-      }
-    }
-    return box;
+    const parts = [this.layers.object, this.layers.contacts];
+    if (data.scene && this.hand.root.visible) parts.push(this.layers.hand);
+    if (everything) parts.push(this.layers.arm, this.layers.obstacles);
+    if (!data.scene) parts.push(this.layers.weakest);
+    if (!this.grasp) parts.push(this.layers.primitive, this.surroundings);
+    return parts.filter((part) => part).flatMap((part) => cornersOf(part));
   }
 
   // Across the approach and the fingers' plane, from above: palm, object and fingers all show.
@@ -189,15 +185,17 @@ class SceneView {
       const approach = vectorOf(data.scene.hand.approach).applyQuaternion(turn);
       const closing = vectorOf(data.scene.hand.closing).applyQuaternion(turn);
       const aside = approach.clone().cross(closing);
+      if (aside.z < 0) aside.negate();
       direction.copy(aside).addScaledVector(approach, -0.35);
-      if (direction.z < 0) direction.addScaledVector(aside, -2);
-      direction.z += 0.6;
+      direction.addScaledVector(closing, 0.6 * Math.abs(aside.z));  // not straight from above
+      direction.z += 0.5 * (1 - Math.abs(aside.z));
     }
     return direction.normalize();
   }
 
+  // Moves the camera so that what is looked at fills the picture.
   look(direction, everything = false) {
-    this.controls.target.copy(aim(this.camera, this.box(everything), direction));
+    this.controls.target.copy(aim(this.camera, this.corners(everything), direction));
     this.controls.update();
     this.ask();
   }
@@ -210,8 +208,9 @@ class SceneView {
   hit(event, name) {
     if (!this.layers[name].visible) return null;
     const box = this.canvas.getBoundingClientRect();
-    const at = new THREE.Vector2((event.clientX - box.left) / box.width * 2 - 1,
-                                 1 - (event.clientY - box.top) / box.height * 2);
+    const at = new THREE.Vector2(
+        (event.clientX - box.left) / box.width * 2 - 1,
+        1 - (event.clientY - box.top) / box.height * 2);
     const ray = new THREE.Raycaster();
     ray.setFromCamera(at, this.camera);
     return ray.intersectObject(this.layers[name], true)[0] || null;
@@ -242,27 +241,46 @@ class SceneView {
   }
 }
 
-// Moves the camera so that the box fills the picture; where it looks is returned.
-function aim(camera, box, direction) {
-  const center = box.getCenter(new THREE.Vector3());
-  camera.position.copy(center).add(direction);
-  camera.lookAt(center);
+// Corners of the boxes around all its meshes, each in its own frame, in the world.
+function cornersOf(group) {
+  const corners = [];
+  group.traverse((node) => {
+    if (!node.isMesh) return;
+    if (!node.geometry.boundingBox) node.geometry.computeBoundingBox();
+    const {min, max} = node.geometry.boundingBox;
+    for (let k = 0; k < 8; ++k) {
+      const corner =
+          new THREE.Vector3(k & 1 ? max.x : min.x, k & 2 ? max.y : min.y, k & 4 ? max.z : min.z);
+      corners.push(corner.applyMatrix4(node.matrixWorld));
+    }
+  });
+  return corners;
+}
+
+// Moves the camera so that the points fill the picture; where it looks is returned.
+function aim(camera, points, direction) {
+  camera.position.copy(direction);
+  camera.lookAt(0, 0, 0);
   camera.updateMatrixWorld(true);
-  const [right, up, back] = [0, 1, 2].map(
-      (i) => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, i));
-  const tall = 0.94 * Math.tan(camera.fov / 2 * Math.PI / 180);
+  const axes = [0, 1, 2].map((i) => new THREE.Vector3().setFromMatrixColumn(camera.matrixWorld, i));
+  const seen = points.map((p) => axes.map((axis) => p.dot(axis)));
+  const middle = axes.map((_, i) => {
+    const values = seen.map((p) => p[i]);
+    return (Math.min(...values) + Math.max(...values)) / 2;
+  });
+  const tall = 0.93 * Math.tan(camera.fov / 2 * Math.PI / 180);
   let distance = 0;
-  for (let k = 0; k < 8; ++k) {
-    const corner = new THREE.Vector3(box[k & 1 ? 'max' : 'min'].x, box[k & 2 ? 'max' : 'min'].y,
-                                     box[k & 4 ? 'max' : 'min'].z).sub(center);
-    const aside = Math.max(Math.abs(corner.dot(right)) / camera.aspect, Math.abs(corner.dot(up)));
-    distance = Math.max(distance, corner.dot(back) + aside / tall);
+  for (const p of seen) {
+    const aside = Math.max(Math.abs(p[0] - middle[0]) / camera.aspect, Math.abs(p[1] - middle[1]));
+    distance = Math.max(distance, p[2] - middle[2] + aside / tall);
   }
-  camera.position.copy(center).addScaledVector(direction, distance);
+  const target = new THREE.Vector3();
+  axes.forEach((axis, i) => target.addScaledVector(axis, middle[i]));
+  camera.position.copy(target).addScaledVector(direction, distance);
   camera.near = distance / 100;
   camera.far = distance * 30;
   camera.updateProjectionMatrix();
-  return center;
+  return target;
 }
 
 // Between two rows everything moves straight.

@@ -3,8 +3,8 @@
 const creaseCosine = Math.cos(0.6);
 
 // Corners of triangles get the mean normal of the faces around them that lean little, so that round
-// surfaces look round and edges sharp.
-function creasedGeometry(positions, indices) {
+// surfaces look round and edges sharp; `least` is the cosine of how much they may lean.
+function creasedGeometry(positions, indices, least = creaseCosine) {
   const count = indices.length / 3;
   const normals = [];
   const around = Array.from({length: positions.length / 3}, () => []);
@@ -23,7 +23,9 @@ function creasedGeometry(positions, indices) {
       const vertex = indices[3 * t + k];
       mean.set(0, 0, 0);
       for (const other of around[vertex]) {
-        if (normals[other].unit.dot(normals[t].unit) > creaseCosine) mean.add(normals[other].sum);
+        if (other === t || normals[other].unit.dot(normals[t].unit) > least) {
+          mean.add(normals[other].sum);
+        }
       }
       mean.normalize();
       mean.toArray(outNormals, 9 * t + 3 * k);
@@ -37,8 +39,8 @@ function creasedGeometry(positions, indices) {
 }
 
 function meshGeometry(mesh) {
-  return creasedGeometry(new Float32Array(bytesOf(mesh.positions)),
-                         new Uint32Array(bytesOf(mesh.indices)));
+  return creasedGeometry(
+      new Float32Array(bytesOf(mesh.positions)), new Uint32Array(bytesOf(mesh.indices)));
 }
 
 // A surface that can be seen through shows its far side first, then its near side.
@@ -62,8 +64,8 @@ function solid(geometry, color, opacity = 1) {
   return group;
 }
 
-function outlined(geometry, group, color, opacity) {
-  const edges = new THREE.EdgesGeometry(geometry, 32);
+function outlined(geometry, group, color, opacity, leastAngle = 32) {
+  const edges = new THREE.EdgesGeometry(geometry, leastAngle);
   const lines = new THREE.LineSegments(
       edges, new THREE.LineBasicMaterial({color, transparent: opacity < 1, opacity}));
   lines.renderOrder = 12;

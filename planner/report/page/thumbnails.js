@@ -38,14 +38,18 @@ class Thumbnails {
     const {grasp, time, lit} = view;
     const hidden = ['candidates', 'frames'].map((name) => view.layers[name]);
     const visible = hidden.map((layer) => layer.visible);
-    hidden.forEach((layer) => { layer.visible = false; });
+    hidden.forEach((layer) => {
+      layer.visible = false;
+    });
     view.show(data.grasps[Number(canvas.dataset.grasp)]);
     this.renderer.setSize(canvas.width, canvas.height, false);
     this.camera.aspect = canvas.width / canvas.height;
-    aim(this.camera, view.box(false), view.telling());
+    aim(this.camera, view.corners(false), view.telling());
     this.renderer.render(view.scene, this.camera);
     canvas.getContext('2d').drawImage(this.renderer.domElement, 0, 0);
-    hidden.forEach((layer, i) => { layer.visible = visible[i]; });
+    hidden.forEach((layer, i) => {
+      layer.visible = visible[i];
+    });
     view.show(grasp);
     view.pose(time);
     view.highlight(lit);

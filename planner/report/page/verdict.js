@@ -4,10 +4,13 @@ const exampleForce = 10;  // N
 
 // "Where it is weakest": the disturbance that breaks it, for contacts that press with 10 N.
 function weakestWords(grasp) {
-  const force = vectorOf(grasp.weakest_force).transformDirection(X_WO)
+  const force = vectorOf(grasp.weakest_force)
+                    .transformDirection(X_WO)
                     .multiplyScalar(exampleForce * vectorOf(grasp.weakest_force).length());
-  const torque = vectorOf(grasp.weakest_torque).transformDirection(X_WO)
-                     .multiplyScalar(exampleForce * radius * vectorOf(grasp.weakest_torque).length());
+  const torque =
+      vectorOf(grasp.weakest_torque)
+          .transformDirection(X_WO)
+          .multiplyScalar(exampleForce * radius * vectorOf(grasp.weakest_torque).length());
   const parts = [];
   if (force.length() > 0.05 * exampleForce * grasp.epsilon[1]) {
     parts.push(`a push of ${numberText(force.length(), 2)} N towards ${directionWords(force)}`);
@@ -32,13 +35,17 @@ function shareWords(grasp) {
 
 function verdict(grasp, i) {
   const best = bestGrasp();
-  const color = grasp.outcome ? outcomeColors[grasp.outcome] : grasp.force_closure ? '#2e9e4f' : '#e8952b';
+  const color = grasp.outcome ? outcomeColors[grasp.outcome] :
+      grasp.force_closure     ? '#2e9e4f' :
+                                '#e8952b';
   const name = grasp.outcome || (grasp.force_closure ? 'force closure' : 'no force closure');
   const known = data.outcomes.find((outcome) => outcome.name === grasp.outcome);
-  const line = element('p', {}, element('span', {class: 'badge', color}, name), ' ',
-                       known ? known.meaning + (grasp.blame ? ': ' + grasp.blame : '') + '. ' : '',
-                       i === best && data.grasps.length > 1 ? 'The best of these grasps.' : '');
-  const weakest = grasp.force_closure ? element('p', {class: 'weakest'}, weakestWords(grasp)) : null;
+  const line = element(
+      'p', {}, element('span', {class: 'badge', color}, name), ' ',
+      known ? known.meaning + (grasp.blame ? ': ' + grasp.blame : '') + '. ' : '',
+      i === best && data.grasps.length > 1 ? 'The best of these grasps.' : '');
+  const weakest =
+      grasp.force_closure ? element('p', {class: 'weakest'}, weakestWords(grasp)) : null;
   const share = shareWords(grasp);
   return [line, weakest, share ? element('p', {}, share) : null].filter((part) => part);
 }
@@ -54,12 +61,17 @@ function percentText(part) {
 }
 
 function numberRows(grasp) {
-  const rows = [['quality ε', bracketText(grasp.epsilon), 'the weakest disturbance it gives way to, as part of the contact force']];
+  const rows = [[
+    'quality ε', bracketText(grasp.epsilon),
+    'the weakest disturbance it gives way to, as part of the contact force'
+  ]];
   rows.push(['volume', bracketText(grasp.volume), 'of the space of wrenches it can resist']);
   if (grasp.detail && grasp.contacts.length > 0) {
     const {robust} = grasp.detail;
-    rows.push(['robust ε', `${numberText(robust.mean)} mean, ${numberText(robust.percentile_5)} at 5 %`,
-               'with the object and the contacts not quite where they were thought to be']);
+    rows.push([
+      'robust ε', `${numberText(robust.mean)} mean, ${numberText(robust.percentile_5)} at 5 %`,
+      'with the object and the contacts not quite where they were thought to be'
+    ]);
     rows.push(['holds then', percentText(robust.force_closure), 'of such samples']);
   }
   rows.push(['contacts', String(grasp.contacts.length), '']);
@@ -71,8 +83,10 @@ function numberRows(grasp) {
 function showNumbers(grasp, i) {
   fill('grasp-title', data.grasps.length > 1 ? `Grasp ${i + 1}` : 'The grasp');
   fill('verdict', ...verdict(grasp, i));
-  fill('numbers', ...numberRows(grasp).map(
-      ([name, value, note]) => element('tr', {}, element('th', {scope: 'row'}, name),
-                                       element('td', {}, value),
-                                       element('td', {class: 'note'}, note))));
+  fill(
+      'numbers',
+      ...numberRows(grasp).map(
+          ([name, value, note]) => element(
+              'tr', {}, element('th', {scope: 'row'}, name), element('td', {}, value),
+              element('td', {class: 'note'}, note))));
 }

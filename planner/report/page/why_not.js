@@ -9,9 +9,12 @@ class WhyNot {
     byId('why-not').hidden = data.outcomes.length === 0;
     this.onChange = onChange;
     const {rows, in_all} = data.candidates;
-    fill('why-note', `${in_all} candidates were tried. ` +
-        (rows.length < in_all ? `${rows.length} of them, evenly picked, can be shown` : 'They can be shown') +
-        ' in the scene as arrows that point the way the hand came.');
+    fill(
+        'why-note',
+        `${in_all} candidates were tried. ` +
+            (rows.length < in_all ? `${rows.length} of them, evenly picked, can be shown` :
+                                    'They can be shown') +
+            ' in the scene as arrows that point the way the hand came.');
     fill('outcomes', this.chart());
     fill('blockers', ...this.blockers());
   }
@@ -22,13 +25,17 @@ class WhyNot {
     data.outcomes.forEach((outcome, i) => {
       if (outcome.count === 0) return;
       const color = outcomeColors[outcome.name];
-      const box = element('input', {type: 'checkbox', 'data-outcome': outcome.name,
-                                    onchange: () => this.choose(i, box.checked)});
+      const box = element('input', {
+        type: 'checkbox',
+        'data-outcome': outcome.name,
+        onchange: () => this.choose(i, box.checked)
+      });
       box.checked = this.chosen.has(i);
       const bar = element('div', {class: 'bar', color, title: outcome.meaning});
       bar.style.width = `${100 * outcome.count / most}%`;
-      chart.append(element('label', {title: outcome.meaning}, box, swatch(color), outcome.name), bar,
-                   element('span', {}, String(outcome.count)));
+      chart.append(
+          element('label', {title: outcome.meaning}, box, swatch(color), outcome.name), bar,
+          element('span', {}, String(outcome.count)));
     });
     return chart;
   }
@@ -46,13 +53,17 @@ class WhyNot {
     if (data.blockers.length === 0) return [];
     const most = 12;
     const rows = data.blockers.slice(0, most).map(
-        (blocker) => element('tr', {}, element('td', {}, blocker.link), element('td', {}, blocker.by),
-                             element('td', {}, blocker.outcome),
-                             element('td', {class: 'number'}, String(blocker.count))));
-    const head = element('tr', {}, ...['link', 'met', 'outcome', 'candidates'].map(
-        (name) => element('th', {}, name)));
+        (blocker) => element(
+            'tr', {}, element('td', {}, blocker.link), element('td', {}, blocker.by),
+            element('td', {}, blocker.outcome),
+            element('td', {class: 'number'}, String(blocker.count))));
+    const head = element(
+        'tr', {},
+        ...['link', 'met', 'outcome', 'candidates'].map((name) => element('th', {}, name)));
     const rest = data.blockers.length - most;
-    return [element('h2', {}, 'What was in the way'), element('table', {}, head, ...rows),
-            rest > 0 ? element('p', {class: 'note'}, `and ${rest} more pairs`) : ''];
+    return [
+      element('h2', {}, 'What was in the way'), element('table', {}, head, ...rows),
+      rest > 0 ? element('p', {class: 'note'}, `and ${rest} more pairs`) : ''
+    ];
   }
 }

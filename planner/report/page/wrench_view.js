@@ -3,6 +3,10 @@
 
 const contactEdges = 24;
 
+// Seen through the hull and the ball that it is in.
+const weakestOverlay =
+    new THREE.MeshBasicMaterial({color: data.palette.weakest, depthTest: false, transparent: true});
+
 // Forces of a contact's friction cone at a unit normal force, and the scaled torques with them.
 function coneWrenches(contact) {
   const n = vectorOf(contact.n).normalize();
@@ -21,8 +25,9 @@ function coneWrenches(contact) {
   const torques = forces.map((force) => arm.clone().cross(force));
   const spin = (contact.torsion || 0) * mu / radius;
   const middle = arm.clone().cross(n);
-  const poles = spin > 0 ? [middle.clone().addScaledVector(n, spin),
-                            middle.clone().addScaledVector(n, -spin)] : [];
+  const poles = spin > 0 ?
+      [middle.clone().addScaledVector(n, spin), middle.clone().addScaledVector(n, -spin)] :
+      [];
   return {forces, torques, poles};
 }
 
@@ -37,11 +42,17 @@ function fan(curve, spikes) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
   group.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
-    color: data.palette.contact, side: THREE.DoubleSide, transparent: true, opacity: 0.75,
-    depthTest: false})));
+    color: data.palette.contact,
+    side: THREE.DoubleSide,
+    transparent: true,
+    opacity: 0.75,
+    depthTest: false
+  })));
   const material = new THREE.MeshBasicMaterial({color: data.palette.contact, depthTest: false});
   for (const spike of spikes) group.add(arrow(new THREE.Vector3(), spike, 0.008, material));
-  group.traverse((node) => { node.renderOrder = 20; });
+  group.traverse((node) => {
+    node.renderOrder = 20;
+  });
   return group;
 }
 
@@ -68,16 +79,20 @@ class WrenchSection {
     const slice = grasp.detail ? grasp.detail[this.kind] : {vertices: []};
     for (const x of slice.vertices) this.size = Math.max(this.size, Math.abs(x));
     if (slice.vertices.length > 0) {
-      const geometry = creasedGeometry(slice.vertices, slice.triangles);
-      this.content.add(outlined(geometry, solid(geometry, '#6f8fb8', 0.3), '#33507a', 0.55));
+      const geometry = creasedGeometry(slice.vertices, slice.triangles, 1);
+      this.content.add(outlined(geometry, solid(geometry, '#6f8fb8', 0.3), '#33507a', 0.3, 2));
     }
     if (grasp.epsilon[0] > 0) {
       const ball = new THREE.SphereBufferGeometry(grasp.epsilon[0], 32, 20);
-      this.content.add(solid(ball, '#2e9e4f', 0.75));
+      this.content.add(solid(ball, '#2e9e4f', 0.55));
     }
     this.content.add(frameAxes(0.55 * this.size, ''));
     const weakest = vectorOf(this.kind === 'forces' ? grasp.weakest_force : grasp.weakest_torque);
-    this.content.add(arrow(new THREE.Vector3(), weakest, 0.025 * this.size, weakestMaterial));
+    const pointer = arrow(new THREE.Vector3(), weakest, 0.022 * this.size, weakestOverlay);
+    pointer.traverse((node) => {
+      node.renderOrder = 18;
+    });
+    this.content.add(pointer);
   }
 
   // What one contact can exert alone; null for none.
@@ -86,8 +101,8 @@ class WrenchSection {
     this.contribution.remove(...this.contribution.children);
     if (!contact) return;
     const wrenches = coneWrenches(contact);
-    this.contribution.add(this.kind === 'forces' ? fan(wrenches.forces, [])
-                                                 : fan(wrenches.torques, wrenches.poles));
+    this.contribution.add(
+        this.kind === 'forces' ? fan(wrenches.forces, []) : fan(wrenches.torques, wrenches.poles));
   }
 }
 

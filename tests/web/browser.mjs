@@ -1,0 +1,108 @@
+// A browser without a screen or a network, and pages in it that are watched.
+import assert from 'node:assert/strict';
+import {join} from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {chromium} from 'playwright-core';
+
+const swiftShader = ['--no-sandbox', '--enable-unsafe-swiftshader'];
+
+export function launch(...words) {
+  return chromium.launch({executablePath: '/usr/bin/chromium', args: [...swiftShader, ...words]});
+}
+
+// A report that is open in a page of its own; complaints are what should not happen.
+export class OpenReport {
+  static async open(browser, out, {
+    address = '',
+    viewport =
+    {
+      width: 1280, height: 900
+    }
+  } = {}) {
+    const report = new OpenReport();
+    report.url = pathToFileURL(join(out, 'report.html')).href;
+    report.complaints = [];
+    report.requests = [];
+    report.page = await browser.newPage({viewport});
+    report.page.on('request', (request) => report.requests.push(request.url()));
+    report.page.on('pageerror', (error) => report.complaints.push(String(error)));
+    report.page.on('dialog', (dialog) => {
+      report.complaints.push(`dialog: ${dialog.message()}`);
+      dialog.dismiss();
+    });
+    report.page.on('console', (message) => {
+      if (message.type() === 'error') report.complaints.push(message.text());
+    });
+    await report.page.addInitScript(addPixelsOf);
+    await report.page.goto(report.url + address);
+    await report.settle();
+    return report;
+  }
+
+  // Until what was asked to be drawn has been.
+  async settle() {
+    await this.page.evaluate(
+        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  }
+
+  text(selector) {
+    return this.page.locator(selector).innerText();
+  }
+
+  // A picture of an element as it is on the screen: how many colours it has, and how many pixels
+  // are red or purple.
+  async picture(selector) {
+    await this.settle();
+    const png = (await this.page.locator(selector).screenshot()).toString('base64');
+    return {png, ...await this.page.evaluate(colorsOf, png)};
+  }
+
+  // How many pixels of two pictures of one size are clearly different.
+  difference(a, b) {
+    return this.page.evaluate(differenceOf, [a.png, b.png]);
+  }
+
+  // Nothing but the file itself was asked for, and nobody complained.
+  async close() {
+    assert.deepEqual([...new Set(this.requests.map((url) => url.split('#')[0]))], [this.url]);
+    assert.deepEqual(this.complaints, []);
+    await this.page.close();
+  }
+}
+
+// In the page.
+async function colorsOf(png) {
+  const data = await window.pixelsOf(png);
+  const colors = new Set();
+  let red = 0;
+  let purple = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const [r, g, b] = data.subarray(i, i + 3);
+    colors.add(r << 16 | g << 8 | b);
+    if (r > 110 && g < 0.4 * r && b < 0.4 * r) ++red;
+    if (b > 90 && r > 50 && b > r && g < 0.5 * r) ++purple;
+  }
+  return {colors: colors.size, red, purple};
+}
+
+// In the page.
+async function differenceOf(pngs) {
+  const [a, b] = await Promise.all(pngs.map(window.pixelsOf));
+  if (a.length !== b.length) throw new Error('the pictures differ in size');
+  let count = 0;
+  for (let i = 0; i < a.length; i += 4) {
+    if ([0, 1, 2].some((k) => Math.abs(a[i + k] - b[i + k]) > 24)) ++count;
+  }
+  return count;
+}
+
+// In the page, where it is put before anything else.
+function addPixelsOf() {
+  window.pixelsOf = async (png) => {
+    const bytes = Uint8Array.from(atob(png), (digit) => digit.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], {type: 'image/png'}));
+    const pen = new OffscreenCanvas(image.width, image.height).getContext('2d');
+    pen.drawImage(image, 0, 0);
+    return pen.getImageData(0, 0, image.width, image.height).data;
+  };
+}
