@@ -29,18 +29,6 @@ int preshape_named(const JsonField& field, const Hand& hand) {
 // Values outside the limits by more than this are refused; by less, they are rounding [rad or m].
 constexpr double kLimitTolerance = 1e-6;
 
-std::vector<double> asked_dofs(const JsonField& field, const Robot& hand) {
-  std::vector<double> dofs = field.numbers(hand.dofs.size());
-  for (std::size_t d = 0; d < dofs.size(); ++d) {
-    const DegreeOfFreedom& dof = hand.dofs[d];
-    const bool inside =
-        dofs[d] >= dof.lower - kLimitTolerance && dofs[d] <= dof.upper + kLimitTolerance;
-    if (!inside) field.fail(dof.name + " is outside its limits");
-    dofs[d] = std::clamp(dofs[d], dof.lower, dof.upper);
-  }
-  return dofs;
-}
-
 // Degrees of freedom that reach the given joints: the farthest of their joints decides.
 std::vector<double> dofs_of_joints(const std::vector<double>& joints, const Robot& hand) {
   std::vector<double> dofs;
@@ -91,6 +79,18 @@ std::vector<GraspContact> read_contacts(const JsonField& grasp, const CompiledSc
 }
 
 }  // namespace
+
+std::vector<double> asked_dofs(const JsonField& field, const Robot& robot) {
+  std::vector<double> dofs = field.numbers(robot.dofs.size());
+  for (std::size_t d = 0; d < dofs.size(); ++d) {
+    const DegreeOfFreedom& dof = robot.dofs[d];
+    const bool inside =
+        dofs[d] >= dof.lower - kLimitTolerance && dofs[d] <= dof.upper + kLimitTolerance;
+    if (!inside) field.fail(dof.name + " is outside its limits");
+    dofs[d] = std::clamp(dofs[d], dof.lower, dof.upper);
+  }
+  return dofs;
+}
 
 AskedScene asked_scene(const JsonFile& file) {
   AskedScene asked;

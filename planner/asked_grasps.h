@@ -32,4 +32,8 @@ struct AskedGrasp {
 // it is tried where it is. Throws InputError that names the file, the grasp and the field.
 std::vector<AskedGrasp> asked_grasps(const JsonFile& file, const CompiledScene& scene);
 
+// Numbers in the robot's order, brought inside its limits where rounding left them. Throws
+// InputError for one that is farther outside.
+std::vector<double> asked_dofs(const JsonField& field, const Robot& robot);
+
 }  // namespace prehend

@@ -30,13 +30,6 @@ void add_wrench(const CompiledScene& scene, const Wrench& wrench, std::vector<Dr
                     "weakest torque"});
 }
 
-void write_title(Image& image, const std::string& title) {
-  if (title.empty()) return;
-  constexpr int kScale = 2;
-  const TextSize size = text_size(title, kScale);
-  label(image, 12, image.height - size.height - 12, title, palette::kText, kScale);
-}
-
 // `seen` fill the picture.
 Image view(const std::vector<DrawnBody>& seen, const std::vector<DrawnBody>& around,
            const Vector3& direction, const GraspPictureOptions& options) {
@@ -95,6 +88,21 @@ std::vector<DrawnBody> surrounding_bodies(const CompiledScene& scene, const Pose
   return bodies;
 }
 
+std::vector<DrawnBody> framed_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  std::vector<DrawnBody> framed = grasp_bodies(scene, grasp);
+  for (const DrawnBody& link : arm_bodies(scene, grasp)) {
+    if (bounds(link.mesh).size().norm() > kMarker) framed.push_back(link);
+  }
+  return framed;
+}
+
+void write_title(Image& image, const std::string& title) {
+  if (title.empty()) return;
+  constexpr int kScale = 2;
+  const TextSize size = text_size(title, kScale);
+  label(image, 12, image.height - size.height - 12, title, palette::kText, kScale);
+}
+
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
                     const GraspPictureOptions& options) {
   const Hand& hand = *scene.scene.hand.hand;
@@ -104,6 +112,11 @@ Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
   Vector3 direction = aside - 0.35 * approach;
   if (direction.z() < 0.0) direction -= 2.0 * aside;
   direction += 0.6 * Vector3::UnitZ();
+  return grasp_picture_from(scene, grasp, direction, options);
+}
+
+Image grasp_picture_from(const CompiledScene& scene, const PosedGrasp& grasp,
+                         const Vector3& direction, const GraspPictureOptions& options) {
   Image image =
       view(grasp_bodies(scene, grasp), surrounding_bodies(scene, grasp), direction, options);
   write_title(image, grasp.title);
@@ -112,11 +125,7 @@ Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
 
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
                   const GraspPictureOptions& options) {
-  std::vector<DrawnBody> seen = grasp_bodies(scene, grasp);
-  for (const DrawnBody& link : arm_bodies(scene, grasp)) {
-    // A base that only marks a place is not looked at.
-    if (bounds(link.mesh).size().norm() > kMarker) seen.push_back(link);
-  }
+  const std::vector<DrawnBody> seen = framed_bodies(scene, grasp);
   // From the side of the arm's way to the object.
   const Vector3 way = scene.scene.object.X_WO.translation() - scene.arm->X_WB.translation();
   Vector3 aside = Vector3::UnitZ().cross(way);

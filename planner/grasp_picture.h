@@ -25,16 +25,28 @@ struct GraspPictureOptions {
 };
 
 // Object partly transparent, hand solid, friction cones red (as wide as the friction), weakest
-// wrench purple (force thick, torque thin). In the world's frame.
+// wrench purple (force thick, torque thin). In the world's frame; the object first, then the links
+// of the hand, then a cone a contact, each in their order.
 std::vector<DrawnBody> grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
 
-// What stands around: the arm, solid, and the obstacles, which can be seen through.
+// What stands around: the obstacles, which can be seen through, then the arm, solid.
 std::vector<DrawnBody> surrounding_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
+
+// The grasp and the arm that holds it, without a base that only marks a place: what a picture of
+// the arm is about.
+std::vector<DrawnBody> framed_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
+
+// Writes lines of text into the lower left corner.
+void write_title(Image& image, const std::string& title);
 
 // One view: across the approach, from slightly above, so that palm, object and fingers all show.
 // What stands around is drawn as far as it is in the picture.
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
                     const GraspPictureOptions& options = {});
+
+// One view from `direction` (to the eye, any length, in the world's frame).
+Image grasp_picture_from(const CompiledScene& scene, const PosedGrasp& grasp,
+                         const Vector3& direction, const GraspPictureOptions& options = {});
 
 // One view of the arm that holds the object; needs arm_joints.
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,

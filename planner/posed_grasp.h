@@ -8,7 +8,7 @@
 
 namespace prehend {
 
-// The hand closed, and where the scene has one, the arm that holds it there.
+// The hand closed, and where the scene has one and the trial says how, the arm that holds it there.
 PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
                        const std::string& title = "");
 

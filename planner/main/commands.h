@@ -37,7 +37,8 @@ struct EvaluateCommand {
 
 struct RenderCommand {
   std::filesystem::path grasps;
-  int grasp = 0;  // 1 is the first, 0: all
+  int grasp = 0;   // 1 is the first, 0: all
+  int frames = 8;  // of the approach
   std::string scene;
   std::string hand;
   std::string unit;

@@ -104,6 +104,11 @@ struct Program {
     command.add_option("--grasp", render.grasp, "number of the one to draw, 0: all")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    command
+        .add_option("--frames", render.frames,
+                    "pictures of its approach (for all: of the first), 0: none")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
     add_scene_words(command, render.scene, render.hand, render.unit);
     render.common.out = "out/render";
     command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();

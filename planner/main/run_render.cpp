@@ -1,45 +1,154 @@
 #include <cstdio>
 #include <iostream>
 
-#include "planner/grasp_picture.h"
+#include "planner/asked_result.h"
+#include "planner/contact_sheet.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
+#include "planner/motion_frames.h"
+#include "planner/motion_picture.h"
 #include "planner/output_file.h"
+#include "planner/posed_grasp.h"
 #include "sim/geometry/input_error.h"
 
 namespace prehend {
 namespace {
 
-// The posture that the file gives: where the fingers ended if it says so, else the preshape.
-std::vector<double> posture(const JsonField& grasp, const Candidate& candidate,
-                            const Robot& robot) {
-  if (grasp.has("joints")) return grasp["joints"].numbers(robot.joints.size());
-  if (!candidate.joints.empty()) return candidate.joints;
-  const bool named = candidate.preshape >= 0;
-  if (named && grasp.has("dofs")) {
-    return joint_values(robot, grasp["dofs"].numbers(robot.dofs.size()));
-  }
-  const auto p = static_cast<std::size_t>(named ? candidate.preshape : 0);
-  return joint_values(robot, named ? robot.hand->preshapes[p].dofs : candidate.dofs);
+constexpr std::size_t kSheetGrasps = 10;
+constexpr GraspPictureOptions kFramePicture{800, 640};
+
+struct DrawnGrasp {
+  std::size_t number = 0;  // in the file, from 1
+  ScoredGrasp result;
+  PosedGrasp posed;
+  std::string numbers;  // lines for the contact sheet
+};
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
 }
 
-Wrench weakest_of(const JsonField& grasp) {
-  Wrench wrench = Wrench::Zero();
-  if (!grasp.has("weakest_wrench")) return wrench;
-  wrench.head<3>() = grasp["weakest_wrench"]["force"].vector3();
-  wrench.tail<3>() = grasp["weakest_wrench"]["torque"].vector3();
-  return wrench;
+std::string numbered(const char* pattern, std::size_t number) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, number);
+  return text;
 }
 
 std::string title_of(const JsonField& grasp, std::size_t number) {
   std::string title = "grasp " + std::to_string(number);
-  if (grasp.has("epsilon")) {
-    char epsilon[32];
-    std::snprintf(epsilon, sizeof epsilon, "   epsilon %.4f", grasp["epsilon"].number());
-    title += epsilon;
-  }
+  if (grasp.has("epsilon")) title += format("   epsilon %.4f", grasp["epsilon"].number());
   if (grasp.has("outcome")) title += "   " + grasp["outcome"].text();
   return title;
+}
+
+// What the file knows of it, in lines that are short enough for a cell.
+std::string numbers_of(const JsonField& grasp, std::size_t number) {
+  std::string first = "grasp " + std::to_string(number);
+  if (grasp.has("epsilon")) first += format("   epsilon %.4f", grasp["epsilon"].number());
+  std::string second;
+  if (grasp.has("volume")) second += format("volume %.3g", grasp["volume"].number());
+  if (grasp.has("contacts")) {
+    second += (second.empty() ? "" : "   ") + std::to_string(grasp["contacts"].items().size()) +
+              " contacts";
+  }
+  const std::string outcome = grasp.text_or("outcome", "stable");
+  const std::string third = outcome == "stable" ? "" : outcome;
+  return first + (second.empty() ? "" : "\n" + second) + (third.empty() ? "" : "\n" + third);
+}
+
+// All of them, or the one that was asked for.
+std::vector<DrawnGrasp> read_grasps(const JsonFile& file, const CompiledScene& scene, int asked) {
+  const std::vector<AskedGrasp> grasps = asked_grasps(file, scene);
+  const std::vector<JsonField> fields = file.root()["grasps"].items();
+  if (grasps.empty()) throw InputError(file.path().string() + ": grasps: there is none to draw");
+  if (asked > static_cast<int>(grasps.size())) {
+    throw InputError(file.path().string() + ": --grasp: there are " +
+                     std::to_string(grasps.size()) + " grasps (" + std::to_string(asked) + ")");
+  }
+  std::vector<DrawnGrasp> drawn;
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    if (asked > 0 && i + 1 != static_cast<std::size_t>(asked)) continue;
+    const ScoredGrasp result = asked_result(fields[i], grasps[i], scene);
+    drawn.push_back({i + 1, result, posed_grasp(scene, result, title_of(fields[i], i + 1)),
+                     numbers_of(fields[i], i + 1)});
+  }
+  return drawn;
+}
+
+void print_written(const std::filesystem::path& folder, const std::vector<std::string>& names) {
+  std::cout << "wrote " << (folder / names.front()).string();
+  if (names.size() > 1) std::cout << " ... " << names.back();
+  std::cout << "\n";
+}
+
+void write_each(const std::filesystem::path& folder, const CompiledScene& scene,
+                const std::vector<DrawnGrasp>& grasps) {
+  std::vector<std::string> names;
+  for (const DrawnGrasp& grasp : grasps) {
+    names.push_back(numbered("grasp_%03zu.png", grasp.number));
+    write_png(folder / names.back(),
+              grasp_from_four_sides(scene, grasp.posed, {.width = 1400, .height = 1100}));
+  }
+  print_written(folder, names);
+}
+
+void write_sheet(const std::filesystem::path& folder, const CompiledScene& scene,
+                 const std::vector<DrawnGrasp>& grasps) {
+  std::vector<PosedGrasp> best;
+  for (const DrawnGrasp& grasp : grasps) {
+    if (best.size() == kSheetGrasps) break;
+    best.push_back(grasp.posed);
+    best.back().title = grasp.numbers;
+  }
+  write_png(folder / "contact_sheet.png", contact_sheet(scene, best));
+  print_written(folder, {"contact_sheet.png"});
+}
+
+// Those of an earlier run do not stay behind.
+void remove_frames(const std::filesystem::path& folder, const std::string& start) {
+  std::vector<std::filesystem::path> old;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(start) && name.ends_with(".png")) old.push_back(entry.path());
+  }
+  std::error_code ignored;
+  for (const std::filesystem::path& file : old) std::filesystem::remove(file, ignored);
+}
+
+std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::size_t number,
+                        std::size_t count) {
+  return "grasp " + std::to_string(grasp.number) + "   frame " + std::to_string(number) + " of " +
+         std::to_string(count) + "\n" + frame.segment + format("   %.2f s", frame.frame.time);
+}
+
+void write_frames(const std::filesystem::path& folder, const CompiledScene& scene,
+                  const DrawnGrasp& grasp, int count) {
+  const std::string start = numbered("approach_%03zu_frame_", grasp.number);
+  remove_frames(folder, start);
+  if (count == 0) return;
+  const ScoredGrasp& result = grasp.result;
+  const std::vector<NamedFrame> frames = named_frames(
+      grasp_motion(scene, result.candidate, result.trial, result.path ? &*result.path : nullptr),
+      count);
+  if (frames.empty()) {
+    std::cout << "no frames: the file does not say how the hand comes to grasp " << grasp.number
+              << "\n";
+    return;
+  }
+  std::vector<MotionFrame> postures;
+  for (const NamedFrame& frame : frames) postures.push_back(frame.frame);
+  const MotionView view = motion_view(scene, postures, grasp.posed, kFramePicture);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    PosedGrasp moment = posed_at(frames[i].frame);
+    moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
+    if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
+    names.push_back(start + numbered(count < 100 ? "%02zu.png" : "%04zu.png", i + 1));
+    write_png(folder / names.back(), motion_picture(scene, moment, view, kFramePicture));
+  }
+  print_written(folder, names);
 }
 
 }  // namespace
@@ -47,26 +156,12 @@ std::string title_of(const JsonField& grasp, std::size_t number) {
 int run_render(const RenderCommand& command) {
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
-  const std::vector<AskedGrasp> asked = asked_grasps(file, loaded.scene);
-  const std::vector<JsonField> fields = file.root()["grasps"].items();
-  if (asked.empty()) throw InputError(command.grasps.string() + ": grasps: there is none to draw");
-  if (command.grasp > static_cast<int>(asked.size())) {
-    throw InputError(command.grasps.string() + ": --grasp: there are " +
-                     std::to_string(asked.size()) + " grasps (" + std::to_string(command.grasp) +
-                     ")");
-  }
-  make_folder(command.common.out);
-  for (std::size_t i = 0; i < asked.size(); ++i) {
-    if (command.grasp > 0 && i + 1 != static_cast<std::size_t>(command.grasp)) continue;
-    const Robot& robot = loaded.scene.scene.hand;
-    const PosedGrasp posed{asked[i].candidate.X_OH, posture(fields[i], asked[i].candidate, robot),
-                           asked[i].contacts, weakest_of(fields[i]), title_of(fields[i], i + 1)};
-    char name[32];
-    std::snprintf(name, sizeof name, "grasp_%03zu.png", i + 1);
-    write_png(command.common.out / name,
-              grasp_from_four_sides(loaded.scene, posed, {.width = 1400, .height = 1100}));
-    std::cout << "wrote " << (command.common.out / name).string() << "\n";
-  }
+  const std::vector<DrawnGrasp> grasps = read_grasps(file, loaded.scene, command.grasp);
+  const std::filesystem::path& folder = command.common.out;
+  make_folder(folder);
+  write_each(folder, loaded.scene, grasps);
+  if (command.grasp == 0) write_sheet(folder, loaded.scene, grasps);
+  write_frames(folder, loaded.scene, grasps.front(), command.frames);
   return 0;
 }
 

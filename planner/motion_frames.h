@@ -1,0 +1,22 @@
+// The few postures of a motion that tell it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/path/grasp_motion.h"
+
+namespace prehend {
+
+struct NamedFrame {
+  MotionFrame frame;
+  std::string segment;  // that it is in; where two meet "FIRST > SECOND"
+};
+
+// `count` (>= 0) frames of the motion: its end; with more the start; then where segments meet, as
+// many as there is room for; and the rest evenly in time inside the segments, one in each first,
+// then where the frames are farthest apart. Segments that take no time are left out, and where none
+// takes any there are no frames.
+std::vector<NamedFrame> named_frames(const GraspMotion& motion, int count);
+
+}  // namespace prehend
