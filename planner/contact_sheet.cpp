@@ -5,6 +5,7 @@
 
 #include "planner/picture/label.h"
 #include "planner/picture/palette.h"
+#include "planner/run_trials.h"
 #include "planner/telling_side.h"
 
 namespace prehend {
@@ -37,14 +38,14 @@ Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& g
   for (const PosedGrasp& grasp : grasps) {
     strip = std::max(strip, text_size(grasp.title, kTextScale).height);
   }
-  std::vector<Image> cells;
-  for (const PosedGrasp& grasp : grasps) {
-    PosedGrasp untitled = grasp;
+  std::vector<Image> cells(grasps.size());
+  for_each_in_parallel(grasps.size(), options.threads, [&](std::size_t i) {
+    PosedGrasp untitled = grasps[i];
     untitled.title.clear();
-    const Image picture = grasp_picture_from(scene, untitled, telling_side(scene, grasp),
-                                             {options.width, options.height});
-    cells.push_back(cell(picture, grasp.title, strip));
-  }
+    const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled),
+                                        {options.width, options.height});
+    cells[i] = cell(picture, grasps[i].title, strip);
+  });
   return grid(cells, options.columns);
 }
 

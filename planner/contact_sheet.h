@@ -12,6 +12,7 @@ struct ContactSheetOptions {
   // Of the picture of one grasp; its title stands under it [pixels].
   int width = 480;
   int height = 400;
+  int threads = 0;  // 0: all processors
 };
 
 // Each grasp from its most telling side, in reading order, in cells of one size.

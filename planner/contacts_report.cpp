@@ -22,6 +22,7 @@ Report contacts_report(const std::string& name, const ContactsFile& file,
   grasp.origin = "given contacts";
   for (const Contact& contact : file.contacts) grasp.contacts.push_back({contact});
   grasp.detail = grasp_detail(file.contacts, {}, file.frame, judged.space, seed);
+  grasp.detail->sections = space_sections(file.contacts, file.frame, judged.space);
   report.grasps.push_back(std::move(grasp));
   report.grasps_in_all = 1;
   return report;

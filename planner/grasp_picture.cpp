@@ -103,20 +103,8 @@ void write_title(Image& image, const std::string& title) {
   label(image, 12, image.height - size.height - 12, title, palette::kText, kScale);
 }
 
-Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
+Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
                     const GraspPictureOptions& options) {
-  const Hand& hand = *scene.scene.hand.hand;
-  const Pose X_WH = scene.scene.object.X_WO * grasp.X_OH;
-  const Vector3 approach = X_WH.linear() * hand.approach;
-  const Vector3 aside = X_WH.linear() * hand.approach.cross(hand.closing);
-  Vector3 direction = aside - 0.35 * approach;
-  if (direction.z() < 0.0) direction -= 2.0 * aside;
-  direction += 0.6 * Vector3::UnitZ();
-  return grasp_picture_from(scene, grasp, direction, options);
-}
-
-Image grasp_picture_from(const CompiledScene& scene, const PosedGrasp& grasp,
-                         const Vector3& direction, const GraspPictureOptions& options) {
   Image image =
       view(grasp_bodies(scene, grasp), surrounding_bodies(scene, grasp), direction, options);
   write_title(image, grasp.title);

@@ -39,14 +39,10 @@ std::vector<DrawnBody> framed_bodies(const CompiledScene& scene, const PosedGras
 // Writes lines of text into the lower left corner.
 void write_title(Image& image, const std::string& title);
 
-// One view: across the approach, from slightly above, so that palm, object and fingers all show.
-// What stands around is drawn as far as it is in the picture.
-Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp,
+// One view from `direction` (to the eye, any length, in the world's frame; telling_side has one
+// that shows much). What stands around is drawn as far as it is in the picture.
+Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
                     const GraspPictureOptions& options = {});
-
-// One view from `direction` (to the eye, any length, in the world's frame).
-Image grasp_picture_from(const CompiledScene& scene, const PosedGrasp& grasp,
-                         const Vector3& direction, const GraspPictureOptions& options = {});
 
 // One view of the arm that holds the object; needs arm_joints.
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,

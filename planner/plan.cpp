@@ -64,13 +64,15 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
 }
 
 // The full hull, for those grasps only that will be shown.
-void add_volumes(const CompiledScene& scene, const RunTrialsOptions& options, PlanResult& result) {
+void add_volumes(const CompiledScene& scene, const RunTrialsOptions& options, std::size_t sections,
+                 PlanResult& result) {
   for_each_in_parallel(result.grasps.size(), options.threads, [&](std::size_t i) {
     ScoredGrasp& grasp = result.grasps[i];
     if (grasp.trial.outcome != Outcome::stable) return;
-    grasp.volume = wrench_hull(contact_wrenches(contacts_of(grasp.trial.contacts),
-                                                scene.wrench_frame, options.trial.cone_edges))
-                       .volume;
+    const WrenchHull hull = wrench_hull(contact_wrenches(
+        contacts_of(grasp.trial.contacts), scene.wrench_frame, options.trial.cone_edges));
+    grasp.volume = hull.volume;
+    if (i < sections) grasp.sections = wrench_sections(hull.points);
   });
 }
 
@@ -133,8 +135,14 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
   if (options.paths) ranking.top = std::numeric_limits<int>::max();  // some may have no path
   for (std::size_t i : rank(trials, ranking)) {
     const ProposedGrasp& proposed = proposals.grasps[i];
-    result.grasps.push_back({std::move(trials[i]), proposed.candidate, 0.0, proposed.primitive,
-                             proposed.rule, std::nullopt, static_cast<int>(i)});
+    result.grasps.push_back({std::move(trials[i]),
+                             proposed.candidate,
+                             0.0,
+                             proposed.primitive,
+                             proposed.rule,
+                             {},
+                             {},
+                             static_cast<int>(i)});
   }
   result.stages.push_back({"ranked", static_cast<int>(result.grasps.size())});
   watch.lap("rank");
@@ -143,25 +151,25 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
     result.stages.push_back({"paths", static_cast<int>(result.grasps.size())});
     watch.lap("paths");
   }
-  add_volumes(scene, options.trials, result);
+  add_volumes(scene, options.trials, options.sections, result);
   watch.lap("volumes");
   result.times = watch.laps();
   return result;
 }
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                    const RunTrialsOptions& options) {
+                    const RunTrialsOptions& options, std::size_t sections) {
   PlanResult result;
   Stopwatch watch;
   std::vector<Trial> trials = run_trials(scene, candidates, options);
   record_trials(scene, candidates, trials, result);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     result.grasps.push_back(
-        {std::move(trials[i]), candidates[i], 0.0, -1, "given", std::nullopt, static_cast<int>(i)});
+        {std::move(trials[i]), candidates[i], 0.0, -1, "given", {}, {}, static_cast<int>(i)});
   }
   add_trial_stages(scene, result);
   watch.lap("trials");
-  add_volumes(scene, options, result);
+  add_volumes(scene, options, sections, result);
   watch.lap("volumes");
   result.times = watch.laps();
   return result;

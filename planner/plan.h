@@ -13,6 +13,7 @@
 #include "planner/run_trials.h"
 #include "planner/stopwatch.h"
 #include "primitives/decompose.h"
+#include "sim/quality/wrench_slice.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
 
@@ -25,6 +26,8 @@ struct PlanOptions {
   RankOptions rank;
   // Paths for the grasps that are returned; those without one are left out. Needs an arm.
   std::optional<GraspPathOptions> paths;
+  // So many of the grasps that are returned also get sections of their wrench space.
+  std::size_t sections = 0;
 };
 
 // A grasp with everything that is said about it.
@@ -35,6 +38,7 @@ struct ScoredGrasp {
   int primitive = -1;   // it came from, -1: given by the caller
   std::string rule;
   std::optional<Trajectory> path;
+  std::optional<WrenchSections> sections;
   int tried = 0;  // index into PlanResult::tried
 };
 
@@ -74,8 +78,9 @@ struct PlanResult {
 // when paths are wanted of a scene without an arm.
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options = {});
 
-// Each candidate is tried where it is; nothing is ranked or left out.
+// Each candidate is tried where it is; nothing is ranked or left out. `sections`: as in
+// PlanOptions.
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                    const RunTrialsOptions& options = {});
+                    const RunTrialsOptions& options = {}, std::size_t sections = 0);
 
 }  // namespace prehend

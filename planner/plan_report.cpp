@@ -3,10 +3,15 @@
 #include <algorithm>
 
 #include "planner/grasp_words.h"
+#include "planner/posed_grasp.h"
 #include "planner/run_trials.h"
+#include "planner/telling_side.h"
 
 namespace prehend {
 namespace {
+
+// Enough to choose a side by.
+constexpr TellingSideOptions kSmall{96, 80};
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
@@ -19,6 +24,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& s
                                                           const PlanResult& result,
                                                           const RunRecord& record) {
   std::vector<std::pair<std::string, std::string>> facts;
+  facts.emplace_back("scene", record.scene);
   facts.emplace_back("object", scene.scene.object.name);
   facts.emplace_back("hand", scene.scene.hand.name);
   if (scene.arm) facts.emplace_back("robot", scene.arm->robot().name);
@@ -52,7 +58,7 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
 }
 
 GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
-                      const RunRecord& record) {
+                      const ScoredGrasp& scored, const RunRecord& record) {
   std::vector<Contact> contacts;
   std::vector<std::string> links;
   for (const ReportContact& contact : grasp.contacts) {
@@ -61,7 +67,9 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
   }
   WrenchSpaceOptions space;
   space.edges = record.options.trials.trial.cone_edges;
-  return grasp_detail(contacts, links, scene.wrench_frame, space, record.seed);
+  GraspDetail detail = grasp_detail(contacts, links, scene.wrench_frame, space, record.seed);
+  if (scored.sections) detail.sections = *scored.sections;
+  return detail;
 }
 
 void add_why_not(const CompiledScene& scene, const PlanResult& result,
@@ -90,6 +98,7 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
                    const PlanReportOptions& options) {
   Report report;
   report.title = scene.scene.object.name + ", " + scene.scene.hand.name;
+  if (scene.arm) report.title += " on " + scene.arm->robot().name;
   report.facts = facts_of(scene, result, record);
   report.scene = &scene;
   report.frame = scene.wrench_frame;
@@ -101,7 +110,8 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   for_each_in_parallel(report.grasps.size(), options.threads, [&](std::size_t i) {
     report.grasps[i] = grasp_of(scene, result, result.grasps[i], motion);
     if (i < options.most_detailed) {
-      report.grasps[i].detail = detail_of(scene, report.grasps[i], record);
+      report.grasps[i].detail = detail_of(scene, report.grasps[i], result.grasps[i], record);
+      report.grasps[i].side = telling_side(scene, posed_grasp(scene, result.grasps[i]), kSmall);
     }
   });
   add_why_not(scene, result, options, report);

@@ -25,7 +25,8 @@ int run_evaluate(const EvaluateCommand& command) {
   options.threads = command.common.threads;
   options.trial.soft_fingers = !command.common.hard_contacts;
   options.progress = [&](const TrialProgress& progress) { bar.show(progress); };
-  const PlanResult result = evaluate(loaded.scene, candidates, options);
+  const PlanResult result =
+      evaluate(loaded.scene, candidates, options, command.common.no_report ? 0 : kMostDetailed);
   bar.clear();
   watch.add(result.times);
 

@@ -11,6 +11,7 @@
 #include "planner/posed_grasp.h"
 #include "planner/report/report_html.h"
 #include "planner/scene_library.h"
+#include "planner/telling_side.h"
 #include "sim/scene/scene_file.h"
 
 namespace prehend {
@@ -23,7 +24,7 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   if (result.grasps.empty()) return pictures;
   const ScoredGrasp& best = result.grasps.front();
   const PosedGrasp posed = posed_grasp(scene, best, grasp_title(best, 1));
-  pictures.emplace_back("best.png", grasp_picture(scene, posed));
+  pictures.emplace_back("best.png", grasp_picture(scene, posed, telling_side(scene, posed)));
   if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
   return pictures;
 }
@@ -63,6 +64,7 @@ int run_plan(const PlanCommand& command) {
     options.paths->transfer.seed = command.common.seed;
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();
   }
+  if (!command.common.no_report) options.sections = kMostDetailed;
   const PlanResult result = plan(scene, options);
   bar.clear();
   watch.add(result.times);

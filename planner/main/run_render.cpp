@@ -9,6 +9,7 @@
 #include "planner/motion_picture.h"
 #include "planner/output_file.h"
 #include "planner/posed_grasp.h"
+#include "planner/run_trials.h"
 #include "sim/geometry/input_error.h"
 
 namespace prehend {
@@ -85,12 +86,12 @@ void print_written(const std::filesystem::path& folder, const std::vector<std::s
 
 void write_each(const std::filesystem::path& folder, const CompiledScene& scene,
                 const std::vector<DrawnGrasp>& grasps) {
-  std::vector<std::string> names;
-  for (const DrawnGrasp& grasp : grasps) {
-    names.push_back(numbered("grasp_%03zu.png", grasp.number));
-    write_png(folder / names.back(),
-              grasp_from_four_sides(scene, grasp.posed, {.width = 1400, .height = 1100}));
-  }
+  std::vector<std::string> names(grasps.size());
+  for_each_in_parallel(grasps.size(), 0, [&](std::size_t i) {
+    names[i] = numbered("grasp_%03zu.png", grasps[i].number);
+    write_png(folder / names[i],
+              grasp_from_four_sides(scene, grasps[i].posed, {.width = 1400, .height = 1100}));
+  });
   print_written(folder, names);
 }
 
@@ -140,14 +141,14 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
   std::vector<MotionFrame> postures;
   for (const NamedFrame& frame : frames) postures.push_back(frame.frame);
   const MotionView view = motion_view(scene, postures, grasp.posed, kFramePicture);
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < frames.size(); ++i) {
+  std::vector<std::string> names(frames.size());
+  for_each_in_parallel(frames.size(), 0, [&](std::size_t i) {
     PosedGrasp moment = posed_at(frames[i].frame);
     moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
     if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
-    names.push_back(start + numbered(count < 100 ? "%02zu.png" : "%04zu.png", i + 1));
-    write_png(folder / names.back(), motion_picture(scene, moment, view, kFramePicture));
-  }
+    names[i] = start + numbered(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
+    write_png(folder / names[i], motion_picture(scene, moment, view, kFramePicture));
+  });
   print_written(folder, names);
 }
 

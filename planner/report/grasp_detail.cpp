@@ -65,12 +65,13 @@ GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std:
   noise.samples = kSamples;
   detail.robust = robust_epsilon(contacts, frame, space, noise);
   add_shares(contacts, links, frame, space, detail);
-  const PointHull hull = space_hull(contacts, frame, space);
-  if (hull.status == PointHullStatus::solid) {
-    detail.forces = wrench_slice(hull, {{3, 4, 5}, Eigen::Vector3d::Zero()});
-    detail.torques = wrench_slice(hull, {{0, 1, 2}, Eigen::Vector3d::Zero()});
-  }
   return detail;
+}
+
+WrenchSections space_sections(std::span<const Contact> contacts, const WrenchFrame& frame,
+                              const WrenchSpaceOptions& space) {
+  if (contacts.empty()) return {};
+  return wrench_sections(space_hull(contacts, frame, space));
 }
 
 }  // namespace prehend

@@ -22,13 +22,16 @@ struct GraspDetail {
   // Epsilon of the other contacts, one a contact; 0 without force closure.
   std::vector<double> epsilon_without;
   std::vector<LinkShare> links;  // that touch, in the order of their contacts
-  WrenchSlice forces;            // without torque; empty where the wrench space is flat
-  WrenchSlice torques;           // without force, times the torque scale
+  WrenchSections sections;
 };
 
-// `links`: the link of each contact, or none at all. Throws as wrench_space does.
+// All but the sections. `links`: the link of each contact, or none at all. Throws as wrench_space.
 GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
                          const WrenchFrame& frame, const WrenchSpaceOptions& space,
                          std::uint64_t seed);
+
+// Sections of any wrench space; smooth sets are approximated from inside.
+WrenchSections space_sections(std::span<const Contact> contacts, const WrenchFrame& frame,
+                              const WrenchSpaceOptions& space);
 
 }  // namespace prehend

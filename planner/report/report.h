@@ -31,6 +31,7 @@ struct ReportGrasp {
   std::vector<ReportContact> contacts;
   std::optional<GraspMotion> motion = {};  // empty without a hand
   std::optional<GraspDetail> detail = {};
+  std::optional<Vector3> side = {};  // from where to look at it: unit, to the eye, in the world
 };
 
 struct ReportOutcome {

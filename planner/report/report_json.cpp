@@ -104,8 +104,8 @@ Json detail_json(const GraspDetail& detail) {
             {"force_closure", significant(detail.robust.force_closure)}}},
           {"without", without},
           {"links", links},
-          {"forces", slice_json(detail.forces)},
-          {"torques", slice_json(detail.torques)}};
+          {"forces", slice_json(detail.sections.forces)},
+          {"torques", slice_json(detail.sections.torques)}};
 }
 
 Json contact_json(const ReportContact& contact) {
@@ -161,6 +161,7 @@ Json grasp_json(const ReportGrasp& grasp) {
     json["contacts"].push_back(contact_json(contact));
   }
   json["motion"] = grasp.motion ? motion_json(*grasp.motion) : Json();
+  json["side"] = grasp.side ? rounded(*grasp.side) : Json();
   json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
   return json;
 }

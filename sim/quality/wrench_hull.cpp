@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
-#include "sim/quality/point_hull.h"
 #include "sim/quality/start_simplex.h"
 #include "sim/quality/wrench_size.h"
 
@@ -18,6 +18,8 @@ WrenchHull from_scaled(const Wrenches& wrenches, int exponent) {
   hull.volume = std::ldexp(hull.volume, 6 * exponent);
   hull.weakest = times_power_of_two(hull.weakest, exponent);
   hull.doubt = std::ldexp(hull.doubt, exponent);
+  for (double& offset : hull.points.offsets) offset = std::ldexp(offset, exponent);
+  hull.points.volume = hull.volume;
   return hull;
 }
 
@@ -42,6 +44,7 @@ WrenchHull wrench_hull(const Wrenches& wrenches) {
   hull.min_offset = points.offsets.minCoeff(&nearest);
   hull.weakest = -hull.min_offset * points.normals.col(nearest);
   hull.doubt = kFlatness * start.scale + std::sqrt(6.0) * points.joggle;
+  hull.points = std::move(points);
   return hull;
 }
 

@@ -1,6 +1,7 @@
 // The full convex hull of wrenches by qhull: the oracle for epsilon, and the volume.
 #pragma once
 
+#include "sim/quality/point_hull.h"
 #include "sim/quality/wrench.h"
 
 namespace prehend {
@@ -20,6 +21,7 @@ struct WrenchHull {
   // What min_offset must exceed for the origin to be inside beyond doubt: kFlatness times the size
   // of the wrenches, more where qhull had to joggle them.
   double doubt = 0.0;
+  PointHull points;  // the facets, where it is solid
 
   bool force_closure() const { return status == HullStatus::solid && min_offset > doubt; }
 };

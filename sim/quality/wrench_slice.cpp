@@ -172,4 +172,10 @@ WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
   return slice;
 }
 
+WrenchSections wrench_sections(const PointHull& hull) {
+  if (hull.status != PointHullStatus::solid) return {};
+  return {wrench_slice(hull, {{3, 4, 5}, Eigen::Vector3d::Zero()}),
+          wrench_slice(hull, {{0, 1, 2}, Eigen::Vector3d::Zero()})};
+}
+
 }  // namespace prehend

@@ -33,4 +33,13 @@ struct WrenchSlice {
 // not finite.
 WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed = {});
 
+// The two sections to look at first.
+struct WrenchSections {
+  WrenchSlice forces;   // without torque
+  WrenchSlice torques;  // without force
+};
+
+// Both empty where the hull is not solid. Throws as wrench_slice.
+WrenchSections wrench_sections(const PointHull& hull);
+
 }  // namespace prehend

@@ -4,12 +4,14 @@ class GraspList {
   constructor(thumbnails) {
     const shown = data.grasps.length;
     const all = data.grasps_in_all;
+    const sorted = data.grasps.every(
+        (grasp, i) => i === 0 || grasp.epsilon[0] <= data.grasps[i - 1].epsilon[0]);
     fill(
         'grasps-title',
         shown === 0     ? 'No grasp holds' :
             all > shown ? `The first ${shown} of ${all} grasps` :
             shown === 1 ? 'One grasp' :
-                          `${shown} grasps`);
+                          `${shown} grasps${sorted ? ', best first' : ''}`);
     const best = bestGrasp();
     this.links = data.grasps.map((grasp, i) => this.entry(grasp, i, i === best));
     fill('list', ...this.links.map((link) => element('li', {}, link)));

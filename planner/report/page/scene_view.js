@@ -175,8 +175,9 @@ class SceneView {
     return parts.filter((part) => part).flatMap((part) => cornersOf(part));
   }
 
-  // Across the approach and the fingers' plane, from above: palm, object and fingers all show.
+  // The side that the report chose, or across the approach and the fingers' plane, from above.
   telling() {
+    if (this.grasp && this.grasp.side) return vectorOf(this.grasp.side);
     const direction = new THREE.Vector3(1, -1, 0.8);
     if (data.scene && this.grasp && this.grasp.motion) {
       this.scene.updateMatrixWorld(true);
