@@ -51,7 +51,7 @@ test('the best grasp is there at once, with its contacts and its weakest disturb
   assert.ok(wrench.colors > 200, `${wrench.colors} colours`);
   assert.match(
       await report.text('#summary'), /Grasp 1 is best: ε 0\.2\d+ \(800 candidates tried\)/);
-  assert.match(await report.text('.weakest'), /push of .* N|twist of .* N m/);
+  assert.match(await report.text('.weakest'), /(push of .* N|twist of .* N m).* breaks it/);
   assert.equal(await report.page.locator('#list a').count(), grasps.length);
   const legend = await report.text('#legend');
   for (const word of ['contact', 'weakest', 'centre of mass', 'ε (epsilon)', 'volume', 'units']) {
@@ -245,7 +245,7 @@ test('no contacts at all', async () => {
 test('a thousand grasps are less than ten megabytes', async () => {
   const asked = jsonOf(join(planned, 'grasps.json'));
   const file = join(folder, 'thousand.json');
-  asked.grasps = Array.from({length: 1000}, (_, i) => ({...grasps[i % grasps.length]}));
+  asked.grasps = Array.from({length: 1000}, (_, i) => (grasps[1]));
   writeFileSync(file, JSON.stringify(asked));
   const out = run('evaluate', file);
   const {size} = statSync(join(out, 'report.html'));

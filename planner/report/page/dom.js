@@ -38,8 +38,7 @@ function numberText(value, digits = 3) {
 
 // A force or torque is felt in a direction: the nearest axis says it in a word.
 function directionWords(v) {
-  const parts =
-      [['+x', v.x], ['+y', v.y], ['up (+z)', v.z], ['−x', -v.x], ['−y', -v.y], ['down (−z)', -v.z]];
+  const parts = [['+x', v.x], ['+y', v.y], ['up', v.z], ['−x', -v.x], ['−y', -v.y], ['down', -v.z]];
   const size = v.length();
   const along = parts.filter(([, part]) => part > 0.38 * size).sort((a, b) => b[1] - a[1]);
   return along.map(([name]) => name).join(' and ');

@@ -1,11 +1,18 @@
 // What the colours, words and numbers mean, and what the run was.
 
+function simplifiedWords(mesh) {
+  return mesh.simplified_from ? `; drawn simplified from ${mesh.simplified_from} triangles` : '';
+}
+
 function legendRows() {
   const colors = data.palette;
   const rows = [];
   if (data.scene) {
     rows.push(
-        [[colors.object], 'object', 'what is grasped, seen through'],
+        [
+          [colors.object], 'object',
+          'what is grasped, seen through' + simplifiedWords(data.scene.object.mesh)
+        ],
         [[colors.hard, colors.rubber], 'hand', 'light links are hard, dark ones rubber']);
     if (data.scene.arm) rows.push([[colors.arm], 'arm', 'what carries the hand']);
     if (data.scene.obstacles.length > 0)
@@ -47,7 +54,7 @@ function legendRows() {
     [
       'r', `largest distance of the object from its centre of mass, ${numberText(1000 * radius)} mm`
     ],
-    ['units', 'lengths in mm, forces in N, torques in N m'],
+    ['units', 'lengths in mm, forces in N, torques in N m; up is +z of the world'],
   ];
   return rows.map(([swatches, name, text]) => [[...swatches.map(swatch), name], text])
       .concat(meanings.map(([name, text]) => [[name], text]));

@@ -8,7 +8,7 @@ class SceneView {
   constructor(canvas) {
     this.canvas = canvas;
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 1.5));
+    this.pace = new Pace(() => this.ask());
     this.camera = new THREE.PerspectiveCamera(34, 1, 0.01, 100);
     this.camera.up.set(0, 0, 1);
     this.scene = new THREE.Scene();
@@ -230,8 +230,10 @@ class SceneView {
   ask() {
     if (this.asked) return;
     this.asked = true;
-    requestAnimationFrame(() => {
+    requestAnimationFrame((now) => {
       this.asked = false;
+      const ratio = this.pace.next(now);
+      if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
       this.draw();
     });
   }

@@ -13,13 +13,15 @@ function weakestWords(grasp) {
           .multiplyScalar(exampleForce * radius * vectorOf(grasp.weakest_torque).length());
   const parts = [];
   if (force.length() > 0.05 * exampleForce * grasp.epsilon[1]) {
-    parts.push(`a push of ${numberText(force.length(), 2)} N towards ${directionWords(force)}`);
+    parts.push(`a push of ${numberText(force.length(), 2)} N (${directionWords(force)})`);
   }
   if (torque.length() > 0.05 * exampleForce * radius * grasp.epsilon[1]) {
-    parts.push(`a twist of ${numberText(torque.length(), 2)} N m about ${directionWords(torque)}`);
+    parts.push(
+        `a twist of ${numberText(torque.length(), 2)} N m (about ${directionWords(torque)})`);
   }
-  return `Weakest (purple): with ${data.unit_force} ${exampleForce} N, ` +
-      `${parts.join(' together with ')} at the centre of mass is more than it can resist.`;
+  return `Weakest (purple): ${
+             parts.join(' together with ')} at the centre of mass breaks it, with ` +
+      `${data.unit_force} ${exampleForce} N.`;
 }
 
 function shareWords(grasp) {

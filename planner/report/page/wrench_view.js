@@ -111,7 +111,6 @@ class WrenchView {
     this.canvas = canvas;
     this.view = view;
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 1.5));
     this.renderer.setScissorTest(true);
     this.sections = [new WrenchSection('forces'), new WrenchSection('torques')];
     this.camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0.01, 100);
@@ -139,7 +138,9 @@ class WrenchView {
   // Seen from where the scene is seen from.
   follow() {
     const direction = this.view.direction();
-    if (this.camera.position.clone().normalize().distanceTo(direction) < 1e-6) return;
+    const turned = this.camera.position.clone().normalize().distanceTo(direction) > 1e-6;
+    const finer = this.view.renderer.getPixelRatio() !== this.renderer.getPixelRatio();
+    if (!turned && !finer) return;
     this.camera.position.copy(direction).multiplyScalar(10);
     this.camera.lookAt(0, 0, 0);
     this.draw();
@@ -159,6 +160,8 @@ class WrenchView {
   draw() {
     const box = this.canvas.parentElement.getBoundingClientRect();
     if (!(box.width > 0)) return;
+    const ratio = this.view.renderer.getPixelRatio();
+    if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
     const drawn = this.renderer.getSize(new THREE.Vector2());
     if (drawn.x !== box.width || drawn.y !== box.height) {
       this.renderer.setSize(box.width, box.height, false);

@@ -1,0 +1,38 @@
+// Coarser pictures while something moves on a machine that draws slowly, fine ones at rest.
+
+const slowFrame = 45;    // ms
+const restAfter = 250;   // ms without a new picture
+const longPause = 1500;  // ms; pictures farther apart belong to no motion
+const coarsest = 0.35;   // of the resolution
+
+class Pace {
+  // `onRest` is called when nothing moves any more and the last picture was coarse.
+  constructor(onRest) {
+    this.onRest = onRest;
+    this.part = 1;  // of the resolution, while something moves
+    this.moving = false;
+    this.last = -longPause;
+  }
+
+  // To be called for each picture; answers the pixel ratio to draw it with.
+  next(now) {
+    const gap = now - this.last;
+    this.last = now;
+    const wasMoving = this.moving;
+    this.moving = gap < longPause;
+    if (wasMoving && this.moving && gap > slowFrame) {
+      this.part = Math.max(coarsest, this.part * (gap > 2 * slowFrame ? 0.5 : 0.8));
+    }
+    clearTimeout(this.timer);
+    if (this.moving && this.part < 1) {
+      this.timer = setTimeout(() => this.rest(), Math.max(restAfter, 2 * gap));
+    }
+    return Math.min(window.devicePixelRatio, 1.5) * (this.moving ? this.part : 1);
+  }
+
+  rest() {
+    this.moving = false;
+    this.last = -longPause;
+    this.onRest();
+  }
+}
