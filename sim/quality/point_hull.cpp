@@ -127,6 +127,7 @@ PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   }
   hull.status = PointHullStatus::solid;
   hull.volume = qhull.get()->totvol;
+  hull.reach = points.colwise().norm().maxCoeff();
   // Without QJ that is a huge constant.
   hull.joggle = qhull.get()->JOGGLEmax < REALmax / 2 ? qhull.get()->JOGGLEmax : 0.0;
   read_facets(*qhull.get(), hull);

@@ -17,6 +17,7 @@ struct PointHull {
   Eigen::MatrixXd normals;  // unit
   Eigen::VectorXd offsets;
   Eigen::MatrixXi corners;
+  double reach = 0.0;   // the largest distance of a point from the origin
   double joggle = 0.0;  // how far qhull moved coordinates, with HullInput::joggled
   std::string message;  // qhull's, when failed
 };

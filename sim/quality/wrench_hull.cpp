@@ -19,6 +19,7 @@ WrenchHull from_scaled(const Wrenches& wrenches, int exponent) {
   hull.weakest = times_power_of_two(hull.weakest, exponent);
   hull.doubt = std::ldexp(hull.doubt, exponent);
   for (double& offset : hull.points.offsets) offset = std::ldexp(offset, exponent);
+  hull.points.reach = std::ldexp(hull.points.reach, exponent);
   hull.points.volume = hull.volume;
   return hull;
 }

@@ -165,9 +165,9 @@ WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
   slice.coordinates = others(fixed.coordinates);
   const std::optional<HalfSpaces> cut = cut_facets(hull, fixed, slice.coordinates);
   if (!cut) return slice;
-  const double size = cut->offsets.cwiseAbs().maxCoeff();
-  const Ball ball = inscribed_ball(*cut, 10.0 * size);
-  if (!(ball.radius > kThin * size)) return slice;
+  // The section is in the hull; offsets of facets nearly parallel to it say nothing of its size.
+  const Ball ball = inscribed_ball(*cut, 1.1 * hull.reach);
+  if (!(ball.radius > kThin * hull.reach)) return slice;
   add_surface(corners(*cut, ball.center), slice);
   return slice;
 }

@@ -66,6 +66,25 @@ TEST(WrenchSlice, VerticesAreOnTheHull) {
   }
 }
 
+// Facets that are nearly parallel to the section are cut very far away from it.
+TEST(WrenchSlice, FlatBoxesTurnedByNextToNothing) {
+  for (const double angle : {0.0, 1e-12, 1e-10, 3e-9, 1e-7, 1e-5}) {
+    Eigen::MatrixXd corners(6, 64);
+    for (int i = 0; i < 64; ++i) {
+      for (int d = 0; d < 6; ++d)
+        corners(d, i) = ((i >> d & 1) != 0 ? 1.0 : -1.0) * (d < 3 ? 1 : 0.1);
+    }
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(angle).toRotationMatrix();
+    for (int i = 0; i < 64; ++i) {
+      corners({0, 3}, i) = (turn * Eigen::Vector2d(corners({0, 3}, i))).eval();
+    }
+    const WrenchSlice slice =
+        wrench_slice(point_hull(corners), {{0, 1, 2}, Eigen::Vector3d::Zero()});
+    EXPECT_NEAR(slice.volume, 0.2 * 0.2 * 0.2, 1e-6) << angle;
+    EXPECT_EQ(slice.vertices.cols(), 8) << angle;
+  }
+}
+
 TEST(WrenchSlice, RefusesWhatIsNoSection) {
   EXPECT_THROW(wrench_slice({}), std::invalid_argument);
   EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 1, 2}, {}}), std::invalid_argument);
