@@ -20,6 +20,7 @@ WrenchHull from_scaled(const Wrenches& wrenches, int exponent) {
   hull.doubt = std::ldexp(hull.doubt, exponent);
   for (double& offset : hull.points.offsets) offset = std::ldexp(offset, exponent);
   hull.points.volume = hull.volume;
+  hull.points.joggle = std::ldexp(hull.points.joggle, exponent);
   return hull;
 }
 
