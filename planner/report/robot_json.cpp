@@ -11,6 +11,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Of one link.
+constexpr std::size_t kMostTriangles = 10000;
+
 Pose rotation(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
 
 // What follows the motion about or along z: the rest of the joint's Denavit-Hartenberg transform,
@@ -42,7 +45,7 @@ Json link_json(const Link& link) {
   return {{"name", link.name},
           {"joint", link.joint},
           {"material", link.material},
-          {"mesh", packed_mesh(link.mesh)}};
+          {"mesh", packed_mesh(simplified(link.mesh, kMostTriangles))}};
 }
 
 }  // namespace
