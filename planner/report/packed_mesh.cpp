@@ -51,9 +51,12 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
 }
 
 TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most) {
+  if (mesh.triangles.size() <= most) return mesh;
   TriangleMesh coarse = mesh;
-  // Vertices that far apart leave somewhat more triangles than that, on any surface.
-  double cell = 0.5 * std::sqrt(area(mesh) / static_cast<double>(most));
+  // Vertices that far apart leave somewhat more triangles than that, on any surface. Cells are
+  // counted, so there cannot be any number of them in a line.
+  double cell = std::max(0.5 * std::sqrt(area(mesh) / static_cast<double>(most)),
+                         1e-9 * bounds(mesh).diagonal());
   while (coarse.triangles.size() > most) {
     if (!(cell > 0.0)) return evenly_picked(coarse, most);
     TriangleMesh next = weld(mesh, cell).mesh;

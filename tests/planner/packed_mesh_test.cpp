@@ -134,7 +134,7 @@ TEST(Simplified, FlatMeshesEnd) {
   };
   for (const Vector3& by :
        {Vector3(0, 0, 0), Vector3(1, 0, 0), Vector3(1, 1, 0), Vector3(1e-12, 1, 1e-12),
-        Vector3(1e6, 1e6, 0), Vector3(1e-200, 0, 0)}) {
+        Vector3(1e6, 1e6, 0), Vector3(1e-200, 0, 0), Vector3(1, 1e-200, 0)}) {
     for (const std::size_t most : {1U, 100U, 1000U}) {
       const TriangleMesh coarse = simplified(squeezed(by), most);
       EXPECT_LE(coarse.triangles.size(), most) << by.transpose();

@@ -21,7 +21,9 @@ std::filesystem::path write_cube(const std::filesystem::path& folder, const std:
   return folder / name;
 }
 
-std::string quoted(const std::filesystem::path& file) { return "'" + file.string() + "'"; }
+std::string quoted(const std::filesystem::path& file) {
+  return std::string("'").append(file.string()).append("'");
+}
 
 ProgramRun plan_cube(const std::filesystem::path& mesh, const std::filesystem::path& out) {
   return run_program("plan " + quoted(mesh) + " --hand parallel_jaw --top 1 --out " + quoted(out) +
