@@ -171,7 +171,8 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   for (const ScoredGrasp& grasp : result.grasps) {
     json["grasps"].push_back(grasp_json(scene, grasp, result));
   }
-  return json.dump(1) + "\n";
+  // Names of files need not be text in UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds& trials,

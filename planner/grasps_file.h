@@ -18,7 +18,8 @@ struct RunRecord {
   PlanOptions options;
 };
 
-// The whole file as text; the same for the same result, on any number of threads.
+// The whole file as text; the same for the same result, on any number of threads. What is not UTF-8
+// in names is U+FFFD.
 std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                         const RunRecord& record);
 

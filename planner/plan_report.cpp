@@ -97,7 +97,8 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
 Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
                    const PlanReportOptions& options) {
   Report report;
-  report.title = scene.scene.object.name + ", " + scene.scene.hand.name;
+  const std::string& object = scene.scene.object.name;
+  report.title = (object.empty() ? "object" : object) + ", " + scene.scene.hand.name;
   if (scene.arm) report.title += " on " + scene.arm->robot().name;
   report.facts = facts_of(scene, result, record);
   report.scene = &scene;

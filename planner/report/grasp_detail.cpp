@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/quality/set_hull.h"
-#include "sim/quality/wrench.h"
+#include "sim/quality/wrench_hull.h"
 
 namespace prehend {
 namespace {
@@ -21,10 +21,7 @@ PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame
   if (!is_hull_of_columns) {
     return set_hull(*wrench_space(contacts, frame, space), {.max_points = kMostPoints}).hull;
   }
-  const Wrenches corners = contact_wrenches(contacts, frame, space.edges);
-  PointHull hull = point_hull(corners);
-  if (hull.status == PointHullStatus::failed) hull = point_hull(corners, HullInput::joggled);
-  return hull;
+  return wrench_hull(contact_wrenches(contacts, frame, space.edges)).points;
 }
 
 double epsilon_where(std::span<const Contact> contacts, const WrenchFrame& frame,

@@ -18,8 +18,11 @@ using Json = nlohmann::ordered_json;
 // What a page draws in software at an interactive rate.
 constexpr std::size_t kMostTriangles = 60000;
 
-// Frames of a motion; the page draws what lies between.
-constexpr int kMostFrames = 160;
+// Frames of one motion, of all together, and of one however many there are; the page draws what
+// lies between.
+constexpr std::size_t kMostFrames = 160;
+constexpr std::size_t kAllFrames = 32000;
+constexpr std::size_t kLeastFrames = 24;
 
 std::string hex(const Color& color) {
   const auto byte = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
@@ -79,11 +82,16 @@ Json scene_json(const CompiledScene& scene) {
   return json;
 }
 
-// Corners of a polyhedron, and triples of them. Scaled torques have no unit either.
+// Corners of a polyhedron, and triples of them. Scaled torques have no unit either: at least four
+// digits of the largest coordinate.
 Json slice_json(const WrenchSlice& slice) {
   Json json{{"vertices", Json::array()}, {"triangles", Json::array()}};
+  if (slice.empty()) return json;
+  const double largest = slice.vertices.cwiseAbs().maxCoeff();
+  const double scale =
+      std::pow(10.0, std::clamp(4.0 - std::floor(std::log10(largest)), 0.0, 300.0));
   for (Eigen::Index i = 0; i < slice.vertices.size(); ++i) {
-    json["vertices"].push_back(rounded(slice.vertices.data()[i], 1e4));
+    json["vertices"].push_back(rounded(slice.vertices.data()[i], scale));
   }
   for (Eigen::Index i = 0; i < slice.triangles.size(); ++i) {
     json["triangles"].push_back(slice.triangles.data()[i]);
@@ -121,8 +129,8 @@ Json contact_json(const ReportContact& contact) {
 }
 
 // On an arm a row has the joints of the whole platform; without, the hand's position and joints.
-Json motion_json(const GraspMotion& whole) {
-  const GraspMotion motion = thinned(whole, kMostFrames);
+Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
+  const GraspMotion motion = thinned(whole, static_cast<int>(most_frames));
   Json rows = Json::array();
   Json times = Json::array();
   const bool on_arm = !motion.frames.front().arm_joints.empty();
@@ -145,7 +153,7 @@ Json motion_json(const GraspMotion& whole) {
           {"segments", segments}};
 }
 
-Json grasp_json(const ReportGrasp& grasp) {
+Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   Json json{{"outcome", grasp.outcome},
             {"force_closure", grasp.force_closure},
             {"epsilon", {significant(grasp.epsilon.lower), significant(grasp.epsilon.upper)}},
@@ -160,7 +168,7 @@ Json grasp_json(const ReportGrasp& grasp) {
   for (const ReportContact& contact : grasp.contacts) {
     json["contacts"].push_back(contact_json(contact));
   }
-  json["motion"] = grasp.motion ? motion_json(*grasp.motion) : Json();
+  json["motion"] = grasp.motion ? motion_json(*grasp.motion, most_frames) : Json();
   json["side"] = grasp.side ? rounded(*grasp.side) : Json();
   json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
   return json;
@@ -198,7 +206,11 @@ std::string report_json(const Report& report) {
   json["primitives"] = Json::array();
   for (const Primitive& p : report.primitives) json["primitives"].push_back(shape_json(p));
   json["grasps"] = Json::array();
-  for (const ReportGrasp& grasp : report.grasps) json["grasps"].push_back(grasp_json(grasp));
+  const std::size_t most_frames = std::clamp(
+      kAllFrames / std::max<std::size_t>(1, report.grasps.size()), kLeastFrames, kMostFrames);
+  for (const ReportGrasp& grasp : report.grasps) {
+    json["grasps"].push_back(grasp_json(grasp, most_frames));
+  }
   json["grasps_in_all"] = report.grasps_in_all;
   json["outcomes"] = Json::array();
   for (const ReportOutcome& outcome : report.outcomes) {

@@ -50,7 +50,10 @@ Json link_json(const Link& link) {
 
 }  // namespace
 
-double rounded(double value, double scale) { return std::round(value * scale) / scale; }
+double rounded(double value, double scale) {
+  const double scaled = std::round(value * scale) / scale;
+  return std::isfinite(scaled) ? scaled : value;
+}
 
 Json rounded(const Vector3& v, double scale) {
   return Json::array({rounded(v.x(), scale), rounded(v.y(), scale), rounded(v.z(), scale)});

@@ -21,6 +21,7 @@ WrenchHull from_scaled(const Wrenches& wrenches, int exponent) {
   for (double& offset : hull.points.offsets) offset = std::ldexp(offset, exponent);
   hull.points.reach = std::ldexp(hull.points.reach, exponent);
   hull.points.volume = hull.volume;
+  hull.points.joggle = std::ldexp(hull.points.joggle, exponent);
   return hull;
 }
 

@@ -127,6 +127,12 @@ Eigen::Matrix3Xd corners(const HalfSpaces& all, const Eigen::Vector3d& center) {
   return found;
 }
 
+// Times 2^exponent.
+template <typename Numbers>
+void scale(Numbers& numbers, int exponent) {
+  for (double& number : numbers.reshaped()) number = std::ldexp(number, exponent);
+}
+
 void add_surface(const Eigen::Matrix3Xd& points, WrenchSlice& slice) {
   PointHull hull = point_hull(points);
   if (hull.status == PointHullStatus::failed) hull = point_hull(points, HullInput::joggled);
@@ -163,12 +169,18 @@ WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
   check(hull, fixed);
   WrenchSlice slice;
   slice.coordinates = others(fixed.coordinates);
-  const std::optional<HalfSpaces> cut = cut_facets(hull, fixed, slice.coordinates);
+  std::optional<HalfSpaces> cut = cut_facets(hull, fixed, slice.coordinates);
   if (!cut) return slice;
+  // Lengths near one: products of larger or smaller ones could leave the range of doubles.
+  int exponent = 0;
   // The section is in the hull; offsets of facets nearly parallel to it say nothing of its size.
-  const Ball ball = inscribed_ball(*cut, 1.1 * hull.reach);
-  if (!(ball.radius > kThin * hull.reach)) return slice;
+  const double size = std::frexp(hull.reach, &exponent);
+  scale(cut->offsets, -exponent);
+  const Ball ball = inscribed_ball(*cut, 1.1 * size);
+  if (!(ball.radius > kThin * size)) return slice;
   add_surface(corners(*cut, ball.center), slice);
+  scale(slice.vertices, exponent);
+  slice.volume = std::ldexp(slice.volume, 3 * exponent);
   return slice;
 }
 

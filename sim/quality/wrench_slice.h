@@ -21,7 +21,7 @@ struct WrenchSlice {
   std::array<int, 3> coordinates = {0, 1, 2};  // of the axes
   Eigen::Matrix3Xd vertices;
   Eigen::Matrix3Xi triangles;  // counter-clockwise from outside
-  double volume = 0.0;
+  double volume = 0.0;         // 0 or infinite where no double is as small or large
 
   bool empty() const { return triangles.cols() == 0; }
 };

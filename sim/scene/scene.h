@@ -15,7 +15,7 @@ namespace prehend {
 
 // What a file says of a body's surface, so that it can be said again: an object with "mesh" (an
 // absolute path) and "unit", or "generate" and "triangles", or "geometry"; as JSON. Empty: made by
-// a program.
+// a program, or from a file whose path is not UTF-8, which JSON cannot name.
 using ShapeSource = std::string;
 
 // A body that does not move: it can be touched and stands in the way.

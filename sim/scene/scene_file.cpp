@@ -56,6 +56,15 @@ TriangleMesh read_body_mesh(const JsonField& body) {
   }
 }
 
+// JSON has no way to write a path that is not UTF-8: then there is no source.
+ShapeSource source_text(const nlohmann::ordered_json& source) {
+  try {
+    return source.dump();
+  } catch (const nlohmann::ordered_json::type_error&) {
+    return {};
+  }
+}
+
 ShapeSource read_source(const JsonField& body) {
   nlohmann::ordered_json source;
   if (body.has("mesh")) {
@@ -65,7 +74,7 @@ ShapeSource read_source(const JsonField& body) {
   for (const char* key : {"unit", "generate", "triangles", "geometry"}) {
     if (body.has(key)) source[key] = nlohmann::ordered_json::parse(body[key].json());
   }
-  return source.dump();
+  return source_text(source);
 }
 
 // A path is made absolute; a name stays.
@@ -262,9 +271,9 @@ Scene load_scene(const std::filesystem::path& file, const SceneSource& source) {
   Scene scene;
   scene.name = file.stem().string();
   scene.object = make_graspable(scene.name, mesh_from_file(file, source.unit), Material::plastic);
-  scene.object.source = nlohmann::json{
-      {"mesh", std::filesystem::absolute(file).lexically_normal().string()},
-      {"unit", source.unit}}.dump();
+  scene.object.source =
+      source_text({{"mesh", std::filesystem::absolute(file).lexically_normal().string()},
+                   {"unit", source.unit}});
   scene.hand_source = source.hand.empty() ? kDefaultHand : robot_source(source.hand);
   scene.hand = find_robot(scene.hand_source);
   return scene;

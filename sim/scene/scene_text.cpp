@@ -111,7 +111,7 @@ std::string scene_text(const Scene& scene) {
   if (const Json depths = compliant_json(scene.compliant_depths); !depths.empty()) {
     json["compliant_depths"] = depths;
   }
-  return json.dump(1) + "\n";
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace prehend

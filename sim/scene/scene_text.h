@@ -7,8 +7,9 @@
 
 namespace prehend {
 
-// Reads back as the same scene: bodies as their file said them, those made by a program triangle by
-// triangle. Throws InputError for a hand or platform without a source, which no file could name.
+// Reads back as the same scene: bodies as their file said them, those without a source triangle by
+// triangle; names that are not UTF-8 as U+FFFD. Throws InputError for a hand or platform without a
+// source, which no file could name.
 std::string scene_text(const Scene& scene);
 
 }  // namespace prehend

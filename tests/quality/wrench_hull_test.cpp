@@ -35,6 +35,28 @@ TEST(WrenchHull, WeakestPointsIntoTheNearestFacet) {
   EXPECT_NEAR((hull.weakest - 0.75 * Wrench::Unit(0)).norm(), 0.0, 1e-12);
 }
 
+// The facets are those of the wrenches as they are, whatever their size.
+TEST(WrenchHull, FacetsBoundTheWrenches) {
+  for (const double size : {1.0, 1e80, 1e-80}) {
+    const Wrenches wrenches = size * simplex().wrenches;
+    const PointHull hull = wrench_hull(wrenches).points;
+    ASSERT_EQ(hull.status, PointHullStatus::solid);
+    ASSERT_EQ(hull.offsets.size(), 7);
+    for (Eigen::Index f = 0; f < 7; ++f) {
+      EXPECT_NEAR(hull.normals.col(f).norm(), 1.0, 1e-12);
+      for (Eigen::Index i = 0; i < 7; ++i) {
+        const bool corner = (hull.corners.col(f).array() == static_cast<int>(i)).any();
+        const double slack = hull.offsets[f] - hull.normals.col(f).dot(wrenches.col(i));
+        EXPECT_GE(slack, corner ? -1e-12 * size : 0.1 * size);
+        if (corner) {
+          EXPECT_LE(slack, 1e-12 * size);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(wrench_hull(Wrenches::Identity(6, 6)).points.status, PointHullStatus::flat);
+}
+
 TEST(WrenchHull, FlatInputs) {
   EXPECT_EQ(wrench_hull(Wrenches(6, 0)).status, HullStatus::flat);
   EXPECT_EQ(wrench_hull(Wrenches::Zero(6, 12)).status, HullStatus::flat);
