@@ -1,5 +1,6 @@
 // A browser without a screen or a network, and pages in it that are watched.
 import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
@@ -7,7 +8,9 @@ import {chromium} from 'playwright-core';
 const swiftShader = ['--no-sandbox', '--enable-unsafe-swiftshader'];
 
 export function launch(...words) {
-  return chromium.launch({executablePath: '/usr/bin/chromium', args: [...swiftShader, ...words]});
+  const executablePath =
+      execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim();
+  return chromium.launch({executablePath, args: [...swiftShader, ...words]});
 }
 
 // A report that is open in a page of its own; complaints are what should not happen.
