@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "planner/picture/simplified_mesh.h"
 #include "planner/picture/visible_pixels.h"
 
 namespace prehend {
@@ -12,6 +13,9 @@ namespace {
 
 // What of the score is for seeing the whole hand.
 constexpr double kHandPart = 0.5;
+
+// Of a body in the small pictures.
+constexpr std::size_t kMostTriangles = 2000;
 
 // Scores closer than this are equal: they differ by rounding.
 constexpr double kSameScore = 1e-9;
@@ -25,14 +29,19 @@ struct SmallScene {
   std::vector<DrawnBody> behind_obstacles = {};  // `seen` and the obstacles; empty without any
 };
 
+std::vector<DrawnBody> coarse(std::vector<DrawnBody> bodies) {
+  for (DrawnBody& body : bodies) body.mesh = simplified(body.mesh, kMostTriangles);
+  return bodies;
+}
+
 SmallScene small_scene(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles) {
   PosedGrasp bare = grasp;
   bare.weakest.setZero();
   SmallScene small{
-      grasp_bodies(scene, bare), {}, scene.scene.hand.links.size(), grasp.contacts.size()};
+      coarse(grasp_bodies(scene, bare)), {}, scene.scene.hand.links.size(), grasp.contacts.size()};
   small.seen.assign(small.framed.begin() + 1, small.framed.end());
   small.seen.push_back(small.framed.front());
-  std::vector<DrawnBody> around = surrounding_bodies(scene, grasp);
+  std::vector<DrawnBody> around = coarse(surrounding_bodies(scene, grasp));
   for (DrawnBody& body : around) body.color.opacity = 1.0;
   const auto arm = around.begin() + static_cast<std::ptrdiff_t>(scene.scene.obstacles.size());
   small.seen.insert(small.seen.end(), arm, around.end());

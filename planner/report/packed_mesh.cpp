@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <utility>
-
-#include "sim/geometry/weld.h"
 
 namespace prehend {
 namespace {
@@ -14,23 +10,6 @@ void put(std::uint32_t word, std::vector<std::uint8_t>& bytes) {
   for (int shift = 0; shift < 32; shift += 8) {
     bytes.push_back(static_cast<std::uint8_t>(word >> shift & 0xffU));
   }
-}
-
-double area(const TriangleMesh& mesh) {
-  double doubled = 0.0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    doubled += doubled_area_vector(mesh, t).norm();
-  }
-  return 0.5 * doubled;
-}
-
-TriangleMesh evenly_picked(const TriangleMesh& mesh, std::size_t most) {
-  TriangleMesh few{mesh.vertices, {}};
-  for (std::size_t i = 0; i < most; ++i) {
-    few.triangles.push_back(mesh.triangles[i * mesh.triangles.size() / most]);
-  }
-  drop_unused_vertices(few);
-  return few;
 }
 
 }  // namespace
@@ -48,25 +27,6 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
     }
   }
   return text;
-}
-
-TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most) {
-  if (mesh.triangles.size() <= most) return mesh;
-  TriangleMesh coarse = mesh;
-  // Vertices that far apart leave somewhat more triangles than that, on any surface. Cells are
-  // counted, so there cannot be any number of them in a line.
-  double cell = std::max(0.5 * std::sqrt(area(mesh) / static_cast<double>(most)),
-                         1e-9 * bounds(mesh).diagonal());
-  while (coarse.triangles.size() > most) {
-    if (!(cell > 0.0)) return evenly_picked(coarse, most);
-    TriangleMesh next = weld(mesh, cell).mesh;
-    // Loose pieces that are smaller than what lies between them.
-    if (next.triangles.empty()) return evenly_picked(coarse, most);
-    coarse = std::move(next);
-    const double excess = static_cast<double>(coarse.triangles.size()) / static_cast<double>(most);
-    cell *= std::max(1.1, std::sqrt(excess));
-  }
-  return coarse;
 }
 
 nlohmann::ordered_json packed_mesh(const TriangleMesh& mesh) {

@@ -14,10 +14,6 @@ namespace prehend {
 // RFC 4648, with padding.
 std::string base64(const std::vector<std::uint8_t>& bytes);
 
-// The mesh with at most `most` (>= 1) triangles: vertices near each other joined, as far as needed;
-// where that would leave nothing, some of its triangles. To be looked at, not to be measured.
-TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most);
-
 // {"positions": base64 of little-endian float32, three a vertex, "indices": base64 of uint32, three
 // a triangle}. Metres, in the mesh's frame.
 nlohmann::ordered_json packed_mesh(const TriangleMesh& mesh);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/picture/palette.h"
+#include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 #include "planner/report/robot_json.h"
 

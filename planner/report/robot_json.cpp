@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 
 namespace prehend {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/picture/simplified_mesh.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/object_generator.h"
 #include "tests/planner/unpack.h"

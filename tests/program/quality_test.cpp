@@ -20,8 +20,10 @@ std::filesystem::path write(const std::string& name, const json& contacts) {
 }
 
 json answer(const std::filesystem::path& file, const std::string& words = "") {
-  const ProgramRun run = run_program(std::string("quality ").append(file.string()) + " " + words);
+  const ProgramRun run =
+      run_program(std::string("quality ").append(file.string()) + " --no-report " + words);
   EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.err, "");
   return json::parse(run.out);
 }
 
@@ -66,11 +68,24 @@ TEST(QualityCommand, AnswersWhatIsAsked) {
 
 TEST(QualityCommand, WritesASection) {
   const std::filesystem::path file = write("section", six_fingers());
-  const std::filesystem::path mesh = file.parent_path() / "slice.ply";
-  answer(file, std::string("--project force --out ").append(mesh.string()));
+  const std::filesystem::path out = file.parent_path() / "out";
+  const std::filesystem::path mesh = out / "slice.ply";
+  answer(file, std::string("--project force --out ").append(out.string()));
+  EXPECT_FALSE(std::filesystem::exists(out / "report.html"));
   const ProgramRun inspected = run_program(std::string("inspect ").append(mesh.string()));
   EXPECT_EQ(inspected.status, 0) << inspected.err;
   EXPECT_NE(inspected.out.find("closed yes, oriented yes"), std::string::npos) << inspected.out;
+}
+
+TEST(QualityCommand, WritesAReportAndJsonAlone) {
+  const std::filesystem::path file = write("report", six_fingers());
+  const std::filesystem::path out = file.parent_path() / "out";
+  const ProgramRun run = run_program(
+      std::string("quality ").append(file.string()).append(" --out ").append(out.string()));
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(json::parse(run.out), answer(file));
+  EXPECT_EQ(run.err, "wrote " + out.string() + ": report.html\n");
+  EXPECT_EQ(content(out / "report.html").substr(0, 15), "<!DOCTYPE html>");
 }
 
 TEST(QualityCommand, NoContactsAreNoForceClosure) {
@@ -81,7 +96,7 @@ TEST(QualityCommand, NoContactsAreNoForceClosure) {
 
 TEST(QualityCommand, RefusesMistakesInOneLine) {
   const std::string quality =
-      std::string("quality ").append(write("mistakes", six_fingers()).string()) + " ";
+      std::string("quality ").append(write("mistakes", six_fingers()).string()) + " --no-report ";
   expect_refused(run_program("quality /no/such/file.json"), "/no/such/file.json");
   expect_refused(run_program(quality + "--cone pyramid:2"), "pyramid:2");
   expect_refused(run_program(quality + "--cone round"), "round");
