@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -136,23 +135,19 @@ std::string content(const std::filesystem::path& file) {
 
 // Whatever could make a browser ask for something: addresses must be of the page itself.
 TEST(ReportHtml, ThePageFetchesNothing) {
-  const std::regex address(R"(https?:|wss?:|//[\w-]+\.\w)", std::regex::icase);
-  const std::regex element(R"((src|href|srcset|action|poster)\s*=\s*(?!["']?(data:|#)))",
-                           std::regex::icase);
-  const std::regex call(
-      R"(\bfetch\s*\(|\bimport\s*[("'{*]|@import|XMLHttpRequest|WebSocket|EventSource|sendBeacon|importScripts|new\s+Worker|serviceWorker|url\s*\((?!["']?data:))",
-      std::regex::icase);
   int parts = 0;
   const std::filesystem::path folder =
       std::filesystem::path(PREHEND_SOURCE_DIR) / "planner" / "report" / "page";
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     ++parts;
     const std::string text = content(entry.path());
-    for (const std::regex* asks : {&address, &element, &call}) {
-      std::smatch found;
-      EXPECT_FALSE(std::regex_search(text, found, *asks))
-          << entry.path().filename() << ": " << found.str();
+    for (const char* asks :
+         {"http:", "https:", "ws:", "wss:", "src=", "srcset", "action=", "poster=", "fetch(",
+          "import(", "import ", "XMLHttpRequest", "WebSocket", "EventSource", "sendBeacon",
+          "importScripts", "new Worker", "serviceWorker", "url("}) {
+      EXPECT_EQ(count_of(text, asks), 0) << entry.path().filename() << ": " << asks;
     }
+    EXPECT_EQ(count_of(text, "href="), count_of(text, "href=\"data:")) << entry.path().filename();
   }
   EXPECT_GE(parts, 10);
   // Of the page as it is built, its elements: those of scripts end where their code begins.
