@@ -26,9 +26,6 @@ int preshape_named(const JsonField& field, const Hand& hand) {
   field.fail("unknown preshape (known: " + known + ")");
 }
 
-// Values outside the limits by more than this are refused; by less, they are rounding [rad or m].
-constexpr double kLimitTolerance = 1e-6;
-
 // Degrees of freedom that reach the given joints: the farthest of their joints decides.
 std::vector<double> dofs_of_joints(const std::vector<double>& joints, const Robot& hand) {
   std::vector<double> dofs;

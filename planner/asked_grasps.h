@@ -32,6 +32,9 @@ struct AskedGrasp {
 // it is tried where it is. Throws InputError that names the file, the grasp and the field.
 std::vector<AskedGrasp> asked_grasps(const JsonFile& file, const CompiledScene& scene);
 
+// Values outside the limits by more than this are refused; by less, they are rounding [rad or m].
+inline constexpr double kLimitTolerance = 1e-6;
+
 // Numbers in the robot's order, brought inside its limits where rounding left them. Throws
 // InputError for one that is farther outside.
 std::vector<double> asked_dofs(const JsonField& field, const Robot& robot);

@@ -2,12 +2,10 @@
 
 #include <cstddef>
 
+#include "planner/asked_grasps.h"
+
 namespace prehend {
 namespace {
-
-// Positions outside the limits by more than this are refused; by less, they are rounding
-// [rad or m].
-constexpr double kLimitTolerance = 1e-6;
 
 std::vector<std::string> read_joints(const JsonField& field, const Robot& robot) {
   const std::vector<JsonField> items = field.items();

@@ -114,8 +114,7 @@ void remove_frames(const std::filesystem::path& folder, const std::string& start
     const std::string name = entry.path().filename().string();
     if (name.starts_with(start) && name.ends_with(".png")) old.push_back(entry.path());
   }
-  std::error_code ignored;
-  for (const std::filesystem::path& file : old) std::filesystem::remove(file, ignored);
+  for (const std::filesystem::path& file : old) remove_file(file);
 }
 
 std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::size_t number,
