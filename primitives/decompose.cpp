@@ -9,7 +9,7 @@
 #include "primitives/inscribed.h"
 #include "primitives/polish.h"
 #include "primitives/split.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

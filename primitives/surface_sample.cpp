@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/geometry/uniform.h"
+#include "sim/base/random.h"
 
 namespace prehend {
 namespace {
@@ -41,15 +41,15 @@ std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, st
 
   // One point in each of `count` equal stretches of the running area: less variance than
   // independent draws, and every part gets its fair number of points.
-  std::mt19937_64 random(seed);
+  Random random(seed);
   std::vector<SurfacePoint> points;
   points.reserve(static_cast<std::size_t>(count));
   std::size_t t = 0;
   for (int i = 0; i < count; ++i) {
-    const double at = area * (i + uniform(random)) / count;
+    const double at = area * (i + random.uniform()) / count;
     while (t + 1 < area_until.size() && area_until[t] <= at) ++t;
-    const double u = uniform(random);
-    const double v = uniform(random);
+    const double u = random.uniform();
+    const double v = random.uniform();
     points.push_back({point_in_triangle(mesh, t, u, v), doubled_area_vector(mesh, t).normalized(),
                       static_cast<int>(t)});
   }

@@ -1,6 +1,6 @@
 #include "planner/exports/check_sizes.h"
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/path/trajectory.h"
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

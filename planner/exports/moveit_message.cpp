@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "planner/exports/rotation.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 

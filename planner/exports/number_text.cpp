@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 

@@ -1,7 +1,7 @@
 // Rotations as the exported files write them.
 #pragma once
 
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

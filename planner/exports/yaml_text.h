@@ -5,7 +5,7 @@
 #include <vector>
 #include <yaml-cpp/emitter.h>
 
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

@@ -1,8 +1,8 @@
 #include "planner/main/asked_scene.h"
 
-#include "planner/scene_library.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
 
 namespace prehend {
 namespace {

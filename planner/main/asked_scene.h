@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "planner/asked_grasps.h"
-#include "planner/grasps_file.h"
+#include "planner/files/asked_grasps.h"
+#include "planner/files/grasps_file.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend {

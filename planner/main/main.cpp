@@ -7,7 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "planner/main/commands.h"
-#include "sim/geometry/mesh_file.h"
+#include "sim/mesh_files/mesh_file.h"
 
 namespace {
 

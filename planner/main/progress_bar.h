@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "planner/run_trials.h"
+#include "planner/search/run_trials.h"
 
 namespace prehend {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "planner/grasp_words.h"
+#include "planner/search/grasp_words.h"
 
 namespace prehend {
 namespace {

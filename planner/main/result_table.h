@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "planner/plan.h"
+#include "planner/search/plan.h"
 
 namespace prehend {
 

@@ -4,9 +4,9 @@
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
-#include "planner/output_file.h"
-#include "planner/plan_report.h"
+#include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
+#include "sim/base/output_file.h"
 
 namespace prehend {
 

@@ -2,16 +2,16 @@
 #include <cstdio>
 
 #include "planner/main/commands.h"
-#include "planner/output_file.h"
-#include "planner/scene_library.h"
 #include "primitives/decompose.h"
+#include "sim/base/output_file.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
-#include "sim/geometry/mesh_file.h"
-#include "sim/robot/json_field.h"
+#include "sim/json/json_field.h"
+#include "sim/mesh_files/mesh_file.h"
 #include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
 
 namespace prehend {

@@ -1,18 +1,18 @@
 #include <iostream>
 
-#include "planner/export_files.h"
-#include "planner/grasp_picture.h"
-#include "planner/grasps_file.h"
+#include "planner/exports/export_files.h"
+#include "planner/files/grasps_file.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
-#include "planner/output_file.h"
-#include "planner/plan_report.h"
-#include "planner/posed_grasp.h"
+#include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
-#include "planner/scene_library.h"
-#include "planner/telling_side.h"
+#include "planner/show/grasp_picture.h"
+#include "planner/show/posed_grasp.h"
+#include "planner/show/telling_side.h"
+#include "sim/base/output_file.h"
 #include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
 
 namespace prehend {
 namespace {

@@ -3,15 +3,15 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/contacts_file.h"
-#include "planner/contacts_report.h"
+#include "planner/exports/ply.h"
+#include "planner/files/contacts_file.h"
 #include "planner/main/commands.h"
-#include "planner/output_file.h"
-#include "planner/ply.h"
+#include "planner/report/contacts_report.h"
 #include "planner/report/report_html.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
+#include "sim/json/json_pose.h"
 #include "sim/quality/wrench_slice.h"
-#include "sim/scene/json_pose.h"
 
 namespace prehend {
 namespace {

@@ -1,16 +1,16 @@
 #include <cstdio>
 #include <iostream>
 
-#include "planner/asked_result.h"
-#include "planner/contact_sheet.h"
+#include "planner/files/asked_result.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
-#include "planner/motion_frames.h"
-#include "planner/motion_picture.h"
-#include "planner/output_file.h"
-#include "planner/posed_grasp.h"
-#include "planner/run_trials.h"
-#include "sim/geometry/input_error.h"
+#include "planner/show/contact_sheet.h"
+#include "planner/show/motion_frames.h"
+#include "planner/show/motion_picture.h"
+#include "planner/show/posed_grasp.h"
+#include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
+#include "sim/parallel/parallel.h"
 
 namespace prehend {
 namespace {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
 
 // What rounding may add to a limit, as a part of it or in rad or m.
 constexpr double kRounding = 1e-6;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // The cubic with the positions and velocities of samples i and i + 1, at `part` of the way.
 std::vector<double> between(const Trajectory& path, std::size_t i, double part) {

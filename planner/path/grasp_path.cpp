@@ -5,11 +5,10 @@
 
 #include "planner/path/check_path.h"
 #include "planner/path/closing_path.h"
+#include "sim/base/index.h"
 
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 JointLimits limits_of(const Robot& robot) {
   JointLimits limits;

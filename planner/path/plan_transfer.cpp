@@ -13,6 +13,8 @@
 #include <ompl/util/Console.h>
 #include <utility>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
 
@@ -21,8 +23,6 @@ namespace og = ompl::geometric;
 
 // Longest edge that a tree grows at once: the farthest that any point of the arm moves [m].
 constexpr double kLongestEdge = 0.8;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // OMPL numbers its random generators in the order of their creation, on whatever thread: here each
 // gets a seed of its own.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 

@@ -6,7 +6,7 @@
 
 #include "planner/path/time_corners.h"
 #include "planner/path/time_curve.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

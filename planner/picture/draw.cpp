@@ -7,7 +7,7 @@
 #include "planner/picture/screen_triangle.h"
 #include "planner/picture/surface_detail.h"
 #include "planner/picture/tile.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/picture/vertex_arrays.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

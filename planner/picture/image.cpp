@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

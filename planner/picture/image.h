@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace prehend {
@@ -18,6 +19,9 @@ struct Image {
 // largest image; images are centered in their cells and what is left over is white.
 // Throws InputError when `columns` < 1.
 Image grid(const std::vector<Image>& images, int columns);
+
+// The image as the bytes of a PNG file. Throws InputError when it has no pixels.
+std::string png_bytes(const Image& image);
 
 // Writes the file whole or not at all: a failure leaves what was there before.
 // Throws InputError when the file cannot be written or the image has no pixels.

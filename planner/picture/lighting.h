@@ -2,7 +2,7 @@
 #pragma once
 
 #include "planner/picture/color.h"
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

@@ -5,10 +5,10 @@
 #include <numeric>
 #include <tuple>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // For each vertex, the first in the list among those at the same place.
 std::vector<int> welded_vertices(const std::vector<Vector3>& vertices) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "planner/picture/surface_detail.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {

@@ -1,17 +1,14 @@
-// write_png of image.h: the one place that knows libpng.
+// Pictures as PNG files: the one place that knows libpng.
 #include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <memory>
+#include <stdexcept>
 #include <string>
-#include <system_error>
-#include <unistd.h>
 
 #include <png.h>
 
 #include "planner/picture/image.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
 
 namespace prehend {
 namespace {
@@ -27,9 +24,15 @@ void keep_error(png_structp png, png_const_charp message) {
 
 void ignore_warning(png_structp, png_const_charp) {}
 
+void append(png_structp png, png_bytep bytes, std::size_t count) {
+  static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<char*>(bytes), count);
+}
+
+void flush_nothing(png_structp) {}
+
 // False, with the reason in `text`, when libpng fails. The jump leaves this frame only, where
 // every local is trivial, so no destructor is skipped.
-bool encode(std::FILE* stream, const Image& image, ErrorText& text) {
+bool encode(const Image& image, std::string& bytes, ErrorText& text) {
   png_structp png =
       png_create_write_struct(PNG_LIBPNG_VER_STRING, &text, keep_error, ignore_warning);
   if (png == nullptr) return false;
@@ -38,7 +41,7 @@ bool encode(std::FILE* stream, const Image& image, ErrorText& text) {
     png_destroy_write_struct(&png, &info);
     return false;
   }
-  png_init_io(png, stream);
+  png_set_write_fn(png, &bytes, append, flush_nothing);
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
                static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
@@ -53,44 +56,24 @@ bool encode(std::FILE* stream, const Image& image, ErrorText& text) {
   return true;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& why) {
-  throw InputError(file.string() + ": cannot write the picture: " + why);
-}
-
-// Writes all of the image to `file`; an empty string, or why it could not.
-std::string write_to(const std::filesystem::path& file, const Image& image) {
-  std::FILE* const stream = std::fopen(file.c_str(), "wb");
-  if (stream == nullptr) return std::strerror(errno);
-  ErrorText text = {"out of memory"};
-  const bool encoded = encode(stream, image, text);
-  // A full disk may show only when the last bytes leave the buffer.
-  const bool closed = std::fclose(stream) == 0;
-  if (!encoded) return text.data();
-  return closed ? "" : std::strerror(errno);
-}
-
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Image& image) {
+std::string png_bytes(const Image& image) {
   if (image.width < 1 || image.height < 1 ||
       image.rgb.size() !=
           3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
-    fail(file, "not an image (" + std::to_string(image.width) + " x " +
-                   std::to_string(image.height) + ", " + std::to_string(image.rgb.size()) +
-                   " bytes)");
+    throw InputError("not an image (" + std::to_string(image.width) + " x " +
+                     std::to_string(image.height) + ", " + std::to_string(image.rgb.size()) +
+                     " bytes)");
   }
-  // Beside the target, because a rename is atomic only within one file system.
-  std::filesystem::path partial = file;
-  partial += ".partial-" + std::to_string(getpid());
-  std::string why = write_to(partial, image);
-  std::error_code error;
-  if (why.empty()) {
-    std::filesystem::rename(partial, file, error);
-    if (!error) return;
-    why = error.message();
-  }
-  std::filesystem::remove(partial, error);
-  fail(file, why);
+  std::string bytes;
+  ErrorText text = {"out of memory"};
+  if (!encode(image, bytes, text)) throw std::runtime_error(std::string("libpng: ") + text.data());
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& file, const Image& image) {
+  write_file(file, png_bytes(image));
 }
 
 }  // namespace prehend

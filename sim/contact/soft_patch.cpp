@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
+#include "sim/base/disjoint_sets.h"
 #include "sim/contact/triangle_overlap.h"
-#include "sim/geometry/disjoint_sets.h"
 #include "sim/geometry/weld.h"
 
 namespace prehend {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/index.h"
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/weld.h"
 
@@ -14,8 +15,6 @@ constexpr double kOnFeature = 1e-7;
 // Points nearer than this part of the threshold are one: far less than what regions are told apart
 // by, so that the corners of a region stay where they are.
 constexpr double kSamePlace = 0.01;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 ab = b - a;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/polygon.h"
 
 namespace prehend {

@@ -4,10 +4,10 @@
 #include <numeric>
 #include <span>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 class Builder {
  public:

@@ -11,10 +11,10 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/convex_hull.h"
-#include "sim/geometry/disjoint_sets.h"
 #include "sim/geometry/edge_table.h"
-#include "sim/geometry/input_error.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/weld.h"
 

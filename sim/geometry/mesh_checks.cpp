@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/geometry/disjoint_sets.h"
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/edge_table.h"
-#include "sim/geometry/input_error.h"
 #include "sim/geometry/weld.h"
 
 namespace prehend {

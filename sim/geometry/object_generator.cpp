@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/base/input_error.h"
 #include "sim/geometry/generate_mug.h"
-#include "sim/geometry/input_error.h"
 #include "sim/geometry/revolve.h"
 
 namespace prehend {

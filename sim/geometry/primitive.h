@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

@@ -8,18 +8,17 @@
 
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/box_tree.h"
 #include "sim/geometry/convex_hull.h"
-#include "sim/geometry/disjoint_sets.h"
-#include "sim/geometry/input_error.h"
 
 namespace prehend {
 namespace {
 
 // FCL's triangle distance has absolute thresholds that suit millimetres.
 constexpr double kMillimetres = 1000.0;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

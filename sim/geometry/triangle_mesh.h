@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/geometry/pose.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/index.h"
 #include "sim/quality/hyperplane.h"
 
 namespace prehend {
@@ -69,8 +70,6 @@ class ExpandingPolytope {
   void link_child(Side border);
   void offer(int facet);
   bool is_corner(const Wrench& point) const;
-
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
   double rounding_ = 0.0;
   double bound_ = std::numeric_limits<double>::infinity();

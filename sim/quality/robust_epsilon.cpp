@@ -2,46 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string>
 
 #include <Eigen/Geometry>
 
+#include "sim/base/random.h"
+
 namespace prehend {
 namespace {
 
-// Standard normal numbers, with mappings of our own: those of the standard library differ between
-// platforms.
-class Normal {
- public:
-  explicit Normal(std::uint64_t seed) : engine_(seed) {}
+// A vector of three independent normal numbers.
+Eigen::Vector3d normal_vector(Random& random, double deviation) {
+  const double x = random.normal();
+  const double y = random.normal();
+  const double z = random.normal();
+  return deviation * Eigen::Vector3d(x, y, z);
+}
 
-  double draw() {
-    const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-    return radius * std::cos(2.0 * std::numbers::pi * uniform());
-  }
-
-  Eigen::Vector3d vector(double deviation) {
-    const double x = draw();
-    const double y = draw();
-    const double z = draw();
-    return deviation * Eigen::Vector3d(x, y, z);
-  }
-
-  Eigen::Matrix3d rotation(double deviation) {
-    const Eigen::Vector3d turn = vector(deviation);
-    const double angle = turn.norm();
-    if (angle == 0.0) return Eigen::Matrix3d::Identity();
-    return Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-  }
-
- private:
-  double uniform() { return static_cast<double>(engine_() >> 11) * 0x1.0p-53; }
-
-  std::mt19937_64 engine_;
-};
+// A turn whose rotation vector is normal.
+Eigen::Matrix3d normal_rotation(Random& random, double deviation) {
+  const Eigen::Vector3d turn = normal_vector(random, deviation);
+  const double angle = turn.norm();
+  if (angle == 0.0) return Eigen::Matrix3d::Identity();
+  return Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+}
 
 void check(const char* name, double deviation) {
   if (!std::isfinite(deviation) || deviation < 0.0) {
@@ -60,17 +45,18 @@ void check(const NoiseOptions& noise) {
 }
 
 std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFrame& frame,
-                               const NoiseOptions& noise, Normal& normal) {
+                               const NoiseOptions& noise, Random& random) {
   const double r = 1.0 / frame.torque_scale;
-  const Eigen::Vector3d shift = normal.vector(noise.pose_position * r);
-  const Eigen::Matrix3d turn = normal.rotation(noise.pose_angle);
+  const Eigen::Vector3d shift = normal_vector(random, noise.pose_position * r);
+  const Eigen::Matrix3d turn = normal_rotation(random, noise.pose_angle);
   std::vector<Contact> moved(contacts.begin(), contacts.end());
   for (Contact& contact : moved) {
-    const Eigen::Vector3d own = normal.vector(noise.contact_position * r);
+    const Eigen::Vector3d own = normal_vector(random, noise.contact_position * r);
     contact.position =
         frame.torque_origin + shift + own + turn * (contact.position - frame.torque_origin);
-    contact.normal = normal.rotation(noise.normal_angle) * turn * contact.normal.normalized();
-    contact.friction *= std::exp(noise.friction * normal.draw());
+    contact.normal =
+        normal_rotation(random, noise.normal_angle) * turn * contact.normal.normalized();
+    contact.friction *= std::exp(noise.friction * random.normal());
   }
   return moved;
 }
@@ -81,11 +67,11 @@ RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFram
                              const WrenchSpaceOptions& space, const NoiseOptions& noise) {
   check(noise);
   check_contacts(contacts, frame);
-  Normal normal(noise.seed);
+  Random random(noise.seed);
   std::vector<double> values;
   RobustEpsilon robust;
   for (int k = 0; k < noise.samples; ++k) {
-    const std::vector<Contact> moved = disturbed(contacts, frame, noise, normal);
+    const std::vector<Contact> moved = disturbed(contacts, frame, noise, random);
     values.push_back(grasp_epsilon(moved, frame, space, epsilon_options(space)).lower);
     robust.mean += values.back() / noise.samples;
     if (values.back() > 0.0) robust.force_closure += 1.0 / noise.samples;

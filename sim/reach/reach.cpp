@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 IkTarget target_at(const CompiledArm& arm, const Pose& X_OH) {
   return {arm.hand_part().joint, arm.hand_part().X_JR, arm.X_BO * X_OH};

@@ -1,7 +1,7 @@
 // The part of a robot file that makes the robot a hand.
 #pragma once
 
-#include "sim/robot/json_field.h"
+#include "sim/json/json_field.h"
 #include "sim/robot/robot.h"
 #include "sim/robot/robot_geometry.h"
 

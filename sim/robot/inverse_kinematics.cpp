@@ -4,7 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "sim/geometry/uniform.h"
+#include "sim/base/index.h"
+#include "sim/base/random.h"
 
 namespace prehend {
 namespace {
@@ -25,8 +26,6 @@ constexpr double kNearby = 4.0;
 constexpr double kRounding = 1e-9;  // rad or m
 // Solutions closer than this in every degree of freedom are one [rad or m].
 constexpr double kSame = 1e-3;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 struct Task {
   const Robot& robot;
@@ -216,13 +215,13 @@ void relax(const Task& task, Linearizer& linearize, const IkOptions& options, Do
   }
 }
 
-DofValues random_start(const Task& task, const DofValues& start, std::mt19937_64& random) {
+DofValues random_start(const Task& task, const DofValues& start, Random& random) {
   DofValues values = start;
   for (const int d : task.dofs) {
     const DegreeOfFreedom& dof = task.robot.dofs[index(d)];
     const double lower = std::max(dof.lower, start[index(d)] - kNearby);
     const double upper = std::min(dof.upper, start[index(d)] + kNearby);
-    values[index(d)] = lower + (upper - lower) * uniform(random);
+    values[index(d)] = lower + (upper - lower) * random.uniform();
   }
   return values;
 }
@@ -344,7 +343,7 @@ std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>
     return found.nearest_first(start);
   }
   Linearizer linearize(task);
-  std::mt19937_64 random(options.seed);
+  Random random(options.seed);
   const bool redundant = task.dofs.size() > 6 * targets.size();
   for (int i = 0; i <= options.restarts && !found.full(); ++i) {
     // Without redundancy there are few solutions, and most starts lead to the same ones.

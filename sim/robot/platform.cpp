@@ -2,12 +2,11 @@
 
 #include <utility>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Copies one robot behind what is there already.
 void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole) {

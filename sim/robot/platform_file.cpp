@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "sim/geometry/input_error.h"
-#include "sim/robot/json_field.h"
+#include "sim/base/input_error.h"
+#include "sim/json/json_field.h"
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
 

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
 
@@ -25,8 +27,6 @@ Pose across(const Joint& joint, double value) {
   return denavit_hartenberg(joint.theta + (revolute ? value : 0.0),
                             joint.d + (revolute ? 0.0 : value), joint.a, joint.alpha);
 }
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 

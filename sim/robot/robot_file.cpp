@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
+#include "sim/json/json_field.h"
 #include "sim/robot/hand_file.h"
-#include "sim/robot/json_field.h"
 #include "sim/robot/robot_geometry.h"
 #include "sim/robot/spherical_wrist.h"
 

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/base/input_error.h"
 #include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/input_error.h"
-#include "sim/geometry/mesh_file.h"
 #include "sim/geometry/polygon.h"
+#include "sim/mesh_files/mesh_file.h"
 
 namespace prehend {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "sim/geometry/triangle_mesh.h"
-#include "sim/robot/json_field.h"
+#include "sim/json/json_field.h"
 
 namespace prehend {
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/stay_apart.h"
@@ -14,8 +15,6 @@ namespace {
 
 constexpr double kCapBeyond = 1.01;
 constexpr double kLeastCap = 1e-6;  // m
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // What moves link `a` relative to link `b`, or to the base for no b: the joints that they do not
 // share.

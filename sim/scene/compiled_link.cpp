@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/geometry/disjoint_sets.h"
-#include "sim/geometry/input_error.h"
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Where the frame after the joint is, in the frame before it, at joint value 0.
 Pose at_zero(const Joint& joint) {

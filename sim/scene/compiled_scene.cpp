@@ -4,13 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
 
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<double> gaps_at(const CompiledScene& scene, const Preshape& preshape) {
   const Robot& hand = scene.scene.hand;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/geometry/primitive.h"
-#include "sim/scene/json_pose.h"
+#include "sim/json/json_pose.h"
 
 namespace prehend {
 

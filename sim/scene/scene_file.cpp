@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
-#include "sim/geometry/mesh_file.h"
 #include "sim/geometry/object_generator.h"
-#include "sim/robot/json_field.h"
+#include "sim/json/json_field.h"
+#include "sim/json/json_pose.h"
+#include "sim/mesh_files/mesh_file.h"
 #include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
-#include "sim/scene/json_pose.h"
 #include "sim/scene/json_primitive.h"
 
 namespace prehend {

@@ -1,6 +1,6 @@
 #include "sim/scene/scene_text.h"
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 #include "sim/robot/platform_file.h"
 #include "sim/scene/json_primitive.h"
 

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/base/index.h"
+
 namespace prehend {
 namespace {
 
 constexpr std::size_t kMostJoints = 4;  // more of them and the boxes get too many
 constexpr int kMostQueries = 300;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 struct Range {
   double lower = 0.0;

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
+#include "sim/base/index.h"
 #include "sim/trial/gap_tracker.h"
 #include "sim/trial/swallow.h"
 
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // One link against the object or an obstacle.
 struct Pairing {

@@ -4,14 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/base/index.h"
 #include "sim/trial/gap_tracker.h"
 
 namespace prehend {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 // Joint motion over the closing time t: joint j is at start + velocity * min(t, until).
 class ClosingMotion {

@@ -1,12 +1,8 @@
 #include "sim/trial/self_centering.h"
 
+#include "sim/base/index.h"
+
 namespace prehend {
-namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-}  // namespace
-
 FingerPair finger_pair(const Robot& hand, int dof) {
   std::vector<int> joints;
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/base/index.h"
 #include "sim/trial/grasp_at.h"
 #include "sim/trial/self_centering.h"
 
@@ -16,8 +17,6 @@ constexpr double kLoosen = 3e-3;
 constexpr double kCloser = 1e-6;
 // Couples with an arm shorter than this do not turn anything [m].
 constexpr double kShortArm = 1e-4;
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   for (std::size_t d = 0; d < hand.dofs.size(); ++d) {

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <chrono>
 
+#include "sim/base/index.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/grasp_at.h"
 #include "sim/trial/settle.h"
 
 namespace prehend {
 namespace {
-
-std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<double> start_joints(const CompiledScene& scene, const Candidate& candidate) {
   const Robot& hand = scene.scene.hand;

@@ -58,9 +58,9 @@ void expect_recovered(const Known& known, double noise, double scale, std::uint6
   what << shape_name(known.primitive.shape) << ", " << known.mesh.triangles.size()
        << " triangles, noise " << noise << ", scale " << scale << ", seed " << seed;
   SCOPED_TRACE(what.str());
-  test::Draw draw(seed);
-  const Pose X_WO = draw.pose(3.0);
-  const TriangleMesh noisy = test::disturbed(known.mesh, noise * known.size, draw);
+  Random random(seed);
+  const Pose X_WO = random.pose(3.0);
+  const TriangleMesh noisy = test::disturbed(known.mesh, noise * known.size, random);
   const TriangleMesh mesh = test::scaled(transformed(noisy, X_WO), scale);
   const Decomposition result = decompose(mesh);
   ASSERT_EQ(result.primitives.size(), 1U);

@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "primitives/decompose.h"
-#include "sim/geometry/mesh_file.h"
+#include "sim/mesh_files/mesh_file.h"
 #include "tests/primitives/expect_sound.h"
-#include "tests/shared_data.h"
+#include "tests/support/shared_data.h"
 
 namespace prehend {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/geometry/input_error.h"
+#include "sim/base/input_error.h"
 #include "sim/geometry/object_generator.h"
 #include "tests/primitives/expect_sound.h"
 #include "tests/primitives/test_meshes.h"
@@ -76,8 +76,8 @@ TEST(Decompose, SameArgumentsSameBytes) {
 }
 
 TEST(Decompose, NeverMoreThanAskedFor) {
-  test::Draw draw(4);
-  const TriangleMesh soup = test::triangle_soup(200, draw);
+  Random random(4);
+  const TriangleMesh soup = test::triangle_soup(200, random);
   for (const int most : {1, 2, 5}) {
     const DecomposeOptions options{.tolerance = 0.01, .max_primitives = most};
     test::expect_sound(decompose(soup, options), soup, options);
@@ -94,7 +94,7 @@ TEST(Decompose, AFinerToleranceIsHeldWhenPiecesAllow) {
 }
 
 TEST(Decompose, JunkOfAnyScaleGivesSoundPieces) {
-  test::Draw draw(5);
+  Random random(5);
   TriangleMesh plate = make_box({1.0, 1.0, 1.0}, 10);
   for (Vector3& p : plate.vertices) p.z() = 0.0;
   TriangleMesh one;
@@ -104,7 +104,7 @@ TEST(Decompose, JunkOfAnyScaleGivesSoundPieces) {
   needle.vertices[2] = {0.5, 1e-9, 0.0};
   TriangleMesh unused = make_sphere(1.0, 2);
   unused.vertices.emplace_back(1e6, 0.0, 0.0);
-  for (const TriangleMesh& mesh : {plate, one, needle, test::triangle_soup(100, draw),
+  for (const TriangleMesh& mesh : {plate, one, needle, test::triangle_soup(100, random),
                                    test::without_triangles_above(make_sphere(1.0, 4), 0.3)}) {
     for (const double scale : {1e-3, 1.0, 10.0}) {
       const TriangleMesh at_scale = test::scaled(mesh, scale);

@@ -15,19 +15,19 @@ constexpr int kPoints = 1500;
 const FitOptions kOptions{.outlier = 0.08, .min_extent = 1e-4};
 
 // One point in ten replaced by one that lies a third to a half of a unit off to a side.
-std::vector<SurfacePoint> with_a_lump(std::vector<SurfacePoint> points, test::Draw& draw) {
-  const Vector3 at = 0.9 * draw.direction();
+std::vector<SurfacePoint> with_a_lump(std::vector<SurfacePoint> points, Random& random) {
+  const Vector3 at = 0.9 * random.direction();
   for (std::size_t i = 0; i < points.size(); i += 10) {
-    points[i].p_O = at + 0.1 * draw.direction();
-    points[i].n_O = draw.direction();
+    points[i].p_O = at + 0.1 * random.direction();
+    points[i].n_O = random.direction();
   }
   return points;
 }
 
 TEST(FitSphere, IgnoresALump) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    test::Draw draw(seed);
-    const auto points = with_a_lump(sample_surface(make_sphere(0.5, 4), kPoints, seed), draw);
+    Random random(seed);
+    const auto points = with_a_lump(sample_surface(make_sphere(0.5, 4), kPoints, seed), random);
     const Primitive found = fit_sphere(points, kOptions);
     EXPECT_NEAR(std::get<Sphere>(found.shape).radius, 0.5, 0.005) << seed;
     EXPECT_LT(found.X_OP.translation().norm(), 0.005) << seed;
@@ -36,8 +36,8 @@ TEST(FitSphere, IgnoresALump) {
 
 TEST(FitCylinder, IgnoresALump) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    test::Draw draw(seed);
-    const auto points = with_a_lump(sample_surface(make_cylinder(0.3, 0.9), kPoints, seed), draw);
+    Random random(seed);
+    const auto points = with_a_lump(sample_surface(make_cylinder(0.3, 0.9), kPoints, seed), random);
     const Primitive found = fit_cylinder(points, kOptions);
     EXPECT_NEAR(std::get<Cylinder>(found.shape).radius, 0.3, 0.003) << seed;
     EXPECT_NEAR(std::get<Cylinder>(found.shape).height, 0.9, 0.009) << seed;
@@ -46,8 +46,9 @@ TEST(FitCylinder, IgnoresALump) {
 
 TEST(FitBox, IgnoresALump) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    test::Draw draw(seed);
-    const auto points = with_a_lump(sample_surface(make_box({0.3, 0.5, 0.8}), kPoints, seed), draw);
+    Random random(seed);
+    const auto points =
+        with_a_lump(sample_surface(make_box({0.3, 0.5, 0.8}), kPoints, seed), random);
     const Primitive found = fit_box(points, kOptions);
     EXPECT_NEAR(std::get<Box>(found.shape).size.prod(), 0.12, 0.005) << seed;
   }
@@ -90,10 +91,10 @@ TEST(OnVertices, MeasuresRadiiAtTheVertices) {
 
 TEST(FitAll, APointATriangleAndAPlateGiveFiniteShapes) {
   for (const std::size_t count : {1U, 2U, 3U, 200U}) {
-    test::Draw draw(9);
+    Random random(9);
     std::vector<SurfacePoint> points(count);
     for (SurfacePoint& s : points) {
-      s.p_O = {draw.uniform(0.0, 1.0), draw.uniform(0.0, 1.0), 0.0};
+      s.p_O = {random.uniform(0.0, 1.0), random.uniform(0.0, 1.0), 0.0};
       s.n_O = Vector3::UnitZ();
     }
     for (const Primitive& found : {fit_box(points, kOptions), fit_cylinder(points, kOptions),

@@ -58,11 +58,11 @@ TEST(Primitive, DistanceFromACylinder) {
 }
 
 TEST(Primitive, DistanceMovesWithTheFrame) {
-  test::Draw draw(1);
+  Random random(1);
   for (const Shape& shape : some_shapes()) {
     for (int i = 0; i < 20; ++i) {
-      const Pose X_OP = draw.pose(2.0);
-      const Vector3 p_P = draw.uniform(0.0, 4.0) * draw.direction();
+      const Pose X_OP = random.pose(2.0);
+      const Vector3 p_P = random.uniform(0.0, 4.0) * random.direction();
       EXPECT_NEAR(signed_distance({shape, X_OP}, X_OP * p_P),
                   signed_distance({shape, Pose::Identity()}, p_P), 1e-9);
     }
@@ -70,9 +70,9 @@ TEST(Primitive, DistanceMovesWithTheFrame) {
 }
 
 TEST(SpreadPoints, LieOnTheSurfaceAndAddUpToItsArea) {
-  test::Draw draw(2);
+  Random random(2);
   for (const Shape& shape : some_shapes()) {
-    const Primitive primitive{shape, draw.pose(2.0)};
+    const Primitive primitive{shape, random.pose(2.0)};
     double area = 0.0;
     for (const PatchPoint& patch : spread_points(primitive, 200)) {
       EXPECT_NEAR(signed_distance(primitive, patch.p_O), 0.0, 1e-9) << shape_name(shape);
@@ -83,13 +83,13 @@ TEST(SpreadPoints, LieOnTheSurfaceAndAddUpToItsArea) {
 }
 
 TEST(NearSurface, KnowsTheDistanceToItsPointsToACell) {
-  test::Draw draw(3);
+  Random random(3);
   std::vector<SurfacePoint> points(5);
-  for (SurfacePoint& s : points) s.p_O = draw.uniform(0.0, 1.0) * draw.direction();
+  for (SurfacePoint& s : points) s.p_O = random.uniform(0.0, 1.0) * random.direction();
   constexpr double kRadius = 0.2;
   const NearSurface near(points, kRadius);
   for (int i = 0; i < 2000; ++i) {
-    const Vector3 p = draw.uniform(0.0, 2.0) * draw.direction();
+    const Vector3 p = random.uniform(0.0, 2.0) * random.direction();
     double distance = 1e9;
     for (const SurfacePoint& s : points) distance = std::min(distance, (s.p_O - p).norm());
     // Half the diagonal of a cell, which is a third of the radius wide, decides in between.

@@ -4,40 +4,15 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 
+#include "sim/base/random.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend::test {
 
-// Portable draws: the same numbers with every standard library.
-class Draw {
- public:
-  explicit Draw(std::uint64_t seed) : random_(seed) {}
-
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
-  }
-
-  Vector3 direction() {
-    const double z = uniform(-1.0, 1.0);
-    const double angle = uniform(0.0, 2.0 * std::numbers::pi);
-    const double rho = std::sqrt(1.0 - z * z);
-    return {rho * std::cos(angle), rho * std::sin(angle), z};
-  }
-
-  Pose pose(double reach) {
-    const Eigen::AngleAxisd turn(uniform(0.0, std::numbers::pi), direction());
-    return pose_from(turn.toRotationMatrix(), uniform(0.0, reach) * direction());
-  }
-
- private:
-  std::mt19937_64 random_;
-};
-
 // Every vertex moved by `distance` in a direction of its own.
-inline TriangleMesh disturbed(TriangleMesh mesh, double distance, Draw& draw) {
-  for (Vector3& p : mesh.vertices) p += distance * draw.direction();
+inline TriangleMesh disturbed(TriangleMesh mesh, double distance, Random& random) {
+  for (Vector3& p : mesh.vertices) p += distance * random.direction();
   return mesh;
 }
 
@@ -80,11 +55,11 @@ inline TriangleMesh uv_sphere(double radius, int rings, int sectors) {
   return mesh;
 }
 
-inline TriangleMesh triangle_soup(int count, Draw& draw) {
+inline TriangleMesh triangle_soup(int count, Random& random) {
   TriangleMesh soup;
   for (int i = 0; i < count; ++i) {
     for (int corner = 0; corner < 3; ++corner) {
-      soup.vertices.emplace_back(draw.uniform(0.0, 1.0) * draw.direction());
+      soup.vertices.emplace_back(random.uniform(0.0, 1.0) * random.direction());
     }
     soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/program/program.h"
-#include "tests/shared_data.h"
+#include "tests/support/shared_data.h"
 
 namespace prehend::test {
 namespace {

@@ -1,0 +1,123 @@
+#include "planner/files/contacts_file.h"
+
+#include "sim/json/json_field.h"
+
+namespace prehend {
+namespace {
+
+ContactModel read_model(const JsonField& field) {
+  for (const ContactModel model :
+       {ContactModel::frictionless, ContactModel::point, ContactModel::soft_finger}) {
+    if (field.text() == contact_model_name(model)) return model;
+  }
+  field.fail("unknown contact model (known: frictionless, point, soft_finger)");
+}
+
+Contact read_contact(const JsonField& field) {
+  Contact contact;
+  contact.position = field["position"].vector3();
+  contact.normal = field["normal"].vector3();
+  contact.friction = field.number_or("friction", 0.0);
+  if (field.has("model")) contact.model = read_model(field["model"]);
+  contact.torsion = field.number_or("torsion", 0.0);
+  if (contact.model != ContactModel::frictionless && !field.has("friction")) {
+    field.fail("needs friction");
+  }
+  if (contact.model == ContactModel::soft_finger && !field.has("torsion")) {
+    field.fail("a soft_finger needs torsion");
+  }
+  return contact;
+}
+
+// The file is checked where it is wrong, so that the message names the place.
+std::vector<Contact> read_contacts(const JsonField& list, const WrenchFrame& frame) {
+  std::vector<Contact> contacts;
+  for (const JsonField& field : list.items()) {
+    contacts.push_back(read_contact(field));
+    try {
+      check_contacts({&contacts.back(), 1}, frame);
+    } catch (const std::invalid_argument& error) {
+      const std::string what = error.what();
+      constexpr std::string_view kPrefix = "contact 0: ";
+      field.fail(what.substr(what.rfind(kPrefix, 0) == 0 ? kPrefix.size() : 0));
+    }
+  }
+  return contacts;
+}
+
+// {"force", "torque"}: torques in N m, scaled here.
+Wrench read_wrench(const JsonField& field, const WrenchFrame& frame) {
+  field.allow_only({"force", "torque"});
+  Wrench wrench = Wrench::Zero();
+  if (field.has("force")) wrench.head<3>() = field["force"].vector3();
+  if (field.has("torque")) wrench.tail<3>() = frame.torque_scale * field["torque"].vector3();
+  return wrench;
+}
+
+Task read_task(const JsonField& field, const WrenchFrame& frame) {
+  field.allow_only({"wrenches", "ellipsoid", "gravity"});
+  if (field.has("wrenches")) {
+    TaskWrenches task;
+    for (const JsonField& wrench : field["wrenches"].items()) {
+      task.wrenches.push_back(read_wrench(wrench, frame));
+    }
+    return task;
+  }
+  if (field.has("ellipsoid")) {
+    const std::vector<JsonField> axes = field["ellipsoid"].items();
+    if (axes.size() != 6) field["ellipsoid"].fail("needs six axes");
+    TaskEllipsoid task;
+    for (std::size_t i = 0; i < 6; ++i) {
+      task.axes.col(static_cast<Eigen::Index>(i)) = read_wrench(axes[i], frame);
+    }
+    return task;
+  }
+  if (!field.has("gravity")) field.fail("needs wrenches, an ellipsoid or gravity");
+  const JsonField gravity = field["gravity"];
+  gravity.allow_only({"direction", "weight"});
+  return TaskGravity{gravity["direction"].vector3(), gravity.number_or("weight", 1.0)};
+}
+
+Eigen::MatrixXd read_matrix(const JsonField& field, std::size_t rows, std::size_t columns) {
+  const std::vector<JsonField> lines = field.items();
+  if (lines.size() != rows) field.fail("needs " + std::to_string(rows) + " rows");
+  Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+  for (std::size_t i = 0; i < rows; ++i) {
+    const std::vector<double> line = lines[i].numbers(columns);
+    matrix.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(line.data(), static_cast<Eigen::Index>(columns));
+  }
+  return matrix;
+}
+
+HandTorques read_hand(const JsonField& field, std::size_t contacts) {
+  field.allow_only({"jacobian", "torque_limits", "spin"});
+  HandTorques hand;
+  const std::size_t joints = field["torque_limits"].items().size();
+  const std::vector<double> limits = field["torque_limits"].numbers(joints);
+  hand.limits = Eigen::Map<const Eigen::VectorXd>(limits.data(), static_cast<Eigen::Index>(joints));
+  hand.jacobian = read_matrix(field["jacobian"], 3 * contacts, joints);
+  if (field.has("spin")) hand.spin = read_matrix(field["spin"], contacts, joints);
+  return hand;
+}
+
+}  // namespace
+
+ContactsFile load_contacts(const std::filesystem::path& file) {
+  const JsonFile json(file);
+  const JsonField root = json.root();
+  root.allow_only(
+      {"contacts", "torque_origin", "torque_scale", "task", "surface", "hand", "external", "name"});
+  ContactsFile read;
+  if (root.has("torque_origin")) read.frame.torque_origin = root["torque_origin"].vector3();
+  read.frame.torque_scale = root.number_or("torque_scale", 1.0);
+  if (!(read.frame.torque_scale > 0.0)) root["torque_scale"].fail("must be above 0");
+  read.contacts = read_contacts(root["contacts"], read.frame);
+  if (root.has("surface")) read.surface = read_contacts(root["surface"], read.frame);
+  if (root.has("task")) read.task = read_task(root["task"], read.frame);
+  if (root.has("hand")) read.hand = read_hand(root["hand"], read.contacts.size());
+  if (root.has("external")) read.external = read_wrench(root["external"], read.frame);
+  return read;
+}
+
+}  // namespace prehend

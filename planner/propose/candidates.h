@@ -1,0 +1,45 @@
+// From primitives to pre-grasps: where a hand is tried, and why there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/propose/grasp_rules.h"
+#include "sim/geometry/primitive.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+struct CandidateOptions {
+  GraspRuleOptions rules = {};
+  // Two candidates closer than both of these with the same preshape are one.
+  double duplicate_distance = 2e-3;  // m
+  double duplicate_angle = 0.05;     // rad
+  // At most this many, taken evenly over the list (>= 1).
+  int max_candidates = 800;
+};
+
+struct ProposedGrasp {
+  Candidate candidate;
+  int primitive = -1;  // index into the primitives
+  std::string rule;    // "box face", "cylinder side across", ...
+};
+
+// Why preshapes were left out, for the message when nothing is proposed.
+struct Proposals {
+  std::vector<ProposedGrasp> grasps;
+  double smallest_width = 0.0;   // smallest size that a rule wanted to close on [m]
+  double largest_opening = 0.0;  // largest size that a preshape takes [m]
+};
+
+// Every rule of every primitive with every preshape whose widths include the primitive's:
+// - box: thumb and fingers on two opposite faces, approach along each of the four other directions;
+// - cylinder: from the side, with the thumb across the axis or along it, and onto both ends;
+// - sphere: from directions spread evenly over it.
+// The thumb goes on either side. Each is tried twice: until the palm touches, and with the place
+// between the fingertips. Source: Miller, Knoop, Allen and Christensen 2003 (rules per primitive).
+Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
+                         const CandidateOptions& options = {});
+
+}  // namespace prehend

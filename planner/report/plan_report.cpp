@@ -1,0 +1,121 @@
+#include "planner/report/plan_report.h"
+
+#include <algorithm>
+
+#include "planner/search/grasp_words.h"
+#include "planner/show/posed_grasp.h"
+#include "planner/show/telling_side.h"
+#include "sim/base/index.h"
+#include "sim/parallel/parallel.h"
+
+namespace prehend {
+namespace {
+
+// Enough to choose a side by.
+constexpr TellingSideOptions kSmall{96, 80};
+
+std::string words_of(const Blame& blame) {
+  if (blame.link.empty()) return "";
+  return blame.link + " met " + blame.by;
+}
+
+std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& scene,
+                                                          const PlanResult& result,
+                                                          const RunRecord& record) {
+  std::vector<std::pair<std::string, std::string>> facts;
+  facts.emplace_back("scene", record.scene);
+  facts.emplace_back("object", scene.scene.object.name);
+  facts.emplace_back("hand", scene.scene.hand.name);
+  if (scene.arm) facts.emplace_back("robot", scene.arm->robot().name);
+  facts.emplace_back("contacts", record.options.trials.trial.soft_fingers ? "rubber as soft fingers"
+                                                                          : "hard points");
+  facts.emplace_back("seed", std::to_string(record.seed));
+  for (const Stage& stage : result.stages) {
+    facts.emplace_back(stage.name, std::to_string(stage.count));
+  }
+  return facts;
+}
+
+ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
+                     const ScoredGrasp& scored, const GraspMotionOptions& motion) {
+  const Trial& trial = scored.trial;
+  ReportGrasp grasp;
+  grasp.outcome = outcome_name(trial.outcome);
+  grasp.force_closure = trial.outcome == Outcome::stable;
+  grasp.epsilon = trial.epsilon;
+  grasp.volume = {scored.volume, scored.volume};
+  grasp.origin = origin_words(scored, result);
+  grasp.preshape = preshape_name(scene, scored.candidate);
+  grasp.blame = words_of(blame(scene, trial));
+  grasp.primitive = scored.primitive;
+  for (const GraspContact& contact : trial.contacts) {
+    grasp.contacts.push_back({contact.point, scene.links[index(contact.link)].name, contact.gap});
+  }
+  grasp.motion =
+      grasp_motion(scene, scored.candidate, trial, scored.path ? &*scored.path : nullptr, motion);
+  return grasp;
+}
+
+GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
+                      const ScoredGrasp& scored, const RunRecord& record) {
+  std::vector<Contact> contacts;
+  std::vector<std::string> links;
+  for (const ReportContact& contact : grasp.contacts) {
+    contacts.push_back(contact.point);
+    links.push_back(contact.link);
+  }
+  WrenchSpaceOptions space;
+  space.edges = record.options.trials.trial.cone_edges;
+  GraspDetail detail = grasp_detail(contacts, links, scene.wrench_frame, space, record.seed);
+  if (scored.sections) detail.sections = *scored.sections;
+  return detail;
+}
+
+void add_why_not(const CompiledScene& scene, const PlanResult& result,
+                 const PlanReportOptions& options, Report& report) {
+  for (Outcome outcome : kOutcomes) {
+    report.outcomes.push_back({std::string(outcome_name(outcome)),
+                               std::string(outcome_meaning(outcome)),
+                               result.outcomes[static_cast<std::size_t>(outcome)]});
+  }
+  for (const Blocker& blocker : result.blockers) {
+    report.blockers.push_back(
+        {std::string(outcome_name(blocker.outcome)), blocker.link, blocker.by, blocker.count});
+  }
+  report.candidates_in_all = result.tried.size();
+  const std::size_t count = std::min(result.tried.size(), options.most_candidates);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Tried& tried = result.tried[i * result.tried.size() / count];
+    report.candidates.push_back({tried.X_OH * scene.scene.hand.hand->origin, tried.approach_O,
+                                 static_cast<std::size_t>(tried.outcome), words_of(tried.blame)});
+  }
+}
+
+}  // namespace
+
+Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
+                   const PlanReportOptions& options) {
+  Report report;
+  const std::string& object = scene.scene.object.name;
+  report.title = (object.empty() ? "object" : object) + ", " + scene.scene.hand.name;
+  if (scene.arm) report.title += " on " + scene.arm->robot().name;
+  report.facts = facts_of(scene, result, record);
+  report.scene = &scene;
+  report.frame = scene.wrench_frame;
+  report.primitives = result.primitives;
+  report.grasps_in_all = result.grasps.size();
+  report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
+  GraspMotionOptions motion;
+  motion.reach = record.options.trials.trial.reach;
+  for_each_in_parallel(report.grasps.size(), options.threads, [&](std::size_t i) {
+    report.grasps[i] = grasp_of(scene, result, result.grasps[i], motion);
+    if (i < options.most_detailed) {
+      report.grasps[i].detail = detail_of(scene, report.grasps[i], result.grasps[i], record);
+      report.grasps[i].side = telling_side(scene, posed_grasp(scene, result.grasps[i]), kSmall);
+    }
+  });
+  add_why_not(scene, result, options, report);
+  return report;
+}
+
+}  // namespace prehend

@@ -1,0 +1,52 @@
+#include "planner/show/contact_sheet.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "planner/picture/label.h"
+#include "planner/picture/palette.h"
+#include "planner/show/telling_side.h"
+#include "sim/parallel/parallel.h"
+
+namespace prehend {
+namespace {
+
+constexpr int kTextScale = 2;
+constexpr int kMargin = 10;  // around a cell, and between picture and title [pixels]
+
+// The picture in a white cell, with `text` under it in a strip of the given height.
+Image cell(const Image& picture, const std::string& text, int strip) {
+  Image whole{picture.width + 2 * kMargin, picture.height + strip + 3 * kMargin, {}};
+  whole.rgb.assign(
+      3 * static_cast<std::size_t>(whole.width) * static_cast<std::size_t>(whole.height), 255);
+  const auto row_bytes = 3 * static_cast<std::ptrdiff_t>(picture.width);
+  for (int y = 0; y < picture.height; ++y) {
+    const auto row = picture.rgb.begin() + y * row_bytes;
+    const auto place =
+        3 * (static_cast<std::ptrdiff_t>(y + kMargin) * whole.width + std::ptrdiff_t{kMargin});
+    std::copy(row, row + row_bytes, whole.rgb.begin() + place);
+  }
+  label(whole, kMargin, picture.height + 2 * kMargin, text, palette::kText, kTextScale);
+  return whole;
+}
+
+}  // namespace
+
+Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
+                    const ContactSheetOptions& options) {
+  int strip = 0;
+  for (const PosedGrasp& grasp : grasps) {
+    strip = std::max(strip, text_size(grasp.title, kTextScale).height);
+  }
+  std::vector<Image> cells(grasps.size());
+  for_each_in_parallel(grasps.size(), options.threads, [&](std::size_t i) {
+    PosedGrasp untitled = grasps[i];
+    untitled.title.clear();
+    const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled),
+                                        {options.width, options.height});
+    cells[i] = cell(picture, grasps[i].title, strip);
+  });
+  return grid(cells, options.columns);
+}
+
+}  // namespace prehend

@@ -1,0 +1,22 @@
+// The best grasps side by side.
+#pragma once
+
+#include <vector>
+
+#include "planner/show/grasp_picture.h"
+
+namespace prehend {
+
+struct ContactSheetOptions {
+  int columns = 5;
+  // Of the picture of one grasp; its title stands under it [pixels].
+  int width = 480;
+  int height = 400;
+  int threads = 0;  // 0: all processors
+};
+
+// Each grasp from its most telling side, in reading order, in cells of one size.
+Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
+                    const ContactSheetOptions& options = {});
+
+}  // namespace prehend

@@ -1,0 +1,93 @@
+#include "planner/show/motion_frames.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace prehend {
+namespace {
+
+struct Stretch {
+  std::string name;
+  double from = 0.0;  // s
+  double to = 0.0;
+  int inner = 0;  // frames between its ends
+
+  double seconds() const { return to - from; }
+};
+
+std::vector<double> between(const std::vector<double>& a, const std::vector<double>& b,
+                            double part) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < a.size(); ++i) values.push_back(a[i] + part * (b[i] - a[i]));
+  return values;
+}
+
+// Where the motion is at `time`, which lies in it.
+MotionFrame frame_at(const GraspMotion& motion, double time) {
+  const auto after =
+      std::lower_bound(motion.frames.begin(), motion.frames.end(), time,
+                       [](const MotionFrame& frame, double moment) { return frame.time < moment; });
+  if (after == motion.frames.end()) return motion.frames.back();
+  if (after == motion.frames.begin() || after->time == time) return *after;
+  const MotionFrame& a = *(after - 1);
+  const MotionFrame& b = *after;
+  const double part = (time - a.time) / (b.time - a.time);
+  const Eigen::Quaterniond turned =
+      Eigen::Quaterniond(a.X_OH.linear()).slerp(part, Eigen::Quaterniond(b.X_OH.linear()));
+  return {time,
+          pose_from(turned.toRotationMatrix(),
+                    a.X_OH.translation() + part * (b.X_OH.translation() - a.X_OH.translation())),
+          between(a.joints, b.joints, part), between(a.arm_joints, b.arm_joints, part)};
+}
+
+std::vector<Stretch> stretches(const GraspMotion& motion) {
+  std::vector<Stretch> all;
+  for (const TrajectorySegment& segment : motion.segments) {
+    const double from = motion.frames[static_cast<std::size_t>(segment.first)].time;
+    const double to = motion.frames[static_cast<std::size_t>(segment.last)].time;
+    if (to > from) all.push_back({segment.name, from, to});
+  }
+  return all;
+}
+
+// One to each first, as far as they go, and the others where the frames are farthest apart.
+void share(int frames, std::vector<Stretch>& all) {
+  const auto shorter = [](const Stretch& a, const Stretch& b) {
+    if ((a.inner == 0) != (b.inner == 0)) return b.inner == 0;
+    return a.seconds() / (a.inner + 1) < b.seconds() / (b.inner + 1);
+  };
+  for (; frames > 0; --frames) ++std::max_element(all.begin(), all.end(), shorter)->inner;
+}
+
+// The start of a stretch and what is between its ends.
+void append(const GraspMotion& motion, const Stretch& stretch, const std::string& name_of_start,
+            std::vector<NamedFrame>& out) {
+  out.push_back({frame_at(motion, stretch.from), name_of_start});
+  for (int i = 1; i <= stretch.inner; ++i) {
+    const double time = stretch.from + i * stretch.seconds() / (stretch.inner + 1);
+    out.push_back({frame_at(motion, time), stretch.name});
+  }
+}
+
+}  // namespace
+
+std::vector<NamedFrame> named_frames(const GraspMotion& motion, int count) {
+  std::vector<Stretch> all = stretches(motion);
+  if (all.empty() || count <= 0) return {};
+  const int ends = static_cast<int>(all.size()) + 1;
+  share(std::max(0, count - ends), all);
+  std::vector<NamedFrame> frames;
+  for (std::size_t s = 0; s < all.size(); ++s) {
+    append(motion, all[s], s == 0 ? all[s].name : all[s - 1].name + " > " + all[s].name, frames);
+  }
+  frames.push_back({motion.frames.back(), all.back().name});
+  if (count >= ends) return frames;
+  std::vector<NamedFrame> few;
+  for (int i = 1; i < count; ++i) {
+    few.push_back(frames[static_cast<std::size_t>((i - 1) * (ends - 1) / (count - 1))]);
+  }
+  few.push_back(frames.back());
+  return few;
+}
+
+}  // namespace prehend

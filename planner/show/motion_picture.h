@@ -1,0 +1,31 @@
+// Pictures of a motion that can be put one after another: all from one camera.
+#pragma once
+
+#include <vector>
+
+#include "planner/path/grasp_motion.h"
+#include "planner/show/grasp_picture.h"
+
+namespace prehend {
+
+// Where the viewer stands. With an arm there are two pictures side by side: one sees the robot on
+// its whole way, one the hand at the object.
+struct MotionView {
+  Camera whole;
+  Camera close;
+  bool with_arm = false;
+};
+
+// Sees all of the frames (at least one; the last is `grasp`). The side of the arm's picture is one
+// across the hand's way on which the hand is hidden least; the other's is the telling side.
+MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
+                       const PosedGrasp& grasp, const GraspPictureOptions& options = {});
+
+// The hand, and with it the arm, at a moment of the motion; nothing touches yet.
+PosedGrasp posed_at(const MotionFrame& frame);
+
+// A moment of the motion, with its title.
+Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,
+                     const GraspPictureOptions& options = {});
+
+}  // namespace prehend

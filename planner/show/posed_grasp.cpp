@@ -1,0 +1,15 @@
+#include "planner/show/posed_grasp.h"
+
+namespace prehend {
+
+PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
+                       const std::string& title) {
+  const Trial& trial = grasp.trial;
+  PosedGrasp posed{trial.X_OH, trial.joints, trial.contacts, trial.epsilon.weakest, title};
+  if (scene.arm && !trial.arm_dofs.empty()) {
+    posed.arm_joints = arm_joints(*scene.arm, trial.arm_dofs, trial.joints);
+  }
+  return posed;
+}
+
+}  // namespace prehend

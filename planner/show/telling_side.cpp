@@ -1,0 +1,173 @@
+#include "planner/show/telling_side.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "planner/picture/simplified_mesh.h"
+#include "planner/picture/visible_pixels.h"
+
+namespace prehend {
+namespace {
+
+// What of the score is for seeing the whole hand.
+constexpr double kHandPart = 0.5;
+
+// Of a body in the small pictures.
+constexpr std::size_t kMostTriangles = 2000;
+
+// Scores closer than this are equal: they differ by rounding.
+constexpr double kSameScore = 1e-9;
+
+// What the small pictures show.
+struct SmallScene {
+  std::vector<DrawnBody> framed;  // what fills the picture
+  std::vector<DrawnBody> seen;    // the hand's links, the cones, then what hides them
+  std::size_t links = 0;
+  std::size_t contacts = 0;
+  std::vector<DrawnBody> behind_obstacles = {};  // `seen` and the obstacles; empty without any
+};
+
+std::vector<DrawnBody> coarse(std::vector<DrawnBody> bodies) {
+  for (DrawnBody& body : bodies) body.mesh = simplified(body.mesh, kMostTriangles);
+  return bodies;
+}
+
+SmallScene small_scene(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles) {
+  PosedGrasp bare = grasp;
+  bare.weakest.setZero();
+  SmallScene small{
+      coarse(grasp_bodies(scene, bare)), {}, scene.scene.hand.links.size(), grasp.contacts.size()};
+  small.seen.assign(small.framed.begin() + 1, small.framed.end());
+  small.seen.push_back(small.framed.front());
+  std::vector<DrawnBody> around = coarse(surrounding_bodies(scene, grasp));
+  for (DrawnBody& body : around) body.color.opacity = 1.0;
+  const auto arm = around.begin() + static_cast<std::ptrdiff_t>(scene.scene.obstacles.size());
+  small.seen.insert(small.seen.end(), arm, around.end());
+  if (with_obstacles && scene.has_obstacles()) {
+    small.behind_obstacles = small.seen;
+    small.behind_obstacles.insert(small.behind_obstacles.end(), around.begin(), arm);
+  }
+  return small;
+}
+
+// What is seen from one direction.
+struct View {
+  std::vector<double> links;     // pixels of each link
+  std::vector<double> contacts;  // of each cone, the part that is not hidden, less along its axis
+  double clear = 1.0;            // the part of the hand that no obstacle stands before
+};
+
+View view_from(const Vector3& direction, const SmallScene& small, const CompiledScene& scene,
+               const PosedGrasp& grasp, const TellingSideOptions& options) {
+  const Camera camera =
+      camera_around(small.framed, direction, {.width = options.width, .height = options.height});
+  const auto pixels_of = [&](const std::vector<DrawnBody>& bodies) {
+    return visible_pixels(bodies, camera, options.width, options.height);
+  };
+  std::vector<double> pixels = pixels_of(small.seen);
+  View view;
+  const auto hand_end = static_cast<std::ptrdiff_t>(small.links);
+  if (!small.behind_obstacles.empty()) {
+    const double free = std::accumulate(pixels.begin(), pixels.begin() + hand_end, 0.0);
+    pixels = pixels_of(small.behind_obstacles);
+    const double left = std::accumulate(pixels.begin(), pixels.begin() + hand_end, 0.0);
+    view.clear = free == 0.0 ? 0.0 : left / free;
+  }
+  view.links.assign(pixels.begin(), pixels.begin() + hand_end);
+  for (std::size_t c = 0; c < small.contacts; ++c) {
+    const std::size_t cone = small.links + c;
+    const double alone = pixels_of({small.seen[cone]})[0];
+    const Vector3 axis =
+        scene.scene.object.X_WO.linear() * grasp.contacts[c].point.normal.normalized();
+    const double aside = axis.cross(direction).norm();
+    view.contacts.push_back(alone == 0.0 ? 0.0 : aside * pixels[cone] / alone);
+  }
+  return view;
+}
+
+// Mean of what is seen of the contacts of each link that touches, and the least of the means.
+double contact_score(const View& view, const PosedGrasp& grasp, std::size_t links) {
+  std::vector<double> sums(links, 0.0);
+  std::vector<int> counts(links, 0);
+  for (std::size_t c = 0; c < view.contacts.size(); ++c) {
+    const auto link = static_cast<std::size_t>(grasp.contacts[c].link);
+    sums[link] += view.contacts[c];
+    ++counts[link];
+  }
+  double sum = 0.0;
+  double least = 1.0;
+  int touching = 0;
+  for (std::size_t l = 0; l < links; ++l) {
+    if (counts[l] == 0) continue;
+    const double mean = sums[l] / counts[l];
+    sum += mean;
+    least = std::min(least, mean);
+    ++touching;
+  }
+  return touching == 0 ? 0.0 : sum / touching + least;
+}
+
+// Mean over the links of how large each is, against the view in which it is largest.
+double hand_score(const View& view, const std::vector<double>& largest) {
+  double sum = 0.0;
+  for (std::size_t l = 0; l < largest.size(); ++l) {
+    if (largest[l] > 0.0) sum += std::sqrt(view.links[l] / largest[l]);
+  }
+  return largest.empty() ? 0.0 : sum / static_cast<double>(largest.size());
+}
+
+struct Choice {
+  Vector3 direction = Vector3::UnitZ();
+  double score = 0.0;
+};
+
+Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles,
+                 const TellingSideOptions& options) {
+  const SmallScene small = small_scene(scene, grasp, with_obstacles);
+  const std::vector<Vector3> directions = viewing_directions();
+  std::vector<View> views;
+  std::vector<double> largest(small.links, 0.0);
+  for (const Vector3& direction : directions) {
+    views.push_back(view_from(direction, small, scene, grasp, options));
+    for (std::size_t l = 0; l < small.links; ++l) {
+      largest[l] = std::max(largest[l], views.back().links[l]);
+    }
+  }
+  Choice best{directions.front()};
+  for (std::size_t d = 0; d < directions.size(); ++d) {
+    const double score =
+        contact_score(views[d], grasp, small.links) + kHandPart * hand_score(views[d], largest);
+    if (score > best.score + kSameScore) best = {directions[d], score};
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Vector3> viewing_directions() {
+  struct Ring {
+    double elevation;  // rad
+    int count;
+  };
+  std::vector<Vector3> directions;
+  for (const Ring& ring : {Ring{0.5, 12}, Ring{0.17, 10}, Ring{0.95, 6}}) {
+    for (int i = 0; i < ring.count; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.5) / ring.count;
+      directions.emplace_back(std::cos(ring.elevation) * std::cos(angle),
+                              std::cos(ring.elevation) * std::sin(angle), std::sin(ring.elevation));
+    }
+  }
+  directions.push_back(Vector3::UnitZ());
+  return directions;
+}
+
+Vector3 telling_side(const CompiledScene& scene, const PosedGrasp& grasp,
+                     const TellingSideOptions& options) {
+  const Choice side = best_side(scene, grasp, true, options);
+  if (side.score > 0.0 || !scene.has_obstacles()) return side.direction;
+  return best_side(scene, grasp, false, options).direction;
+}
+
+}  // namespace prehend

@@ -1,0 +1,16 @@
+// Signed counts and ids as indices of standard containers.
+#pragma once
+
+#include <cassert>
+#include <cstddef>
+
+namespace prehend {
+
+// `i` (>= 0) as an index. Ids and counts are signed here, so that differences of them are; standard
+// containers want unsigned ones.
+constexpr std::size_t index(int i) {
+  assert(i >= 0);
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace prehend

@@ -1,0 +1,42 @@
+#include "sim/base/output_file.h"
+
+#include <cerrno>
+#include <fstream>
+#include <unistd.h>
+
+#include "sim/base/input_error.h"
+
+namespace prehend {
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error || !std::filesystem::is_directory(folder)) {
+    throw InputError(folder.string() + ": cannot make this folder" +
+                     (error ? " (" + error.message() + ")" : ""));
+  }
+}
+
+void write_file(const std::filesystem::path& file, const std::string& content) {
+  // Beside the target, because a rename is atomic only within one file system.
+  std::filesystem::path part = file;
+  part += ".part" + std::to_string(::getpid());
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary);
+  stream << content;
+  stream.close();  // a full disk may show only when the last bytes leave the buffer
+  std::error_code error;
+  if (!stream) error.assign(errno != 0 ? errno : EIO, std::generic_category());
+  if (stream) std::filesystem::rename(part, file, error);
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw InputError(file.string() + ": cannot be written: " + error.message());
+}
+
+void remove_file(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+}
+
+}  // namespace prehend

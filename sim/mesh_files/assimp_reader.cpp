@@ -1,0 +1,197 @@
+#include "sim/mesh_files/assimp_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <new>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/IOStream.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
+#include <assimp/scene.h>
+
+#include "sim/base/input_error.h"
+#include "sim/geometry/polygon.h"
+
+namespace prehend {
+namespace {
+
+// A file that is already in memory.
+class BytesStream final : public Assimp::IOStream {
+ public:
+  explicit BytesStream(const std::string& bytes) : bytes_(bytes) {}
+
+  size_t Read(void* to, size_t size, size_t count) override {
+    if (size == 0) return 0;
+    const size_t items = std::min(count, (bytes_.size() - at_) / size);
+    std::memcpy(to, bytes_.data() + at_, items * size);
+    at_ += items * size;
+    return items;
+  }
+  size_t Write(const void*, size_t, size_t) override { return 0; }
+  aiReturn Seek(size_t offset, aiOrigin origin) override {
+    const size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? at_ : bytes_.size();
+    if (offset > bytes_.size() - from) return aiReturn_FAILURE;
+    at_ = from + offset;
+    return aiReturn_SUCCESS;
+  }
+  size_t Tell() const override { return at_; }
+  size_t FileSize() const override { return bytes_.size(); }
+  void Flush() override {}
+
+ private:
+  const std::string& bytes_;
+  size_t at_ = 0;
+};
+
+// Shows assimp the mesh file's bytes and, for glTF, regular *.bin files; nothing else exists.
+class ClosedFileSystem final : public Assimp::DefaultIOSystem {
+ public:
+  ClosedFileSystem(std::string file, const std::string& bytes, bool buffers)
+      : file_(std::move(file)), bytes_(bytes), buffers_(buffers) {}
+
+  bool Exists(const char* name) const override { return name == file_ || is_buffer(name); }
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    if (name == file_) return new BytesStream(bytes_);
+    return is_buffer(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+  }
+
+ private:
+  bool is_buffer(const std::filesystem::path& name) const {
+    std::error_code ignored;
+    return buffers_ && name.extension() == ".bin" &&
+           std::filesystem::is_regular_file(name, ignored);
+  }
+
+  std::string file_;
+  const std::string& bytes_;
+  bool buffers_;
+};
+
+// Leaves only the importers of one extension, so that no file is taken for another format.
+void keep_importers(Assimp::Importer& importer, const std::string& extension) {
+  std::vector<Assimp::BaseImporter*> others;
+  for (size_t i = 0; i < importer.GetImporterCount(); ++i) {
+    std::istringstream known(importer.GetImporterInfo(i)->mFileExtensions);
+    bool reads = false;
+    for (std::string name; known >> name;) reads = reads || name == extension;
+    if (!reads) others.push_back(importer.GetImporter(i));
+  }
+  for (Assimp::BaseImporter* other : others) {
+    importer.UnregisterLoader(other);
+    delete other;  // unregistering hands the importer over
+  }
+}
+
+std::string one_line(const std::string& text) {
+  constexpr size_t kLongest = 200;
+  std::string line;
+  for (const char c : text) {
+    const bool printable = std::isprint(static_cast<unsigned char>(c)) != 0;
+    if (printable || (!line.empty() && line.back() != ' ')) line += printable ? c : ' ';
+    if (line.size() == kLongest) break;
+  }
+  return line;
+}
+
+Vector3 vertex_of(const aiMesh& part, unsigned i) {
+  const aiVector3D& v = part.mVertices[i];
+  return {v.x, v.y, v.z};
+}
+
+void add_face(TriangleMesh& mesh, const aiMesh& part, const aiFace& face, int first) {
+  constexpr unsigned kMostCorners = 10'000;
+  const unsigned n = face.mNumIndices;
+  if (n < 3) return;
+  if (n > kMostCorners) {
+    throw InputError("a face with " + std::to_string(n) + " corners, more than " +
+                     std::to_string(kMostCorners));
+  }
+  for (unsigned k = 0; k < n; ++k) {
+    if (face.mIndices[k] >= part.mNumVertices) {
+      throw InputError("a face refers to vertex " + std::to_string(face.mIndices[k]) + " of " +
+                       std::to_string(part.mNumVertices));
+    }
+  }
+  std::vector<Vector3> corners;
+  for (unsigned k = 0; k < n; ++k) corners.push_back(vertex_of(part, face.mIndices[k]));
+  const auto index = [&](int k) { return first + static_cast<int>(face.mIndices[k]); };
+  for (const Triangle& t : triangulate_face(corners)) {
+    mesh.triangles.push_back({index(t[0]), index(t[1]), index(t[2])});
+  }
+}
+
+Eigen::Affine3d transform_of(const aiMatrix4x4& m) {
+  Eigen::Affine3d X;
+  X.matrix() << m.a1, m.a2, m.a3, m.a4, m.b1, m.b2, m.b3, m.b4, m.c1, m.c2, m.c3, m.c4, 0, 0, 0, 1;
+  return X;
+}
+
+// Appends the meshes of a node and of all nodes below it.
+void add_nodes(TriangleMesh& mesh, const aiScene& scene) {
+  constexpr std::size_t kMostVertices = 50'000'000;
+  std::vector<std::pair<const aiNode*, Eigen::Affine3d>> open{
+      {scene.mRootNode, Eigen::Affine3d::Identity()}};
+  while (!open.empty()) {
+    const auto [node, X_FileParent] = open.back();
+    open.pop_back();
+    const Eigen::Affine3d X_FileNode = X_FileParent * transform_of(node->mTransformation);
+    // A mirroring transform would turn the surface inside out.
+    const bool mirrored = X_FileNode.linear().determinant() < 0.0;
+    for (unsigned i = 0; i < node->mNumMeshes; ++i) {
+      const aiMesh& part = *scene.mMeshes[node->mMeshes[i]];
+      const int first = static_cast<int>(mesh.vertices.size());
+      const std::size_t first_triangle = mesh.triangles.size();
+      if (mesh.vertices.size() + part.mNumVertices > kMostVertices) {
+        throw InputError("more than 50 million vertices");
+      }
+      for (unsigned k = 0; k < part.mNumVertices; ++k) {
+        mesh.vertices.push_back(X_FileNode * vertex_of(part, k));
+      }
+      for (unsigned k = 0; k < part.mNumFaces; ++k) add_face(mesh, part, part.mFaces[k], first);
+      for (std::size_t t = first_triangle; mirrored && t < mesh.triangles.size(); ++t) {
+        std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+      }
+    }
+    for (unsigned i = node->mNumChildren; i-- > 0;)
+      open.emplace_back(node->mChildren[i], X_FileNode);
+  }
+}
+
+}  // namespace
+
+TriangleMesh read_with_assimp(const std::filesystem::path& file, const std::string& extension,
+                              const std::string& bytes) {
+  try {
+    Assimp::Importer importer;
+    keep_importers(importer, extension);
+    // Robot and object files are used as written; turning Z_UP into Y_UP would lay them down.
+    importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
+    const bool is_gltf = extension == "gltf" || extension == "glb";
+    // The importer owns its file system.
+    importer.SetIOHandler(new ClosedFileSystem(file.string(), bytes, is_gltf));
+    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    TriangleMesh mesh;
+    if (scene == nullptr)
+      throw InputError("cannot be read as " + extension + ": " +
+                       one_line(importer.GetErrorString()));
+    if (scene->mRootNode != nullptr) add_nodes(mesh, *scene);
+    return mesh;
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw InputError("cannot be read as " + extension + ": too large for the memory");
+  } catch (const std::exception& error) {
+    throw InputError("cannot be read as " + extension + ": " + one_line(error.what()));
+  }
+}
+
+}  // namespace prehend

@@ -1,0 +1,117 @@
+#include "sim/mesh_files/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+
+#include "sim/base/input_error.h"
+#include "sim/geometry/weld.h"
+#include "sim/mesh_files/assimp_reader.h"
+#include "sim/mesh_files/mesh_bytes.h"
+#include "sim/mesh_files/off_reader.h"
+
+namespace prehend {
+namespace {
+
+constexpr std::array<std::string_view, 7> kExtensions{"obj",  "stl", "ply", "off",
+                                                      "gltf", "glb", "dae"};
+
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
+    throw InputError("unknown mesh format (." + extension +
+                     "), known: .obj .stl .ply .off .gltf .glb .dae");
+  }
+  return extension;
+}
+
+std::string read_bytes(const std::filesystem::path& file) {
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) throw InputError("no such file");
+  if (std::filesystem::is_directory(status)) throw InputError("is a folder, not a mesh file");
+  if (!std::filesystem::is_regular_file(status)) throw InputError("is not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw InputError("cannot be read: " + error.message());
+  if (size == 0) throw InputError("the file is empty");
+  if (size > kMostBytes) throw InputError("larger than 1 GiB (" + std::to_string(size) + " bytes)");
+  std::ifstream stream(file, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (!stream) throw InputError("cannot be read");
+  return bytes;
+}
+
+void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
+  // Beyond these the squares and cubes of lengths leave the range of double.
+  constexpr double kFarthest = 1e30;
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    Vector3& p = mesh.vertices[i];
+    if (!p.allFinite()) throw InputError("vertex " + std::to_string(i) + " is not finite");
+    p *= metres_per_unit;
+    if (p.cwiseAbs().maxCoeff() > kFarthest) {
+      throw InputError("vertex " + std::to_string(i) + " is farther out than 1e30 m");
+    }
+  }
+}
+
+TriangleMesh read_raw(const std::filesystem::path& file, const std::string& extension) {
+  const std::string bytes = read_bytes(file);
+  if (extension == "off") {
+    need_text(bytes);
+    return read_off(bytes);
+  }
+  return read_with_assimp(file, extension,
+                          checked_mesh_bytes(extension, bytes, file.parent_path()));
+}
+
+LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& options) {
+  if (!(options.metres_per_unit > 0.0) || !std::isfinite(options.metres_per_unit)) {
+    throw InputError("metres_per_unit: must be positive and finite (" +
+                     std::to_string(options.metres_per_unit) + ")");
+  }
+  if (!(options.weld_fraction > 0.0) || !(options.weld_fraction < 0.01)) {
+    throw InputError("weld_fraction: must be above 0 and below 0.01 (" +
+                     std::to_string(options.weld_fraction) + ")");
+  }
+  const std::string extension = extension_of(file);
+  TriangleMesh raw = read_raw(file, extension);
+  if (raw.empty()) throw InputError("no triangles");
+  // Vertices that no triangle uses say nothing about the shape, finite or not.
+  drop_unused_vertices(raw);
+  scale_to_metres(raw, options.metres_per_unit);
+
+  const double diagonal = bounds(raw).diagonal();
+  if (!(diagonal > 0.0)) throw InputError("all vertices are at one point");
+  WeldedMesh welded = weld(raw, options.weld_fraction * diagonal);
+  if (welded.mesh.empty()) throw InputError("no triangle has an area");
+  return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed};
+}
+
+}  // namespace
+
+double metres_per_unit(std::string_view unit) {
+  if (unit == "m") return 1.0;
+  if (unit == "cm") return 0.01;
+  if (unit == "mm") return 0.001;
+  if (unit == "in") return 0.0254;
+  throw InputError("unit: must be m, cm, mm or in (" + std::string(unit) + ")");
+}
+
+LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options) {
+  try {
+    return load(file, options);
+  } catch (const InputError& error) {
+    throw InputError(file.string() + ": " + error.what());
+  }
+}
+
+}  // namespace prehend

@@ -1,0 +1,85 @@
+// Checks of Wavefront OBJ files, and their reduction to vertices and faces: assimp takes ".5" for
+// no number and leaves the vertex out, and would look for materials.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/base/input_error.h"
+#include "sim/mesh_files/mesh_bytes.h"
+#include "sim/mesh_files/text_scan.h"
+
+namespace prehend {
+namespace {
+
+// The next word of a statement, which a backslash at the end of a line continues.
+std::string_view next_word(TextScan& scan) {
+  std::string_view word = scan.next_word();
+  while (word == "\\" && scan.next_line()) word = scan.next_word();
+  return word.starts_with('#') ? std::string_view() : word;
+}
+
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text += ' ';
+  text.append(digits.data(), end);
+}
+
+// Vertex numbers of a face, from 1; those counted from the end are resolved.
+std::vector<long long> face_vertices(TextScan& scan, long long vertices) {
+  std::vector<long long> face;
+  for (auto word = next_word(scan); !word.empty(); word = next_word(scan)) {
+    const std::optional<long long> index = integer_in(word.substr(0, word.find('/')));
+    if (!index || *index == 0) scan.fail("a face has the vertex " + in_quotes(word));
+    if (*index < -vertices) {
+      scan.fail("a face refers to vertex " + std::to_string(*index) + " of " +
+                std::to_string(vertices));
+    }
+    face.push_back(*index < 0 ? vertices + 1 + *index : *index);
+  }
+  return face;
+}
+
+}  // namespace
+
+std::string checked_obj(std::string_view bytes) {
+  need_text(bytes);
+  TextScan scan(bytes);
+  std::string reduced;
+  reduced.reserve(bytes.size());
+  long long vertices = 0;
+  // Faces may come before their vertices.
+  long long highest = 0;
+  int highest_line = 0;
+  while (scan.next_line()) {
+    const std::string_view statement = scan.next_word();
+    if (statement == "v") {
+      reduced += 'v';
+      for (int k = 0; k < 3; ++k) append_number(reduced, coordinate_in(scan, next_word(scan)));
+      reduced += '\n';
+      ++vertices;
+    } else if (statement == "f") {
+      const int line = scan.line_number();
+      const std::vector<long long> face = face_vertices(scan, vertices);
+      if (face.size() < 3) continue;
+      reduced += 'f';
+      for (const long long index : face) {
+        reduced += ' ' + std::to_string(index);
+        if (index > highest) highest_line = line;
+        highest = std::max(highest, index);
+      }
+      reduced += '\n';
+    }
+  }
+  if (highest > vertices) {
+    throw InputError("line " + std::to_string(highest_line) + ": a face refers to vertex " +
+                     std::to_string(highest) + " of " + std::to_string(vertices));
+  }
+  if (highest == 0) throw InputError("no faces");
+  return reduced;
+}
+
+}  // namespace prehend

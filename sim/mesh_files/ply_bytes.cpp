@@ -1,0 +1,243 @@
+// Checks of PLY files, text and binary: walks all elements as the header describes them.
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/base/input_error.h"
+#include "sim/mesh_files/mesh_bytes.h"
+#include "sim/mesh_files/text_scan.h"
+
+namespace prehend {
+namespace {
+
+enum class Kind { unsigned_integer, signed_integer, real };
+
+struct Scalar {
+  Kind kind = Kind::real;
+  std::size_t bytes = 4;
+};
+
+struct Property {
+  std::optional<Scalar> count;  // of a list
+  Scalar value;
+  bool coordinate = false;    // x, y or z
+  bool vertex_index = false;  // the list of a face
+};
+
+struct Element {
+  std::string name;
+  long long count = 0;
+  std::vector<Property> properties;
+};
+
+enum class Encoding { text, little_endian, big_endian };
+
+struct Header {
+  Encoding encoding = Encoding::text;
+  std::vector<Element> elements;
+  std::size_t end = 0;
+  int lines = 0;
+  long long vertices = 0;
+};
+
+Scalar scalar_named(const TextScan& scan, std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, Scalar>, 16> kScalars{{
+      {"char", {Kind::signed_integer, 1}},
+      {"int8", {Kind::signed_integer, 1}},
+      {"uchar", {Kind::unsigned_integer, 1}},
+      {"uint8", {Kind::unsigned_integer, 1}},
+      {"short", {Kind::signed_integer, 2}},
+      {"int16", {Kind::signed_integer, 2}},
+      {"ushort", {Kind::unsigned_integer, 2}},
+      {"uint16", {Kind::unsigned_integer, 2}},
+      {"int", {Kind::signed_integer, 4}},
+      {"int32", {Kind::signed_integer, 4}},
+      {"uint", {Kind::unsigned_integer, 4}},
+      {"uint32", {Kind::unsigned_integer, 4}},
+      {"float", {Kind::real, 4}},
+      {"float32", {Kind::real, 4}},
+      {"double", {Kind::real, 8}},
+      {"float64", {Kind::real, 8}},
+  }};
+  for (const auto& [known, scalar] : kScalars) {
+    if (known == name) return scalar;
+  }
+  scan.fail("unknown PLY type " + in_quotes(name));
+}
+
+void read_element(TextScan& scan, Header& header, std::size_t file_size) {
+  Element element;
+  element.name = scan.next_word();
+  const std::string_view word = scan.next_word();
+  const std::optional<long long> count = integer_in(word);
+  if (!count || *count < 0) scan.fail("a PLY element has the count " + in_quotes(word));
+  if (*count > static_cast<long long>(file_size)) {
+    scan.fail("promises " + std::to_string(*count) + " of element " + in_quotes(element.name) +
+              ", more than the file can hold");
+  }
+  element.count = *count;
+  if (element.name == "vertex") header.vertices = element.count;
+  header.elements.push_back(std::move(element));
+}
+
+void read_property(TextScan& scan, Header& header) {
+  if (header.elements.empty()) scan.fail("a PLY property of no element");
+  Element& element = header.elements.back();
+  Property property;
+  std::string_view type = scan.next_word();
+  if (type == "list") {
+    property.count = scalar_named(scan, scan.next_word());
+    if (property.count->kind == Kind::real) scan.fail("a PLY list counted in fractions");
+    type = scan.next_word();
+  }
+  property.value = scalar_named(scan, type);
+  const std::string_view name = scan.next_word();
+  property.coordinate = element.name == "vertex" && (name == "x" || name == "y" || name == "z");
+  property.vertex_index = element.name == "face" && property.count &&
+                          (name == "vertex_index" || name == "vertex_indices");
+  element.properties.push_back(property);
+}
+
+Header read_header(std::string_view bytes) {
+  TextScan scan(bytes);
+  if (!scan.next_line() || scan.next_word() != "ply") throw InputError("no PLY header");
+  Header header;
+  bool has_format = false;
+  while (scan.next_line()) {
+    const std::string_view word = scan.next_word();
+    if (word == "format") {
+      const std::string_view name = scan.next_word();
+      has_format = true;
+      if (name == "binary_little_endian") {
+        header.encoding = Encoding::little_endian;
+      } else if (name == "binary_big_endian") {
+        header.encoding = Encoding::big_endian;
+      } else if (name != "ascii") {
+        scan.fail("unknown PLY format " + in_quotes(name));
+      }
+    } else if (word == "element") {
+      read_element(scan, header, bytes.size());
+    } else if (word == "property") {
+      read_property(scan, header);
+    } else if (word == "end_header") {
+      if (!has_format) scan.fail("the PLY header names no format");
+      header.end = scan.position();
+      header.lines = scan.line_number();
+      return header;
+    }
+  }
+  throw InputError("the PLY header does not end");
+}
+
+// The scalars of the body in order.
+class Body {
+ public:
+  Body(std::string_view bytes, const Header& header)
+      : bytes_(bytes), text_(bytes), header_(header), at_(header.end) {
+    while (text_.position() < header.end && text_.next_line()) {
+    }
+    text_.next_word();  // end_header
+  }
+
+  double next(const Scalar& scalar, const Element& element) {
+    return header_.encoding == Encoding::text ? next_word(element) : next_binary(scalar, element);
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    if (header_.encoding == Encoding::text) text_.fail(what);
+    throw InputError(what);
+  }
+
+ private:
+  [[noreturn]] void too_short(const Element& element) const {
+    fail("the file ends inside element " + in_quotes(element.name) + " (" +
+         std::to_string(element.count) + " promised)");
+  }
+
+  double next_word(const Element& element) {
+    std::string_view word = text_.next_word();
+    while (word.empty()) {
+      if (!text_.next_line()) too_short(element);
+      word = text_.next_word();
+    }
+    const std::optional<double> value = number_in(word);
+    if (!value) text_.fail("not a number (" + in_quotes(word) + ")");
+    return *value;
+  }
+
+  template <typename Value>
+  double decoded(const char* data) const {
+    std::array<char, sizeof(Value)> raw;
+    const bool swap =
+        (header_.encoding == Encoding::big_endian) != (std::endian::native == std::endian::big);
+    for (std::size_t i = 0; i < raw.size(); ++i) raw[i] = data[swap ? raw.size() - 1 - i : i];
+    return static_cast<double>(std::bit_cast<Value>(raw));
+  }
+
+  double next_binary(const Scalar& scalar, const Element& element) {
+    if (bytes_.size() - at_ < scalar.bytes) too_short(element);
+    const char* data = bytes_.data() + at_;
+    at_ += scalar.bytes;
+    if (scalar.kind == Kind::real) {
+      return scalar.bytes == 4 ? decoded<float>(data) : decoded<double>(data);
+    }
+    const bool is_signed = scalar.kind == Kind::signed_integer;
+    if (scalar.bytes == 1)
+      return is_signed ? decoded<std::int8_t>(data) : decoded<std::uint8_t>(data);
+    if (scalar.bytes == 2) {
+      return is_signed ? decoded<std::int16_t>(data) : decoded<std::uint16_t>(data);
+    }
+    return is_signed ? decoded<std::int32_t>(data) : decoded<std::uint32_t>(data);
+  }
+
+  std::string_view bytes_;
+  TextScan text_;
+  const Header& header_;
+  std::size_t at_;
+};
+
+void check_list(Body& body, const Property& property, const Element& element, long long vertices) {
+  constexpr double kLongest = 1e6;
+  const double count = body.next(*property.count, element);
+  if (!(count >= 0.0) || count > kLongest || count != std::floor(count)) {
+    body.fail("a PLY list of length " + std::to_string(count));
+  }
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    const double index = body.next(property.value, element);
+    if (!property.vertex_index) continue;
+    if (!(index >= 0.0) || index >= static_cast<double>(vertices)) {
+      body.fail("a face refers to vertex " + std::to_string(static_cast<long long>(index)) +
+                " of " + std::to_string(vertices));
+    }
+  }
+}
+
+}  // namespace
+
+void check_ply(std::string_view bytes) {
+  const Header header = read_header(bytes);
+  Body body(bytes, header);
+  for (const Element& element : header.elements) {
+    for (long long i = 0; i < element.count; ++i) {
+      for (const Property& property : element.properties) {
+        if (property.count) {
+          check_list(body, property, element, header.vertices);
+          continue;
+        }
+        const double value = body.next(property.value, element);
+        if (property.coordinate && !std::isfinite(static_cast<float>(value))) {
+          body.fail("vertex " + std::to_string(i) + " is not finite");
+        }
+      }
+    }
+  }
+}
+
+}  // namespace prehend

@@ -1,0 +1,43 @@
+#include "sim/scene/scene_library.h"
+
+#include <algorithm>
+
+#include "sim/base/input_error.h"
+
+namespace prehend {
+namespace {
+
+std::filesystem::path library() { return PREHEND_SCENES_DIR; }
+
+}  // namespace
+
+std::vector<std::string> library_scene_names() {
+  std::vector<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(library(), missing)) {
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::filesystem::path find_scene(const std::string& name_or_file) {
+  if (std::filesystem::exists(name_or_file)) return name_or_file;
+  const std::filesystem::path in_library = library() / (name_or_file + ".json");
+  const bool is_name = name_or_file.find('/') == std::string::npos;
+  if (is_name && std::filesystem::exists(in_library)) return in_library;
+  std::string names;
+  for (const std::string& name : library_scene_names()) names += (names.empty() ? "" : ", ") + name;
+  throw InputError(name_or_file + ": no such file, and no scene of that name (scenes: " + names +
+                   ")");
+}
+
+std::string scene_reference(const std::filesystem::path& file) {
+  std::error_code missing;
+  if (std::filesystem::equivalent(file.parent_path(), library(), missing)) {
+    return file.stem().string();
+  }
+  return std::filesystem::absolute(file).lexically_normal().string();
+}
+
+}  // namespace prehend

@@ -1,0 +1,135 @@
+#include "planner/search/plan.h"
+
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "planner/files/asked_grasps.h"
+#include "planner/files/grasps_file.h"
+#include "sim/base/input_error.h"
+#include "sim/geometry/object_generator.h"
+#include "sim/quality/wrench_hull.h"
+#include "sim/robot/robot_file.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
+
+namespace prehend {
+namespace {
+
+CompiledScene default_scene() { return compile(load_scene(find_scene("mug"))); }
+
+PlanOptions few_candidates(int threads) {
+  PlanOptions options;
+  options.candidates.max_candidates = 40;
+  options.trials.threads = threads;
+  return options;
+}
+
+TEST(Plan, SameBytesOnOneAndTwoThreads) {
+  const CompiledScene scene = default_scene();
+  const PlanResult one = plan(scene, few_candidates(1));
+  const PlanResult two = plan(scene, few_candidates(2));
+  ASSERT_FALSE(one.grasps.empty());
+  EXPECT_EQ(grasps_json(scene, one, {}), grasps_json(scene, two, {}));
+}
+
+TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
+  const PlanResult result = plan(default_scene(), few_candidates(2));
+  int total = 0;
+  for (int count : result.outcomes) total += count;
+  EXPECT_EQ(total, 40);
+  for (std::size_t i = 1; i < result.grasps.size(); ++i) {
+    EXPECT_GE(result.grasps[i - 1].trial.epsilon.lower, result.grasps[i].trial.epsilon.lower);
+  }
+  for (const ScoredGrasp& grasp : result.grasps) {
+    EXPECT_EQ(grasp.trial.outcome, Outcome::stable);
+    EXPECT_GT(grasp.volume, 0.0);
+  }
+}
+
+// A planned grasp, read back from its file, is the same grasp: the pose comes back through a
+// quaternion, so to rounding.
+TEST(Plan, EvaluateRepeatsWhatPlanFound) {
+  const CompiledScene scene = default_scene();
+  const PlanResult planned = plan(scene, few_candidates(2));
+  const std::filesystem::path file = testing::TempDir() + "/planned.json";
+  std::ofstream(file) << grasps_json(scene, planned, {});
+  std::vector<Candidate> candidates;
+  for (const AskedGrasp& asked : asked_grasps(JsonFile(file), scene)) {
+    candidates.push_back(asked.candidate);
+  }
+  const PlanResult again = evaluate(scene, candidates);
+  ASSERT_EQ(again.grasps.size(), planned.grasps.size());
+  int same = 0;
+  for (std::size_t i = 0; i < again.grasps.size(); ++i) {
+    const Trial& a = planned.grasps[i].trial;
+    const Trial& b = again.grasps[i].trial;
+    if (b.outcome == Outcome::stable && std::abs(a.epsilon.lower - b.epsilon.lower) < 0.02) ++same;
+  }
+  EXPECT_EQ(same, static_cast<int>(planned.grasps.size()));
+}
+
+// The epsilon that ranks is that of the full hull.
+TEST(Plan, RanksAsTheFullHullWould) {
+  const CompiledScene scene = default_scene();
+  const PlanResult result = plan(scene, few_candidates(2));
+  ASSERT_FALSE(result.grasps.empty());
+  for (const ScoredGrasp& grasp : result.grasps) {
+    const Wrenches wrenches =
+        contact_wrenches(contacts_of(grasp.trial.contacts), scene.wrench_frame);
+    const double epsilon = wrench_hull(wrenches).min_offset;
+    EXPECT_NEAR(grasp.trial.epsilon.lower, epsilon, 1e-9 * epsilon);
+  }
+}
+
+TEST(Plan, GivenPrimitivesAreUsed) {
+  Scene scene = load_scene(find_scene("mug"));
+  scene.primitives = {{Cylinder{0.052, 0.1}, translation({0, 0, 0.05})}};
+  const PlanResult result = plan(compile(std::move(scene)), few_candidates(2));
+  ASSERT_EQ(result.primitives.size(), 1U);
+  EXPECT_EQ(result.stages.front().name, "primitives given");
+}
+
+TEST(Plan, AnObjectTooLargeIsTheCallersMistakeAndSaysBothSizes) {
+  Scene scene;
+  scene.object = make_graspable("crate", make_box(Vector3(1, 1, 1)), Material::wood);
+  scene.hand = find_robot("franka_hand");
+  const CompiledScene compiled = compile(std::move(scene));
+  try {
+    (void)plan(compiled);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_NE(what.find("crate"), std::string::npos);
+    EXPECT_NE(what.find("1e+03 mm"), std::string::npos) << what;
+    EXPECT_NE(what.find("80 mm"), std::string::npos) << what;
+  }
+}
+
+class Holds : public testing::TestWithParam<const char*> {};
+
+TEST_P(Holds, TheWideParallelJawHoldsWithRegions) {
+  Scene scene;
+  const std::string name = GetParam();
+  const TriangleMesh mesh = name == "mug"    ? generate_object("mug")
+                            : name == "cube" ? make_box(Vector3::Constant(0.05), 4)
+                                             : make_cylinder(0.03, 0.1);
+  scene.object = make_graspable(name, mesh, Material::plastic);
+  scene.hand = find_robot("parallel_jaw_wide");
+  const CompiledScene compiled = compile(std::move(scene));
+  PlanOptions options;
+  options.candidates.max_candidates = 200;
+  const PlanResult result = plan(compiled, options);
+  ASSERT_FALSE(result.grasps.empty());
+  std::vector<int> points(compiled.links.size(), 0);
+  for (const GraspContact& contact : result.grasps.front().trial.contacts) {
+    ++points[static_cast<std::size_t>(contact.link)];
+  }
+  for (std::size_t plate = 1; plate < points.size(); ++plate) EXPECT_GE(points[plate], 2);
+}
+
+INSTANTIATE_TEST_SUITE_P(Objects, Holds, testing::Values("mug", "cube", "cylinder"),
+                         [](const auto& object) { return std::string(object.param); });
+
+}  // namespace
+}  // namespace prehend

@@ -1,0 +1,40 @@
+#include "planner/show/motion_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "planner/show/motion_frames.h"
+#include "tests/support/held_cube.h"
+
+namespace prehend {
+namespace {
+
+using test::held_cube;
+using test::HeldCube;
+using test::motion_of;
+
+TEST(MotionPicture, OneCameraSeesAllFrames) {
+  const HeldCube held = held_cube();
+  std::vector<MotionFrame> frames;
+  for (const NamedFrame& named : named_frames(motion_of(held), 4)) frames.push_back(named.frame);
+  const GraspPictureOptions options{160, 120};
+  const MotionView view = motion_view(held.scene, frames, held.grasp, options);
+  EXPECT_FALSE(view.with_arm);
+  const Projection projection(view.close, options.width, options.height);
+  for (const MotionFrame& frame : frames) {
+    for (const DrawnBody& body : grasp_bodies(held.scene, posed_at(frame))) {
+      for (const Vector3& p_B : body.mesh.vertices) {
+        const Eigen::Vector2d pixel = projection.pixel(projection.X_CW() * (body.X_WB * p_B));
+        EXPECT_TRUE(pixel.x() >= 0 && pixel.x() <= options.width);
+        EXPECT_TRUE(pixel.y() >= 0 && pixel.y() <= options.height);
+      }
+    }
+  }
+  const Image first = motion_picture(held.scene, posed_at(frames.front()), view, options);
+  const Image last = motion_picture(held.scene, posed_at(frames.back()), view, options);
+  EXPECT_EQ(first.width, 160);
+  EXPECT_EQ(first.height, 120);
+  EXPECT_NE(first.rgb, last.rgb);
+}
+
+}  // namespace
+}  // namespace prehend

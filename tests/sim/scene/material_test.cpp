@@ -1,0 +1,76 @@
+// The table of friction coefficients.
+#include "sim/scene/material.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/input_error.h"
+
+namespace prehend {
+namespace {
+
+TEST(FrictionTable, HasThePublishedStaticCoefficients) {
+  // Static friction between GraspIt!'s five default materials, in the order of kMaterials.
+  constexpr double kPublished[5][5] = {{0.2, 0.2, 0.2, 0.3, 1.0},
+                                       {0.2, 0.2, 0.2, 0.3, 1.0},
+                                       {0.2, 0.2, 0.3, 0.4, 1.0},
+                                       {0.3, 0.3, 0.4, 0.4, 1.0},
+                                       {1.0, 1.0, 1.0, 1.0, 2.0}};
+  const FrictionTable table;
+  for (std::size_t a = 0; a < kMaterials.size(); ++a) {
+    for (std::size_t b = 0; b < kMaterials.size(); ++b) {
+      EXPECT_EQ(table.between(kMaterials[a], kMaterials[b]), kPublished[a][b])
+          << material_name(kMaterials[a]) << " " << material_name(kMaterials[b]);
+    }
+  }
+}
+
+TEST(FrictionTable, IsSymmetricAlsoWhenChanged) {
+  FrictionTable table;
+  table.set(Material::glass, Material::rubber, 0.75);
+  table.set(Material::wood, Material::wood, 0.0);
+  EXPECT_EQ(table.between(Material::glass, Material::rubber), 0.75);
+  EXPECT_EQ(table.between(Material::rubber, Material::glass), 0.75);
+  EXPECT_EQ(table.between(Material::wood, Material::wood), 0.0);
+  EXPECT_EQ(table.between(Material::glass, Material::glass), 0.2);
+  for (const Material a : kMaterials) {
+    for (const Material b : kMaterials) EXPECT_EQ(table.between(a, b), table.between(b, a));
+  }
+}
+
+std::string refusal(double friction) {
+  FrictionTable table;
+  try {
+    table.set(Material::rubber, Material::metal, friction);
+  } catch (const InputError& error) {
+    EXPECT_EQ(table.between(Material::metal, Material::rubber), 1.0) << "changed all the same";
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FrictionTable, RefusesWhatIsNoFriction) {
+  EXPECT_EQ(refusal(-0.25),
+            "friction between rubber and metal must be finite and not negative (-0.250000)");
+  EXPECT_EQ(refusal(std::numeric_limits<double>::infinity()),
+            "friction between rubber and metal must be finite and not negative (inf)");
+  EXPECT_NE(refusal(std::numeric_limits<double>::quiet_NaN()), "");
+  EXPECT_EQ(refusal(0.0), "");
+}
+
+TEST(Material, NamesGoBothWays) {
+  for (const Material material : kMaterials) {
+    EXPECT_EQ(material_named(material_name(material)), material);
+  }
+  try {
+    material_named("stone");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "unknown material \"stone\" (known: glass, metal, plastic, wood, rubber)");
+  }
+}
+
+}  // namespace
+}  // namespace prehend

@@ -1,0 +1,129 @@
+#include "sim/scene/scene_file.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/input_error.h"
+
+namespace prehend {
+namespace {
+
+// A file of the running test's own: tests run side by side.
+std::filesystem::path write(const std::string& text) {
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const std::filesystem::path file = testing::TempDir() + "/scene_" + name + ".json";
+  std::ofstream(file) << text;
+  return file;
+}
+
+const char* const kBall =
+    R"("object": {"name": "ball", "generate": "ball", "triangles": 300, "material": "wood",
+        "mass": 0.2, "pose": {"position": [0, 0, 0.5]}})";
+
+TEST(SceneFile, ReadsABodyWithItsPoseMaterialAndMass) {
+  const Scene scene = load_scene(write(std::string("{") + kBall + "}"));
+  EXPECT_EQ(scene.object.name, "ball");
+  EXPECT_EQ(scene.object.material, Material::wood);
+  EXPECT_DOUBLE_EQ(scene.object.mass, 0.2);
+  EXPECT_DOUBLE_EQ(scene.object.X_WO.translation().z(), 0.5);
+  EXPECT_EQ(scene.hand.name, kDefaultHand);
+}
+
+TEST(SceneFile, InertiaOfACubeIsASixthOfMassTimesSideSquared) {
+  const Scene scene = load_scene(write(R"({"object": {"geometry":
+      [{"shape": "box", "size": [0.1, 0.1, 0.1]}], "mass": 6}})"));
+  EXPECT_NEAR(scene.object.inertia(0, 0), 0.01, 1e-12);
+  EXPECT_NEAR(scene.object.center_of_mass.norm(), 0.0, 1e-12);
+}
+
+TEST(SceneFile, FrictionOfAPairIsOverridden) {
+  const Scene scene =
+      load_scene(write(std::string("{") + kBall +
+                       R"(, "friction": [{"between": ["wood", "plastic"], "static": 0.7}]})"));
+  EXPECT_DOUBLE_EQ(scene.friction.between(Material::plastic, Material::wood), 0.7);
+  EXPECT_DOUBLE_EQ(scene.friction.between(Material::plastic, Material::plastic), 0.3);
+}
+
+TEST(SceneFile, PrimitivesAndObstaclesAreRead) {
+  const Scene scene = load_scene(write(R"({"object": {"generate": "ball", "triangles": 300,
+      "primitives": [{"shape": "sphere", "radius": 0.03, "pose": {"position": [0, 0, 0.03]}}]},
+      "obstacles": [{"name": "table", "geometry": [{"shape": "box", "size": [1, 1, 0.1]}]}]})"));
+  ASSERT_EQ(scene.primitives.size(), 1U);
+  EXPECT_DOUBLE_EQ(std::get<Sphere>(scene.primitives[0].shape).radius, 0.03);
+  ASSERT_EQ(scene.obstacles.size(), 1U);
+  EXPECT_EQ(scene.obstacles[0].material, Material::wood);
+}
+
+struct BadScene {
+  const char* name;
+  const char* text;
+  const char* complaint;
+};
+
+void PrintTo(const BadScene& bad, std::ostream* stream) { *stream << bad.name; }
+
+class BadSceneFile : public testing::TestWithParam<BadScene> {};
+
+TEST_P(BadSceneFile, IsRefusedInOneLineThatNamesFileFieldAndValue) {
+  const std::filesystem::path file = write(GetParam().text);
+  try {
+    (void)load_scene(file);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    const std::string what = error.what();
+    EXPECT_EQ(what.find(file.string()), 0U) << what;
+    EXPECT_NE(what.find(GetParam().complaint), std::string::npos) << what;
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Corpus, BadSceneFile,
+    testing::Values(
+        BadScene{"NotJson", "{", "line 1"}, BadScene{"NoObject", "{}", "object"},
+        BadScene{"TwoMeshes", R"({"object": {"generate": "mug", "mesh": "a.obj"}})", "exactly one"},
+        BadScene{"UnknownField", R"({"object": {"generate": "mug", "colour": 1}})", "colour"},
+        BadScene{"UnknownMaterial", R"({"object": {"generate": "mug", "material": "jelly"}})",
+                 "jelly"},
+        BadScene{"NegativeMass", R"({"object": {"generate": "mug", "mass": -1}})", "object.mass"},
+        BadScene{"UnknownObject", R"({"object": {"generate": "teacup"}})", "teacup"},
+        BadScene{"NegativeFriction", R"({"object": {"generate": "mug"},
+            "friction": [{"between": ["wood", "wood"], "static": -0.1}]})",
+                 "-0.1"},
+        BadScene{"ThreeMaterials", R"({"object": {"generate": "mug"},
+            "friction": [{"between": ["wood", "wood", "wood"], "static": 0.1}]})",
+                 "two materials"},
+        BadScene{"NotARotation", R"({"object": {"generate": "mug",
+            "pose": {"quaternion_wxyz": [0, 0, 0, 0]}}})",
+                 "quaternion_wxyz"},
+        BadScene{"EmptyBox", R"({"object": {"generate": "mug",
+            "primitives": [{"shape": "box", "size": [1, 0, 1]}]}})",
+                 "positive"},
+        BadScene{"SphereWithHeight", R"({"object": {"generate": "mug",
+            "primitives": [{"shape": "sphere", "radius": 1, "height": 2}]}})",
+                 "no height"}),
+    [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST(SceneFile, AMissingMeshIsNamed) {
+  try {
+    (void)load_scene(write(R"({"object": {"mesh": "nowhere.obj"}})"));
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("nowhere.obj"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SceneFile, AnUnknownUnitIsNamed) {
+  try {
+    (void)load_scene("some.obj", {.hand = "", .unit = "furlong"});
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("furlong"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace prehend

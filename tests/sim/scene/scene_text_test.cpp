@@ -1,0 +1,115 @@
+#include "sim/scene/scene_text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/input_error.h"
+#include "sim/geometry/basic_shapes.h"
+#include "sim/scene/scene_file.h"
+
+namespace prehend {
+namespace {
+
+std::filesystem::path written(const std::string& text) {
+  std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const std::filesystem::path file = testing::TempDir() + "/scene_text_" + name + ".json";
+  std::ofstream(file) << text;
+  return file;
+}
+
+Scene read_back(const Scene& scene) { return load_scene(written(scene_text(scene))); }
+
+template <typename Body>
+void expect_same_body(const Body& a, const Pose& X_WA, const Body& b, const Pose& X_WB) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.mesh.vertices, b.mesh.vertices);
+  EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+  EXPECT_TRUE(X_WA.isApprox(X_WB, 1e-14));
+}
+
+void expect_same_scene(const Scene& a, const Scene& b) {
+  EXPECT_EQ(a.name, b.name);
+  expect_same_body(a.object, a.object.X_WO, b.object, b.object.X_WO);
+  EXPECT_EQ(a.object.mass, b.object.mass);
+  EXPECT_EQ(a.object.center_of_mass, b.object.center_of_mass);
+  ASSERT_EQ(a.obstacles.size(), b.obstacles.size());
+  for (std::size_t i = 0; i < a.obstacles.size(); ++i) {
+    expect_same_body(a.obstacles[i], a.obstacles[i].X_WB, b.obstacles[i], b.obstacles[i].X_WB);
+  }
+  for (const Material one : kMaterials) {
+    EXPECT_EQ(a.compliant_depths.of(one), b.compliant_depths.of(one));
+    for (const Material other : kMaterials) {
+      EXPECT_EQ(a.friction.between(one, other), b.friction.between(one, other));
+    }
+  }
+  EXPECT_EQ(a.hand.name, b.hand.name);
+  ASSERT_EQ(a.carrier.has_value(), b.carrier.has_value());
+  if (!a.carrier) return;
+  EXPECT_TRUE(a.carrier->X_WB.isApprox(b.carrier->X_WB, 1e-14));
+  EXPECT_EQ(a.carrier->start, b.carrier->start);
+  for (std::size_t r = 0; r < a.carrier->platform.robots.size(); ++r) {
+    const Robot& robot_a = a.carrier->platform.robots[r].robot;
+    const Robot& robot_b = b.carrier->platform.robots[r].robot;
+    ASSERT_EQ(robot_a.dofs.size(), robot_b.dofs.size());
+    for (std::size_t d = 0; d < robot_a.dofs.size(); ++d) {
+      EXPECT_EQ(robot_a.dofs[d].lower, robot_b.dofs[d].lower);
+      EXPECT_EQ(robot_a.dofs[d].upper, robot_b.dofs[d].upper);
+    }
+  }
+}
+
+class LibraryScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(LibraryScene, ReadsBackAsItWas) {
+  const std::filesystem::path file = std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" /
+                                     "scenes" / (std::string(GetParam()) + ".json");
+  const Scene scene = load_scene(file);
+  expect_same_scene(scene, read_back(scene));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, LibraryScene,
+                         testing::Values("mug", "mug_on_table", "cluttered_table", "shelf",
+                                         "living_room"),
+                         [](const auto& name) { return std::string(name.param); });
+
+TEST(SceneText, KeepsWhatAProgramChanged) {
+  Scene scene = load_scene(std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" /
+                           "living_room.json");
+  scene.name = "changed";
+  scene.obstacles.erase(scene.obstacles.begin());
+  StaticBody board{
+      "board", make_box({0.3, 0.2, 0.01}, 2), translation({1.0, 2.0, 0.3}), Material::metal, {}};
+  scene.obstacles.push_back(board);
+  scene.friction.set(Material::metal, Material::glass, 0.123);
+  scene.compliant_depths.set(Material::wood, 2e-4);
+  scene.carrier->start[0] += 0.1;
+  scene.primitives = {{Cylinder{0.04, 0.1}, translation({0.0, 0.0, 0.05})}};
+  const Scene again = read_back(scene);
+  expect_same_scene(scene, again);
+  ASSERT_EQ(again.primitives.size(), 1U);
+  EXPECT_EQ(std::get<Cylinder>(again.primitives[0].shape).radius, 0.04);
+}
+
+TEST(SceneText, AnotherHandOnTheArmStaysThere) {
+  const Scene scene = load_scene(
+      std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug_on_table.json",
+      {.hand = "franka_hand"});
+  const Scene again = read_back(scene);
+  EXPECT_EQ(again.hand.name, "franka_hand");
+  expect_same_scene(scene, again);
+}
+
+TEST(SceneText, AHandThatNoFileNamesIsRefused) {
+  Scene scene =
+      load_scene(std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug.json");
+  scene.hand_source.clear();
+  EXPECT_THROW((void)scene_text(scene), InputError);
+}
+
+}  // namespace
+}  // namespace prehend

@@ -1,0 +1,48 @@
+// A cube between the plates of a jaw, for pictures.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "planner/path/grasp_motion.h"
+#include "planner/show/grasp_picture.h"
+#include "tests/support/scenes.h"
+
+namespace prehend::test {
+
+inline constexpr double kCube = 0.05;  // m
+
+// The jaw comes down onto the cube and closes along x.
+inline Candidate from_above() {
+  Candidate candidate;
+  Matrix3 down;
+  down << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  candidate.X_OH = pose_from(down, Vector3(0, 0, 0.05));
+  candidate.approach_O = -Vector3::UnitZ();
+  candidate.approach_distance = 0.05;
+  candidate.preshape = 0;
+  return candidate;
+}
+
+struct HeldCube {
+  CompiledScene scene;
+  Trial trial;
+  PosedGrasp grasp;
+};
+
+inline HeldCube held_cube(std::vector<StaticBody> obstacles = {}) {
+  HeldCube held{
+      compiled(find_robot("parallel_jaw"), make_box({kCube, kCube, kCube}), std::move(obstacles)),
+      {},
+      {}};
+  held.trial = run_trial(held.scene, from_above());
+  held.grasp = {held.trial.X_OH, held.trial.joints, held.trial.contacts, Wrench::Zero(), "cube"};
+  return held;
+}
+
+// The jaw comes down and closes.
+inline GraspMotion motion_of(const HeldCube& held) {
+  return grasp_motion(held.scene, from_above(), held.trial, nullptr);
+}
+
+}  // namespace prehend::test

@@ -1,0 +1,96 @@
+// Grasps that are not numbers, or not contacts: what is refused, and with which words.
+#pragma once
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sim/quality/epsilon.h"
+#include "tests/support/extreme_grasps.h"
+
+namespace prehend::test {
+
+struct RefusedGrasp {
+  std::string name;
+  std::string message;  // of the exception
+  Contacts contacts;
+  WrenchFrame frame;
+  int edges = 8;
+  EpsilonOptions options = {};
+};
+
+// Refused by contact_wrenches, for the second of four contacts.
+inline std::vector<RefusedGrasp> refused_contacts() {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<RefusedGrasp> refused;
+  const auto add = [&](const std::string& name, const Contact& contact,
+                       const std::string& message) {
+    RefusedGrasp grasp{name, "contact 1: " + message, tetrahedron(), {}};
+    grasp.contacts[1] = contact;
+    refused.push_back(grasp);
+  };
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const ContactModel soft_finger = ContactModel::soft_finger;
+  add("position NaN", {{nan, 0.0, 0.0}, x, 0.5}, "position: not finite (nan, 0, 0)");
+  add("position infinite", {{0.0, infinity, 0.0}, x, 0.5}, "position: not finite (0, inf, 0)");
+  add("normal NaN", {zero, {0.0, 0.0, nan}, 0.5}, "normal: not finite (0, 0, nan)");
+  add("normal infinite", {zero, {-infinity, 0.0, 0.0}, 0.5}, "normal: not finite (-inf, 0, 0)");
+  add("normal of length 0", {zero, zero, 0.5}, "normal: not unit (0, 0, 0)");
+  add("normal of length 0.9989", {zero, 0.9989 * x, 0.5}, "normal: not unit (0.9989, 0, 0)");
+  add("normal of length 1.0011", {zero, 1.0011 * x, 0.5}, "normal: not unit (1.0011, 0, 0)");
+  add("normal of length 1e200", {zero, 1e200 * x, 0.5}, "normal: not unit (1e+200, 0, 0)");
+  const std::string not_negative = ": must be finite and not negative ";
+  add("friction NaN", {zero, x, nan}, "friction" + not_negative + "(nan)");
+  add("friction infinite", {zero, x, infinity}, "friction" + not_negative + "(inf)");
+  add("friction -1e-9", {zero, x, -1e-9}, "friction" + not_negative + "(-1e-09)");
+  add("torsion NaN", {zero, x, 0.5, soft_finger, nan}, "torsion" + not_negative + "(nan)");
+  add("torsion infinite", {zero, x, 0.5, soft_finger, infinity},
+      "torsion" + not_negative + "(inf)");
+  add("torsion -1e-9", {zero, x, 0.5, soft_finger, -1e-9}, "torsion" + not_negative + "(-1e-09)");
+  return refused;
+}
+
+// All that is refused: contacts, frames and options, and grasps whose wrenches are no numbers.
+inline std::vector<RefusedGrasp> refused_grasps() {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Contacts four = tetrahedron();
+  const std::string scale = "torque_scale: must be positive and finite ";
+  std::vector<RefusedGrasp> refused = refused_contacts();
+  const std::vector<RefusedGrasp> others = {
+      {"torque origin NaN", "torque_origin: not finite (0, nan, 0)", four, {{0.0, nan, 0.0}, 1.0}},
+      {"torque origin infinite",
+       "torque_origin: not finite (inf, 0, 0)",
+       four,
+       {{infinity, 0.0, 0.0}, 1.0}},
+      {"torque scale 0", scale + "(0)", four, {{}, 0.0}},
+      {"torque scale -1", scale + "(-1)", four, {{}, -1.0}},
+      {"torque scale NaN", scale + "(nan)", four, {{}, nan}},
+      {"torque scale infinite", scale + "(inf)", four, {{}, infinity}},
+      {"pyramids of 2 edges", "edges: a friction pyramid needs at least 3 (2)", four, {}, 2},
+      {"pyramids of -1 edges", "edges: a friction pyramid needs at least 3 (-1)", four, {}, -1},
+      {"torques of 1e309", "wrench 0: not finite", scaled(four, 1e300), {{}, 1e9}},
+      {"torsion times friction 1e309", "wrench 0: not finite", soft(tetrahedron(1e300), 1e9), {}},
+      {"tolerance -1", "relative_tolerance: must not be negative (-1.000000)", four, {}, 8, {-1.0}},
+      {"tolerance NaN", "relative_tolerance: must not be negative (nan)", four, {}, 8, {nan}},
+  };
+  refused.insert(refused.end(), others.begin(), others.end());
+  return refused;
+}
+
+// The message with which a grasp is refused on its way to epsilon, "" where it is not.
+inline std::string refusal(const RefusedGrasp& grasp) {
+  try {
+    epsilon_l1(contact_wrenches(grasp.contacts, grasp.frame, grasp.edges), grasp.options);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace prehend::test

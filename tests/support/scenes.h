@@ -1,0 +1,124 @@
+// Scenes and small hands for trials.
+#pragma once
+
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/geometry/basic_shapes.h"
+#include "sim/robot/robot_file.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
+#include "tests/support/brute_force.h"
+
+namespace prehend::test {
+
+inline Scene scene_with(Robot hand, TriangleMesh object, std::vector<StaticBody> obstacles = {}) {
+  Scene scene;
+  scene.name = "test";
+  scene.object = make_graspable("object", std::move(object), Material::plastic);
+  scene.hand = std::move(hand);
+  scene.obstacles = std::move(obstacles);
+  return scene;
+}
+
+inline CompiledScene compiled(Robot hand, TriangleMesh object,
+                              std::vector<StaticBody> obstacles = {}) {
+  return compile(scene_with(std::move(hand), std::move(object), std::move(obstacles)));
+}
+
+inline StaticBody obstacle(TriangleMesh mesh, const Vector3& p_W) {
+  StaticBody body;
+  body.name = "obstacle";
+  body.mesh = std::move(mesh);
+  body.X_WB = translation(p_W);
+  return body;
+}
+
+inline TriangleMesh block(const Vector3& size, const Vector3& center) {
+  return transformed(make_box(size), translation(center));
+}
+
+// A finger of two bars of 50 mm that turns about z from the x axis towards +y, and a palm behind
+// it.
+inline Robot finger_hand(Coupling coupling, double distal_ratio = 0.5) {
+  Robot robot;
+  robot.name = "finger";
+  robot.chains = {{.name = "finger", .first_joint = 0, .joint_count = 2}};
+  const double half_turn = std::numbers::pi;
+  robot.joints = {
+      {.name = "proximal", .a = 0.05, .lower = 0.0, .upper = half_turn},
+      {.name = "distal", .a = 0.05, .lower = 0.0, .upper = half_turn, .ratio = distal_ratio}};
+  robot.joints[1].parent = 0;
+  robot.dofs = {{.name = "bend", .upper = 1.5, .closing_velocity = 1.0, .coupling = coupling}};
+  const TriangleMesh bar = block({0.044, 0.01, 0.02}, {-0.025, 0.0, 0.0});
+  robot.links = {{"palm", "plastic", -1, block({0.03, 0.03, 0.03}, {-0.03, 0.0, 0.0})},
+                 {"proximal", "plastic", 0, bar},
+                 {"distal", "plastic", 1, bar}};
+  robot.hand = Hand{.approach = Vector3::UnitX(),
+                    .closing = Vector3::UnitY(),
+                    .preshapes = {{.name = "straight", .dofs = {0.0}, .max_width = 0.05}}};
+  return robot;
+}
+
+inline std::vector<Pose> link_poses_in_object(const CompiledScene& scene, const Pose& X_OH,
+                                              const std::vector<double>& joints) {
+  std::vector<Pose> poses;
+  link_poses(scene.scene.hand, joints, poses);
+  for (Pose& pose : poses) pose = X_OH * pose;
+  return poses;
+}
+
+// Each link's triangles in the object's frame.
+inline std::vector<std::vector<Corners>> link_soups(const CompiledScene& scene, const Pose& X_OH,
+                                                    const std::vector<double>& joints) {
+  const std::vector<Pose> poses = link_poses_in_object(scene, X_OH, joints);
+  std::vector<std::vector<Corners>> soups;
+  for (std::size_t l = 0; l < poses.size(); ++l) {
+    soups.push_back(soup(scene.links[l].mesh.mesh(), poses[l]));
+  }
+  return soups;
+}
+
+// Per link, its gap to the object, by brute force.
+inline std::vector<double> object_gaps(const CompiledScene& scene, const Pose& X_OH,
+                                       const std::vector<double>& joints) {
+  const std::vector<Corners> object = soup(scene.object.mesh());
+  std::vector<double> gaps;
+  for (const auto& link : link_soups(scene, X_OH, joints)) {
+    gaps.push_back(surface_gap(object, link));
+  }
+  return gaps;
+}
+
+inline std::string what_collides(const std::vector<std::vector<Corners>>& links,
+                                 const CompiledScene& scene) {
+  const std::vector<Corners> object = soup(scene.object.mesh());
+  std::vector<std::pair<std::string, std::vector<Corners>>> others = {{"object", object}};
+  for (const CompiledObstacle& o : scene.obstacles) {
+    others.emplace_back(o.name, soup(o.mesh.mesh(), o.X_OB));
+  }
+  for (std::size_t l = 0; l < links.size(); ++l) {
+    for (const auto& [name, other] : others) {
+      if (surfaces_meet(links[l], other)) return scene.links[l].name + " meets " + name;
+      if (one_holds_the_other(links[l], other)) return scene.links[l].name + " is inside " + name;
+    }
+  }
+  for (const LinkPair& pair : scene.self_pairs) {
+    const auto a = static_cast<std::size_t>(pair.a);
+    const auto b = static_cast<std::size_t>(pair.b);
+    if (surfaces_meet(links[a], links[b])) {
+      return scene.links[a].name + " meets " + scene.links[b].name;
+    }
+  }
+  return "";
+}
+
+// What penetrates what with the hand there, "" for nothing; by brute force.
+inline std::string collision(const CompiledScene& scene, const Pose& X_OH,
+                             const std::vector<double>& joints) {
+  return what_collides(link_soups(scene, X_OH, joints), scene);
+}
+
+}  // namespace prehend::test
