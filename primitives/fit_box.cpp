@@ -1,5 +1,3 @@
-#include "primitives/fit_box.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +6,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "primitives/fit_shapes.h"
 #include "primitives/ranked_starts.h"
 
 namespace prehend {

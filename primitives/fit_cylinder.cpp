@@ -1,5 +1,3 @@
-#include "primitives/fit_cylinder.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "primitives/fit_circle.h"
+#include "primitives/fit_shapes.h"
 #include "primitives/ranked_starts.h"
 
 namespace prehend {

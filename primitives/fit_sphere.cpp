@@ -1,10 +1,10 @@
-#include "primitives/fit_sphere.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <Eigen/Cholesky>
+
+#include "primitives/fit_shapes.h"
 
 namespace prehend {
 namespace {

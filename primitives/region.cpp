@@ -4,9 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "primitives/fit_box.h"
-#include "primitives/fit_cylinder.h"
-#include "primitives/fit_sphere.h"
+#include "primitives/fit_shapes.h"
 #include "primitives/primitive_surface.h"
 
 namespace prehend {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/path/joint_limits.h"
+#include "planner/path/time_path.h"
 
 namespace prehend {
 

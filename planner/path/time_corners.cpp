@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "planner/path/sample_count.h"
-
 namespace prehend {
 namespace {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "planner/path/path_speed.h"
-#include "planner/path/sample_count.h"
 
 namespace prehend {
 namespace {

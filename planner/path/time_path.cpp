@@ -93,6 +93,16 @@ TimedPath time_path(const Points& waypoints, PathKind kind, const JointLimits& l
   }
 }
 
+int step_count(double duration, double sample_time) {
+  constexpr double kMost = 1e7;
+  const double steps = std::ceil(duration / sample_time);
+  if (!(steps <= kMost)) {
+    fail("takes " + std::to_string(duration) +
+         " s, too many samples: its limits or sample_time are too small");
+  }
+  return std::max(1, static_cast<int>(steps));
+}
+
 void append(Trajectory& trajectory, const std::string& segment, const TimedPath& path) {
   constexpr double kSamePlace = 1e-9;
   const std::size_t joints = trajectory.joints.size();

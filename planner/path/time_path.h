@@ -5,10 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "planner/path/joint_limits.h"
 #include "planner/path/trajectory.h"
 
 namespace prehend {
+
+// How fast joints may move: one number a joint, finite and > 0 for every joint that moves; those of
+// others are not looked at.
+struct JointLimits {
+  std::vector<double> velocity;      // rad/s or m/s
+  std::vector<double> acceleration;  // rad/s^2 or m/s^2
+};
 
 // What lies between the waypoints.
 enum class PathKind {
@@ -47,6 +53,15 @@ struct TimedPath {
 // limits, or they are so small that the motion would take ten million samples.
 TimedPath time_path(const std::vector<std::vector<double>>& waypoints, PathKind kind,
                     const JointLimits& limits, const TimePathOptions& options = {});
+
+// A motion from stop to stop is stretched to this [s]: times of its samples stay apart where they
+// are written in nanoseconds, and velocities differ by more than rounding.
+inline constexpr double kShortestMotion = 1e-6;
+
+// The smallest number of equal steps of `duration`, at least 1, none of them longer than
+// `sample_time`; both kinds of motion are divided by it. Throws InputError for more than ten
+// million.
+int step_count(double duration, double sample_time);
 
 // Puts `path` behind the last sample of `trajectory`, as a segment; the sample where they meet is
 // kept once. An empty trajectory (joints named, no samples) takes the path as it is. Throws

@@ -1,9 +1,7 @@
 // The three fits where part of the surface is missing or does not belong.
 #include <gtest/gtest.h>
 
-#include "primitives/fit_box.h"
-#include "primitives/fit_cylinder.h"
-#include "primitives/fit_sphere.h"
+#include "primitives/fit_shapes.h"
 #include "primitives/inscribed.h"
 #include "sim/geometry/object_generator.h"
 #include "tests/primitives/test_meshes.h"
