@@ -64,7 +64,8 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
   return unit;
 }
 
-Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options) {
+Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
+                   const RunContext& context) {
   constexpr int kPoints = 3000;
   // A primitive may leave the surface by as much as a point may leave the primitive, but not by
   // less than the gaps between the points.
@@ -79,7 +80,8 @@ Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options) {
   const double gap = std::sqrt(area / kPoints);
   const double radius = std::max({options.tolerance, kGaps * gap, kFinestGrid});
   NearSurface near(points, radius);
-  return {std::move(points), std::move(near), area, options.tolerance, options.coverage};
+  return {std::move(points), std::move(near),  area,
+          options.tolerance, options.coverage, context.cancellation};
 }
 
 struct Leaf {
@@ -170,10 +172,12 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
 
 }  // namespace
 
-Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options) {
+Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options,
+                        const RunContext& context) {
+  context.cancellation.check();
   check(mesh, options);
   const UnitMesh unit = unit_mesh(mesh);
-  const Surface surface = surface_of(unit.mesh, options);
+  const Surface surface = surface_of(unit.mesh, options, context);
   std::vector<Region> regions = grown(surface, options);
   if (regions.size() > 1) regions = polished(std::move(regions), surface);
   regions = reduced(std::move(regions), surface, static_cast<std::size_t>(options.max_primitives));

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/geometry/primitive.h"
 #include "sim/geometry/triangle_mesh.h"
 
@@ -34,7 +35,8 @@ struct Decomposition {
 // spread by area, so its time hardly depends on the number of triangles; orientation and closedness
 // of the mesh do not matter. Explained fractions are estimates from those points. Pure function of
 // its arguments. Throws InputError for a mesh without area, with an index or a vertex that cannot
-// be used, or for an option out of its range.
-Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {});
+// be used, or for an option out of its range; Cancelled.
+Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
+                        const RunContext& context = {});
 
 }  // namespace prehend

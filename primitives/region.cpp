@@ -60,8 +60,9 @@ Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effo
       static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
   Region region;
   region.cost = std::numeric_limits<double>::infinity();
-  for (const Primitive& candidate :
-       {fit_cylinder(few, options), fit_box(few, options), fit_sphere(few, options)}) {
+  for (const auto fit : {fit_cylinder, fit_box, fit_sphere}) {
+    surface.cancellation.check();
+    const Primitive candidate = fit(few, options);
     const double cost = cost_of(candidate, few, share, surface);
     if (cost < region.cost) {
       region.primitive = candidate;

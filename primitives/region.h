@@ -6,6 +6,7 @@
 
 #include "primitives/near_surface.h"
 #include "primitives/surface_sample.h"
+#include "sim/base/run_context.h"
 #include "sim/geometry/primitive.h"
 
 namespace prehend {
@@ -22,6 +23,7 @@ struct Surface {
   double area = 0.0;
   double tolerance = 0.0;
   double coverage = 0.0;
+  Cancellation cancellation;  // looked at by every fit
 };
 
 // One more primitive must lower the rest of the objective by this much.
@@ -42,7 +44,7 @@ enum class Effort {
   thorough,  // all points
 };
 
-// The box, sphere or cylinder of least cost for these points (at least one).
+// The box, sphere or cylinder of least cost for these points (at least one). Throws Cancelled.
 Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort);
 
 // The region fitted thoroughly; its own primitive when that is not worse.

@@ -30,7 +30,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   exported.rank = rank;
   exported.outcome = outcome_name(trial.outcome);
   exported.epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
-  exported.volume = grasp.volume;
+  exported.volume = grasp.volume.value_or(0.0);
   exported.X_OH = trial.X_OH;
   exported.X_WH = scene.scene.object.X_WO * trial.X_OH;
   exported.preshape = preshape_name(scene, grasp.candidate);

@@ -50,7 +50,7 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
   Json json;
   json["outcome"] = outcome_name(trial.outcome);
   json["epsilon"] = stable ? trial.epsilon.lower : 0.0;
-  json["volume"] = grasp.volume;
+  if (grasp.volume) json["volume"] = *grasp.volume;
   json["force_closure"] = stable;
   json["X_object_hand"] = pose_to_json(trial.X_OH);
   json["X_world_hand"] = pose_to_json(scene.scene.object.X_WO * trial.X_OH);
@@ -80,7 +80,7 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
 }
 
 Json settings_json(const RunRecord& record) {
-  const TrialOptions& trial = record.options.trials.trial;
+  const TrialOptions& trial = record.options.trial;
   const CandidateOptions& candidates = record.options.candidates;
   return {{"seed", record.seed},
           {"top", record.options.rank.top},
@@ -146,9 +146,11 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   }
   json["settings"] = settings_json(record);
   if (record.options.paths) json["settings"]["paths"] = path_settings_json(*record.options.paths);
+  if (result.status != PlanStatus::complete) json["status"] = plan_status_name(result.status);
+  if (result.untested > 0) json["untested"] = result.untested;
   json["stages"] = Json::array();
-  for (const Stage& stage : result.stages) {
-    json["stages"].push_back({{"name", stage.name}, {"count", stage.count}});
+  for (const StageCount& stage : result.stages) {
+    json["stages"].push_back({{"name", plan_count_name(stage.what)}, {"count", stage.count}});
   }
   json["outcomes"] = Json::object();
   for (Outcome outcome : kOutcomes) {
@@ -179,7 +181,7 @@ std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds
   Json json{{"threads", threads}, {"stages", Json::array()}};
   double total = 0.0;
   for (const StageTime& time : times) {
-    json["stages"].push_back({{"name", time.stage}, {"seconds", time.seconds}});
+    json["stages"].push_back({{"name", stage_name(time.stage)}, {"seconds", time.seconds}});
     total += time.seconds;
   }
   json["total"] = total;

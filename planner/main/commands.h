@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "planner/main/interrupts.h"
+
 namespace prehend {
 
 struct CommonOptions {
@@ -14,6 +16,7 @@ struct CommonOptions {
   std::uint64_t seed = 1;
   bool hard_contacts = false;
   bool no_report = false;
+  bool progress = false;  // lines on stderr that say how far the run is
 };
 
 struct PlanCommand {
@@ -64,11 +67,12 @@ struct QualityCommand {
 };
 
 // Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake,
-// before anything is written.
-int run_plan(const PlanCommand& command);
-int run_evaluate(const EvaluateCommand& command);
-int run_render(const RenderCommand& command);
-int run_inspect(const InspectCommand& command);
-int run_quality(const QualityCommand& command);
+// before anything is written. Interrupted, `plan` writes the grasps that it has found; the others
+// end at once.
+int run_plan(const PlanCommand& command, Interrupts& interrupts);
+int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts);
+int run_render(const RenderCommand& command, Interrupts& interrupts);
+int run_inspect(const InspectCommand& command, Interrupts& interrupts);
+int run_quality(const QualityCommand& command, Interrupts& interrupts);
 
 }  // namespace prehend

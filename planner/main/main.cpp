@@ -22,6 +22,7 @@ void add_common(CLI::App& command, CommonOptions& common) {
       ->capture_default_str();
   command.add_option("--seed", common.seed, "seed of everything random")->capture_default_str();
   command.add_option("--out", common.out, "folder to write to")->capture_default_str();
+  command.add_flag("--progress", common.progress, "say on stderr how far the run is, in lines");
 }
 
 void add_no_report(CLI::App& command, bool& no_report) {
@@ -52,7 +53,7 @@ struct Program {
   prehend::RenderCommand render;
   prehend::InspectCommand inspect;
   prehend::QualityCommand quality;
-  std::function<int()> chosen;
+  std::function<int(prehend::Interrupts&)> chosen;
 
   Program() {
     app.require_subcommand(1);
@@ -84,7 +85,11 @@ struct Program {
     add_common(command, plan.common);
     add_contacts(command, plan.common);
     add_no_report(command, plan.common.no_report);
-    command.callback([this] { chosen = [this] { return prehend::run_plan(plan); }; });
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_plan(plan, interrupts);
+      };
+    });
   }
 
   void add_evaluate() {
@@ -95,7 +100,11 @@ struct Program {
     add_common(command, evaluate.common);
     add_contacts(command, evaluate.common);
     add_no_report(command, evaluate.common.no_report);
-    command.callback([this] { chosen = [this] { return prehend::run_evaluate(evaluate); }; });
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_evaluate(evaluate, interrupts);
+      };
+    });
   }
 
   void add_render() {
@@ -112,7 +121,11 @@ struct Program {
     add_scene_words(command, render.scene, render.hand, render.unit);
     render.common.out = "out/render";
     command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();
-    command.callback([this] { chosen = [this] { return prehend::run_render(render); }; });
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_render(render, interrupts);
+      };
+    });
   }
 
   void add_inspect() {
@@ -123,7 +136,11 @@ struct Program {
     command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
         ->capture_default_str();
     command.add_option("--save", inspect.save, "of a scene: write it to this file");
-    command.callback([this] { chosen = [this] { return prehend::run_inspect(inspect); }; });
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_inspect(inspect, interrupts);
+      };
+    });
   }
 
   void add_quality() {
@@ -144,7 +161,11 @@ struct Program {
     command.add_option("--seed", quality.seed, "seed of the robust measures")
         ->capture_default_str();
     add_no_report(command, quality.no_report);
-    command.callback([this] { chosen = [this] { return prehend::run_quality(quality); }; });
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_quality(quality, interrupts);
+      };
+    });
   }
 };
 
@@ -160,7 +181,8 @@ int main(int argc, char** argv) {
       std::cerr << "prehend: " << error.what() << " (see --help)\n";
       return kCallersMistake;
     }
-    return program.chosen();
+    prehend::Interrupts interrupts;
+    return program.chosen(interrupts);
   } catch (const std::invalid_argument& error) {
     std::cerr << "prehend: " << error.what() << "\n";
     return kCallersMistake;

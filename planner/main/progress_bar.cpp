@@ -10,23 +10,41 @@ namespace {
 constexpr int kCells = 30;
 constexpr double kSecondsBetween = 0.1;
 
+// "trials 120 of 800, 31 hold"
+std::string words_of(const Progress& progress) {
+  std::string words = std::string(stage_name(progress.stage)) + " " +
+                      std::to_string(progress.done) + " of " + std::to_string(progress.total);
+  if (progress.stage == Stage::trials) words += ", " + std::to_string(progress.stable) + " hold";
+  return words;
+}
+
 }  // namespace
 
-ProgressBar::ProgressBar() : on_terminal_(::isatty(STDERR_FILENO) != 0) {}
+ProgressBar::ProgressBar(bool lines)
+    : lines_(lines), on_terminal_(!lines && ::isatty(STDERR_FILENO) != 0) {}
 
-void ProgressBar::show(const TrialProgress& progress) {
-  if (!on_terminal_ || progress.total == 0) return;
+void ProgressBar::show(const Progress& progress) {
+  if (!lines_ && !on_terminal_) return;
   const auto now = Clock::now();
+  const bool first = progress.stage != stage_ || progress.done == 0;
   const bool last = progress.done == progress.total;
-  if (!last && std::chrono::duration<double>(now - drawn_).count() < kSecondsBetween) return;
+  if (first) start_ = now;
+  stage_ = progress.stage;
+  if (!first && !last && std::chrono::duration<double>(now - drawn_).count() < kSecondsBetween) {
+    return;
+  }
   drawn_ = now;
-  const double part = static_cast<double>(progress.done) / progress.total;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const double left = part > 0.0 ? elapsed * (1.0 - part) / part : 0.0;
-  const auto filled = static_cast<std::size_t>(part * kCells);
-  const std::string bar = std::string(filled, '#') + std::string(kCells - filled, '.');
-  std::fprintf(stderr, "\r[%s] %d of %d tried, %d hold, %.0f s left ", bar.c_str(), progress.done,
-               progress.total, progress.stable, left);
+  const std::string words = words_of(progress);
+  if (lines_) {
+    std::fprintf(stderr, "%s\n", words.c_str());
+  } else if (progress.total > 0) {
+    const double part = static_cast<double>(progress.done) / progress.total;
+    const double elapsed = std::chrono::duration<double>(now - start_).count();
+    const auto filled = static_cast<std::size_t>(part * kCells);
+    const std::string bar = std::string(filled, '#') + std::string(kCells - filled, '.');
+    std::fprintf(stderr, "\r\033[K[%s] %s", bar.c_str(), words.c_str());
+    if (part > 0.0) std::fprintf(stderr, ", %.0f s left ", elapsed * (1.0 - part) / part);
+  }
   std::fflush(stderr);
 }
 

@@ -25,7 +25,7 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
     const ScoredGrasp& grasp = result.grasps[i];
     const std::string preshape = preshape_name(scene, grasp.candidate);
     text += format("%4zu  %8.4f  %9.3g  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
-                   grasp.volume, grasp.trial.contacts.size(),
+                   grasp.volume.value_or(0.0), grasp.trial.contacts.size(),
                    std::string(outcome_name(grasp.trial.outcome)).c_str(),
                    preshape.empty() ? "-" : preshape.c_str(), origin_words(grasp, result).c_str());
   }
@@ -70,7 +70,7 @@ std::string blocker_line(const PlanResult& result) {
 
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {
   return format("rank %zu   epsilon %.4f   volume %.3g   %zu contacts", rank,
-                grasp.trial.epsilon.lower, grasp.volume, grasp.trial.contacts.size());
+                grasp.trial.epsilon.lower, grasp.volume.value_or(0.0), grasp.trial.contacts.size());
 }
 
 }  // namespace prehend

@@ -10,7 +10,7 @@
 
 namespace prehend {
 
-int run_evaluate(const EvaluateCommand& command) {
+int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   Stopwatch watch;
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
@@ -18,32 +18,32 @@ int run_evaluate(const EvaluateCommand& command) {
   for (const AskedGrasp& asked : asked_grasps(file, loaded.scene)) {
     candidates.push_back(asked.candidate);
   }
-  watch.lap("load");
+  watch.lap(Stage::load);
 
-  ProgressBar bar;
-  RunTrialsOptions options;
-  options.threads = command.common.threads;
+  ProgressBar bar(command.common.progress);
+  EvaluateOptions options;
   options.trial.soft_fingers = !command.common.hard_contacts;
-  options.progress = [&](const TrialProgress& progress) { bar.show(progress); };
-  const PlanResult result =
-      evaluate(loaded.scene, candidates, options, command.common.no_report ? 0 : kMostDetailed);
+  if (!command.common.no_report) options.sections = kMostDetailed;
+  const RunContext context{command.common.threads, interrupts.cancellation(),
+                           [&](const Progress& progress) { bar.show(progress); }};
+  const PlanResult result = evaluate(loaded.scene, candidates, options, context);
   bar.clear();
   watch.add(result.times);
 
   RunRecord record = loaded.record;
   record.seed = command.common.seed;
-  record.options.trials = options;
+  record.options.trial = options.trial;
   std::string report;
   if (!command.common.no_report) {
-    report = report_html(plan_report(loaded.scene, result, record, {command.common.threads}));
-    watch.lap("report");
+    report = report_html(plan_report(loaded.scene, result, record, {}, context));
+    watch.lap(Stage::report);
   }
   make_folder(command.common.out);
   remove_file(command.common.out / "report.html");
-  if (!report.empty()) write_file(command.common.out / "report.html", report);
-  write_file(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));
-  write_file(command.common.out / "timings.json",
-             timings_json(watch.laps(), result.trial_seconds, command.common.threads));
+  if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
+  interrupts.write(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));
+  interrupts.write(command.common.out / "timings.json",
+                   timings_json(watch.laps(), result.trial_seconds, command.common.threads));
   constexpr std::size_t kMostRows = 20;
   std::cout << grasp_table(loaded.scene, result, kMostRows);
   if (result.grasps.size() > kMostRows) {

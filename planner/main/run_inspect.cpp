@@ -150,7 +150,7 @@ bool is_robot_name(const std::string& name) {
 
 }  // namespace
 
-int run_inspect(const InspectCommand& command) {
+int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
     print_platform(find_platform(command.file));
     return 0;
@@ -174,7 +174,7 @@ int run_inspect(const InspectCommand& command) {
   }
   const Scene scene = load_scene(file);
   print_scene(scene);
-  if (!command.save.empty()) write_file(command.save, scene_text(scene));
+  if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
   return 0;
 }
 

@@ -10,6 +10,8 @@
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/telling_side.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
@@ -40,67 +42,139 @@ std::string names_of(const std::vector<ExportFile>& files) {
   return names;
 }
 
-}  // namespace
-
-int run_plan(const PlanCommand& command) {
-  Stopwatch watch;
-  const std::filesystem::path file = find_scene(command.scene);
-  Scene loaded = load_scene(file, {command.hand, command.unit});
-  watch.lap("load");
-  const CompiledScene scene = compile(std::move(loaded));
-  watch.lap("compile");
-
-  ProgressBar bar;
+PlanOptions options_of(const PlanCommand& command) {
   PlanOptions options;
   options.primitives.seed = command.common.seed;
-  options.trials.threads = command.common.threads;
-  options.trials.trial.soft_fingers = !command.common.hard_contacts;
-  options.trials.progress = [&](const TrialProgress& progress) { bar.show(progress); };
+  options.trial.soft_fingers = !command.common.hard_contacts;
+  options.trial.reach.kinematics.seed = command.common.seed;
   options.rank.top = command.top;
-  options.trials.trial.reach.kinematics.seed = command.common.seed;
   if (command.path) {
     options.paths.emplace();
-    options.paths->reach = options.trials.trial.reach;
+    options.paths->reach = options.trial.reach;
     options.paths->transfer.seed = command.common.seed;
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();
   }
   if (!command.common.no_report) options.sections = kMostDetailed;
-  const PlanResult result = plan(scene, options);
-  bar.clear();
-  watch.add(result.times);
+  return options;
+}
 
-  const RunRecord record{scene_reference(file), command.unit, command.hand, command.common.seed,
-                         options};
-  std::vector<ExportFile> files = {{"grasps.json", grasps_json(scene, result, record)}};
-  for (const std::string& format : command.exports) {
-    for (ExportFile& file_of : export_files(scene, result, format)) {
-      files.push_back(std::move(file_of));
+// The steps of the command, with what they share.
+class PlanProgram {
+ public:
+  PlanProgram(const PlanCommand& command, Interrupts& interrupts)
+      : command_(command), interrupts_(interrupts), folder_(command.common.out) {}
+
+  int run() {
+    const std::filesystem::path file = find_scene(command_.scene);
+    Scene loaded = load_scene(file, {command_.hand, command_.unit});
+    watch_.lap(Stage::load);
+    const CompiledScene scene = compile(std::move(loaded));
+    watch_.lap(Stage::compile);
+    const RunRecord record{scene_reference(file), command_.unit, command_.hand,
+                           command_.common.seed, options_of(command_)};
+    const PlanResult result = plan_grasps(scene, record.options);
+    if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
+    if (result.status != PlanStatus::complete) throw InputError(no_candidates_words(scene, result));
+    write_grasps(scene, result, record);
+    // What is still to come can be made again from grasps.json: it need not be waited for.
+    interrupts_.end_at_once("the grasps are written, not the report and the pictures");
+    if (interrupts_.cancellation().requested()) return say_interrupted("no report, no pictures");
+    write_report(scene, result, record);
+    const std::string pictures = write_pictures(scene, result);
+    write_timings(result);
+    std::cout << "wrote " << folder_.string() << ": " << written_ << ", timings.json" << pictures
+              << "\n";
+    return 0;
+  }
+
+ private:
+  PlanResult plan_grasps(const CompiledScene& scene, const PlanOptions& options) {
+    ProgressBar bar(command_.common.progress);
+    interrupts_.cancel_first();
+    PlanResult result = plan(scene, options,
+                             {command_.common.threads, interrupts_.cancellation(),
+                              [&](const Progress& progress) { bar.show(progress); }});
+    bar.clear();
+    watch_.add(result.times);
+    return result;
+  }
+
+  // What is quick: neither exports, nor report and pictures.
+  int write_cancelled(const CompiledScene& scene, const PlanResult& result,
+                      const RunRecord& record) {
+    const std::size_t tried = result.tried.size();
+    if (tried == 0) return say_interrupted("nothing is written");
+    write_files({{"grasps.json", grasps_json(scene, result, record)}});
+    write_timings(result);
+    print_result(scene, result);
+    std::cout << "wrote " << folder_.string() << ": " << written_ << ", timings.json\n";
+    return say_interrupted(std::to_string(tried) + " of " +
+                           std::to_string(tried + index(result.untested)) +
+                           " candidates were tried; no report, no pictures");
+  }
+
+  void write_grasps(const CompiledScene& scene, const PlanResult& result, const RunRecord& record) {
+    std::vector<ExportFile> files = {{"grasps.json", grasps_json(scene, result, record)}};
+    for (const std::string& format : command_.exports) {
+      for (ExportFile& file : export_files(scene, result, format)) files.push_back(std::move(file));
     }
+    write_files(files);
+    write_timings(result);
+    print_result(scene, result);
   }
-  if (!command.common.no_report) {
-    files.push_back(
-        {"report.html", report_html(plan_report(scene, result, record, {command.common.threads}))});
-    watch.lap("report");
-  }
-  make_folder(command.common.out);
-  remove_earlier(command.common.out);
-  for (const ExportFile& written : files) {
-    write_file(command.common.out / written.name, written.content);
-  }
-  std::string written_last;
-  for (const auto& [name, image] : best_pictures(scene, result)) {
-    write_png(command.common.out / name, image);
-    written_last += ", " + name;
-  }
-  watch.lap("picture");
-  write_file(command.common.out / "timings.json",
-             timings_json(watch.laps(), result.trial_seconds, command.common.threads));
 
-  std::cout << grasp_table(scene, result, static_cast<std::size_t>(command.top))
-            << outcome_line(result) << "\n"
-            << blocker_line(result) << "wrote " << command.common.out.string() << ": "
-            << names_of(files) << ", timings.json" << written_last << "\n";
-  return 0;
+  void write_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record) {
+    if (command_.common.no_report) return;
+    const RunContext context{command_.common.threads, interrupts_.cancellation(), {}};
+    interrupts_.write(folder_ / "report.html",
+                      report_html(plan_report(scene, result, record, {}, context)));
+    written_ += ", report.html";
+    watch_.lap(Stage::report);
+  }
+
+  std::string write_pictures(const CompiledScene& scene, const PlanResult& result) {
+    std::string names;
+    for (const auto& [name, image] : best_pictures(scene, result)) {
+      interrupts_.write(folder_ / name, png_bytes(image));
+      names += ", " + name;
+    }
+    watch_.lap(Stage::picture);
+    return names;
+  }
+
+  void write_files(const std::vector<ExportFile>& files) {
+    make_folder(folder_);
+    remove_earlier(folder_);
+    for (const ExportFile& file : files) interrupts_.write(folder_ / file.name, file.content);
+    written_ = names_of(files);
+  }
+
+  void write_timings(const PlanResult& result) {
+    interrupts_.write(folder_ / "timings.json",
+                      timings_json(watch_.laps(), result.trial_seconds, command_.common.threads));
+  }
+
+  void print_result(const CompiledScene& scene, const PlanResult& result) const {
+    std::cout << grasp_table(scene, result, index(command_.top)) << outcome_line(result) << "\n"
+              << blocker_line(result) << std::flush;
+  }
+
+  int say_interrupted(const std::string& words) const {
+    std::cerr << "prehend: interrupted, " << words << "\n";
+    return interrupts_.exit_status();
+  }
+
+  const PlanCommand& command_;
+  Interrupts& interrupts_;
+  const std::filesystem::path folder_;
+  Stopwatch watch_;
+  std::string written_;  // names of the files, with commas
+};
+
+}  // namespace
+
+int run_plan(const PlanCommand& command, Interrupts& interrupts) {
+  return PlanProgram(command, interrupts).run();
 }
 
 }  // namespace prehend

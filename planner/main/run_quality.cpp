@@ -150,7 +150,7 @@ void add_measures(const QualityCommand& command, const ContactsFile& file,
 
 // The section as a mesh file; its three axes are the coordinates that are not fixed.
 void write_slice(const QualityCommand& command, const ContactsFile& file,
-                 const MeasureOptions& options) {
+                 const MeasureOptions& options, Interrupts& interrupts) {
   const FixedCoordinates fixed = read_fixed(command.project);
   if (file.contacts.empty()) throw InputError("--project: there are no contacts");
   const SetHull hull =
@@ -161,15 +161,16 @@ void write_slice(const QualityCommand& command, const ContactsFile& file,
   const WrenchSlice slice = wrench_slice(hull.hull, fixed);
   if (slice.empty()) throw InputError("--project: the section is empty (" + command.project + ")");
   make_folder(command.out);
-  write_file(command.out / "slice.ply", ply_text(slice.vertices, slice.triangles));
+  interrupts.write(command.out / "slice.ply", ply_text(slice.vertices, slice.triangles));
 }
 
 // Words go to stderr: stdout is JSON.
-void write_report(const QualityCommand& command, const std::string& report) {
+void write_report(const QualityCommand& command, const std::string& report,
+                  Interrupts& interrupts) {
   remove_file(command.out / "report.html");
   if (report.empty()) return;
   make_folder(command.out);
-  write_file(command.out / "report.html", report);
+  interrupts.write(command.out / "report.html", report);
   std::cerr << "wrote " << command.out.string() << ": report.html\n";
 }
 
@@ -190,7 +191,7 @@ Json quality_json(const QualityCommand& command, const ContactsFile& file,
 
 }  // namespace
 
-int run_quality(const QualityCommand& command) {
+int run_quality(const QualityCommand& command, Interrupts& interrupts) {
   const ContactsFile file = load_contacts(command.contacts);
   MeasureOptions options;
   options.space = read_space(command);
@@ -209,8 +210,8 @@ int run_quality(const QualityCommand& command) {
       const std::string name = command.contacts.stem().string();
       report = report_html(contacts_report(name, file, judged, command.seed));
     }
-    if (!command.project.empty()) write_slice(command, file, options);
-    write_report(command, report);
+    if (!command.project.empty()) write_slice(command, file, options, interrupts);
+    write_report(command, report, interrupts);
     std::cout << json.dump(1) << "\n";
   } catch (const InputError&) {
     throw;

@@ -85,25 +85,26 @@ void print_written(const std::filesystem::path& folder, const std::vector<std::s
 }
 
 void write_each(const std::filesystem::path& folder, const CompiledScene& scene,
-                const std::vector<DrawnGrasp>& grasps) {
+                const std::vector<DrawnGrasp>& grasps, Interrupts& interrupts) {
   std::vector<std::string> names(grasps.size());
   for_each_in_parallel(grasps.size(), 0, [&](std::size_t i) {
     names[i] = numbered("grasp_%03zu.png", grasps[i].number);
-    write_png(folder / names[i],
-              grasp_from_four_sides(scene, grasps[i].posed, {.width = 1400, .height = 1100}));
+    interrupts.write(
+        folder / names[i],
+        png_bytes(grasp_from_four_sides(scene, grasps[i].posed, {.width = 1400, .height = 1100})));
   });
   print_written(folder, names);
 }
 
 void write_sheet(const std::filesystem::path& folder, const CompiledScene& scene,
-                 const std::vector<DrawnGrasp>& grasps) {
+                 const std::vector<DrawnGrasp>& grasps, Interrupts& interrupts) {
   std::vector<PosedGrasp> best;
   for (const DrawnGrasp& grasp : grasps) {
     if (best.size() == kSheetGrasps) break;
     best.push_back(grasp.posed);
     best.back().title = grasp.numbers;
   }
-  write_png(folder / "contact_sheet.png", contact_sheet(scene, best));
+  interrupts.write(folder / "contact_sheet.png", png_bytes(contact_sheet(scene, best)));
   print_written(folder, {"contact_sheet.png"});
 }
 
@@ -124,7 +125,7 @@ std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::s
 }
 
 void write_frames(const std::filesystem::path& folder, const CompiledScene& scene,
-                  const DrawnGrasp& grasp, int count) {
+                  const DrawnGrasp& grasp, int count, Interrupts& interrupts) {
   const std::string start = numbered("approach_%03zu_frame_", grasp.number);
   remove_frames(folder, start);
   if (count == 0) return;
@@ -146,22 +147,24 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
     moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
     if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
     names[i] = start + numbered(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
-    write_png(folder / names[i], motion_picture(scene, moment, view, kFramePicture));
+    interrupts.write(folder / names[i],
+                     png_bytes(motion_picture(scene, moment, view, kFramePicture)));
   });
   print_written(folder, names);
 }
 
 }  // namespace
 
-int run_render(const RenderCommand& command) {
+int run_render(const RenderCommand& command, Interrupts& interrupts) {
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
   const std::vector<DrawnGrasp> grasps = read_grasps(file, loaded.scene, command.grasp);
   const std::filesystem::path& folder = command.common.out;
   make_folder(folder);
-  write_each(folder, loaded.scene, grasps);
-  if (command.grasp == 0) write_sheet(folder, loaded.scene, grasps);
-  write_frames(folder, loaded.scene, grasps.front(), command.frames);
+  interrupts.end_at_once("pictures that were drawn are written");
+  write_each(folder, loaded.scene, grasps, interrupts);
+  if (command.grasp == 0) write_sheet(folder, loaded.scene, grasps, interrupts);
+  write_frames(folder, loaded.scene, grasps.front(), command.frames, interrupts);
   return 0;
 }
 

@@ -46,10 +46,12 @@ std::vector<std::vector<Vector3>> box_corners(const CompiledArm& arm) {
 
 class PathChecker {
  public:
-  PathChecker(const CompiledScene& scene, const Trajectory& path, const PathCheckOptions& options)
+  PathChecker(const CompiledScene& scene, const Trajectory& path, const PathCheckOptions& options,
+              const RunContext& context)
       : arm_(*scene.arm),
         path_(path),
         options_(options),
+        context_(context),
         hand_joints_(scene.scene.hand.joints.size()),
         pairs_(separate_pairs(arm_.links)),
         corners_(box_corners(arm_)) {}
@@ -110,6 +112,7 @@ class PathChecker {
     std::vector<Pose> after;
     arm_link_poses(arm_, between(path_, i, 0.0), before);
     for (int k = 1; k <= steps; ++k) {
+      context_.cancellation.check();
       arm_link_poses(arm_, between(path_, i, static_cast<double>(k) / steps), after);
       for (std::size_t l = 0; l < corners_.size(); ++l) {
         for (const Vector3& p : corners_[l]) {
@@ -122,6 +125,7 @@ class PathChecker {
   }
 
   void look(const std::vector<double>& joints, double time) {
+    context_.cancellation.check();
     ++check_.postures;
     arm_link_poses(arm_, joints, X_BL_);
     const std::string met = what_meets();
@@ -159,6 +163,7 @@ class PathChecker {
   const CompiledArm& arm_;
   const Trajectory& path_;
   const PathCheckOptions& options_;
+  const RunContext& context_;
   const std::size_t hand_joints_;
   const std::vector<LinkPair> pairs_;
   const std::vector<std::vector<Vector3>> corners_;
@@ -174,8 +179,8 @@ bool PathCheck::ok() const {
 }
 
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
-                     const PathCheckOptions& options) {
-  return PathChecker(scene, path, options).run();
+                     const PathCheckOptions& options, const RunContext& context) {
+  return PathChecker(scene, path, options, context).run();
 }
 
 }  // namespace prehend

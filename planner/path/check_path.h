@@ -4,6 +4,7 @@
 #include <string>
 
 #include "planner/path/trajectory.h"
+#include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend {
@@ -27,8 +28,8 @@ struct PathCheckOptions {
 // Looks at postures along the cubics between the samples of the path, so densely that no point
 // moves more than `step` from one to the next: whether any two triangles meet, of every link with
 // every other that it is not joined to, with the object and with the obstacles. Knows no gaps, no
-// proven pairs and no bounds of motion but the points of the links themselves.
+// proven pairs and no bounds of motion but the points of the links themselves. Throws Cancelled.
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
-                     const PathCheckOptions& options = {});
+                     const PathCheckOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

@@ -23,11 +23,12 @@ JointLimits limits_of(const Robot& robot) {
 class GraspPathPlanner {
  public:
   GraspPathPlanner(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
-                   const GraspPathOptions& options)
+                   const GraspPathOptions& options, const RunContext& context)
       : scene_(scene),
         arm_(*scene.arm),
         trial_(trial),
         options_(options),
+        context_(context),
         limits_(limits_of(arm_.robot())),
         line_(approach_line(scene, candidate, trial)) {
     const std::vector<double> start = joint_values(arm_.robot(), arm_.start);
@@ -39,12 +40,12 @@ class GraspPathPlanner {
 
   std::optional<Trajectory> plan() {
     ReachOptions reach = options_.reach;
-    for (const Reach& way : find_reaches(arm_, line_, options_.alternatives, reach)) {
+    for (const Reach& way : find_reaches(arm_, line_, options_.alternatives, reach, context_)) {
       if (way.end != ReachEnd::reached) continue;
       for (const bool opens_first : {true, false}) {
         if (!opens_first && start_hand_ == line_.hand_joints) continue;
         std::optional<Trajectory> path = along(way, opens_first);
-        if (path && check_path(scene_, *path).ok()) return path;
+        if (path && check_path(scene_, *path, {}, context_).ok()) return path;
       }
     }
     return std::nullopt;
@@ -57,9 +58,10 @@ class GraspPathPlanner {
     const DofValues& opens_at = opens_first ? arm_.start : way.line.front();
     const JointPath opening = {arm_joints(arm_, opens_at, start_hand_),
                                arm_joints(arm_, opens_at, line_.hand_joints)};
-    if (first_blocked(arm_, pairs_, opening, options_.transfer.motion)) return std::nullopt;
+    if (first_blocked(arm_, pairs_, opening, options_.transfer.motion, context_))
+      return std::nullopt;
     const std::vector<DofValues> waypoints =
-        plan_transfer(arm_, {arm_.start, way.line.front(), carried}, options_.transfer);
+        plan_transfer(arm_, {arm_.start, way.line.front(), carried}, options_.transfer, context_);
     if (waypoints.empty()) return std::nullopt;
     Trajectory path;
     for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);
@@ -91,6 +93,7 @@ class GraspPathPlanner {
   const CompiledArm& arm_;
   const Trial& trial_;
   const GraspPathOptions& options_;
+  const RunContext& context_;
   const JointLimits limits_;
   const HandLine line_;
   std::vector<double> start_hand_;
@@ -100,8 +103,9 @@ class GraspPathPlanner {
 }  // namespace
 
 std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
-                                          const Trial& trial, const GraspPathOptions& options) {
-  return GraspPathPlanner(scene, candidate, trial, options).plan();
+                                          const Trial& trial, const GraspPathOptions& options,
+                                          const RunContext& context) {
+  return GraspPathPlanner(scene, candidate, trial, options, context).plan();
 }
 
 }  // namespace prehend

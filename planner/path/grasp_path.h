@@ -22,8 +22,9 @@ struct GraspPathOptions {
 // grasp), "close". Joints are those of the platform. Proven free of collision but for the closing
 // hand and what it closes on, and checked again (check_path); nothing where there is no such way.
 // The scene must have an arm, and the trial be stable. Throws InputError for a degree of freedom
-// that moves and has no velocity or acceleration limit.
+// that moves and has no velocity or acceleration limit, and Cancelled.
 std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
-                                          const Trial& trial, const GraspPathOptions& options = {});
+                                          const Trial& trial, const GraspPathOptions& options = {},
+                                          const RunContext& context = {});
 
 }  // namespace prehend

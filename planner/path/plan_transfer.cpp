@@ -61,8 +61,9 @@ class SeededSimplifier : public og::PathSimplifier {
 // motion of the farthest point.
 class TransferSpace {
  public:
-  TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options)
-      : arm_(arm), transfer_(transfer), options_(options) {
+  TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options,
+                const RunContext& context)
+      : arm_(arm), transfer_(transfer), options_(options), context_(context) {
     pairs_ = arm.arm_pairs;
     pairs_.insert(pairs_.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
     for (const int dof : arm.dofs) scale_.push_back(motion_of(dof));
@@ -84,13 +85,24 @@ class TransferSpace {
     for (std::size_t k = 0; k < size(); ++k) values[k] = scale_[k] * dofs[index(arm_.dofs[k])];
   }
 
+  // OMPL owns states by bare pointers that an exception thrown through it would leak. So nothing is
+  // free any more once the context is cancelled, which brings the planner to its next question to
+  // `after` quickly; whoever started it looks at the context when it has returned.
   bool is_free(const ob::State* state) const {
+    if (is_cancelled()) return false;
     return !first_meeting(arm_, pairs_, joints(dofs(state)));
   }
 
   bool is_free(const DofValues& from, const DofValues& to) const {
-    return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion);
+    try {
+      return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion, context_);
+    } catch (const Cancelled&) {
+      return false;
+    }
   }
+
+  bool is_cancelled() const { return context_.cancellation.requested(); }
+  void check_cancellation() const { context_.cancellation.check(); }
 
  private:
   const DegreeOfFreedom& dof(std::size_t k) const { return arm_.robot().dofs[index(arm_.dofs[k])]; }
@@ -114,6 +126,7 @@ class TransferSpace {
   const CompiledArm& arm_;
   const Transfer& transfer_;
   const TransferOptions& options_;
+  const RunContext& context_;
   std::vector<ArmPair> pairs_;
   std::vector<double> scale_;
 };
@@ -178,9 +191,10 @@ ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
 }
 
 // Counts how often the planner asks, and ends it at the limit: the same on every machine.
-ob::PlannerTerminationCondition after(int iterations) {
+ob::PlannerTerminationCondition after(int iterations, const TransferSpace& space) {
   auto left = std::make_shared<int>(iterations);
-  return ob::PlannerTerminationCondition([left] { return --*left < 0; });
+  return ob::PlannerTerminationCondition(
+      [left, &space] { return --*left < 0 || space.is_cancelled(); });
 }
 
 std::vector<DofValues> search(const TransferSpace& space, const Transfer& transfer,
@@ -197,7 +211,8 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   const ob::PlannerPtr planner = planner_of(information, options);
   planner->setProblemDefinition(problem);
   planner->setup();
-  planner->solve(after(options.max_iterations));
+  planner->solve(after(options.max_iterations, space));
+  space.check_cancellation();
   if (!problem->hasExactSolution()) return {};
   auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
   SeededSimplifier simplifier(information, options.seed);
@@ -231,15 +246,20 @@ std::optional<PathPlanner> path_planner_named(std::string_view name) {
 }
 
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
-                                     const TransferOptions& options) {
+                                     const TransferOptions& options, const RunContext& context) {
   ompl::msg::noOutputHandler();
-  const TransferSpace space(arm, transfer, options);
+  context.cancellation.check();
+  const TransferSpace space(arm, transfer, options, context);
   if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
   std::vector<DofValues> waypoints = search(space, transfer, options);
   // Rounding in and out of the planner's coordinates must not cost the proof.
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    if (!space.is_free(waypoints[i - 1], waypoints[i])) return {};
+    if (!space.is_free(waypoints[i - 1], waypoints[i])) {
+      context.cancellation.check();
+      return {};
+    }
   }
+  context.cancellation.check();
   return waypoints;
 }
 

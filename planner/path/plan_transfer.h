@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/reach/motion_check.h"
 #include "sim/robot/inverse_kinematics.h"
 
@@ -37,7 +38,9 @@ struct Transfer {
 
 // Waypoints from `from` to `to`, joined by straight lines that are proven free of collision
 // (first_blocked); empty when none was found. The same for the same seed, on any thread.
+// Throws Cancelled.
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
-                                     const TransferOptions& options = {});
+                                     const TransferOptions& options = {},
+                                     const RunContext& context = {});
 
 }  // namespace prehend

@@ -64,7 +64,7 @@ void keep_evenly(std::vector<ProposedGrasp>& grasps, std::size_t most) {
 }  // namespace
 
 Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
-                         const CandidateOptions& options) {
+                         const CandidateOptions& options, const RunContext& context) {
   const Robot& robot = scene.scene.hand;
   const Hand& hand = *robot.hand;
   Proposals proposals;
@@ -76,6 +76,7 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
   }
   for (std::size_t p = 0; p < primitives.size(); ++p) {
     for (const AimedGrasp& aimed : aim_at(primitives[p], options.rules)) {
+      context.cancellation.check();
       proposals.smallest_width = std::min(proposals.smallest_width, aimed.width);
       const double depth = object_reach(scene.scene.object.mesh, aimed.target_O, aimed.approach_O);
       for (std::size_t s = 0; s < hand.preshapes.size(); ++s) {

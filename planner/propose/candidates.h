@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/propose/grasp_rules.h"
+#include "sim/base/run_context.h"
 #include "sim/geometry/primitive.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
@@ -39,7 +40,8 @@ struct Proposals {
 // - sphere: from directions spread evenly over it.
 // The thumb goes on either side. Each is tried twice: until the palm touches, and with the place
 // between the fingertips. Source: Miller, Knoop, Allen and Christensen 2003 (rules per primitive).
+// Throws Cancelled.
 Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
-                         const CandidateOptions& options = {});
+                         const CandidateOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

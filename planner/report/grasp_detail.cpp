@@ -34,8 +34,10 @@ double epsilon_where(std::span<const Contact> contacts, const WrenchFrame& frame
 }
 
 void add_shares(std::span<const Contact> contacts, std::span<const std::string> links,
-                const WrenchFrame& frame, const WrenchSpaceOptions& space, GraspDetail& detail) {
+                const WrenchFrame& frame, const WrenchSpaceOptions& space,
+                const RunContext& context, GraspDetail& detail) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
+    context.cancellation.check();
     std::vector<bool> kept(contacts.size(), true);
     kept[i] = false;
     detail.epsilon_without.push_back(epsilon_where(contacts, frame, space, kept));
@@ -44,6 +46,7 @@ void add_shares(std::span<const Contact> contacts, std::span<const std::string> 
     const bool known = std::any_of(detail.links.begin(), detail.links.end(),
                                    [&](const LinkShare& share) { return share.link == link; });
     if (known) continue;
+    context.cancellation.check();
     std::vector<bool> kept(contacts.size());
     for (std::size_t i = 0; i < links.size(); ++i) kept[i] = links[i] != link;
     detail.links.push_back({link, epsilon_where(contacts, frame, space, kept)});
@@ -54,14 +57,14 @@ void add_shares(std::span<const Contact> contacts, std::span<const std::string> 
 
 GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
                          const WrenchFrame& frame, const WrenchSpaceOptions& space,
-                         std::uint64_t seed) {
+                         std::uint64_t seed, const RunContext& context) {
   GraspDetail detail;
   if (contacts.empty()) return detail;
   NoiseOptions noise;
   noise.seed = seed;
   noise.samples = kSamples;
-  detail.robust = robust_epsilon(contacts, frame, space, noise);
-  add_shares(contacts, links, frame, space, detail);
+  detail.robust = robust_epsilon(contacts, frame, space, noise, context);
+  add_shares(contacts, links, frame, space, context, detail);
   return detail;
 }
 

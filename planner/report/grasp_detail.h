@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/quality/robust_epsilon.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/quality/wrench_space.h"
@@ -25,10 +26,11 @@ struct GraspDetail {
   WrenchSections sections;
 };
 
-// All but the sections. `links`: the link of each contact, or none at all. Throws as wrench_space.
+// All but the sections. `links`: the link of each contact, or none at all. Throws as wrench_space,
+// and Cancelled.
 GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
                          const WrenchFrame& frame, const WrenchSpaceOptions& space,
-                         std::uint64_t seed);
+                         std::uint64_t seed, const RunContext& context = {});
 
 // Sections of any wrench space; smooth sets are approximated from inside.
 WrenchSections space_sections(std::span<const Contact> contacts, const WrenchFrame& frame,

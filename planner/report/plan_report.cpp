@@ -27,11 +27,11 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& s
   facts.emplace_back("object", scene.scene.object.name);
   facts.emplace_back("hand", scene.scene.hand.name);
   if (scene.arm) facts.emplace_back("robot", scene.arm->robot().name);
-  facts.emplace_back("contacts", record.options.trials.trial.soft_fingers ? "rubber as soft fingers"
-                                                                          : "hard points");
+  facts.emplace_back("contacts",
+                     record.options.trial.soft_fingers ? "rubber as soft fingers" : "hard points");
   facts.emplace_back("seed", std::to_string(record.seed));
-  for (const Stage& stage : result.stages) {
-    facts.emplace_back(stage.name, std::to_string(stage.count));
+  for (const StageCount& stage : result.stages) {
+    facts.emplace_back(plan_count_name(stage.what), std::to_string(stage.count));
   }
   return facts;
 }
@@ -43,7 +43,8 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.outcome = outcome_name(trial.outcome);
   grasp.force_closure = trial.outcome == Outcome::stable;
   grasp.epsilon = trial.epsilon;
-  grasp.volume = {scored.volume, scored.volume};
+  const double volume = scored.volume.value_or(0.0);
+  grasp.volume = {volume, volume};
   grasp.origin = origin_words(scored, result);
   grasp.preshape = preshape_name(scene, scored.candidate);
   grasp.blame = words_of(blame(scene, trial));
@@ -57,7 +58,8 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
 }
 
 GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
-                      const ScoredGrasp& scored, const RunRecord& record) {
+                      const ScoredGrasp& scored, const RunRecord& record,
+                      const RunContext& context) {
   std::vector<Contact> contacts;
   std::vector<std::string> links;
   for (const ReportContact& contact : grasp.contacts) {
@@ -65,8 +67,9 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
     links.push_back(contact.link);
   }
   WrenchSpaceOptions space;
-  space.edges = record.options.trials.trial.cone_edges;
-  GraspDetail detail = grasp_detail(contacts, links, scene.wrench_frame, space, record.seed);
+  space.edges = record.options.trial.cone_edges;
+  GraspDetail detail =
+      grasp_detail(contacts, links, scene.wrench_frame, space, record.seed, context);
   if (scored.sections) detail.sections = *scored.sections;
   return detail;
 }
@@ -94,7 +97,8 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
 }  // namespace
 
 Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
-                   const PlanReportOptions& options) {
+                   const PlanReportOptions& options, const RunContext& context) {
+  context.cancellation.check();
   Report report;
   const std::string& object = scene.scene.object.name;
   report.title = (object.empty() ? "object" : object) + ", " + scene.scene.hand.name;
@@ -106,12 +110,15 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.grasps_in_all = result.grasps.size();
   report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
   GraspMotionOptions motion;
-  motion.reach = record.options.trials.trial.reach;
-  for_each_in_parallel(report.grasps.size(), options.threads, [&](std::size_t i) {
+  motion.reach = record.options.trial.reach;
+  for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
+    context.cancellation.check();
     report.grasps[i] = grasp_of(scene, result, result.grasps[i], motion);
     if (i < options.most_detailed) {
-      report.grasps[i].detail = detail_of(scene, report.grasps[i], result.grasps[i], record);
-      report.grasps[i].side = telling_side(scene, posed_grasp(scene, result.grasps[i]), kSmall);
+      report.grasps[i].detail =
+          detail_of(scene, report.grasps[i], result.grasps[i], record, context);
+      report.grasps[i].side =
+          telling_side(scene, posed_grasp(scene, result.grasps[i]), kSmall, context);
     }
   });
   add_why_not(scene, result, options, report);

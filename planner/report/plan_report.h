@@ -10,7 +10,6 @@ namespace prehend {
 inline constexpr std::size_t kMostDetailed = 30;
 
 struct PlanReportOptions {
-  int threads = 0;  // 0: all processors
   // Grasps that are listed, and those of them with robustness, wrench space and shares of contacts,
   // which take time to find out and room to say.
   std::size_t most_grasps = 1000;
@@ -19,8 +18,8 @@ struct PlanReportOptions {
   std::size_t most_candidates = 4000;
 };
 
-// `scene` must outlive the report. The same on any number of threads.
+// `scene` must outlive the report. The same on any number of threads. Throws Cancelled.
 Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
-                   const PlanReportOptions& options = {});
+                   const PlanReportOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <mutex>
 #include <sstream>
 #include <tuple>
 #include <utility>
 
+#include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/parallel/parallel.h"
 #include "sim/quality/wrench_hull.h"
@@ -15,28 +17,35 @@
 namespace prehend {
 namespace {
 
-[[noreturn]] void fail_without_candidates(const CompiledScene& scene, const Proposals& proposals) {
-  std::ostringstream message;
-  message.precision(3);
-  message << scene.scene.object.name << ": no grasp to try with hand " << scene.scene.hand.name;
-  if (std::isfinite(proposals.smallest_width)) {
-    message << ": the smallest size to close on is " << 1000.0 * proposals.smallest_width
-            << " mm, the hand opens to " << 1000.0 * proposals.largest_opening << " mm";
+// The trials that were finished, each with the place of its candidate.
+struct Finished {
+  std::vector<Trial> trials;
+  std::vector<std::size_t> candidates;
+};
+
+Finished finished_of(std::vector<std::optional<Trial>> trials) {
+  Finished finished;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (!trials[i]) continue;
+    finished.trials.push_back(std::move(*trials[i]));
+    finished.candidates.push_back(i);
   }
-  throw InputError(message.str());
+  return finished;
 }
 
 void record_trials(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                   const std::vector<Trial>& trials, PlanResult& result) {
+                   const Finished& finished, PlanResult& result) {
   std::map<std::tuple<Outcome, std::string, std::string>, int> blocked;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const Trial& trial = trials[i];
+  for (std::size_t i = 0; i < finished.trials.size(); ++i) {
+    const Trial& trial = finished.trials[i];
+    const std::size_t c = finished.candidates[i];
     ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
     const Blame why = blame(scene, trial);
-    result.tried.push_back({candidates[i].X_OH, candidates[i].approach_O, trial.outcome, why});
+    result.tried.push_back(
+        {static_cast<int>(c), candidates[c].X_OH, candidates[c].approach_O, trial.outcome, why});
     if (!why.by.empty()) ++blocked[{trial.outcome, why.link, why.by}];
   }
   for (const auto& [what, count] : blocked) {
@@ -49,131 +58,256 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
 
 // What the trials of this scene had to do: a stage that a scene does not ask for is not there.
 void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
-  int total = 0;
-  for (const int count : result.outcomes) total += count;
+  const int total = static_cast<int>(result.tried.size());
   const auto count_of = [&](Outcome outcome) {
     return result.outcomes[static_cast<std::size_t>(outcome)];
   };
   if (scene.arm) {
     const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked);
-    result.stages.push_back({"reach", total - lost});
+    result.stages.push_back({PlanCount::reach, total - lost});
   }
   if (scene.has_obstacles()) {
-    result.stages.push_back({"obstacles", static_cast<int>(scene.obstacles.size())});
+    result.stages.push_back({PlanCount::obstacles, static_cast<int>(scene.obstacles.size())});
   }
-  result.stages.push_back({"trials", total});
+  result.stages.push_back({PlanCount::trials, total});
 }
 
-// The full hull, for those grasps only that will be shown.
-void add_volumes(const CompiledScene& scene, const RunTrialsOptions& options, std::size_t sections,
-                 PlanResult& result) {
-  for_each_in_parallel(result.grasps.size(), options.threads, [&](std::size_t i) {
+// Runs the candidates and keeps what came of them, in `result` and as the value.
+Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candidates,
+                 const TrialOptions& options, const RunContext& context, PlanResult& result) {
+  Finished finished = finished_of(run_trials(scene, candidates, options, context));
+  result.untested = static_cast<int>(candidates.size() - finished.trials.size());
+  if (result.untested > 0) result.status = PlanStatus::cancelled;
+  record_trials(scene, candidates, finished, result);
+  add_trial_stages(scene, result);
+  return finished;
+}
+
+// The full hull, for those grasps only that will be shown. A cancelled run leaves the rest without.
+void add_volumes(const CompiledScene& scene, const TrialOptions& options, std::size_t sections,
+                 const RunContext& context, PlanResult& result) {
+  for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
+    if (context.cancellation.requested()) return;
     ScoredGrasp& grasp = result.grasps[i];
-    if (grasp.trial.outcome != Outcome::stable) return;
-    const WrenchHull hull = wrench_hull(contact_wrenches(
-        contacts_of(grasp.trial.contacts), scene.wrench_frame, options.trial.cone_edges));
-    grasp.volume = hull.volume;
-    if (i < sections) grasp.sections = wrench_sections(hull.points);
-  });
-}
-
-// Paths for the best grasps, in groups of as many as are still wanted, so that the answer does not
-// depend on the threads. Grasps without a path go.
-void add_paths(const CompiledScene& scene, const PlanOptions& options, PlanResult& result) {
-  std::vector<ScoredGrasp> all = std::move(result.grasps);
-  result.grasps.clear();
-  const auto wanted = static_cast<std::size_t>(options.rank.top);
-  std::size_t next = 0;
-  while (next < all.size() && result.grasps.size() < wanted) {
-    const std::size_t count = std::min(wanted - result.grasps.size(), all.size() - next);
-    for_each_in_parallel(count, options.trials.threads, [&](std::size_t i) {
-      ScoredGrasp& grasp = all[next + i];
-      GraspPathOptions path = *options.paths;
-      path.transfer.seed += next + i;
-      grasp.path = plan_grasp_path(scene, grasp.candidate, grasp.trial, path);
-    });
-    for (std::size_t i = next; i < next + count; ++i) {
-      if (all[i].path) {
-        result.grasps.push_back(std::move(all[i]));
-      } else {
-        --result.outcomes[static_cast<std::size_t>(Outcome::stable)];
-        ++result.outcomes[static_cast<std::size_t>(Outcome::no_path)];
-        result.tried[static_cast<std::size_t>(all[i].tried)].outcome = Outcome::no_path;
-      }
+    if (grasp.trial.outcome != Outcome::stable) {
+      grasp.volume = 0.0;
+      return;
     }
-    next += count;
+    const WrenchHull hull = wrench_hull(contact_wrenches(contacts_of(grasp.trial.contacts),
+                                                         scene.wrench_frame, options.cone_edges));
+    grasp.volume = hull.volume;
+    if (i < sections && !context.cancellation.requested()) {
+      grasp.sections = wrench_sections(hull.points);
+    }
+  });
+  const auto is_missing = [&](const ScoredGrasp& grasp) { return !grasp.volume; };
+  if (std::any_of(result.grasps.begin(), result.grasps.end(), is_missing)) {
+    result.status = PlanStatus::cancelled;
   }
 }
+
+// Finds paths for the best of the ranked grasps.
+class PathSearch {
+ public:
+  PathSearch(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+             PlanResult& result)
+      : scene_(scene), options_(options), context_(context), result_(result) {}
+
+  // In groups of as many as are still wanted, so that the answer does not depend on the threads.
+  // Grasps without a path go.
+  void run() {
+    all_ = std::move(result_.grasps);
+    result_.grasps.clear();
+    const std::size_t wanted = std::min(index(options_.rank.top), all_.size());
+    progress_ = {Stage::paths, 0, static_cast<int>(wanted), 0};
+    if (context_.progress) context_.progress(progress_);
+    std::size_t next = 0;
+    while (next < all_.size() && result_.grasps.size() < wanted &&
+           result_.status != PlanStatus::cancelled) {
+      const std::size_t count = std::min(wanted - result_.grasps.size(), all_.size() - next);
+      std::vector<std::uint8_t> searched(count, 0);
+      for_each_in_parallel(count, context_.threads,
+                           [&](std::size_t i) { searched[i] = search(next + i) ? 1 : 0; });
+      for (std::size_t i = 0; i < count; ++i) take(all_[next + i], searched[i] != 0);
+      next += count;
+    }
+  }
+
+ private:
+  // Whether it came to an end.
+  bool search(std::size_t i) {
+    ScoredGrasp& grasp = all_[i];
+    GraspPathOptions path = *options_.paths;
+    path.transfer.seed += i;
+    try {
+      grasp.path = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
+    } catch (const Cancelled&) {
+      return false;
+    }
+    if (grasp.path && context_.progress) {
+      const std::lock_guard lock(progress_lock_);
+      ++progress_.done;
+      context_.progress(progress_);
+    }
+    return true;
+  }
+
+  void take(ScoredGrasp& grasp, bool searched) {
+    if (!searched) {
+      result_.status = PlanStatus::cancelled;
+    } else if (grasp.path) {
+      result_.grasps.push_back(std::move(grasp));
+    } else {
+      --result_.outcomes[static_cast<std::size_t>(Outcome::stable)];
+      ++result_.outcomes[static_cast<std::size_t>(Outcome::no_path)];
+      result_.tried[index(grasp.tried)].outcome = Outcome::no_path;
+    }
+  }
+
+  const CompiledScene& scene_;
+  const PlanOptions& options_;
+  const RunContext& context_;
+  PlanResult& result_;
+  std::vector<ScoredGrasp> all_;
+  std::mutex progress_lock_;
+  Progress progress_;
+};
+
+// The stages of plan(), each of which adds to the result.
+class PlanRun {
+ public:
+  PlanRun(const CompiledScene& scene, const PlanOptions& options, const RunContext& context)
+      : scene_(scene), options_(options), context_(context) {}
+
+  PlanResult run() {
+    try {
+      find_primitives();
+      propose();
+    } catch (const Cancelled&) {
+      result_.status = PlanStatus::cancelled;
+    }
+    if (result_.status == PlanStatus::complete) try_and_rank();
+    // What a cancelled plan has found by then is ranked, and returned as it is.
+    if (result_.status == PlanStatus::complete && options_.paths) {
+      PathSearch(scene_, options_, context_, result_).run();
+      count(PlanCount::paths, result_.grasps.size());
+      watch_.lap(Stage::paths);
+    }
+    add_volumes(scene_, options_.trial, options_.sections, context_, result_);
+    watch_.lap(Stage::volumes);
+    result_.times = watch_.laps();
+    return std::move(result_);
+  }
+
+ private:
+  void count(PlanCount what, std::size_t number) {
+    result_.stages.push_back({what, static_cast<int>(number)});
+  }
+
+  void begin(Stage stage) const {
+    context_.cancellation.check();
+    if (context_.progress) context_.progress({stage, 0, 1, 0});
+  }
+
+  void find_primitives() {
+    begin(Stage::primitives);
+    const bool given = !scene_.scene.primitives.empty();
+    result_.primitives =
+        given ? scene_.scene.primitives
+              : decompose(scene_.scene.object.mesh, options_.primitives, context_).primitives;
+    count(given ? PlanCount::primitives_given : PlanCount::primitives, result_.primitives.size());
+    watch_.lap(Stage::primitives);
+  }
+
+  void propose() {
+    begin(Stage::candidates);
+    Proposals proposals = propose_grasps(scene_, result_.primitives, options_.candidates, context_);
+    result_.smallest_width = proposals.smallest_width;
+    result_.largest_opening = proposals.largest_opening;
+    proposed_ = std::move(proposals.grasps);
+    if (proposed_.empty()) {
+      const bool too_large =
+          std::isfinite(result_.smallest_width) && result_.smallest_width > result_.largest_opening;
+      result_.status = too_large ? PlanStatus::object_too_large : PlanStatus::no_candidates;
+      return;
+    }
+    count(PlanCount::candidates, proposed_.size());
+    watch_.lap(Stage::candidates);
+  }
+
+  void try_and_rank() {
+    std::vector<Candidate> candidates;
+    for (const ProposedGrasp& grasp : proposed_) candidates.push_back(grasp.candidate);
+    Finished finished = try_all(scene_, candidates, options_.trial, context_, result_);
+    watch_.lap(Stage::trials);
+    RankOptions ranking = options_.rank;
+    // Some may have no path; a cancelled plan does not look for any.
+    const bool for_paths = options_.paths && result_.status == PlanStatus::complete;
+    if (for_paths) ranking.top = std::numeric_limits<int>::max();
+    for (const std::size_t i : rank(finished.trials, ranking)) {
+      const ProposedGrasp& proposed = proposed_[finished.candidates[i]];
+      result_.grasps.push_back({std::move(finished.trials[i]),
+                                proposed.candidate,
+                                {},
+                                proposed.primitive,
+                                proposed.rule,
+                                {},
+                                {},
+                                static_cast<int>(i)});
+    }
+    count(PlanCount::ranked, result_.grasps.size());
+    watch_.lap(Stage::rank);
+  }
+
+  const CompiledScene& scene_;
+  const PlanOptions& options_;
+  const RunContext& context_;
+  std::vector<ProposedGrasp> proposed_;
+  PlanResult result_;
+  Stopwatch watch_;
+};
 
 }  // namespace
 
-PlanResult plan(const CompiledScene& scene, const PlanOptions& options) {
+PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context) {
   if (options.paths && !scene.arm) {
     throw InputError(scene.scene.name + ": robot: no arm to plan paths for, the hand flies free");
   }
+  return PlanRun(scene, options, context).run();
+}
+
+PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
+                    const EvaluateOptions& options, const RunContext& context) {
   PlanResult result;
+  if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;
-  const bool given = !scene.scene.primitives.empty();
-  result.primitives = given ? scene.scene.primitives
-                            : decompose(scene.scene.object.mesh, options.primitives).primitives;
-  result.stages.push_back(
-      {given ? "primitives given" : "primitives", static_cast<int>(result.primitives.size())});
-  watch.lap("primitives");
-
-  const Proposals proposals = propose_grasps(scene, result.primitives, options.candidates);
-  if (proposals.grasps.empty()) fail_without_candidates(scene, proposals);
-  result.stages.push_back({"candidates", static_cast<int>(proposals.grasps.size())});
-  watch.lap("candidates");
-
-  std::vector<Candidate> candidates;
-  for (const ProposedGrasp& grasp : proposals.grasps) candidates.push_back(grasp.candidate);
-  std::vector<Trial> trials = run_trials(scene, candidates, options.trials);
-  record_trials(scene, candidates, trials, result);
-  add_trial_stages(scene, result);
-  watch.lap("trials");
-
-  RankOptions ranking = options.rank;
-  if (options.paths) ranking.top = std::numeric_limits<int>::max();  // some may have no path
-  for (std::size_t i : rank(trials, ranking)) {
-    const ProposedGrasp& proposed = proposals.grasps[i];
-    result.grasps.push_back({std::move(trials[i]),
-                             proposed.candidate,
-                             0.0,
-                             proposed.primitive,
-                             proposed.rule,
+  Finished finished = try_all(scene, candidates, options.trial, context, result);
+  for (std::size_t i = 0; i < finished.trials.size(); ++i) {
+    result.grasps.push_back({std::move(finished.trials[i]),
+                             candidates[finished.candidates[i]],
+                             {},
+                             -1,
+                             "given",
                              {},
                              {},
                              static_cast<int>(i)});
   }
-  result.stages.push_back({"ranked", static_cast<int>(result.grasps.size())});
-  watch.lap("rank");
-  if (options.paths) {
-    add_paths(scene, options, result);
-    result.stages.push_back({"paths", static_cast<int>(result.grasps.size())});
-    watch.lap("paths");
-  }
-  add_volumes(scene, options.trials, options.sections, result);
-  watch.lap("volumes");
+  watch.lap(Stage::trials);
+  add_volumes(scene, options.trial, options.sections, context, result);
+  watch.lap(Stage::volumes);
   result.times = watch.laps();
   return result;
 }
 
-PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                    const RunTrialsOptions& options, std::size_t sections) {
-  PlanResult result;
-  Stopwatch watch;
-  std::vector<Trial> trials = run_trials(scene, candidates, options);
-  record_trials(scene, candidates, trials, result);
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    result.grasps.push_back(
-        {std::move(trials[i]), candidates[i], 0.0, -1, "given", {}, {}, static_cast<int>(i)});
+std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result) {
+  std::ostringstream message;
+  message.precision(3);
+  message << scene.scene.object.name << ": no grasp to try with hand " << scene.scene.hand.name;
+  if (std::isfinite(result.smallest_width)) {
+    message << ": the smallest size to close on is " << 1000.0 * result.smallest_width
+            << " mm, the hand opens to " << 1000.0 * result.largest_opening << " mm";
   }
-  add_trial_stages(scene, result);
-  watch.lap("trials");
-  add_volumes(scene, options, sections, result);
-  watch.lap("volumes");
-  result.times = watch.laps();
-  return result;
+  return message.str();
 }
 
 }  // namespace prehend

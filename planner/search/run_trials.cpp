@@ -6,18 +6,27 @@
 
 namespace prehend {
 
-std::vector<Trial> run_trials(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                              const RunTrialsOptions& options) {
-  std::vector<Trial> trials(candidates.size());
+std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
+                                             const std::vector<Candidate>& candidates,
+                                             const TrialOptions& options,
+                                             const RunContext& context) {
+  std::vector<std::optional<Trial>> trials(candidates.size());
   std::mutex progress_lock;
-  TrialProgress progress{0, static_cast<int>(candidates.size()), 0};
-  for_each_in_parallel(candidates.size(), options.threads, [&](std::size_t i) {
-    trials[i] = run_trial(scene, candidates[i], options.trial);
-    if (!options.progress) return;
+  Progress progress{Stage::trials, 0, static_cast<int>(candidates.size()), 0};
+  if (context.progress) context.progress(progress);
+  for_each_in_parallel(candidates.size(), context.threads, [&](std::size_t i) {
+    // Caught here, one by one: thrown on, it would take the finished trials with it.
+    try {
+      context.cancellation.check();
+      trials[i] = run_trial(scene, candidates[i], options, context);
+    } catch (const Cancelled&) {
+      return;
+    }
+    if (!context.progress) return;
     const std::lock_guard lock(progress_lock);
     ++progress.done;
-    if (trials[i].outcome == Outcome::stable) ++progress.stable;
-    options.progress(progress);
+    if (trials[i]->outcome == Outcome::stable) ++progress.stable;
+    context.progress(progress);
   });
   return trials;
 }

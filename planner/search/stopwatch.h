@@ -2,23 +2,23 @@
 #pragma once
 
 #include <chrono>
-#include <string>
-#include <utility>
 #include <vector>
+
+#include "sim/base/run_context.h"
 
 namespace prehend {
 
 struct StageTime {
-  std::string stage;
+  Stage stage = Stage::trials;
   double seconds = 0.0;
 };
 
 // Each lap is the time since the lap before it.
 class Stopwatch {
  public:
-  void lap(std::string stage) {
+  void lap(Stage stage) {
     const auto now = std::chrono::steady_clock::now();
-    laps_.push_back({std::move(stage), std::chrono::duration<double>(now - last_).count()});
+    laps_.push_back({stage, std::chrono::duration<double>(now - last_).count()});
     last_ = now;
   }
   // Laps that somebody else took since the last one; time not in them is left out.

@@ -33,16 +33,17 @@ Image cell(const Image& picture, const std::string& text, int strip) {
 }  // namespace
 
 Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
-                    const ContactSheetOptions& options) {
+                    const ContactSheetOptions& options, const RunContext& context) {
   int strip = 0;
   for (const PosedGrasp& grasp : grasps) {
     strip = std::max(strip, text_size(grasp.title, kTextScale).height);
   }
   std::vector<Image> cells(grasps.size());
-  for_each_in_parallel(grasps.size(), options.threads, [&](std::size_t i) {
+  for_each_in_parallel(grasps.size(), context.threads, [&](std::size_t i) {
+    context.cancellation.check();
     PosedGrasp untitled = grasps[i];
     untitled.title.clear();
-    const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled),
+    const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled, {}, context),
                                         {options.width, options.height});
     cells[i] = cell(picture, grasps[i].title, strip);
   });

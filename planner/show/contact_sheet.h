@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/show/grasp_picture.h"
+#include "sim/base/run_context.h"
 
 namespace prehend {
 
@@ -12,11 +13,11 @@ struct ContactSheetOptions {
   // Of the picture of one grasp; its title stands under it [pixels].
   int width = 480;
   int height = 400;
-  int threads = 0;  // 0: all processors
 };
 
-// Each grasp from its most telling side, in reading order, in cells of one size.
+// Each grasp from its most telling side, in reading order, in cells of one size. Throws
+// Cancelled.
 Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
-                    const ContactSheetOptions& options = {});
+                    const ContactSheetOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

@@ -124,12 +124,13 @@ struct Choice {
 };
 
 Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles,
-                 const TellingSideOptions& options) {
+                 const TellingSideOptions& options, const RunContext& context) {
   const SmallScene small = small_scene(scene, grasp, with_obstacles);
   const std::vector<Vector3> directions = viewing_directions();
   std::vector<View> views;
   std::vector<double> largest(small.links, 0.0);
   for (const Vector3& direction : directions) {
+    context.cancellation.check();
     views.push_back(view_from(direction, small, scene, grasp, options));
     for (std::size_t l = 0; l < small.links; ++l) {
       largest[l] = std::max(largest[l], views.back().links[l]);
@@ -164,10 +165,10 @@ std::vector<Vector3> viewing_directions() {
 }
 
 Vector3 telling_side(const CompiledScene& scene, const PosedGrasp& grasp,
-                     const TellingSideOptions& options) {
-  const Choice side = best_side(scene, grasp, true, options);
+                     const TellingSideOptions& options, const RunContext& context) {
+  const Choice side = best_side(scene, grasp, true, options, context);
   if (side.score > 0.0 || !scene.has_obstacles()) return side.direction;
-  return best_side(scene, grasp, false, options).direction;
+  return best_side(scene, grasp, false, options, context).direction;
 }
 
 }  // namespace prehend

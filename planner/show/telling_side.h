@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/show/grasp_picture.h"
+#include "sim/base/run_context.h"
 
 namespace prehend {
 
@@ -22,8 +23,8 @@ std::vector<Vector3> viewing_directions();
 // less of what tells is how much of each link of the hand is seen. The hand, the arm and obstacles
 // hide what is behind them, the object dims it. All counts less the more of the hand is behind an
 // obstacle; where obstacles hide all, they do not count.
-// The first one of equals.
+// The first one of equals. Throws Cancelled.
 Vector3 telling_side(const CompiledScene& scene, const PosedGrasp& grasp,
-                     const TellingSideOptions& options = {});
+                     const TellingSideOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

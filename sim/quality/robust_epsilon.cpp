@@ -64,13 +64,15 @@ std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFr
 }  // namespace
 
 RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
-                             const WrenchSpaceOptions& space, const NoiseOptions& noise) {
+                             const WrenchSpaceOptions& space, const NoiseOptions& noise,
+                             const RunContext& context) {
   check(noise);
   check_contacts(contacts, frame);
   Random random(noise.seed);
   std::vector<double> values;
   RobustEpsilon robust;
   for (int k = 0; k < noise.samples; ++k) {
+    context.cancellation.check();
     const std::vector<Contact> moved = disturbed(contacts, frame, noise, random);
     values.push_back(grasp_epsilon(moved, frame, space, epsilon_options(space)).lower);
     robust.mean += values.back() / noise.samples;

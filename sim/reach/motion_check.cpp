@@ -46,8 +46,8 @@ class MeasuredPath {
 class MotionCheck {
  public:
   MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
-              const MotionCheckOptions& options)
-      : arm_(arm), pairs_(pairs), path_(path), options_(options) {}
+              const MotionCheckOptions& options, const RunContext& context)
+      : arm_(arm), pairs_(pairs), path_(path), options_(options), context_(context) {}
 
   std::optional<ArmPair> run() {
     std::vector<int> all(pairs_.size());
@@ -72,6 +72,7 @@ class MotionCheck {
     arm_link_poses(arm_, joints_, X_BL_);
     std::vector<int> left;
     for (const int p : open) {
+      context_.cancellation.check();
       const ArmPair& pair = pairs_[index(p)];
       double back = 0.0;
       double ahead = 0.0;
@@ -95,6 +96,7 @@ class MotionCheck {
   const std::vector<ArmPair>& pairs_;
   const MeasuredPath path_;
   const MotionCheckOptions& options_;
+  const RunContext& context_;
   std::vector<double> joints_;
   std::vector<Pose> X_BL_;
 };
@@ -102,9 +104,10 @@ class MotionCheck {
 }  // namespace
 
 std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
-                                     const JointPath& path, const MotionCheckOptions& options) {
+                                     const JointPath& path, const MotionCheckOptions& options,
+                                     const RunContext& context) {
   if (path.empty() || pairs.empty()) return std::nullopt;
-  return MotionCheck(arm, pairs, path, options).run();
+  return MotionCheck(arm, pairs, path, options, context).run();
 }
 
 std::optional<ArmPair> first_meeting(const CompiledArm& arm, const std::vector<ArmPair>& pairs,

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/scene/compiled_arm.h"
 
 namespace prehend {
@@ -22,9 +23,10 @@ struct MotionCheckOptions {
 // larger than the farthest that any point moves from there; else the stretch is cut in two
 // (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking"). The path's postures
 // themselves must be free of bodies that hold each other without their surfaces meeting (see
-// first_meeting).
+// first_meeting). Throws Cancelled.
 std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
-                                     const JointPath& path, const MotionCheckOptions& options = {});
+                                     const JointPath& path, const MotionCheckOptions& options = {},
+                                     const RunContext& context = {});
 
 // The first of the pairs whose bodies meet, or hold each other, in a posture.
 std::optional<ArmPair> first_meeting(const CompiledArm& arm, const std::vector<ArmPair>& pairs,

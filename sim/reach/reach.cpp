@@ -22,12 +22,13 @@ JointPath joints_of(const CompiledArm& arm, const std::vector<DofValues>& line,
 
 // The posture at each step of the line, each from the one before; empty where that ends.
 std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, const DofValues& first,
-                              const ReachOptions& options) {
+                              const ReachOptions& options, const RunContext& context) {
   const Vector3 way = line.X_OH_to.translation() - line.X_OH_from.translation();
   const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / options.line_step)));
   std::vector<DofValues> postures = {first};
   Pose X_OH = line.X_OH_from;
   for (int i = 1; i <= steps; ++i) {
+    context.cancellation.check();
     X_OH.translation() = line.X_OH_from.translation() + (static_cast<double>(i) / steps) * way;
     const auto next =
         solve_near(arm.robot(), {target_at(arm, X_OH)}, postures.back(), options.kinematics);
@@ -42,7 +43,7 @@ std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, cons
 }
 
 Reach try_posture(const CompiledArm& arm, const HandLine& line, const DofValues& posture,
-                  const ReachOptions& options) {
+                  const ReachOptions& options, const RunContext& context) {
   Reach reach;
   const auto block = [&](const std::optional<ArmPair>& pair) {
     if (!pair) return false;
@@ -53,10 +54,10 @@ Reach try_posture(const CompiledArm& arm, const HandLine& line, const DofValues&
   if (block(first_meeting(arm, arm.arm_pairs, arm_joints(arm, posture, line.hand_joints)))) {
     return reach;
   }
-  std::vector<DofValues> postures = follow(arm, line, posture, options);
+  std::vector<DofValues> postures = follow(arm, line, posture, options, context);
   if (postures.empty()) return reach;
   if (block(first_blocked(arm, arm.arm_pairs, joints_of(arm, postures, line.hand_joints),
-                          options.motion))) {
+                          options.motion, context))) {
     return reach;
   }
   reach.end = ReachEnd::reached;
@@ -67,16 +68,17 @@ Reach try_posture(const CompiledArm& arm, const HandLine& line, const DofValues&
 }  // namespace
 
 std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
-                                   const ReachOptions& options) {
-  return solve_all(arm.robot(), {target_at(arm, X_OH)}, arm.start, options.kinematics);
+                                   const ReachOptions& options, const RunContext& context) {
+  return solve_all(arm.robot(), {target_at(arm, X_OH)}, arm.start, options.kinematics, context);
 }
 
 std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
-                                const ReachOptions& options) {
+                                const ReachOptions& options, const RunContext& context) {
   std::vector<Reach> found;
   Reach failure;
-  for (const DofValues& posture : postures_at(arm, line.X_OH_from, options)) {
-    Reach reach = try_posture(arm, line, posture, options);
+  for (const DofValues& posture : postures_at(arm, line.X_OH_from, options, context)) {
+    context.cancellation.check();
+    Reach reach = try_posture(arm, line, posture, options, context);
     if (reach.end == ReachEnd::reached) {
       found.push_back(std::move(reach));
       if (found.size() >= index(most)) break;
@@ -88,8 +90,9 @@ std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, in
   return found;
 }
 
-Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options) {
-  return find_reaches(arm, line, 1, options).front();
+Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options,
+                 const RunContext& context) {
+  return find_reaches(arm, line, 1, options, context).front();
 }
 
 }  // namespace prehend

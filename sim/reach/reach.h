@@ -40,17 +40,21 @@ struct Reach {
   std::vector<DofValues> line;
 };
 
-// Postures that put the hand at X_OH, the one with the shortest way from the start first.
+// Postures that put the hand at X_OH, the one with the shortest way from the start first. Throws
+// Cancelled.
 std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
-                                   const ReachOptions& options);
+                                   const ReachOptions& options, const RunContext& context = {});
 
 // Tries the postures of the pre-grasp, nearest to the start first, until one follows the line with
 // one continuous solution and without collision of the robots with themselves and of all but the
 // hand with the object and the obstacles: where the hand goes, the trial has seen to that.
-// Up to `most` ways that reach, or one reason: the first collision, else unreachable.
+// Up to `most` ways that reach, or one reason: the first collision, else unreachable. Throws
+// Cancelled.
 std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
-                                const ReachOptions& options);
+                                const ReachOptions& options, const RunContext& context = {});
 
-Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options);
+// The first of them.
+Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options,
+                 const RunContext& context = {});
 
 }  // namespace prehend

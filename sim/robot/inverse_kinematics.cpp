@@ -334,7 +334,8 @@ std::optional<DofValues> solve_near(const Robot& robot, const std::vector<IkTarg
 }
 
 std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>& targets,
-                                 const DofValues& start, const IkOptions& options) {
+                                 const DofValues& start, const IkOptions& options,
+                                 const RunContext& context) {
   const Task task = make_task(robot, targets);
   const Chain* chain = targets.size() == 1 ? closed_form_chain(robot, targets[0].joint) : nullptr;
   Collector found(task, options);
@@ -346,6 +347,7 @@ std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>
   Random random(options.seed);
   const bool redundant = task.dofs.size() > 6 * targets.size();
   for (int i = 0; i <= options.restarts && !found.full(); ++i) {
+    context.cancellation.check();
     // Without redundancy there are few solutions, and most starts lead to the same ones.
     if (!redundant && !found.empty() && i > options.restarts / 4) break;
     DofValues values = i == 0 ? start : random_start(task, start, random);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/robot/robot.h"
 #include "sim/robot/spherical_wrist.h"
 
@@ -38,9 +39,11 @@ std::optional<DofValues> solve_near(const Robot& robot, const std::vector<IkTarg
 // Different solutions, the one with the shortest way from `start` first; seeded. One target on a
 // chain with a closed form and no other degree of freedom before it: all branches of that. Else
 // solve_near from `start` and from random starts, spread where the robot is redundant; behind other
-// degrees of freedom a closed form gives all branches for what those were found to be.
+// degrees of freedom a closed form gives all branches for what those were found to be. Throws
+// Cancelled.
 std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>& targets,
-                                 const DofValues& start, const IkOptions& options = {});
+                                 const DofValues& start, const IkOptions& options = {},
+                                 const RunContext& context = {});
 
 // How near the value nearest to one of its limits is: 0 at a limit, 1 in the middle. Only for the
 // degrees of freedom listed.

@@ -43,7 +43,8 @@ Pose ApproachMotion::at(double travel) const {
 }
 
 ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,
-                        const ApproachMotion& motion, const TrialOptions& options) {
+                        const ApproachMotion& motion, const TrialOptions& options,
+                        const RunContext& context) {
   std::vector<Pose> X_HL;
   link_poses(scene.scene.hand, joints, X_HL);
   ApproachResult result;
@@ -63,6 +64,7 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
     return a.safe_until < b.safe_until;
   };
   while (true) {
+    context.cancellation.check();
     Pairing& next = *std::min_element(all.begin(), all.end(), earlier);
     if (next.safe_until >= motion.distance && next.tracker.queries() > 0) {
       result.travel = motion.distance;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial_options.h"
 
@@ -37,7 +38,9 @@ struct ApproachResult {
 
 // Joint values stay at `joints`. The end is within contact_gap of what is touched and penetrates
 // nothing: no step is longer than the smallest gap (conservative advancement, Mirtich 1996).
+// Throws Cancelled.
 ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,
-                        const ApproachMotion& motion, const TrialOptions& options);
+                        const ApproachMotion& motion, const TrialOptions& options,
+                        const RunContext& context = {});
 
 }  // namespace prehend

@@ -117,8 +117,13 @@ struct Pairing {
 
 class Closing {
  public:
-  Closing(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options)
-      : scene_(scene), start_(start), options_(options), motion_(scene.scene.hand, start) {
+  Closing(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
+          const RunContext& context)
+      : scene_(scene),
+        start_(start),
+        options_(options),
+        context_(context),
+        motion_(scene.scene.hand, start) {
     add_pairings();
   }
 
@@ -127,6 +132,7 @@ class Closing {
       return a.safe_until < b.safe_until;
     };
     while (!pairings_.empty()) {
+      context_.cancellation.check();
       Pairing& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
       if (next.safe_until >= motion_.end()) break;
       advance(next);
@@ -211,6 +217,7 @@ class Closing {
   const CompiledScene& scene_;
   const ClosingStart& start_;
   const TrialOptions& options_;
+  const RunContext& context_;
   ClosingMotion motion_;
   std::vector<Pairing> pairings_;
   std::vector<double> joints_;
@@ -220,8 +227,8 @@ class Closing {
 }  // namespace
 
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
-                      const TrialOptions& options) {
-  return Closing(scene, start, options).run();
+                      const TrialOptions& options, const RunContext& context) {
+  return Closing(scene, start, options, context).run();
 }
 
 }  // namespace prehend

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial_options.h"
 
@@ -31,8 +32,8 @@ struct ClosingStart {
 // A degree of freedom ends at its limit in the direction of closing; of two self-centering fingers
 // one may go beyond it by as much as the other was stopped before it (center_hand brings both back
 // inside). The hand's base stays where it is. Source: Miller and Allen 2004, "Robots" (auto-grasp,
-// breakaway).
+// breakaway). Throws Cancelled.
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
-                      const TrialOptions& options);
+                      const TrialOptions& options, const RunContext& context = {});
 
 }  // namespace prehend

@@ -50,8 +50,8 @@ int colliding_link(const CompiledScene& scene, const Pose& X_OH, const std::vect
 }
 
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
-              Trial& trial) {
-  ClosedHand closed = close_hand(scene, start, options);
+              Trial& trial, const RunContext& context) {
+  ClosedHand closed = close_hand(scene, start, options, context);
   trial.X_OH = start.X_OH;
   trial.link = trial.obstacle = -1;
   if (center_hand(scene, trial.X_OH, closed)) {
@@ -59,6 +59,7 @@ void grasp_at(const CompiledScene& scene, const ClosingStart& start, const Trial
   }
   trial.dofs = closed.dofs;
   trial.joints = closed.joints;
+  context.cancellation.check();
   judge(scene, options, trial);
 }
 

@@ -8,9 +8,9 @@ namespace prehend {
 
 // Closes the hand from `start`, lets coupled fingers center it, and judges what touches: sets all
 // of the trial but its travel and back-offs. A hand that centering would push into something is
-// hand_blocked.
+// hand_blocked. Throws Cancelled.
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
-              Trial& trial);
+              Trial& trial, const RunContext& context = {});
 
 // The link that overlaps the object (then `obstacle` is -1) or an obstacle where the hand stands,
 // -1 for none.

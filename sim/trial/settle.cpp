@@ -57,7 +57,8 @@ std::optional<Pose> turned(const CompiledScene& scene, const FingerPair& fingers
 }
 
 std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
-                          const TrialOptions& options, const Trial& trial, double angle) {
+                          const TrialOptions& options, const Trial& trial, double angle,
+                          const RunContext& context) {
   const std::optional<Pose> X_OH = turned(scene, fingers, trial, angle);
   if (!X_OH) return std::nullopt;
   const DegreeOfFreedom& dof = scene.scene.hand.dofs[index(fingers.dof)];
@@ -73,7 +74,7 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
     return std::nullopt;
   }
   Trial next = trial;
-  grasp_at(scene, start, options, next);
+  grasp_at(scene, start, options, next, context);
   const bool touches =
       next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
   const double width = next.joints[index(fingers.first)];
@@ -86,7 +87,8 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
 
 }  // namespace
 
-void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial) {
+void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
+            const RunContext& context) {
   if (trial.outcome != Outcome::not_force_closure || options.settle_steps <= 0) return;
   if (scene.has_obstacles() || scene.arm) return;
   const std::optional<FingerPair> fingers = self_centering_fingers(scene.scene.hand);
@@ -94,7 +96,7 @@ void settle(const CompiledScene& scene, const TrialOptions& options, Trial& tria
   Trial now = trial;
   double angle = options.settle_angle;
   for (int k = 0; k < options.settle_steps && now.outcome != Outcome::stable; ++k) {
-    if (std::optional<Trial> next = step(scene, *fingers, options, now, angle)) {
+    if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, context)) {
       now = std::move(*next);
     } else {
       angle *= 0.5;

@@ -11,6 +11,8 @@ namespace prehend {
 // steps of options.settle_angle, at most options.settle_steps of them; the fingers lose width in
 // every step. What does not come to hold stays as it was. Leaves other hands and outcomes alone,
 // and objects among obstacles or in the hand of an arm: what is not free to turn.
-void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial);
+// Throws Cancelled.
+void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
+            const RunContext& context = {});
 
 }  // namespace prehend

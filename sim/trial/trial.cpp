@@ -35,10 +35,12 @@ class Timer {
 
 class TrialRun {
  public:
-  TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options)
+  TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
+           const RunContext& context)
       : scene_(scene),
         candidate_(candidate),
         options_(options),
+        context_(context),
         motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance} {
     if (candidate.preshape >= 0) {
       start_.dofs = scene.scene.hand.hand->preshapes[index(candidate.preshape)].dofs;
@@ -95,12 +97,12 @@ class TrialRun {
 
   ApproachResult move_to_object() {
     const Timer timer(seconds_.approach);
-    return approach(scene_, start_joints_, motion_, options_);
+    return approach(scene_, start_joints_, motion_, options_, context_);
   }
 
   bool has_posture_at_pre_grasp(Trial& trial) {
     const Timer timer(seconds_.reach);
-    if (!postures_at(*scene_.arm, motion_.at(0.0), options_.reach).empty()) return true;
+    if (!postures_at(*scene_.arm, motion_.at(0.0), options_.reach, context_).empty()) return true;
     trial.X_OH = motion_.at(0.0);
     trial.dofs = start_.dofs;
     trial.joints = start_joints_;
@@ -111,7 +113,7 @@ class TrialRun {
   bool arm_follows(Trial& trial) {
     const Timer timer(seconds_.reach);
     const Reach reach =
-        find_reach(*scene_.arm, approach_line(scene_, candidate_, trial), options_.reach);
+        find_reach(*scene_.arm, approach_line(scene_, candidate_, trial), options_.reach, context_);
     if (reach.end == ReachEnd::reached) {
       trial.arm_dofs = reach.line.back();
       return true;
@@ -128,13 +130,14 @@ class TrialRun {
     start_.X_OH = motion_.at(travel);
     start_.object_clearance = clearance;
     trial.travel = travel;
-    grasp_at(scene_, start_, options_, trial);
-    settle(scene_, options_, trial);
+    grasp_at(scene_, start_, options_, trial, context_);
+    settle(scene_, options_, trial, context_);
   }
 
   const CompiledScene& scene_;
   const Candidate& candidate_;
   const TrialOptions& options_;
+  const RunContext& context_;
   ApproachMotion motion_;
   ClosingStart start_;
   std::vector<double> start_joints_;
@@ -158,9 +161,9 @@ HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, c
           start_joints(scene, candidate)};
 }
 
-Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
-                const TrialOptions& options) {
-  return TrialRun(scene, candidate, options).run();
+Trial run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
+                const RunContext& context) {
+  return TrialRun(scene, candidate, options, context).run();
 }
 
 }  // namespace prehend

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/epsilon.h"
 #include "sim/scene/compiled_scene.h"
@@ -63,9 +64,9 @@ Blame blame(const CompiledScene& scene, const Trial& trial);
 // The way of the hand from the pre-grasp to the grasp, with its joints as the candidate says.
 HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial);
 
-// A scene with an arm also has it reach: see find_reach.
+// A scene with an arm also has it reach: see find_reach. Throws Cancelled.
 Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
-                const TrialOptions& options = {});
+                const TrialOptions& options = {}, const RunContext& context = {});
 
 // All contacts between the hand and the object, links in order.
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,

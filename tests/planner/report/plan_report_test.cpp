@@ -21,12 +21,11 @@ using test::held_cube;
 using test::HeldCube;
 
 // Without what takes long to find out.
-const PlanReportOptions kBrief{.threads = 1, .most_detailed = 0};
+const PlanReportOptions kBrief{.most_detailed = 0};
 
 PlanOptions few_candidates() {
   PlanOptions options;
   options.candidates.max_candidates = 30;
-  options.trials.threads = 2;
   options.sections = 3;
   return options;
 }
@@ -75,8 +74,8 @@ TEST(PlanReport, IsTheSameOnOneAndTwoThreads) {
   const CompiledScene scene = held_cube().scene;
   const PlanResult result = planned(scene);
   ASSERT_GE(result.grasps.size(), 4U);
-  const std::string one = report_html(plan_report(scene, result, {}, {.threads = 1}));
-  EXPECT_EQ(one, report_html(plan_report(scene, result, {}, {.threads = 2})));
+  const std::string one = report_html(plan_report(scene, result, {}, {}, {.threads = 1}));
+  EXPECT_EQ(one, report_html(plan_report(scene, result, {}, {}, {.threads = 2})));
   const nlohmann::json data = data_of(one);
   expect_counted(result, data);
   ASSERT_EQ(data["grasps"].size(), result.grasps.size());

@@ -29,10 +29,9 @@ struct Case {
 
 void PrintTo(const Case& one, std::ostream* stream) { *stream << one.label; }
 
-PlanOptions options_of(PathPlanner planner, int top, int threads = 0) {
+PlanOptions options_of(PathPlanner planner, int top) {
   PlanOptions options;
   options.rank.top = top;
-  options.trials.threads = threads;
   options.paths.emplace();
   options.paths->transfer.planner = planner;
   return options;
@@ -150,7 +149,7 @@ void expect_accounted_for(const PlanResult& result) {
   for (const int count : result.outcomes) tried += count;
   const auto candidates =
       std::find_if(result.stages.begin(), result.stages.end(),
-                   [](const Stage& stage) { return stage.name == "candidates"; });
+                   [](const StageCount& stage) { return stage.what == PlanCount::candidates; });
   ASSERT_NE(candidates, result.stages.end());
   EXPECT_EQ(tried, candidates->count);
   int blocked = 0;
@@ -235,8 +234,10 @@ TEST(ArmPlanObstacles, NothingIsGraspedInAClosedCrate) {
 
 std::string planned_text(const CompiledScene& scene, PathPlanner planner, int threads) {
   RunRecord record;
-  record.options = options_of(planner, 3, threads);
-  const PlanResult result = plan(scene, record.options);
+  record.options = options_of(planner, 3);
+  RunContext context;
+  context.threads = threads;
+  const PlanResult result = plan(scene, record.options, context);
   EXPECT_EQ(result.grasps.size(), 3U);
   for (const ScoredGrasp& grasp : result.grasps) EXPECT_TRUE(grasp.path.has_value());
   return grasps_json(scene, result, record);

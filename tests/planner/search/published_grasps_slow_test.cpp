@@ -41,7 +41,7 @@ struct Published {
 
 // Every grasp must get an outcome; how many are stable.
 int count_stable(const CompiledScene& scene, const std::vector<Candidate>& grasps, bool soft) {
-  RunTrialsOptions options;
+  EvaluateOptions options;
   options.trial.soft_fingers = soft;
   const PlanResult result = evaluate(scene, grasps, options);
   EXPECT_EQ(result.grasps.size(), grasps.size());

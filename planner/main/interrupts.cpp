@@ -1,0 +1,79 @@
+#include "planner/main/interrupts.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <pthread.h>
+#include <unistd.h>
+
+#include "sim/base/output_file.h"
+
+namespace prehend {
+namespace {
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+// Wakes the waiter at the end of the program; sent to its thread alone.
+constexpr int kWake = SIGUSR1;
+
+}  // namespace
+
+Interrupts::Interrupts() {
+  ::sigemptyset(&watched_);
+  ::sigaddset(&watched_, kWake);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    if (!is_ignored(signal)) ::sigaddset(&watched_, signal);
+  }
+  // sigwait takes signals that are blocked in every thread.
+  ::pthread_sigmask(SIG_BLOCK, &watched_, &before_);
+  waiter_ = std::thread([this] { wait(); });
+}
+
+Interrupts::~Interrupts() {
+  is_over_ = true;
+  ::pthread_kill(waiter_.native_handle(), kWake);
+  waiter_.join();
+  ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void Interrupts::cancel_first() {
+  const std::lock_guard lock(lock_);
+  cancels_ = true;
+}
+
+void Interrupts::end_at_once(const std::string& words) {
+  const std::lock_guard lock(lock_);
+  cancels_ = false;
+  words_ = words;
+}
+
+void Interrupts::write(const std::filesystem::path& file, const std::string& content) {
+  const std::lock_guard lock(lock_);
+  write_file(file, content);
+}
+
+void Interrupts::wait() {
+  int signal = 0;
+  while (::sigwait(&watched_, &signal) == 0) {
+    if (is_over_) return;
+    if (signal == kWake) continue;
+    signal_ = signal;
+    react();
+  }
+}
+
+void Interrupts::react() {
+  // The second one does not even wait for a file that is being written.
+  if (cancellation_.requested()) std::_Exit(exit_status());
+  const std::lock_guard lock(lock_);
+  cancellation_.request();
+  if (cancels_) return;
+  // A progress bar may stand on the line.
+  const char* start = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
+  std::fprintf(stderr, "%sprehend: interrupted, %s\n", start, words_.c_str());
+  std::_Exit(exit_status());
+}
+
+}  // namespace prehend

@@ -1,0 +1,56 @@
+// Ctrl-C (SIGINT) and SIGTERM: the program stops early and leaves no half-written files.
+#pragma once
+
+#include <atomic>
+#include <csignal>
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "sim/base/run_context.h"
+
+namespace prehend {
+
+// Waits for the signals on a thread of its own, where locks and output are allowed, unlike in a
+// signal handler. Signals that the program was started to ignore (as a background job of a script)
+// stay ignored.
+//
+// At first a signal ends the program at once, with a line on stderr. After cancel_first() it
+// requests the cancellation instead, and a second signal ends the program.
+class Interrupts {
+ public:
+  // Make it before any other thread, since threads inherit which signals are left to it.
+  Interrupts();
+  ~Interrupts();
+  Interrupts(const Interrupts&) = delete;
+  Interrupts& operator=(const Interrupts&) = delete;
+
+  const Cancellation& cancellation() const { return cancellation_; }
+
+  void cancel_first();
+  // `words`: the end of the line on stderr, "nothing is written".
+  void end_at_once(const std::string& words);
+
+  // Exit status of a program that a signal ended: 130 for Ctrl-C, 143 for SIGTERM.
+  int exit_status() const { return 128 + signal_.load(); }
+
+  // As write_file, but not while the program is being ended: no part of a file stays behind.
+  void write(const std::filesystem::path& file, const std::string& content);
+
+ private:
+  void wait();
+  void react();
+
+  sigset_t watched_{};
+  sigset_t before_{};
+  Cancellation cancellation_;
+  std::atomic<int> signal_ = SIGINT;  // the last that came
+  std::atomic<bool> is_over_ = false;
+  std::mutex lock_;  // of what follows, and held while a file is written
+  bool cancels_ = false;
+  std::string words_ = "nothing is written";
+  std::thread waiter_;
+};
+
+}  // namespace prehend
