@@ -3,6 +3,8 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/base/eigen_alignment.h"
+
 namespace prehend {
 
 using Vector3 = Eigen::Vector3d;

@@ -22,8 +22,7 @@
 //   interval.h        what many of these answer with
 #pragma once
 
-#include <Eigen/Core>
-
+#include "sim/base/eigen_alignment.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/contact_map.h"
 #include "sim/quality/epsilon.h"
@@ -41,16 +40,3 @@
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/quality/wrench_space.h"
-
-namespace prehend {
-
-// Eigen lays out memory by the vector extensions (-march) that it is compiled for. A program that
-// differs from the library in that would crash: instead, the linker does not find its function.
-template <int bytes>
-int library_compiled_for_eigen_alignment();
-template <>
-int library_compiled_for_eigen_alignment<EIGEN_DEFAULT_ALIGN_BYTES>();
-inline const int kEigenAlignment =
-    library_compiled_for_eigen_alignment<EIGEN_DEFAULT_ALIGN_BYTES>();
-
-}  // namespace prehend

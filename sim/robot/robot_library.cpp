@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/platform_file.h"
@@ -10,7 +11,7 @@ namespace {
 
 constexpr const char* kRobotFile = "robot.json";
 
-std::filesystem::path library() { return PREHEND_ROBOTS_DIR; }
+std::filesystem::path library() { return data_folder() / "robots"; }
 
 bool is_platform(const std::filesystem::path& file) { return JsonFile(file).root().has("robots"); }
 
@@ -26,8 +27,15 @@ std::vector<std::string> names_in_library() {
   return names;
 }
 
+// Whether this can only be a path. Such a file needs no library, which may be missing.
+bool is_path(const std::string& name_or_file) {
+  const std::filesystem::path path(name_or_file);
+  return path.has_parent_path() || path.extension() == ".json";
+}
+
 // The file of a library name, else the path as it is.
 std::filesystem::path file_of(const std::string& name_or_file) {
+  if (is_path(name_or_file) && std::filesystem::exists(name_or_file)) return name_or_file;
   const std::vector<std::string> names = names_in_library();
   if (std::find(names.begin(), names.end(), name_or_file) != names.end()) {
     return library() / name_or_file / kRobotFile;

@@ -1,13 +1,15 @@
 #include "sim/scene/scene_library.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
 
-std::filesystem::path library() { return PREHEND_SCENES_DIR; }
+std::filesystem::path library() { return data_folder() / "scenes"; }
 
 }  // namespace
 
@@ -33,8 +35,10 @@ std::filesystem::path find_scene(const std::string& name_or_file) {
 }
 
 std::string scene_reference(const std::filesystem::path& file) {
+  // A scene file of one's own can be named without a library.
+  const std::optional<std::filesystem::path> data = find_data_folder();
   std::error_code missing;
-  if (std::filesystem::equivalent(file.parent_path(), library(), missing)) {
+  if (data && std::filesystem::equivalent(file.parent_path(), *data / "scenes", missing)) {
     return file.stem().string();
   }
   return std::filesystem::absolute(file).lexically_normal().string();

@@ -32,13 +32,14 @@ inline std::filesystem::path fresh_folder(const std::string& name) {
   return folder;
 }
 
-// `words` as typed in a shell.
-inline ProgramRun run_program(const std::string& words) {
+// `words` as typed in a shell; `program` stands before them.
+inline ProgramRun run_program(const std::string& words,
+                              const std::string& program = PREHEND_PROGRAM) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
   const std::filesystem::path folder =
       fresh_folder(std::string("run_") + test->test_suite_name() + "." + test->name());
-  const std::string command = std::string(PREHEND_PROGRAM) + " " + words + " >'" +
-                              (folder / "out").string() + "' 2>'" + (folder / "err").string() + "'";
+  const std::string command = program + " " + words + " >'" + (folder / "out").string() + "' 2>'" +
+                              (folder / "err").string() + "'";
   const int raw = std::system(command.c_str());
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, content(folder / "out"), content(folder / "err")};
 }

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <iostream>
 #include <numbers>
+#include <prehend/quality.h>
 #include <vector>
-
-#include "sim/quality/quality.h"
 
 int main() {
   const double radius = 0.05;  // m

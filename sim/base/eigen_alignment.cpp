@@ -1,4 +1,4 @@
-#include "sim/quality/quality.h"
+#include "sim/base/eigen_alignment.h"
 
 namespace prehend {
 

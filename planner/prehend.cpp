@@ -1,0 +1,7 @@
+#include "planner/prehend.h"
+
+namespace prehend {
+
+const char* version() { return PREHEND_VERSION; }
+
+}  // namespace prehend

@@ -1,0 +1,112 @@
+// prehend, whole: from a mesh and a hand to ranked grasps, and each step of that by itself.
+// docs/library.md has an example and the conventions; sim/quality/quality.h what judges contacts.
+//
+// The question
+//   scene.h               an object, a hand, what is around them, friction: a plain value
+//   scene_file.h          a scene from a scene file or a mesh file
+//   scene_library.h       the scenes that come with prehend, by name
+//   make_scene.h          a scene made by a program: object and hand, obstacles, an arm
+//   scene_text.h          a scene as the text of a scene file
+//   compiled_scene.h      compile: a scene made ready for trials, shared by threads
+// What it is made of
+//   pose.h                vectors, rotations, poses
+//   triangle_mesh.h       a mesh as a value
+//   make_mesh.h           a mesh from arrays, made sound
+//   mesh_file.h           a mesh from a file
+//   basic_shapes.h        boxes, cylinders, spheres, prisms as meshes
+//   object_generator.h    household objects as meshes
+//   mesh_checks.h         whether a mesh is closed, and which way it faces
+//   mass_properties.h     volume, centre of mass and inertia of what a mesh bounds
+//   material.h            materials and the friction between them
+//   robot.h               a robot, and of a hand what makes it one; where its links are
+//   robot_file.h          a hand or robot by name or file
+//   platform.h            robots on robots: a hand on an arm on a base
+//   platform_file.h       a platform by name or file
+// The answer
+//   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
+//   grasp_words.h         where a grasp came from, in words
+// One step alone
+//   decompose.h           an object into boxes, spheres and cylinders
+//   candidates.h          where a hand may come from
+//   trial.h               one candidate, from pre-grasp to quality
+//   inverse_kinematics.h  the degrees of freedom that bring a robot to a pose
+//   move_robot.h          the same for a robot that others carry
+//   reach.h               whether an arm follows the hand's approach
+//   grasp_path.h          the arm's whole motion to a grasp
+//   plan_transfer.h       its way from one posture to another, around everything
+//   time_path.h           the fastest motion along a path
+//   check_path.h          a second look at a finished motion
+//   grasp_motion.h        how a hand comes and closes, posture by posture
+// What is written
+//   grasps_file.h         grasps.json
+//   export_files.h        files for other programs
+//   plan_report.h         what a report says of a plan
+//   contacts_file.h       contacts from a file
+//   contacts_report.h     what a report says of contacts without a hand
+//   report_html.h         a report as one file for a browser
+//   posed_grasp.h         a grasp as something to look at
+//   telling_side.h        the side from which a grasp explains itself
+//   grasp_picture.h       its picture
+//   contact_sheet.h       pictures of many grasps in one
+//   image.h               a picture as PNG
+//   output_file.h         files that are written whole or not at all
+//   data_folder.h         where the robots and scenes that come with prehend are
+//   input_error.h         what is thrown for a caller's mistake
+// Judging contacts
+//   quality.h             contacts in, numbers out
+#pragma once
+
+#include "planner/exports/export_files.h"
+#include "planner/files/contacts_file.h"
+#include "planner/files/grasps_file.h"
+#include "planner/path/check_path.h"
+#include "planner/path/grasp_motion.h"
+#include "planner/path/grasp_path.h"
+#include "planner/path/plan_transfer.h"
+#include "planner/path/time_path.h"
+#include "planner/picture/image.h"
+#include "planner/propose/candidates.h"
+#include "planner/report/contacts_report.h"
+#include "planner/report/plan_report.h"
+#include "planner/report/report_html.h"
+#include "planner/search/grasp_words.h"
+#include "planner/search/plan.h"
+#include "planner/show/contact_sheet.h"
+#include "planner/show/grasp_picture.h"
+#include "planner/show/posed_grasp.h"
+#include "planner/show/telling_side.h"
+#include "primitives/decompose.h"
+#include "sim/base/data_folder.h"
+#include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
+#include "sim/base/pose.h"
+#include "sim/geometry/basic_shapes.h"
+#include "sim/geometry/make_mesh.h"
+#include "sim/geometry/mass_properties.h"
+#include "sim/geometry/mesh_checks.h"
+#include "sim/geometry/object_generator.h"
+#include "sim/geometry/triangle_mesh.h"
+#include "sim/mesh_files/mesh_file.h"
+#include "sim/quality/quality.h"
+#include "sim/reach/reach.h"
+#include "sim/robot/inverse_kinematics.h"
+#include "sim/robot/move_robot.h"
+#include "sim/robot/platform.h"
+#include "sim/robot/platform_file.h"
+#include "sim/robot/robot.h"
+#include "sim/robot/robot_file.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/scene/make_scene.h"
+#include "sim/scene/material.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
+#include "sim/scene/scene_text.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// "MAJOR.MINOR.PATCH" of the library that the program runs with.
+const char* version();
+
+}  // namespace prehend

@@ -1,0 +1,29 @@
+// Scenes made by a program, without a scene file: an object and a hand, then what is around them.
+#pragma once
+
+#include <string>
+
+#include "sim/scene/scene.h"
+
+namespace prehend {
+
+// `object` (make_graspable in scene.h) to be grasped by a hand that flies free: a name of the
+// library
+// ("franka_hand") or a robot file. Throws InputError that lists the names when it is neither.
+Scene make_scene(GraspableBody object, const std::string& hand);
+
+// Puts a body into the scene that does not move: it stands in the way, and can be touched. `mesh`
+// in the body's frame B [m]. Throws InputError for a mesh without triangles and for a name that
+// another obstacle has: outcomes name what was in the way.
+void add_obstacle(Scene& scene, std::string name, TriangleMesh mesh,
+                  const Pose& X_WB = Pose::Identity(), Material material = Material::wood);
+
+// Puts the hand on an arm: `platform` is a name of the library ("puma560_barrett") or a file with
+// robots, of which exactly one is a hand. X_WB: its base in the world. `hand`: as in make_scene, in
+// the place of the platform's own; empty: its own. The scene's hand becomes the one that was
+// mounted; the arm starts where its file says, which `scene.carrier->start` may change. Throws
+// InputError for an unknown platform or hand, and for one that nothing carries.
+void mount(Scene& scene, const std::string& platform, const Pose& X_WB = Pose::Identity(),
+           const std::string& hand = "");
+
+}  // namespace prehend

@@ -1,0 +1,58 @@
+// ./run, with programs in place of CMake and Ninja that only note down how they were called.
+#include <gtest/gtest.h>
+
+#include "tests/program/program.h"
+
+namespace prehend::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_script(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << "#!/bin/sh\n" << text << "\n";
+  fs::permissions(file, fs::perms::owner_all);
+}
+
+// A checkout that was configured when it was at `configured_for`, with a program that is built.
+fs::path checkout(const std::string& name, const fs::path& configured_for) {
+  const fs::path folder = fresh_folder(name);
+  fs::copy_file(fs::path(PREHEND_SOURCE_DIR) / "run", folder / "run");
+  fs::create_directories(folder / ".ci");
+  std::ofstream(folder / ".ci" / "packages") << "# none\n";
+  std::ofstream(folder / "CMakePresets.json") << "{}\n";
+  write_script(folder / "build" / "release" / "prehend", "echo planned");
+  std::ofstream(folder / "build" / "release" / "CMakeCache.txt")
+      << "CMAKE_HOME_DIRECTORY:INTERNAL=" << configured_for.string() << "\n";
+  std::ofstream(folder / "build" / "release" / "build.ninja") << "\n";
+  for (const std::string tool : {"cmake", "ninja"}) {
+    write_script(folder / "tools" / tool,
+                 "echo " + tool + " \"$@\" >> " + (folder / "calls").string() + "; exit 0");
+  }
+  return folder;
+}
+
+ProgramRun run_in(const fs::path& folder) {
+  return run_program("plan",
+                     "PATH=" + (folder / "tools").string() + ":$PATH " + (folder / "run").string());
+}
+
+TEST(RunScript, BuildsAnewInACheckoutThatWasMoved) {
+  const fs::path folder = checkout("run_moved", "/somewhere/else");
+  const ProgramRun run = run_in(folder);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "planned\n");
+  EXPECT_NE(run.err.find("was configured in another place"), std::string::npos) << run.err;
+  EXPECT_EQ(content(folder / "calls").find("cmake --fresh"), 0U) << content(folder / "calls");
+}
+
+TEST(RunScript, DoesNotConfigureAgainWhereNothingMoved) {
+  const fs::path folder = checkout("run_unmoved", fs::path(testing::TempDir()) / "run_unmoved");
+  const ProgramRun run = run_in(folder);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "planned\n");
+  EXPECT_EQ(content(folder / "calls").find("ninja"), 0U) << content(folder / "calls");
+}
+
+}  // namespace
+}  // namespace prehend::test

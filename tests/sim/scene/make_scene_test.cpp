@@ -1,0 +1,74 @@
+#include "sim/scene/make_scene.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/input_error.h"
+#include "sim/geometry/basic_shapes.h"
+#include "sim/geometry/object_generator.h"
+#include "sim/robot/robot_file.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
+#include "sim/scene/scene_text.h"
+
+namespace prehend {
+namespace {
+
+Scene boxed_scene(const std::string& hand = "parallel_jaw") {
+  return make_scene(make_graspable("box", make_box({0.03, 0.04, 0.05}), Material::wood), hand);
+}
+
+template <typename Call>
+std::string complaint(const Call& call) {
+  try {
+    call();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// The scene of the library, word for word.
+TEST(MakeScene, SaysTheSameAsASceneFile) {
+  const Scene read = load_scene(find_scene("mug_on_table"));
+  GraspableBody mug =
+      make_graspable("mug", generate_object("mug", 5000), read.object.material, read.object.mass);
+  mug.X_WO = read.object.X_WO;
+  mug.source = read.object.source;
+  Scene made = make_scene(mug, "barrett");
+  made.name = read.name;
+  for (const StaticBody& body : read.obstacles) {
+    add_obstacle(made, body.name, body.mesh, body.X_WB, body.material);
+    made.obstacles.back().source = body.source;
+  }
+  mount(made, "puma560_barrett", read.carrier->X_WB);
+  EXPECT_EQ(scene_text(made), scene_text(read));
+}
+
+TEST(MakeScene, AHandIsMountedInThePlaceOfThePlatformsOwn) {
+  Scene scene = boxed_scene();
+  mount(scene, "puma560_barrett", translation({1.0, 0.0, 0.0}), "franka_hand");
+  scene.object.X_WO = translation({1.6, 0.0, 0.5});
+  EXPECT_EQ(scene.hand.name, find_robot("franka_hand").name);
+  const CompiledScene ready = compile(scene);
+  EXPECT_EQ(ready.links.size(), scene.hand.links.size());
+  ASSERT_TRUE(ready.arm.has_value());
+}
+
+TEST(MakeScene, MistakesAreRefused) {
+  Scene scene = boxed_scene();
+  EXPECT_NE(complaint([] { boxed_scene("nobody"); }).find("parallel_jaw"), std::string::npos);
+  add_obstacle(scene, "wall", make_box({0.1, 0.1, 0.1}), translation({0.3, 0.0, 0.0}));
+  EXPECT_NE(complaint([&] {
+              add_obstacle(scene, "wall", make_box({1, 1, 1}));
+            }).find("wall"),
+            std::string::npos);
+  EXPECT_NE(complaint([&] { add_obstacle(scene, "air", {}); }).find("air"), std::string::npos);
+  EXPECT_NE(complaint([&] { mount(scene, "puma560"); }), "");       // no hand
+  EXPECT_NE(complaint([&] { mount(scene, "parallel_jaw"); }), "");  // nothing carries it
+  EXPECT_FALSE(scene.carrier.has_value());
+  EXPECT_EQ(scene.obstacles.size(), 1U);
+}
+
+}  // namespace
+}  // namespace prehend
