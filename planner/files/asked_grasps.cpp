@@ -66,7 +66,7 @@ std::vector<GraspContact> read_contacts(const JsonField& grasp, const CompiledSc
     GraspContact contact;
     const std::string name = field["link"].text();
     for (std::size_t l = 0; l < scene.links.size(); ++l) {
-      if (scene.links[l].name == name) contact.link = static_cast<int>(l);
+      if (scene.links[l].name == name) contact.link = link_id(l);
     }
     contact.point = {field["position"].vector3(), field["normal"].vector3(),
                      field["friction"].number()};

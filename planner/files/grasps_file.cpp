@@ -19,9 +19,9 @@ Json contact_json(const CompiledScene& scene, const GraspContact& contact) {
 }
 
 Json primitive_json(const ScoredGrasp& grasp, const PlanResult& result) {
-  if (grasp.primitive < 0) return nullptr;
-  return {{"index", grasp.primitive},
-          {"shape", shape_name(result.primitives[index(grasp.primitive)].shape)},
+  if (!grasp.primitive) return nullptr;
+  return {{"index", *grasp.primitive},
+          {"shape", shape_name(result.primitives[index(*grasp.primitive)].shape)},
           {"rule", grasp.rule}};
 }
 
@@ -54,8 +54,8 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
   json["force_closure"] = stable;
   json["X_object_hand"] = pose_to_json(trial.X_OH);
   json["X_world_hand"] = pose_to_json(scene.scene.object.X_WO * trial.X_OH);
-  if (candidate.preshape >= 0) {
-    json["preshape"] = scene.scene.hand.hand->preshapes[index(candidate.preshape)].name;
+  if (candidate.preshape) {
+    json["preshape"] = scene.scene.hand.hand->preshapes[index(*candidate.preshape)].name;
   } else {
     json["preshape"] = nullptr;
   }
@@ -74,7 +74,10 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
                       {"back_offs", trial.back_offs},
                       {"turned", trial.turned}};
   json["blocked"] = blocked_json(scene, trial);
-  if (!trial.arm_dofs.empty()) json["arm_dofs"] = trial.arm_dofs;
+  if (!trial.arm_dofs.empty()) {
+    json["arm_dofs"] = trial.arm_dofs;
+    json["arm_line"] = trial.arm_line;
+  }
   if (grasp.path) json["path"] = path_json(*grasp.path);
   return json;
 }
@@ -140,7 +143,7 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   }
   if (scene.has_obstacles()) {
     json["obstacles"] = Json::array();
-    for (const CompiledObstacle& obstacle : scene.obstacles) {
+    for (const PlacedBody& obstacle : scene.obstacles()) {
       json["obstacles"].push_back(obstacle.name);
     }
   }

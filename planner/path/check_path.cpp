@@ -145,8 +145,8 @@ class PathChecker {
       }
     }
     for (std::size_t l = 0; l < arm_.links.size(); ++l) {
-      for (const FixedBody& body : arm_.fixed) {
-        if (meet(body.mesh, arm_.links[l].mesh, body.X_BF, X_BL_[l])) {
+      for (const PlacedBody& body : arm_.bodies) {
+        if (meet(body.mesh, arm_.links[l].mesh, body.X_RB, X_BL_[l])) {
           return arm_.links[l].name + " meets " + body.name;
         }
       }

@@ -36,10 +36,8 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
                          const Trajectory* path, const GraspMotionOptions& options) {
   if (path != nullptr && scene.arm) return motion_along(scene, *path);
   const HandLine line = approach_line(scene, candidate, trial);
-  std::vector<DofValues> arm_line;
-  if (scene.arm && !trial.arm_dofs.empty()) {
-    arm_line = find_reach(*scene.arm, line, options.reach).line;
-  }
+  const std::vector<DofValues> no_arm;
+  const std::vector<DofValues>& arm_line = scene.arm ? trial.arm_line : no_arm;
   GraspMotion motion;
   const auto add = [&](double time, const Pose& X_OH, const std::vector<double>& joints,
                        const DofValues* dofs) {
@@ -47,11 +45,12 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
                                 ? frame_of(scene, time, arm_joints(*scene.arm, *dofs, joints))
                                 : MotionFrame{time, X_OH, joints});
   };
-  const double seconds = trial.travel / options.approach_speed;
-  const std::size_t steps = arm_line.empty() ? 2 : arm_line.size();
+  // Of one posture alone it is not known how the arm comes there.
+  const double seconds = arm_line.size() == 1 ? 0.0 : trial.travel / options.approach_speed;
+  const std::size_t postures = arm_line.empty() ? 2 : arm_line.size();
   if (seconds > 0.0) {
-    for (std::size_t i = 0; i + 1 < steps; ++i) {
-      const double part = static_cast<double>(i) / static_cast<double>(steps - 1);
+    for (std::size_t i = 0; i + 1 < postures; ++i) {
+      const double part = static_cast<double>(i) / static_cast<double>(postures - 1);
       add(part * seconds, line.X_OH_from, line.hand_joints,
           arm_line.empty() ? nullptr : &arm_line[i]);
     }

@@ -25,11 +25,11 @@ struct GraspMotion {
 struct GraspMotionOptions {
   // Of the hand on the way to the object, where no path says how fast [m/s].
   double approach_speed = 0.1;
-  ReachOptions reach;
 };
 
 // The samples of `path`, if there is one. If not, what the trial did: the hand approaches and
-// closes at its closing velocities, on the arm where that reached.
+// closes at its closing velocities, carried by the arm along trial.arm_line where there is one. An
+// arm_line of a single posture has no approach: the motion then starts at the grasp.
 GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const Trajectory* path, const GraspMotionOptions& options = {});
 

@@ -1,5 +1,6 @@
 #include "planner/path/grasp_path.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,10 @@
 
 namespace prehend {
 namespace {
+
+// Postures whose values differ by less are one: the inverse kinematics found it twice, or a file
+// rounded it [rad or m].
+constexpr double kSamePosture = 1e-6;
 
 JointLimits limits_of(const Robot& robot) {
   JointLimits limits;
@@ -39,29 +44,55 @@ class GraspPathPlanner {
   }
 
   std::optional<Trajectory> plan() {
-    ReachOptions reach = options_.reach;
-    for (const Reach& way : find_reaches(arm_, line_, options_.alternatives, reach, context_)) {
-      if (way.end != ReachEnd::reached) continue;
-      for (const bool opens_first : {true, false}) {
-        if (!opens_first && start_hand_ == line_.hand_joints) continue;
-        std::optional<Trajectory> path = along(way, opens_first);
-        if (path && check_path(scene_, *path, {}, context_).ok()) return path;
-      }
+    if (!trial_.arm_line.empty()) {
+      if (std::optional<Trajectory> path = along(trial_.arm_line)) return path;
+    }
+    for (const std::vector<DofValues>& line : other_lines()) {
+      if (std::optional<Trajectory> path = along(line)) return path;
     }
     return std::nullopt;
   }
 
  private:
+  // Lines of the arm to the grasp in other postures than the trial's.
+  std::vector<std::vector<DofValues>> other_lines() const {
+    std::vector<std::vector<DofValues>> lines;
+    const std::size_t tried = trial_.arm_line.empty() ? 0 : 1;
+    for (Reach& way : find_reaches(arm_, line_, options_.alternatives, options_.reach, context_)) {
+      if (way.end != ReachEnd::reached || starts_as_the_trial(way.line)) continue;
+      if (lines.size() + tried == index(options_.alternatives)) break;
+      lines.push_back(std::move(way.line));
+    }
+    return lines;
+  }
+
+  bool starts_as_the_trial(const std::vector<DofValues>& line) const {
+    if (trial_.arm_line.empty()) return false;
+    const DofValues& own = trial_.arm_line.front();
+    return std::equal(own.begin(), own.end(), line.front().begin(), line.front().end(),
+                      [](double a, double b) { return std::abs(a - b) <= kSamePosture; });
+  }
+
+  // To the pre-grasp and along the line, the hand opened first where that works, else last.
+  std::optional<Trajectory> along(const std::vector<DofValues>& line) const {
+    for (const bool opens_first : {true, false}) {
+      if (!opens_first && start_hand_ == line_.hand_joints) continue;
+      std::optional<Trajectory> path = along(line, opens_first);
+      if (path && check_path(scene_, *path, {}, context_).ok()) return path;
+    }
+    return std::nullopt;
+  }
+
   // The hand takes its preshape before the arm moves, or at the pre-grasp.
-  std::optional<Trajectory> along(const Reach& way, bool opens_first) const {
+  std::optional<Trajectory> along(const std::vector<DofValues>& line, bool opens_first) const {
     const std::vector<double>& carried = opens_first ? line_.hand_joints : start_hand_;
-    const DofValues& opens_at = opens_first ? arm_.start : way.line.front();
+    const DofValues& opens_at = opens_first ? arm_.start : line.front();
     const JointPath opening = {arm_joints(arm_, opens_at, start_hand_),
                                arm_joints(arm_, opens_at, line_.hand_joints)};
     if (first_blocked(arm_, pairs_, opening, options_.transfer.motion, context_))
       return std::nullopt;
     const std::vector<DofValues> waypoints =
-        plan_transfer(arm_, {arm_.start, way.line.front(), carried}, options_.transfer, context_);
+        plan_transfer(arm_, {arm_.start, line.front(), carried}, options_.transfer, context_);
     if (waypoints.empty()) return std::nullopt;
     Trajectory path;
     for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);
@@ -69,11 +100,11 @@ class GraspPathPlanner {
     if (opens && opens_first) add(path, "preshape", opening, PathKind::corners);
     add(path, "transfer", with_hand(waypoints, carried), PathKind::corners);
     if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
-    add(path, "approach", with_hand(way.line, line_.hand_joints), PathKind::smooth);
+    add(path, "approach", with_hand(line, line_.hand_joints), PathKind::smooth);
     JointPath closing;
     for (const auto& hand :
          closing_path(scene_.scene.hand, line_.hand_joints, trial_.joints).postures) {
-      closing.push_back(arm_joints(arm_, way.line.back(), hand));
+      closing.push_back(arm_joints(arm_, line.back(), hand));
     }
     add(path, "close", closing, PathKind::corners);
     return path;

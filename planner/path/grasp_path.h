@@ -14,7 +14,9 @@ struct GraspPathOptions {
   ReachOptions reach;
   TransferOptions transfer;
   TimePathOptions timing;
-  int alternatives = 3;  // postures of the pre-grasp that are tried (>= 1)
+  // Postures of the pre-grasp that are tried (>= 1): the trial's own first, where it has an
+  // arm_line, then the others, nearest to the start first.
+  int alternatives = 3;
 };
 
 // Segments of a path, in order: "preshape" (the hand opens, the arm at rest; left out where the

@@ -23,8 +23,8 @@ struct CandidateOptions {
 
 struct ProposedGrasp {
   Candidate candidate;
-  int primitive = -1;  // index into the primitives
-  std::string rule;    // "box face", "cylinder side across", ...
+  int primitive = 0;  // index into the primitives
+  std::string rule;   // "box face", "cylinder side across", ...
 };
 
 // Why preshapes were left out, for the message when nothing is proposed.

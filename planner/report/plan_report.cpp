@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& s
 }
 
 ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
-                     const ScoredGrasp& scored, const GraspMotionOptions& motion) {
+                     const ScoredGrasp& scored) {
   const Trial& trial = scored.trial;
   ReportGrasp grasp;
   grasp.outcome = outcome_name(trial.outcome);
@@ -48,12 +48,12 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.origin = origin_words(scored, result);
   grasp.preshape = preshape_name(scene, scored.candidate);
   grasp.blame = words_of(blame(scene, trial));
-  grasp.primitive = scored.primitive;
+  grasp.primitive = scored.primitive.value_or(-1);
   for (const GraspContact& contact : trial.contacts) {
     grasp.contacts.push_back({contact.point, scene.links[index(contact.link)].name, contact.gap});
   }
   grasp.motion =
-      grasp_motion(scene, scored.candidate, trial, scored.path ? &*scored.path : nullptr, motion);
+      grasp_motion(scene, scored.candidate, trial, scored.path ? &*scored.path : nullptr);
   return grasp;
 }
 
@@ -109,11 +109,9 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.primitives = result.primitives;
   report.grasps_in_all = result.grasps.size();
   report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
-  GraspMotionOptions motion;
-  motion.reach = record.options.trial.reach;
   for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
     context.cancellation.check();
-    report.grasps[i] = grasp_of(scene, result, result.grasps[i], motion);
+    report.grasps[i] = grasp_of(scene, result, result.grasps[i]);
     if (i < options.most_detailed) {
       report.grasps[i].detail =
           detail_of(scene, report.grasps[i], result.grasps[i], record, context);

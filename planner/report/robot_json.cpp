@@ -85,7 +85,7 @@ Json arm_json(const CompiledArm& arm) {
   const Robot& robot = arm.robot();
   Json links = Json::array();
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
-    if (!arm.is_hand_link(static_cast<int>(l))) links.push_back(link_json(robot.links[l]));
+    if (!arm.is_hand_link(link_id(l))) links.push_back(link_json(robot.links[l]));
   }
   return {{"name", robot.name},
           {"joints", joints_json(robot)},

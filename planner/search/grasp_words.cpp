@@ -3,15 +3,15 @@
 namespace prehend {
 
 std::string origin_words(const ScoredGrasp& grasp, const PlanResult& result) {
-  if (grasp.primitive < 0) return grasp.rule;
-  const auto p = static_cast<std::size_t>(grasp.primitive);
+  if (!grasp.primitive) return grasp.rule;
+  const auto p = static_cast<std::size_t>(*grasp.primitive);
   const std::string shape(shape_name(result.primitives[p].shape));
-  return shape + " " + std::to_string(grasp.primitive + 1) + " (" + grasp.rule + ")";
+  return shape + " " + std::to_string(*grasp.primitive + 1) + " (" + grasp.rule + ")";
 }
 
 std::string preshape_name(const CompiledScene& scene, const Candidate& candidate) {
-  if (candidate.preshape < 0) return "";
-  return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(candidate.preshape)].name;
+  if (!candidate.preshape) return "";
+  return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(*candidate.preshape)].name;
 }
 
 }  // namespace prehend

@@ -67,7 +67,7 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
     result.stages.push_back({PlanCount::reach, total - lost});
   }
   if (scene.has_obstacles()) {
-    result.stages.push_back({PlanCount::obstacles, static_cast<int>(scene.obstacles.size())});
+    result.stages.push_back({PlanCount::obstacles, static_cast<int>(scene.obstacles().size())});
   }
   result.stages.push_back({PlanCount::trials, total});
 }
@@ -286,7 +286,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
     result.grasps.push_back({std::move(finished.trials[i]),
                              candidates[finished.candidates[i]],
                              {},
-                             -1,
+                             std::nullopt,
                              "given",
                              {},
                              {},

@@ -43,7 +43,7 @@ struct ScoredGrasp {
   Candidate candidate;
   // Of the wrench hull, 0 without force closure; nothing where the call was cancelled before it.
   std::optional<double> volume;
-  int primitive = -1;  // it came from, -1: given by the caller
+  std::optional<int> primitive;  // it came from; none: given by the caller
   std::string rule;
   std::optional<Trajectory> path;
   std::optional<WrenchSections> sections;

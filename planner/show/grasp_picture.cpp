@@ -47,7 +47,7 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
   std::vector<Pose> X_BL;
   arm_link_poses(arm, grasp.arm_joints, X_BL);
   for (std::size_t l = 0; l < X_BL.size(); ++l) {
-    if (arm.is_hand_link(static_cast<int>(l))) continue;
+    if (arm.is_hand_link(link_id(l))) continue;
     const Link& link = arm.robot().links[l];
     bodies.push_back({link.mesh, arm.X_WB * X_BL[l], palette::kArm, link.name});
   }

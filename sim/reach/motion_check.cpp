@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sim/base/index.h"
 
@@ -50,17 +51,18 @@ class MotionCheck {
       : arm_(arm), pairs_(pairs), path_(path), options_(options), context_(context) {}
 
   std::optional<ArmPair> run() {
-    std::vector<int> all(pairs_.size());
-    for (std::size_t p = 0; p < all.size(); ++p) all[p] = static_cast<int>(p);
-    const int blocked = stretch(0.0, path_.end(), all);
-    if (blocked < 0) return std::nullopt;
-    return pairs_[index(blocked)];
+    std::vector<std::size_t> all(pairs_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::optional<std::size_t> blocked = stretch(0.0, path_.end(), all);
+    if (!blocked) return std::nullopt;
+    return pairs_[*blocked];
   }
 
  private:
-  // The first of `open` that is not proven from `from` to `to`, -1 for none.
-  int stretch(double from, double to, const std::vector<int>& open) {
+  // The first of the pairs `open` that is not proven free from `from` to `to`.
+  std::optional<std::size_t> stretch(double from, double to, const std::vector<std::size_t>& open) {
     double middle = 0.5 * (from + to);
+    // Postures of the path are cheaper than blends of two, and the path bends there.
     if (to - from > 1.0) middle = std::round(middle);
     std::vector<double> before;
     std::vector<double> here;
@@ -70,10 +72,10 @@ class MotionCheck {
     path_.way(to, after);
     path_.posture(middle, joints_);
     arm_link_poses(arm_, joints_, X_BL_);
-    std::vector<int> left;
-    for (const int p : open) {
+    std::vector<std::size_t> left;
+    for (const std::size_t p : open) {
       context_.cancellation.check();
-      const ArmPair& pair = pairs_[index(p)];
+      const ArmPair& pair = pairs_[p];
       double back = 0.0;
       double ahead = 0.0;
       for (std::size_t k = 0; k < pair.joints.size(); ++k) {
@@ -87,9 +89,9 @@ class MotionCheck {
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);
     }
-    if (left.empty()) return -1;
-    const int first = stretch(from, middle, left);
-    return first >= 0 ? first : stretch(middle, to, left);
+    if (left.empty()) return std::nullopt;
+    const std::optional<std::size_t> first = stretch(from, middle, left);
+    return first ? first : stretch(middle, to, left);
   }
 
   const CompiledArm& arm_;

@@ -20,7 +20,8 @@ JointPath joints_of(const CompiledArm& arm, const std::vector<DofValues>& line,
   return path;
 }
 
-// The posture at each step of the line, each from the one before; empty where that ends.
+// The posture at each step of the line, each solved from the one before, so that all are on one
+// branch of the inverse kinematics; empty where a step has no solution nearby.
 std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, const DofValues& first,
                               const ReachOptions& options, const RunContext& context) {
   const Vector3 way = line.X_OH_to.translation() - line.X_OH_from.translation();
@@ -88,6 +89,15 @@ std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, in
   }
   if (found.empty()) found.push_back(std::move(failure));
   return found;
+}
+
+std::vector<DofValues> line_ending_in(const CompiledArm& arm, const HandLine& line,
+                                      const DofValues& last, const ReachOptions& options,
+                                      const RunContext& context) {
+  const HandLine back{line.X_OH_to, line.X_OH_from, line.hand_joints};
+  std::vector<DofValues> postures = follow(arm, back, last, options, context);
+  std::reverse(postures.begin(), postures.end());
+  return postures;
 }
 
 Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options,

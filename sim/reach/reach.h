@@ -11,7 +11,8 @@
 namespace prehend {
 
 struct ReachOptions {
-  // Redundant robots arrive from one of the first few starts or not at all.
+  // Fewer restarts than IkOptions has: redundant robots arrive from one of the first few starts or
+  // not at all.
   IkOptions kinematics = {.restarts = 30, .max_solutions = 24};
   // The line is followed in steps of this; between them the joints move straight [m].
   double line_step = 2e-3;
@@ -45,16 +46,23 @@ struct Reach {
 std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
                                    const ReachOptions& options, const RunContext& context = {});
 
-// Tries the postures of the pre-grasp, nearest to the start first, until one follows the line with
-// one continuous solution and without collision of the robots with themselves and of all but the
-// hand with the object and the obstacles: where the hand goes, the trial has seen to that.
-// Up to `most` ways that reach, or one reason: the first collision, else unreachable. Throws
-// Cancelled.
+// Tries the postures of the pre-grasp, nearest to the start first, until `most` of them follow the
+// line: with one continuous solution of the inverse kinematics, and without collision of the robots
+// with each other, or of any link but the hand's with the object and the obstacles (the trial
+// checks the hand itself). Returns those that reach, or where none does one failure: the first
+// collision, else unreachable. Throws Cancelled.
 std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
                                 const ReachOptions& options, const RunContext& context = {});
 
 // The first of them.
 Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options,
                  const RunContext& context = {});
+
+// The postures along the line of which `last`, with the hand at X_OH_to, is the last one: the line
+// is followed back from there. Empty where that meets a limit or would have to jump to another
+// branch. Collisions are not checked. Throws Cancelled.
+std::vector<DofValues> line_ending_in(const CompiledArm& arm, const HandLine& line,
+                                      const DofValues& last, const ReachOptions& options,
+                                      const RunContext& context = {});
 
 }  // namespace prehend

@@ -39,17 +39,17 @@ void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
 void find_pairs(CompiledArm& arm) {
   for (const LinkPair& links : separate_pairs(arm.links)) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
-    ArmPair pair{.link = links.a, .other_link = links.b};
+    ArmPair pair{.link = links.a, .other = links.b};
     add_motion(arm.links[index(links.a)], &arm.links[index(links.b)], pair);
     if (!stay_apart(arm, pair)) arm.arm_pairs.push_back(std::move(pair));
   }
   for (std::size_t l = 0; l < arm.links.size(); ++l) {
-    const bool in_hand = arm.is_hand_link(static_cast<int>(l));
-    for (std::size_t f = 0; f < arm.fixed.size(); ++f) {
-      ArmPair pair{.link = static_cast<int>(l), .fixed = static_cast<int>(f)};
+    for (std::size_t b = 0; b < arm.bodies.size(); ++b) {
+      ArmPair pair{.link = link_id(l), .other = BodyId::at(b)};
       add_motion(arm.links[l], nullptr, pair);
-      // Hands are meant to come near.
-      if (in_hand) {
+      // The hand is meant to come near the object and what it stands on: a proof that it stays
+      // away in all postures would fail, at some cost.
+      if (arm.is_hand_link(pair.link)) {
         arm.hand_pairs.push_back(std::move(pair));
       } else if (!stay_apart(arm, pair)) {
         arm.arm_pairs.push_back(std::move(pair));
@@ -78,35 +78,28 @@ void check_start(const Scene& scene, const CompiledArm& arm) {
   }
 }
 
-bool any_inside(const ProximityMesh& mesh, const std::vector<Vector3>& points, const Pose& X) {
-  return std::any_of(points.begin(), points.end(),
-                     [&](const Vector3& p) { return is_inside(mesh, X * p); });
-}
-
-// The second body of a pair.
-struct Other {
-  const ProximityMesh& mesh;
-  Pose X_BF;
-  const std::vector<Vector3>& probes;
-  bool is_solid;
+// The second body of a pair and its pose.
+struct OtherBody {
+  const CollisionBody& body;
+  const Pose& X_BF;
 };
 
-Other other_of(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {
-  if (pair.other_link >= 0) {
-    const CompiledLink& link = arm.links[index(pair.other_link)];
-    return {link.mesh, X_BL[index(pair.other_link)], link.probes, true};
+OtherBody other_of(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {
+  if (const LinkId* link = std::get_if<LinkId>(&pair.other)) {
+    return {arm.links[index(*link)], X_BL[index(*link)]};
   }
-  const FixedBody& body = arm.fixed[index(pair.fixed)];
-  return {body.mesh, body.X_BF, body.probes, body.is_solid};
+  const PlacedBody& body = arm.body(std::get<BodyId>(pair.other));
+  return {body, body.X_RB};
 }
 
 }  // namespace
 
-bool CompiledArm::is_hand_link(int link) const {
-  return link >= hand_part().first_link && link < hand_part().first_link + hand_link_count;
+bool CompiledArm::is_hand_link(LinkId link) const {
+  const int in_hand = static_cast<int>(link) - hand_part().first_link;
+  return in_hand >= 0 && in_hand < hand_link_count;
 }
 
-CompiledArm compile_arm(const Scene& scene, std::vector<FixedBody> fixed) {
+CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies) {
   const Carrier& carrier = *scene.carrier;
   CompiledArm arm;
   arm.platform = assemble(carrier.platform);
@@ -117,7 +110,7 @@ CompiledArm compile_arm(const Scene& scene, std::vector<FixedBody> fixed) {
   arm.start = carrier.start;
   arm.links = compile_links(scene, arm.robot());
   arm.hand_link_count = static_cast<int>(scene.hand.links.size());
-  arm.fixed = std::move(fixed);
+  arm.bodies = std::move(bodies);
   find_pairs(arm);
   check_start(scene, arm);
   return arm;
@@ -139,29 +132,24 @@ GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vec
                      double distance) {
   const CompiledLink& link = arm.links[index(pair.link)];
   const Pose& X = X_BL[index(pair.link)];
-  const Other other = other_of(arm, pair, X_BL);
-  const double apart = (X * link.mesh.ball_center() - other.X_BF * other.mesh.ball_center()).norm();
+  const auto [other, X_BF] = other_of(arm, pair, X_BL);
+  const double apart = (X * link.mesh.ball_center() - X_BF * other.mesh.ball_center()).norm();
   if (apart - link.mesh.ball_radius() - other.mesh.ball_radius() > distance) {
     return GapAnswer::larger;
   }
-  // A little more than is asked, so that a gap at the cap is an answer.
+  // The cap is a little beyond the distance: a gap that reaches the cap is then proven to be larger
+  // than the distance.
   const GapOptions options{
       .cap = kCapBeyond * distance + kLeastCap, .relative_error = 0.5, .hint = {}};
-  const Gap gap = find_gap(other.mesh, link.mesh, other.X_BF.inverse() * X, options);
+  const Gap gap = find_gap(other.mesh, link.mesh, X_BF.inverse() * X, options);
   if (gap.lower > distance) return GapAnswer::larger;
   return gap.lower <= 0.0 ? GapAnswer::meets : GapAnswer::not_proven;
 }
 
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {
-  const CompiledLink& link = arm.links[index(pair.link)];
-  const Pose& X = X_BL[index(pair.link)];
-  const Other other = other_of(arm, pair, X_BL);
-  const double apart = (X * link.mesh.ball_center() - other.X_BF * other.mesh.ball_center()).norm();
-  if (apart > link.mesh.ball_radius() + other.mesh.ball_radius()) return false;
-  const Pose X_FL = other.X_BF.inverse() * X;
-  if (surfaces_cross(other.mesh, link.mesh, X_FL)) return true;
-  if (other.is_solid && any_inside(other.mesh, link.probes, X_FL)) return true;
-  return any_inside(link.mesh, other.probes, X_FL.inverse());
+  const auto [other, X_BF] = other_of(arm, pair, X_BL);
+  const Pose X_FL = X_BF.inverse() * X_BL[index(pair.link)];
+  return bodies_overlap(other, arm.links[index(pair.link)], X_FL);
 }
 
 std::string first_name(const CompiledArm& arm, const ArmPair& pair) {
@@ -169,8 +157,9 @@ std::string first_name(const CompiledArm& arm, const ArmPair& pair) {
 }
 
 std::string second_name(const CompiledArm& arm, const ArmPair& pair) {
-  return pair.other_link >= 0 ? arm.links[index(pair.other_link)].name
-                              : arm.fixed[index(pair.fixed)].name;
+  const LinkId* link = std::get_if<LinkId>(&pair.other);
+  return link != nullptr ? arm.links[index(*link)].name
+                         : arm.body(std::get<BodyId>(pair.other)).name;
 }
 
 }  // namespace prehend

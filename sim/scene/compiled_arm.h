@@ -1,60 +1,54 @@
-// The robots that carry the hand, made ready for motions: bodies, and which of them may ever meet.
+// The platform that carries the hand, made ready for motions: its bodies, and which pairs of them
+// have to be checked for collision.
 #pragma once
 
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "sim/geometry/proximity.h"
 #include "sim/robot/platform.h"
 #include "sim/scene/compiled_link.h"
 
 namespace prehend {
 
-// The object or an obstacle, in the base frame B of the platform.
-struct FixedBody {
-  std::string name;
-  ProximityMesh mesh;
-  Pose X_BF = Pose::Identity();
-  std::vector<Vector3> probes = {};  // one vertex of each of its components, its own frame
-  bool is_solid = false;             // closed and oriented: inside has a meaning
-};
-
-// Two bodies that may meet: a link with another link or with a fixed body.
+// Two bodies that can collide: a link of the platform with another link, or with the object or an
+// obstacle.
 struct ArmPair {
-  int link = 0;
-  int other_link = -1;
-  int fixed = -1;  // where other_link is -1
-  // What moves the one relative to the other, and by how much at most: see CompiledLink.
+  LinkId link = {};
+  std::variant<LinkId, BodyId> other = LinkId{};
+  // Joints that move the one relative to the other, and by how much at most for a unit of each
+  // joint's motion: see CompiledLink.
   std::vector<int> joints = {};
   std::vector<double> reach = {};
 };
 
 struct CompiledArm {
-  AssembledPlatform platform;  // robots, joints, links: with the hand
-  int hand = 0;                // which of the parts is the hand
+  AssembledPlatform platform;  // all robots as one, the hand among them
+  int hand = 0;                // index of the hand in platform.parts
   Pose X_WB = Pose::Identity();
   Pose X_BO = Pose::Identity();
-  std::vector<int> dofs;      // that move the hand, base to tip
-  std::vector<double> start;  // of all degrees of freedom
+  std::vector<int> dofs;      // degrees of freedom that move the hand's base, base to tip
+  std::vector<double> start;  // values of all degrees of freedom before any motion
   std::vector<CompiledLink> links;
-  std::vector<FixedBody> fixed;  // the object, then the obstacles
-  // Pairs that were not proven to stay apart in all postures: those of the hand with fixed bodies,
-  // and all others. Two links of the hand are no pair here: the trial sees to them.
+  std::vector<PlacedBody> bodies;  // the object and the obstacles, by BodyId, in frame B
+  // Pairs checked for collision: those of the hand's links with the object and the obstacles, and
+  // all others (arm_pairs) except pairs that are proven to stay apart in every posture. Pairs of
+  // two links of the hand are not listed: the trial checks them while the hand closes.
   std::vector<ArmPair> hand_pairs;
   std::vector<ArmPair> arm_pairs;
 
   const Robot& robot() const { return platform.robot; }
   const PlatformPart& hand_part() const { return platform.parts[static_cast<std::size_t>(hand)]; }
-  bool is_hand_link(int link) const;
+  bool is_hand_link(LinkId link) const;
+  const PlacedBody& body(BodyId id) const { return bodies[index(id)]; }
   int hand_link_count = 0;
 };
 
-// `fixed` as the arm has them. Throws InputError when the start posture collides or is outside
-// limits, or the start does not fit the platform.
-CompiledArm compile_arm(const Scene& scene, std::vector<FixedBody> fixed);
+// `bodies`: the object and the obstacles in frame B. Throws InputError when the start posture
+// collides or is outside limits, or the start does not fit the platform.
+CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies);
 
-// Joint values of all robots for `dofs`, with the hand's joints as given.
+// Joint values of the whole platform for `dofs`, with the hand's joints as given.
 std::vector<double> arm_joints(const CompiledArm& arm, const std::vector<double>& dofs,
                                const std::vector<double>& hand_joints);
 
@@ -62,16 +56,16 @@ std::vector<double> arm_joints(const CompiledArm& arm, const std::vector<double>
 void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
                     std::vector<Pose>& X_BL);
 
-// Whether the gap between the bodies is larger than `distance`, as far as a query at little cost
-// tells; `meets` where there is none.
+// Whether the gap between the bodies of a pair is larger than `distance` [m]. The query is cheap
+// and may leave a larger gap not_proven; `meets` where the surfaces touch or cross.
 enum class GapAnswer { larger, not_proven, meets };
 GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
                      double distance);
 
-// True when the bodies meet or one is inside the other.
+// True when the surfaces cross or one body contains the other.
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL);
 
-// "LINK" and "LINK or BODY" of a pair.
+// Names of the pair's link, and of the link or body it is paired with.
 std::string first_name(const CompiledArm& arm, const ArmPair& pair);
 std::string second_name(const CompiledArm& arm, const ArmPair& pair);
 

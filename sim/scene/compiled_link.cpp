@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 
@@ -73,32 +72,17 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
   const double depth = scene.compliant_depths.between(material, scene.object.material);
   std::vector<int> joints = joints_to(robot, link.joint);
   std::vector<double> reach = reaches(robot, joints, link.mesh);
-  return {link.name, ProximityMesh(link.mesh), link.joint,       friction,
-          depth,     std::move(joints),        std::move(reach), component_vertices(link.mesh)};
+  return {make_collision_body(link.name, link.mesh, true), friction, depth, std::move(joints),
+          std::move(reach)};
 }
 
+// True when joints, and nothing else, lie between link `a` and the link `b` further out.
 bool is_before(const CompiledLink& a, const CompiledLink& b) {
   return a.joints.size() < b.joints.size() &&
          std::equal(a.joints.begin(), a.joints.end(), b.joints.begin());
 }
 
 }  // namespace
-
-std::vector<Vector3> component_vertices(const TriangleMesh& mesh) {
-  DisjointSets sets(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles) {
-    sets.merge(index(t[0]), index(t[1]));
-    sets.merge(index(t[0]), index(t[2]));
-  }
-  std::vector<bool> known(mesh.vertices.size(), false);
-  std::vector<Vector3> vertices;
-  for (const Triangle& t : mesh.triangles) {  // a vertex of no triangle is no part of the surface
-    const std::size_t component = sets.find(index(t[0]));
-    if (!known[component]) vertices.push_back(mesh.vertices[index(t[0])]);
-    known[component] = true;
-  }
-  return vertices;
-}
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {
   std::vector<CompiledLink> links;
@@ -116,7 +100,7 @@ std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links) {
     for (std::size_t b = a + 1; b < links.size(); ++b) {
       const bool rigid = links[a].joints == links[b].joints;
       if (rigid || neighbours(links[a], links[b]) || neighbours(links[b], links[a])) continue;
-      pairs.push_back({static_cast<int>(a), static_cast<int>(b)});
+      pairs.push_back({link_id(a), link_id(b)});
     }
   }
   return pairs;

@@ -1,7 +1,7 @@
 #include "sim/scene/compiled_scene.h"
 
-#include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "sim/base/index.h"
@@ -30,31 +30,32 @@ std::vector<double> gaps_at(const CompiledScene& scene, const Preshape& preshape
 }
 
 void check_object_is_free(const CompiledScene& scene) {
-  const auto any_inside = [](const ProximityMesh& mesh, const std::vector<Vector3>& points,
-                             const Pose& X) {
-    return std::any_of(points.begin(), points.end(),
-                       [&](const Vector3& p) { return is_inside(mesh, X * p); });
-  };
-  for (const CompiledObstacle& obstacle : scene.obstacles) {
-    const Pose X_BO = obstacle.X_OB.inverse();
-    if (surfaces_cross(scene.object, obstacle.mesh, obstacle.X_OB) ||
-        (obstacle.is_solid && any_inside(obstacle.mesh, scene.object_probes, X_BO)) ||
-        (scene.object_is_solid && any_inside(scene.object, obstacle.probes, obstacle.X_OB))) {
-      throw InputError(scene.scene.name + ": object: " + scene.scene.object.name +
-                       " overlaps the obstacle " + obstacle.name);
-    }
+  for (const PlacedBody& obstacle : scene.obstacles()) {
+    if (!bodies_overlap(scene.object(), obstacle, obstacle.X_RB)) continue;
+    throw InputError(scene.scene.name + ": object: " + scene.scene.object.name +
+                     " overlaps the obstacle " + obstacle.name);
   }
 }
 
-std::vector<FixedBody> fixed_bodies(const CompiledScene& scene) {
-  const Pose X_BO = scene.scene.carrier->X_WB.inverse() * scene.scene.object.X_WO;
-  std::vector<FixedBody> fixed = {
-      {scene.scene.object.name, scene.object, X_BO, scene.object_probes, scene.object_is_solid}};
-  for (const CompiledObstacle& obstacle : scene.obstacles) {
-    fixed.push_back(
-        {obstacle.name, obstacle.mesh, X_BO * obstacle.X_OB, obstacle.probes, obstacle.is_solid});
+// The object and the obstacles, in the object's frame.
+std::vector<PlacedBody> placed_bodies(const Scene& scene) {
+  const auto placed = [](const std::string& name, const TriangleMesh& mesh, const Pose& X_OB) {
+    return PlacedBody{make_collision_body(name, mesh, check_mesh(mesh).solid()), X_OB};
+  };
+  std::vector<PlacedBody> bodies = {placed(scene.object.name, scene.object.mesh, Pose::Identity())};
+  const Pose X_OW = scene.object.X_WO.inverse();
+  for (const StaticBody& body : scene.obstacles) {
+    bodies.push_back(placed(body.name, body.mesh, X_OW * body.X_WB));
   }
-  return fixed;
+  return bodies;
+}
+
+// The same bodies in the base frame of the platform that carries the hand.
+std::vector<PlacedBody> bodies_in_base(const CompiledScene& scene) {
+  const Pose X_BO = scene.scene.carrier->X_WB.inverse() * scene.scene.object.X_WO;
+  std::vector<PlacedBody> bodies = scene.bodies;
+  for (PlacedBody& body : bodies) body.X_RB = X_BO * body.X_RB;
+  return bodies;
 }
 
 }  // namespace
@@ -65,22 +66,16 @@ CompiledScene compile(Scene scene) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw InputError(scene.object.name + ": the object has no extent");
   }
-  CompiledScene compiled{.scene = scene, .object = ProximityMesh(scene.object.mesh)};
+  CompiledScene compiled{.scene = scene};
   compiled.links = compile_links(scene, scene.hand);
-  const Pose X_OW = scene.object.X_WO.inverse();
-  for (const StaticBody& body : scene.obstacles) {
-    compiled.obstacles.push_back({body.name, ProximityMesh(body.mesh), X_OW * body.X_WB,
-                                  component_vertices(body.mesh), check_mesh(body.mesh).solid()});
-  }
+  compiled.bodies = placed_bodies(scene);
   compiled.self_pairs = separate_pairs(compiled.links);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     compiled.preshape_gaps.push_back(gaps_at(compiled, preshape));
   }
   compiled.wrench_frame = {scene.object.center_of_mass, 1.0 / radius};
-  compiled.object_probes = component_vertices(scene.object.mesh);
-  compiled.object_is_solid = check_mesh(scene.object.mesh).solid();
   check_object_is_free(compiled);
-  if (scene.carrier) compiled.arm = compile_arm(scene, fixed_bodies(compiled));
+  if (scene.carrier) compiled.arm = compile_arm(scene, bodies_in_base(compiled));
   return compiled;
 }
 

@@ -1,12 +1,11 @@
-// A scene made ready for trials: trees, reaches, friction, pairs to test. Immutable, shared by
-// threads.
+// A scene made ready for trials: collision bodies, bounds of motion, friction, pairs checked for
+// self-collision. Immutable, shared by threads.
 #pragma once
 
 #include <optional>
-#include <string>
+#include <span>
 #include <vector>
 
-#include "sim/geometry/proximity.h"
 #include "sim/quality/wrench.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_link.h"
@@ -14,28 +13,26 @@
 
 namespace prehend {
 
-struct CompiledObstacle {
-  std::string name;
-  ProximityMesh mesh;
-  Pose X_OB = Pose::Identity();      // the obstacle in the object's frame
-  std::vector<Vector3> probes = {};  // one vertex of each of its components, its own frame
-  bool is_solid = false;             // closed and oriented: inside has a meaning
-};
-
 struct CompiledScene {
   Scene scene;
-  ProximityMesh object;
-  std::vector<CompiledLink> links = {};  // as scene.hand.links
-  std::vector<CompiledObstacle> obstacles = {};
-  std::vector<LinkPair> self_pairs = {};
+  // The object, at the identity, then the obstacles as in scene.obstacles; in the object's frame O.
+  std::vector<PlacedBody> bodies = {};
+  std::vector<CompiledLink> links = {};   // of the hand, as scene.hand.links
+  std::vector<LinkPair> self_pairs = {};  // link pairs of the hand checked for self-collision
   // Per preshape of the hand and self pair, the gap at that preshape [m].
   std::vector<std::vector<double>> preshape_gaps = {};
-  WrenchFrame wrench_frame = {};  // centre of mass; 1 / largest distance of a vertex from it
-  std::vector<Vector3> object_probes = {};  // one vertex of each of its components
-  bool object_is_solid = false;             // closed and oriented: inside has a meaning
-  std::optional<CompiledArm> arm = {};      // where the scene has one
+  // Torques about the object's centre of mass, times 1 / largest distance of a vertex from it.
+  WrenchFrame wrench_frame = {};
+  std::optional<CompiledArm> arm = {};  // the platform that carries the hand, where there is one
 
-  bool has_obstacles() const { return !obstacles.empty(); }
+  const PlacedBody& object() const { return bodies.front(); }
+  std::span<const PlacedBody> obstacles() const { return std::span(bodies).subspan(1); }
+  bool has_obstacles() const { return bodies.size() > 1; }
+  const PlacedBody& body(BodyId id) const { return bodies[index(id)]; }
+  // A pose given in the object's frame, seen from the frame of the body.
+  Pose pose_in(BodyId id, const Pose& X_OX) const {
+    return id.is_object() ? X_OX : body(id).X_RB.inverse() * X_OX;
+  }
 };
 
 // Throws InputError when the robot is not a hand, has an unknown material or an empty link, a

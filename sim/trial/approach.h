@@ -1,11 +1,12 @@
 // Moving the hand straight along its approach until something is touched.
 #pragma once
 
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/hand_collision.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {
@@ -21,7 +22,7 @@ struct ApproachMotion {
 };
 
 enum class ApproachEnd {
-  stand_off,  // the whole distance, nothing touched
+  stand_off,  // the hand went the whole distance and touched nothing
   touched_object,
   touched_obstacle,
   starts_in_collision,
@@ -29,14 +30,13 @@ enum class ApproachEnd {
 
 struct ApproachResult {
   ApproachEnd end = ApproachEnd::stand_off;
-  double travel = 0.0;  // [m]
-  int link = -1;        // that touched, -1 for none
-  int obstacle = -1;    // that was touched, -1 for the object or nothing
-  std::vector<double>
-      object_clearance;  // per link, a lower bound of its gap to the object at the end
+  double travel = 0.0;               // [m]
+  std::optional<HandContact> touch;  // what ended it; nothing for stand_off
+  // Per link, a lower bound of its gap to the object at the end [m].
+  std::vector<double> object_clearance;
 };
 
-// Joint values stay at `joints`. The end is within contact_gap of what is touched and penetrates
+// Joint values stay at `joints`. The hand ends within contact_gap of what it touches and penetrates
 // nothing: no step is longer than the smallest gap (conservative advancement, Mirtich 1996).
 // Throws Cancelled.
 ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,

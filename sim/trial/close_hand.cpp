@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "sim/base/index.h"
 #include "sim/trial/gap_tracker.h"
@@ -45,6 +46,8 @@ class ClosingMotion {
     return sum;
   }
 
+  // Stops all joints between the palm and the link: none of them could move without pressing the
+  // link into what it touches.
   void stop_before(const CompiledLink& link, double t) {
     for (int joint : link.joints) {
       if (!moves(joint, t)) continue;
@@ -104,11 +107,10 @@ class ClosingMotion {
   std::vector<bool> by_contact_;
 };
 
-// A link against the object, an obstacle, or another link.
+// A link against another link, or against the object or an obstacle.
 struct Pairing {
-  int link = 0;
-  int other_link = -1;
-  int obstacle = -1;
+  LinkId link;
+  std::variant<LinkId, BodyId> other;
   GapTracker tracker;
   double asked_at = 0.0;
   double speed_when_asked = 0.0;
@@ -150,13 +152,11 @@ class Closing {
     for (std::size_t l = 0; l < scene_.links.size(); ++l) {
       const CompiledLink& link = scene_.links[l];
       if (motion_.speed(link, 0.0) == 0.0) continue;
-      Pairing with_object{static_cast<int>(l), -1, -1, GapTracker(scene_.object, link.mesh)};
-      start_pairing(with_object,
-                    start_.object_clearance.empty() ? 0.0 : start_.object_clearance[l]);
-      for (std::size_t o = 0; o < scene_.obstacles.size(); ++o) {
-        Pairing pairing{static_cast<int>(l), -1, static_cast<int>(o),
-                        GapTracker(scene_.obstacles[o].mesh, link.mesh)};
-        start_pairing(pairing, 0.0);
+      for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+        const BodyId body = BodyId::at(b);
+        Pairing pairing{link_id(l), body, GapTracker(scene_.bodies[b].mesh, link.mesh)};
+        const bool known = body.is_object() && !start_.object_clearance.empty();
+        start_pairing(pairing, known ? start_.object_clearance[l] : 0.0);
       }
     }
     for (std::size_t p = 0; p < scene_.self_pairs.size(); ++p) {
@@ -164,7 +164,7 @@ class Closing {
       const CompiledLink& a = scene_.links[index(pair.a)];
       const CompiledLink& b = scene_.links[index(pair.b)];
       if (motion_.speed(a, 0.0) + motion_.speed(b, 0.0) == 0.0) continue;
-      Pairing pairing{pair.b, pair.a, -1, GapTracker(a.mesh, b.mesh)};
+      Pairing pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh)};
       start_pairing(pairing, start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
     }
   }
@@ -176,9 +176,9 @@ class Closing {
   }
 
   double speed(const Pairing& pairing, double t) const {
-    const double other =
-        pairing.other_link < 0 ? 0.0 : motion_.speed(scene_.links[index(pairing.other_link)], t);
-    return motion_.speed(scene_.links[index(pairing.link)], t) + other;
+    const LinkId* other = std::get_if<LinkId>(&pairing.other);
+    return motion_.speed(scene_.links[index(pairing.link)], t) +
+           (other != nullptr ? motion_.speed(scene_.links[index(*other)], t) : 0.0);
   }
 
   // The link's pose in the frame of what it is paired with, at time t.
@@ -186,10 +186,10 @@ class Closing {
     motion_.joints_at(t, joints_);
     link_poses(scene_.scene.hand, joints_, X_HL_);
     const Pose& X_HL = X_HL_[index(pairing.link)];
-    if (pairing.other_link >= 0) return X_HL_[index(pairing.other_link)].inverse() * X_HL;
-    const Pose X_OL = start_.X_OH * X_HL;
-    if (pairing.obstacle < 0) return X_OL;
-    return scene_.obstacles[index(pairing.obstacle)].X_OB.inverse() * X_OL;
+    if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
+      return X_HL_[index(*other)].inverse() * X_HL;
+    }
+    return scene_.pose_in(std::get<BodyId>(pairing.other), start_.X_OH * X_HL);
   }
 
   void advance(Pairing& pairing) {
@@ -207,7 +207,9 @@ class Closing {
     if (gap.upper <= options_.closed_gap() ||
         pairing.tracker.queries() > options_.max_gap_queries) {
       motion_.stop_before(scene_.links[index(pairing.link)], t);
-      if (pairing.other_link >= 0) motion_.stop_before(scene_.links[index(pairing.other_link)], t);
+      if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
+        motion_.stop_before(scene_.links[index(*other)], t);
+      }
       pairing.safe_until = kNever;
       return;
     }

@@ -2,8 +2,8 @@
 
 #include "sim/contact/contact_region.h"
 #include "sim/contact/soft_patch.h"
+#include "sim/trial/hand_collision.h"
 #include "sim/trial/self_centering.h"
-#include "sim/trial/swallow.h"
 
 namespace prehend {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 void judge(const CompiledScene& scene, const TrialOptions& options, Trial& trial) {
   trial.epsilon = {};
   trial.contacts.clear();
-  if (trial.link >= 0) {
+  if (trial.blocked) {
     trial.outcome = Outcome::hand_blocked;
     return;
   }
@@ -27,35 +27,13 @@ void judge(const CompiledScene& scene, const TrialOptions& options, Trial& trial
 
 }  // namespace
 
-// The link that overlaps the object or an obstacle where the hand stands, -1 for none.
-int colliding_link(const CompiledScene& scene, const Pose& X_OH, const std::vector<double>& joints,
-                   int& obstacle) {
-  std::vector<Pose> X_HL;
-  link_poses(scene.scene.hand, joints, X_HL);
-  for (std::size_t l = 0; l < scene.links.size(); ++l) {
-    const CompiledLink& link = scene.links[l];
-    const Pose X_OL = X_OH * X_HL[l];
-    const auto collides = [&](const ProximityMesh& body, const Pose& X_BL) {
-      return surfaces_cross(body, link.mesh, X_BL) || is_swallowed(scene, link, obstacle, X_BL);
-    };
-    obstacle = -1;
-    if (collides(scene.object, X_OL)) return static_cast<int>(l);
-    for (const CompiledObstacle& other : scene.obstacles) {
-      ++obstacle;
-      if (collides(other.mesh, other.X_OB.inverse() * X_OL)) return static_cast<int>(l);
-    }
-  }
-  obstacle = -1;
-  return -1;
-}
-
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
               Trial& trial, const RunContext& context) {
   ClosedHand closed = close_hand(scene, start, options, context);
   trial.X_OH = start.X_OH;
-  trial.link = trial.obstacle = -1;
+  trial.blocked.reset();
   if (center_hand(scene, trial.X_OH, closed)) {
-    trial.link = colliding_link(scene, trial.X_OH, closed.joints, trial.obstacle);
+    trial.blocked = hand_collision(scene, trial.X_OH, closed.joints);
   }
   trial.dofs = closed.dofs;
   trial.joints = closed.joints;
@@ -73,15 +51,16 @@ std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose&
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     const CompiledLink& link = scene.links[l];
     const Pose X_OL = X_OH * X_HL[l];
-    const auto touching = find_contacts(scene.object, link.mesh, X_OL, options.contact, workspace);
+    const auto touching =
+        find_contacts(scene.object().mesh, link.mesh, X_OL, options.contact, workspace);
     for (const SurfaceContact& c : touching) {
-      contacts.push_back({static_cast<int>(l), {c.position, c.normal, link.friction}, c.gap});
+      contacts.push_back({link_id(l), {c.position, c.normal, link.friction}, c.gap});
     }
     if (!options.soft_fingers || link.compliant_depth <= 0.0 || touching.empty()) continue;
     for (const SoftPatch& patch :
-         soft_patches(scene.object, link.mesh, X_OL, link.compliant_depth, workspace)) {
+         soft_patches(scene.object().mesh, link.mesh, X_OL, link.compliant_depth, workspace)) {
       contacts.push_back(
-          {static_cast<int>(l),
+          {link_id(l),
            {patch.position, patch.normal, link.friction, ContactModel::soft_finger, patch.torsion},
            patch.gap});
     }

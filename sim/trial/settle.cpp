@@ -6,7 +6,9 @@
 
 #include "sim/base/index.h"
 #include "sim/trial/grasp_at.h"
+#include "sim/trial/hand_collision.h"
 #include "sim/trial/self_centering.h"
+#include "sim/trial/turning_room.h"
 
 namespace prehend {
 namespace {
@@ -41,47 +43,75 @@ std::optional<Vector3> touched_by(const CompiledScene& scene, const Trial& trial
   return sum / count;
 }
 
-// The hand turned about the middle between the fingers, as far as the couple of their squeeze turns
-// the object the other way.
-std::optional<Pose> turned(const CompiledScene& scene, const FingerPair& fingers,
-                           const Trial& trial, double angle) {
+// How the squeeze of the two fingers turns the object: forces along the same line in opposite
+// senses, at points that are not on one line, are a couple.
+struct Couple {
+  Vector3 middle_O;  // between the fingers
+  Vector3 axis_O;    // unit
+};
+
+std::optional<Couple> couple_of(const CompiledScene& scene, const FingerPair& fingers,
+                                const Trial& trial) {
   const std::optional<Vector3> a = touched_by(scene, trial, fingers.first);
   const std::optional<Vector3> b = touched_by(scene, trial, fingers.second);
   if (!a || !b) return std::nullopt;
   const Vector3 opening_O = trial.X_OH.linear() * fingers.opening_H;
   const Vector3 couple = (*a - *b).cross(opening_O);
   if (couple.norm() < kShortArm) return std::nullopt;
-  const Vector3 middle = 0.5 * (*a + *b);
-  return translation(middle) * Eigen::AngleAxisd(angle, couple.normalized()) *
-         translation(-middle) * trial.X_OH;
+  return Couple{0.5 * (*a + *b), couple.normalized()};
 }
 
-std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
-                          const TrialOptions& options, const Trial& trial, double angle,
-                          const RunContext& context) {
-  const std::optional<Pose> X_OH = turned(scene, fingers, trial, angle);
-  if (!X_OH) return std::nullopt;
-  const DegreeOfFreedom& dof = scene.scene.hand.dofs[index(fingers.dof)];
+// The hand turned about the object, which is the same as the object turned the other way in the
+// hand.
+Pose turned(const Couple& couple, double angle, const Pose& X_OH) {
+  return translation(couple.middle_O) * Eigen::AngleAxisd(angle, couple.axis_O) *
+         translation(-couple.middle_O) * X_OH;
+}
+
+// Where the hand closes from after a turn: with fingers a little open, so that they do not start in
+// the object.
+ClosingStart closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
+                           const Trial& trial, const Pose& X_OH) {
   ClosingStart start;
-  start.X_OH = *X_OH;
+  start.X_OH = X_OH;
   start.dofs = trial.dofs;
   double& opening = start.dofs[index(fingers.dof)];
   opening += dof.closing_velocity < 0.0 ? std::min(kLoosen, dof.upper - opening)
                                         : -std::min(kLoosen, opening - dof.lower);
-  int obstacle = -1;
-  if (colliding_link(scene, start.X_OH, joint_values(scene.scene.hand, start.dofs), obstacle) >=
-      0) {
-    return std::nullopt;
-  }
+  return start;
+}
+
+// Whether the fingers of `next` are closer together than those of `trial`.
+bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const Trial& trial,
+               const Trial& next) {
+  const double change = trial.joints[index(fingers.first)] - next.joints[index(fingers.first)];
+  return (dof.closing_velocity < 0.0 ? change : -change) > kCloser;
+}
+
+// The hand turned by `angle` and closed again; nothing where it is not free to turn, or where the
+// squeeze does not turn it that far.
+std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
+                          const TrialOptions& options, const Trial& trial, double angle,
+                          TurningRoom& room, const RunContext& context) {
+  const std::optional<Couple> couple = couple_of(scene, fingers, trial);
+  if (!couple) return std::nullopt;
+  const DegreeOfFreedom& dof = scene.scene.hand.dofs[index(fingers.dof)];
+  const ClosingStart start = closing_start(dof, fingers, trial, turned(*couple, angle, trial.X_OH));
+  const std::vector<double> opened = joint_values(scene.scene.hand, start.dofs);
+  // Asked before the hand closes, which takes longer, and again when it is known how far it moved.
+  HandTurn turn{couple->middle_O, angle, opened, opened};
+  if (!room.allows(trial, turn)) return std::nullopt;
+  if (hand_collision(scene, start.X_OH, opened)) return std::nullopt;
   Trial next = trial;
   grasp_at(scene, start, options, next, context);
   const bool touches =
       next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
-  const double width = next.joints[index(fingers.first)];
-  const bool closer =
-      (trial.joints[index(fingers.first)] - width) * (dof.closing_velocity < 0.0 ? 1.0 : -1.0) >
-      kCloser;
-  if (!touches || !(closer || next.outcome == Outcome::stable)) return std::nullopt;
+  const bool settles = is_closer(dof, fingers, trial, next) || next.outcome == Outcome::stable;
+  if (!touches || !settles) return std::nullopt;
+  turn.closed = next.joints;
+  turn.shift = (next.X_OH.translation() - start.X_OH.translation()).norm();
+  if (!room.allows(trial, turn)) return std::nullopt;
+  room.spend(trial, turn);
   return next;
 }
 
@@ -90,13 +120,14 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
 void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
             const RunContext& context) {
   if (trial.outcome != Outcome::not_force_closure || options.settle_steps <= 0) return;
-  if (scene.has_obstacles() || scene.arm) return;
+  if (scene.arm) return;
   const std::optional<FingerPair> fingers = self_centering_fingers(scene.scene.hand);
   if (!fingers) return;
   Trial now = trial;
+  TurningRoom room(scene, trial, options);
   double angle = options.settle_angle;
   for (int k = 0; k < options.settle_steps && now.outcome != Outcome::stable; ++k) {
-    if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, context)) {
+    if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, room, context)) {
       now = std::move(*next);
     } else {
       angle *= 0.5;

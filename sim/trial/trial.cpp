@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "sim/base/index.h"
 #include "sim/trial/approach.h"
@@ -13,8 +14,8 @@ namespace {
 
 std::vector<double> start_joints(const CompiledScene& scene, const Candidate& candidate) {
   const Robot& hand = scene.scene.hand;
-  if (candidate.preshape >= 0) {
-    return joint_values(hand, hand.hand->preshapes[index(candidate.preshape)].dofs);
+  if (candidate.preshape) {
+    return joint_values(hand, hand.hand->preshapes[index(*candidate.preshape)].dofs);
   }
   return candidate.joints.empty() ? joint_values(hand, candidate.dofs) : candidate.joints;
 }
@@ -42,9 +43,9 @@ class TrialRun {
         options_(options),
         context_(context),
         motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance} {
-    if (candidate.preshape >= 0) {
-      start_.dofs = scene.scene.hand.hand->preshapes[index(candidate.preshape)].dofs;
-      start_.self_clearance = scene.preshape_gaps[index(candidate.preshape)];
+    if (candidate.preshape) {
+      start_.dofs = scene.scene.hand.hand->preshapes[index(*candidate.preshape)].dofs;
+      start_.self_clearance = scene.preshape_gaps[index(*candidate.preshape)];
     } else {
       start_.dofs = candidate.dofs;
       start_.joints = candidate.joints;
@@ -71,11 +72,11 @@ class TrialRun {
         reached.end == ApproachEnd::touched_obstacle) {
       trial.outcome = reached.end == ApproachEnd::touched_obstacle ? Outcome::approach_blocked
                                                                    : Outcome::hand_blocked;
-      trial.link = reached.link;
-      trial.obstacle = reached.obstacle;
+      trial.blocked = reached.touch;
       return trial;
     }
-    // Not before the hand's own way is free, and before the hand closes, which takes longer.
+    // The arm is asked once the hand's own way is known to be free, and before the hand closes,
+    // which takes longer.
     if (scene_.arm && !arm_follows(trial)) return trial;
     close_at(reached.travel, reached.object_clearance, trial);
     for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable;
@@ -90,8 +91,7 @@ class TrialRun {
       again.back_offs = back;
       if (again.outcome == Outcome::stable) trial = again;
     }
-    // The line may have become shorter, or have moved aside with a hand that centres itself.
-    if (scene_.arm && trial.outcome == Outcome::stable) arm_follows(trial);
+    if (scene_.arm) follow_to_the_grasp(trial);
     return trial;
   }
 
@@ -112,17 +112,35 @@ class TrialRun {
 
   bool arm_follows(Trial& trial) {
     const Timer timer(seconds_.reach);
+    followed_travel_ = trial.travel;
+    followed_X_OH_ = trial.X_OH;
     const Reach reach =
         find_reach(*scene_.arm, approach_line(scene_, candidate_, trial), options_.reach, context_);
-    if (reach.end == ReachEnd::reached) {
-      trial.arm_dofs = reach.line.back();
-      return true;
-    }
+    trial.arm_line = reach.line;
+    trial.arm_dofs = reach.line.empty() ? DofValues{} : reach.line.back();
+    if (reach.end == ReachEnd::reached) return true;
     trial.outcome = reach.end == ReachEnd::blocked ? Outcome::arm_blocked : Outcome::unreachable;
     trial.arm_pair = reach.pair;
     trial.contacts.clear();
     trial.epsilon = {};
     return false;
+  }
+
+  // After the hand has closed, the line may be shorter by a back-off, or lie aside where
+  // self-centering fingers moved the hand: the arm has to reach that grasp too. A grasp that does
+  // not hold keeps its outcome, with the arm's postures left out where there are none.
+  void follow_to_the_grasp(Trial& trial) {
+    const bool same =
+        trial.travel == followed_travel_ && trial.X_OH.matrix() == followed_X_OH_.matrix();
+    if (same) return;
+    if (trial.outcome == Outcome::stable) {
+      arm_follows(trial);
+      return;
+    }
+    Trial moved = trial;
+    const bool reached = arm_follows(moved);
+    trial.arm_line = reached ? std::move(moved.arm_line) : std::vector<DofValues>{};
+    trial.arm_dofs = reached ? std::move(moved.arm_dofs) : DofValues{};
   }
 
   void close_at(double travel, const std::vector<double>& clearance, Trial& trial) {
@@ -141,6 +159,8 @@ class TrialRun {
   ApproachMotion motion_;
   ClosingStart start_;
   std::vector<double> start_joints_;
+  double followed_travel_ = 0.0;  // of the line that the arm was last asked to follow
+  Pose followed_X_OH_ = Pose::Identity();
   TrialSeconds seconds_;
 };
 
@@ -150,10 +170,8 @@ Blame blame(const CompiledScene& scene, const Trial& trial) {
   if (trial.arm_pair) {
     return {first_name(*scene.arm, *trial.arm_pair), second_name(*scene.arm, *trial.arm_pair)};
   }
-  if (trial.link < 0) return {};
-  return {scene.links[index(trial.link)].name, trial.obstacle < 0
-                                                   ? scene.scene.object.name
-                                                   : scene.obstacles[index(trial.obstacle)].name};
+  if (!trial.blocked) return {};
+  return {scene.links[index(trial.blocked->link)].name, scene.body(trial.blocked->body).name};
 }
 
 HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial) {

@@ -84,7 +84,7 @@ inline std::vector<std::vector<Corners>> link_soups(const CompiledScene& scene, 
 // Per link, its gap to the object, by brute force.
 inline std::vector<double> object_gaps(const CompiledScene& scene, const Pose& X_OH,
                                        const std::vector<double>& joints) {
-  const std::vector<Corners> object = soup(scene.object.mesh());
+  const std::vector<Corners> object = soup(scene.object().mesh.mesh());
   std::vector<double> gaps;
   for (const auto& link : link_soups(scene, X_OH, joints)) {
     gaps.push_back(surface_gap(object, link));
@@ -94,10 +94,10 @@ inline std::vector<double> object_gaps(const CompiledScene& scene, const Pose& X
 
 inline std::string what_collides(const std::vector<std::vector<Corners>>& links,
                                  const CompiledScene& scene) {
-  const std::vector<Corners> object = soup(scene.object.mesh());
+  const std::vector<Corners> object = soup(scene.object().mesh.mesh());
   std::vector<std::pair<std::string, std::vector<Corners>>> others = {{"object", object}};
-  for (const CompiledObstacle& o : scene.obstacles) {
-    others.emplace_back(o.name, soup(o.mesh.mesh(), o.X_OB));
+  for (const PlacedBody& o : scene.obstacles()) {
+    others.emplace_back(o.name, soup(o.mesh.mesh(), o.X_RB));
   }
   for (std::size_t l = 0; l < links.size(); ++l) {
     for (const auto& [name, other] : others) {

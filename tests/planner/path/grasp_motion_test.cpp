@@ -43,8 +43,8 @@ Pose pre_grasp(const Candidate& candidate, const Trial& trial) {
 TEST(GraspMotion, AFreeHandComesStraightAndEndsInTheGrasp) {
   const HeldCube held = held_cube();
   ASSERT_EQ(held.trial.outcome, Outcome::stable);
-  const GraspMotion motion = grasp_motion(held.scene, test::from_above(), held.trial, nullptr,
-                                          {.approach_speed = 0.02, .reach = {}});
+  const GraspMotion motion =
+      grasp_motion(held.scene, test::from_above(), held.trial, nullptr, {.approach_speed = 0.02});
   expect_sound(motion);
   const MotionFrame& first = motion.frames.front();
   const MotionFrame& last = motion.frames.back();
@@ -66,7 +66,7 @@ TEST(GraspMotion, AHandThatIsThereAndClosedIsOneFrame) {
   held.trial.travel = 0.0;
   Candidate there = test::from_above();
   EXPECT_GT(grasp_motion(held.scene, there, held.trial, nullptr).frames.size(), 1U);
-  there.preshape = -1;
+  there.preshape.reset();
   there.joints = held.trial.joints;
   const GraspMotion motion = grasp_motion(held.scene, there, held.trial, nullptr);
   expect_sound(motion);
@@ -137,8 +137,52 @@ TEST_F(ArmMotion, WithoutAPathTheArmCarriesTheHandAlongItsApproach) {
   }
 }
 
+// An arm that reached in another posture than the nearest to its start is shown in that posture.
+TEST_F(ArmMotion, ShowsTheBranchOfTheTrialNotTheNearest) {
+  const HandLine line = approach_line(scene(), grasp().candidate, grasp().trial);
+  const std::vector<Reach> ways = find_reaches(*scene().arm, line, 2, {});
+  ASSERT_EQ(ways.size(), 2U);
+  const std::vector<DofValues>& other = ways[1].line;
+  ASSERT_NE(other.back(), grasp().trial.arm_dofs);
+  Trial trial = grasp().trial;
+  trial.arm_line = other;
+  trial.arm_dofs = other.back();
+  const GraspMotion found = grasp_motion(scene(), grasp().candidate, trial, nullptr);
+  expect_sound(found);
+  expect_approach(found);
+  const auto joints = [&](const DofValues& dofs, const std::vector<double>& hand) {
+    return arm_joints(*scene().arm, dofs, hand);
+  };
+  for (std::size_t i = 0; i < other.size(); ++i) {
+    EXPECT_EQ(found.frames[i].arm_joints, joints(other[i], line.hand_joints)) << i;
+  }
+  EXPECT_EQ(found.frames.back().arm_joints, joints(trial.arm_dofs, trial.joints));
+}
+
+TEST_F(ArmMotion, WhereOnlyTheLastPostureIsKnownTheArmStandsThere) {
+  Trial trial = grasp().trial;
+  trial.arm_line = {trial.arm_dofs};
+  const GraspMotion found = grasp_motion(scene(), grasp().candidate, trial, nullptr);
+  expect_sound(found);
+  for (const MotionFrame& frame : found.frames) {
+    EXPECT_TRUE(frame.X_OH.isApprox(trial.X_OH, 1e-6));
+  }
+}
+
+// Where the trial reached in another posture than the nearest to the start, the path ends there.
+TEST_F(ArmMotion, APathEndsInThePostureOfTheTrial) {
+  const HandLine line = approach_line(scene(), grasp().candidate, grasp().trial);
+  Trial trial = grasp().trial;
+  trial.arm_line = find_reaches(*scene().arm, line, 2, {}).at(1).line;
+  trial.arm_dofs = trial.arm_line.back();
+  const auto path = plan_grasp_path(scene(), grasp().candidate, trial, {.alternatives = 1});
+  ASSERT_TRUE(path.has_value());
+  EXPECT_EQ(path->positions.back(), arm_joints(*scene().arm, trial.arm_dofs, trial.joints));
+}
+
 TEST_F(ArmMotion, WhereTheArmDidNotReachTheHandFlies) {
   Trial trial = grasp().trial;
+  trial.arm_line.clear();
   trial.arm_dofs.clear();
   const GraspMotion found = grasp_motion(scene(), grasp().candidate, trial, nullptr);
   expect_sound(found);

@@ -28,7 +28,7 @@ std::vector<Primitive> primitives() {
 }
 
 const Preshape& preshape_of(const CompiledScene& scene, const ProposedGrasp& grasp) {
-  return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(grasp.candidate.preshape)];
+  return scene.scene.hand.hand->preshapes[index(*grasp.candidate.preshape)];
 }
 
 // True when the hand at the end of its approach points along the aim, with its origin on the line
@@ -142,8 +142,9 @@ TEST(Candidates, StartFreeOfTheObject) {
     const auto poses = test::link_poses_in_object(
         scene, motion.at(0.0), joint_values(scene.scene.hand, preshape_of(scene, grasp).dofs));
     for (std::size_t l = 0; l < poses.size(); ++l) {
-      ASSERT_FALSE(surfaces_cross(scene.object, scene.links[l].mesh, poses[l])) << grasp.rule;
-      ASSERT_FALSE(is_inside(scene.object, poses[l] * scene.links[l].probes.front()));
+      ASSERT_FALSE(surfaces_cross(scene.object().mesh, scene.links[l].mesh, poses[l]))
+          << grasp.rule;
+      ASSERT_FALSE(is_inside(scene.object().mesh, poses[l] * scene.links[l].probes.front()));
     }
   }
 }

@@ -86,7 +86,7 @@ TEST(PlanReport, IsTheSameOnOneAndTwoThreads) {
     EXPECT_NEAR(grasp["epsilon"][0].get<double>(), result.grasps[i].trial.epsilon.lower, 1e-6);
     EXPECT_EQ(grasp["contacts"].size(), result.grasps[i].trial.contacts.size());
     EXPECT_EQ(grasp["detail"]["without"].size(), grasp["contacts"].size());
-    std::set<int> links;
+    std::set<LinkId> links;
     for (const GraspContact& contact : result.grasps[i].trial.contacts) links.insert(contact.link);
     EXPECT_EQ(grasp["detail"]["links"].size(), links.size());
     // Sections are those of the result, which has three.

@@ -120,7 +120,7 @@ TEST_P(ArmJson, ArmAndHandStandWhereTheyDoHere) {
     const std::vector<Pose> frames = frames_in(json, joints);
     std::size_t drawn = 0;
     for (std::size_t l = 0; l < arm.robot().links.size(); ++l) {
-      if (arm.is_hand_link(static_cast<int>(l))) continue;
+      if (arm.is_hand_link(link_id(l))) continue;
       const nlohmann::json& link = json["links"][drawn++];
       expect_same_place(arm.robot().links[l], expected[l], link, frame_at(frames, link["joint"]));
     }

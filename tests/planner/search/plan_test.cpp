@@ -128,7 +128,7 @@ TEST_P(Holds, TheWideParallelJawHoldsWithRegions) {
   ASSERT_FALSE(result.grasps.empty());
   std::vector<int> points(compiled.links.size(), 0);
   for (const GraspContact& contact : result.grasps.front().trial.contacts) {
-    ++points[static_cast<std::size_t>(contact.link)];
+    ++points[index(contact.link)];
   }
   for (std::size_t plate = 1; plate < points.size(); ++plate) EXPECT_GE(points[plate], 2);
 }

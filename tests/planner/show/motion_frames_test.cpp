@@ -51,7 +51,7 @@ TEST(NamedFrames, LieOnTheMotion) {
 TEST(NamedFrames, NoneWhereNothingMoves) {
   HeldCube held = held_cube();
   Candidate closed = from_above();
-  closed.preshape = -1;
+  closed.preshape.reset();
   closed.joints = held.trial.joints;
   held.trial.travel = 0.0;
   EXPECT_TRUE(named_frames(grasp_motion(held.scene, closed, held.trial, nullptr), 8).empty());

@@ -143,12 +143,12 @@ struct PairBodies {
 inline PairBodies bodies_of(const CompiledArm& arm, const ArmPair& pair,
                             const std::vector<Pose>& X_BL) {
   const auto link = static_cast<std::size_t>(pair.link);
-  if (pair.other_link >= 0) {
-    const auto other = static_cast<std::size_t>(pair.other_link);
+  if (const LinkId* other_link = std::get_if<LinkId>(&pair.other)) {
+    const std::size_t other = index(*other_link);
     return {arm.links[link].mesh, X_BL[link], arm.links[other].mesh, X_BL[other]};
   }
-  const FixedBody& body = arm.fixed[static_cast<std::size_t>(pair.fixed)];
-  return {arm.links[link].mesh, X_BL[link], body.mesh, body.X_BF};
+  const PlacedBody& body = arm.body(std::get<BodyId>(pair.other));
+  return {arm.links[link].mesh, X_BL[link], body.mesh, body.X_RB};
 }
 
 inline bool crosses(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {

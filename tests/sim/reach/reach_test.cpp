@@ -112,6 +112,28 @@ TEST(Reach, ANearbyLineIsReachedWithTheShortestWayFirst) {
   for (const DofValues& dofs : ways) EXPECT_GE(way(dofs), way(ways.front()) - 1e-12);
 }
 
+// Each way of several that reach the same pose, found again from its last posture.
+TEST(Reach, ALineFollowedBackIsTheOneThatEndsThere) {
+  const CompiledScene scene = test::compiled_library_scene("mug_on_table");
+  const CompiledArm& arm = *scene.arm;
+  Random random(96);
+  int lines = 0;
+  for (int i = 0; i < 40; ++i) {
+    const HandLine line = random_line(scene, random);
+    for (const Reach& way : find_reaches(arm, line, 4, {})) {
+      if (way.end != ReachEnd::reached) continue;
+      const std::vector<DofValues> again = line_ending_in(arm, line, way.line.back(), {});
+      ASSERT_EQ(again.size(), way.line.size());
+      EXPECT_EQ(again.back(), way.line.back());
+      for (std::size_t p = 0; p < again.size(); ++p) {
+        for (const int d : arm.dofs) EXPECT_NEAR(again[p][index(d)], way.line[p][index(d)], 1e-5);
+      }
+      ++lines;
+    }
+  }
+  EXPECT_GE(lines, 20);
+}
+
 TEST(Reach, WhatIsFarAwayIsUnreachable) {
   const CompiledScene scene = compile(test::arm_scene({}));
   Random random(94);

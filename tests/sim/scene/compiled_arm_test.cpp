@@ -6,7 +6,8 @@
 #include <iostream>
 #include <set>
 #include <string>
-#include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -20,8 +21,8 @@ namespace {
 
 using nlohmann::json;
 
-using PairKey = std::tuple<int, int, int>;
-PairKey key(const ArmPair& pair) { return {pair.link, pair.other_link, pair.fixed}; }
+using PairKey = std::pair<LinkId, std::variant<LinkId, BodyId>>;
+PairKey key(const ArmPair& pair) { return {pair.link, pair.other}; }
 
 // Every pair that has to be looked at, without any proof: links that are not joined, but for two of
 // the hand; links before the hand with every fixed body.
@@ -29,12 +30,12 @@ std::vector<ArmPair> all_pairs(const CompiledArm& arm) {
   std::vector<ArmPair> pairs;
   for (const LinkPair& links : separate_pairs(arm.links)) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
-    pairs.push_back({.link = links.a, .other_link = links.b});
+    pairs.push_back({.link = links.a, .other = links.b});
   }
   for (std::size_t l = 0; l < arm.links.size(); ++l) {
-    if (arm.is_hand_link(static_cast<int>(l))) continue;
-    for (std::size_t f = 0; f < arm.fixed.size(); ++f) {
-      pairs.push_back({.link = static_cast<int>(l), .fixed = static_cast<int>(f)});
+    if (arm.is_hand_link(link_id(l))) continue;
+    for (std::size_t b = 0; b < arm.bodies.size(); ++b) {
+      pairs.push_back({.link = link_id(l), .other = BodyId::at(b)});
     }
   }
   return pairs;
@@ -43,12 +44,11 @@ std::vector<ArmPair> all_pairs(const CompiledArm& arm) {
 bool cross(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL) {
   const ProximityMesh& link = arm.links[index(pair.link)].mesh;
   const Pose& X = X_BL[index(pair.link)];
-  if (pair.other_link >= 0) {
-    return surfaces_cross(arm.links[index(pair.other_link)].mesh, link,
-                          X_BL[index(pair.other_link)].inverse() * X);
+  if (const LinkId* other = std::get_if<LinkId>(&pair.other)) {
+    return surfaces_cross(arm.links[index(*other)].mesh, link, X_BL[index(*other)].inverse() * X);
   }
-  const FixedBody& body = arm.fixed[index(pair.fixed)];
-  return surfaces_cross(body.mesh, link, body.X_BF.inverse() * X);
+  const PlacedBody& body = arm.body(std::get<BodyId>(pair.other));
+  return surfaces_cross(body.mesh, link, body.X_RB.inverse() * X);
 }
 
 std::vector<double> random_dofs(const Robot& robot, Random& random) {
@@ -87,19 +87,20 @@ TEST_P(ArmScene, PairsThatAreNotTestedNeverMeet) {
 TEST_P(ArmScene, TheHandIsTestedWithEveryFixedBody) {
   const CompiledScene scene = test::compiled_library_scene(GetParam());
   const CompiledArm& arm = *scene.arm;
-  ASSERT_EQ(arm.fixed.size(), scene.obstacles.size() + 1);
+  ASSERT_EQ(arm.bodies.size(), scene.obstacles().size() + 1);
   std::set<PairKey> tested;
   for (const ArmPair& pair : arm.hand_pairs) tested.insert(key(pair));
   EXPECT_EQ(tested.size(), arm.hand_pairs.size());
-  EXPECT_EQ(tested.size(), scene.links.size() * arm.fixed.size());
-  for (const PairKey& pair : tested) EXPECT_TRUE(arm.is_hand_link(std::get<0>(pair)));
+  EXPECT_EQ(tested.size(), scene.links.size() * arm.bodies.size());
+  for (const PairKey& pair : tested) EXPECT_TRUE(arm.is_hand_link(pair.first));
 }
 
 // The frame after the last joint that both links of a pair hang on; the base for fixed bodies.
 Pose shared_frame(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BJ) {
-  if (pair.other_link < 0) return Pose::Identity();
-  const std::vector<int> a = joints_to(arm.robot(), arm.links[index(pair.link)].joint);
-  const std::vector<int> b = joints_to(arm.robot(), arm.links[index(pair.other_link)].joint);
+  const LinkId* other = std::get_if<LinkId>(&pair.other);
+  if (other == nullptr) return Pose::Identity();
+  const std::vector<int>& a = arm.links[index(pair.link)].joints;
+  const std::vector<int>& b = arm.links[index(*other)].joints;
   Pose X = Pose::Identity();
   for (std::size_t k = 0; k < std::min(a.size(), b.size()) && a[k] == b[k]; ++k) {
     X = X_BJ[index(a[k])];
@@ -122,9 +123,8 @@ Posture random_posture(const CompiledArm& arm, Random& random) {
 }
 
 // The farthest that a point of the link moves, seen from the pair's shared frame.
-double farthest(const CompiledArm& arm, const ArmPair& pair, int link, const Posture& from,
+double farthest(const CompiledArm& arm, const ArmPair& pair, LinkId link, const Posture& from,
                 const Posture& to) {
-  if (link < 0) return 0.0;
   const Pose before = shared_frame(arm, pair, from.X_BJ).inverse() * from.X_BL[index(link)];
   const Pose after = shared_frame(arm, pair, to.X_BJ).inverse() * to.X_BL[index(link)];
   double most = 0.0;
@@ -150,8 +150,9 @@ TEST_P(ArmScene, ReachesBoundHowFarTheBodiesOfAPairMoveTowardsEachOther) {
         const std::size_t j = index(pair.joints[k]);
         bound += pair.reach[k] * std::abs(to.joints[j] - from.joints[j]);
       }
-      const double moved =
-          farthest(arm, pair, pair.link, from, to) + farthest(arm, pair, pair.other_link, from, to);
+      const LinkId* other = std::get_if<LinkId>(&pair.other);
+      const double moved = farthest(arm, pair, pair.link, from, to) +
+                           (other != nullptr ? farthest(arm, pair, *other, from, to) : 0.0);
       ASSERT_LE(moved, bound + 1e-9) << first_name(arm, pair) << ' ' << second_name(arm, pair);
       if (bound > 0.0) tightest = std::max(tightest, moved / bound);
     }

@@ -84,7 +84,7 @@ TEST(CompiledScene, PlacesObstaclesInTheFrameOfTheObject) {
   scene.obstacles = {body};
   const CompiledScene compiled = compile(scene);
   const Vector3 p(0.01, 0.02, 0.03);
-  EXPECT_LT((scene.object.X_WO * (compiled.obstacles[0].X_OB * p) - body.X_WB * p).norm(), 1e-15);
+  EXPECT_LT((scene.object.X_WO * (compiled.obstacles()[0].X_RB * p) - body.X_WB * p).norm(), 1e-15);
 }
 
 TEST(CompiledScene, KnowsWhatHasAnInside) {
@@ -95,11 +95,11 @@ TEST(CompiledScene, KnowsWhatHasAnInside) {
   append(scene.object.mesh, test::block({0.01, 0.01, 0.01}, {0.1, 0.0, 0.0}));
   scene.object.mesh.vertices.push_back({9.0, 9.0, 9.0});  // of no triangle
   const CompiledScene compiled = compile(scene);
-  EXPECT_TRUE(compiled.object_is_solid);
-  EXPECT_EQ(compiled.object_probes.size(), 2U);
-  EXPECT_TRUE(compiled.obstacles[0].is_solid);
-  EXPECT_FALSE(compiled.obstacles[1].is_solid);
-  EXPECT_EQ(compiled.obstacles[1].probes.size(), 1U);
+  EXPECT_TRUE(compiled.object().is_solid);
+  EXPECT_EQ(compiled.object().probes.size(), 2U);
+  EXPECT_TRUE(compiled.obstacles()[0].is_solid);
+  EXPECT_FALSE(compiled.obstacles()[1].is_solid);
+  EXPECT_EQ(compiled.obstacles()[1].probes.size(), 1U);
 }
 
 std::set<std::string> pair_names(const CompiledScene& scene) {

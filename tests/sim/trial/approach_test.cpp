@@ -46,11 +46,12 @@ TEST(Approach, EndsWithinTheContactGapOfABox) {
       const ApproachMotion motion = from_above(hand, start, -0.05);
       const ApproachResult result = approach_open(scene, motion);
       ASSERT_EQ(result.end, ApproachEnd::touched_object) << name;
-      EXPECT_EQ(result.obstacle, -1);
+      ASSERT_TRUE(result.touch.has_value());
+      EXPECT_TRUE(result.touch->body.is_object());
       const auto gaps = test::object_gaps(scene, motion.at(result.travel), open_joints(hand));
       EXPECT_GT(least(gaps), 0.0);
       EXPECT_LE(least(gaps), kOptions.closed_gap() + 1e-12);
-      EXPECT_NEAR(gaps[static_cast<std::size_t>(result.link)], least(gaps), 1e-12) << name;
+      EXPECT_NEAR(gaps[index(result.touch->link)], least(gaps), 1e-12) << name;
     }
   }
 }
@@ -62,7 +63,7 @@ TEST(Approach, ReachesItsEndWhenNothingIsInTheWay) {
   const ApproachResult result = approach_open(scene, motion);
   EXPECT_EQ(result.end, ApproachEnd::stand_off);
   EXPECT_EQ(result.travel, motion.distance);
-  EXPECT_EQ(result.link, -1);
+  EXPECT_FALSE(result.touch.has_value());
   EXPECT_TRUE(motion.at(result.travel).isApprox(motion.X_OH_end, 1e-15));
 }
 
@@ -87,11 +88,12 @@ TEST(Approach, StopsAtAnObstacle) {
   const ApproachMotion motion = from_above(hand, 0.4, 0.0);
   const ApproachResult result = approach_open(scene, motion);
   ASSERT_EQ(result.end, ApproachEnd::touched_obstacle);
-  EXPECT_EQ(result.obstacle, 1);
+  ASSERT_TRUE(result.touch.has_value());
+  EXPECT_EQ(result.touch->body, BodyId::obstacle(1));
   const auto links = test::link_soups(scene, motion.at(result.travel), open_joints(hand));
   const double gap =
-      test::surface_gap(links[static_cast<std::size_t>(result.link)],
-                        test::soup(scene.obstacles[1].mesh.mesh(), scene.obstacles[1].X_OB));
+      test::surface_gap(links[index(result.touch->link)],
+                        test::soup(scene.obstacles()[1].mesh.mesh(), scene.obstacles()[1].X_RB));
   EXPECT_GT(gap, 0.0);
   EXPECT_LE(gap, kOptions.closed_gap() + 1e-12);
 }
@@ -103,7 +105,8 @@ TEST(Approach, ThatStartsInAnObstacleSaysSo) {
                {test::obstacle(make_box({0.1, 0.1, 0.05}), {0.0, 0.0, 0.4})});
   const ApproachResult result = approach_open(scene, from_above(hand, 0.4, 0.0));
   EXPECT_EQ(result.end, ApproachEnd::starts_in_collision);
-  EXPECT_EQ(result.obstacle, 0);
+  ASSERT_TRUE(result.touch.has_value());
+  EXPECT_EQ(result.touch->body, BodyId::obstacle(0));
   EXPECT_EQ(result.travel, 0.0);
 }
 
@@ -131,7 +134,8 @@ TEST(Approach, SeesAnObstacleInsideALinkAndTheHandInsideAnObstacle) {
   for (const ApproachResult& result : {end_with(make_box({0.004, 0.004, 0.004}), {0.0, 0.0, 0.33}),
                                        end_with(make_box({1.0, 1.0, 0.5}), {0.0, 0.0, 0.33})}) {
     EXPECT_EQ(result.end, ApproachEnd::starts_in_collision);
-    EXPECT_EQ(result.obstacle, 0);
+    ASSERT_TRUE(result.touch.has_value());
+    EXPECT_EQ(result.touch->body, BodyId::obstacle(0));
   }
   // A tray is open: what is over its floor is not inside it.
   TriangleMesh tray = make_box({1.0, 1.0, 1.0});

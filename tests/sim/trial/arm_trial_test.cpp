@@ -50,6 +50,7 @@ void expect_same_grasp(const Trial& a, const Trial& b) {
 void expect_no_grasp(const Trial& trial) {
   EXPECT_TRUE(trial.contacts.empty());
   EXPECT_TRUE(trial.arm_dofs.empty());
+  EXPECT_TRUE(trial.arm_line.empty());
   EXPECT_EQ(trial.epsilon.lower, 0.0);
 }
 
@@ -72,6 +73,26 @@ TEST(ArmTrial, AStableGraspHasAPostureOfTheArmThatHoldsTheHandThere) {
   EXPECT_TRUE(X_OH.isApprox(trial.X_OH, 1e-8));
   EXPECT_FALSE(first_meeting(arm, arm.arm_pairs, joint_values(arm.robot(), trial.arm_dofs)));
   EXPECT_EQ(blame(scene, trial).link, "");
+}
+
+TEST(ArmTrial, KeepsThePosturesOfTheArmAlongTheApproach) {
+  const CompiledScene scene = compile(block_on_table());
+  const CompiledArm& arm = *scene.arm;
+  const Grasp grasp = stable_grasp(scene);
+  const std::vector<DofValues>& line = grasp.trial.arm_line;
+  ASSERT_GT(line.size(), 2U);
+  EXPECT_EQ(line.back(), grasp.trial.arm_dofs);
+  const HandLine hand = approach_line(scene, grasp.candidate, grasp.trial);
+  const Vector3 way = hand.X_OH_to.translation() - hand.X_OH_from.translation();
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(line.size() - 1);
+    Pose X_OH = hand.X_OH_from;
+    X_OH.translation() += part * way;
+    EXPECT_TRUE((arm.X_BO.inverse() * hand_in_base(arm, line[i])).isApprox(X_OH, 1e-8)) << i;
+    for (std::size_t d = 0; i > 0 && d < line[i].size(); ++d) {
+      EXPECT_LE(std::abs(line[i][d] - line[i - 1][d]), ReachOptions{}.largest_joint_step);
+    }
+  }
 }
 
 TEST(ArmTrial, TheArmChangesNothingAboutTheGrasp) {
@@ -191,6 +212,7 @@ TEST(ArmTrial, ATrialRepeats) {
   const Trial again = run_trial(scene, grasp.candidate);
   expect_same_grasp(again, grasp.trial);
   EXPECT_EQ(again.arm_dofs, grasp.trial.arm_dofs);
+  EXPECT_EQ(again.arm_line, grasp.trial.arm_line);
 }
 
 }  // namespace

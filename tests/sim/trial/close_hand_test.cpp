@@ -126,7 +126,7 @@ TEST(CloseHand, StopsAtObstaclesAndTheStillLinksStay) {
   const ClosedHand closed = close_from(scene, Pose::Identity(), {0.04, 0.04});
   EXPECT_EQ(test::collision(scene, Pose::Identity(), closed.joints), "");
   const auto links = test::link_soups(scene, Pose::Identity(), closed.joints);
-  const auto bar = test::soup(scene.obstacles[0].mesh.mesh(), scene.obstacles[0].X_OB);
+  const auto bar = test::soup(scene.obstacles()[0].mesh.mesh(), scene.obstacles()[0].X_RB);
   EXPECT_LE(test::surface_gap(links[1], bar), kOptions.closed_gap() + 1e-12)
       << "the plate on the obstacle's side";
   EXPECT_EQ(links[0][0][0], test::soup(scene.links[0].mesh.mesh())[0][0]) << "the palm moved";
@@ -136,7 +136,7 @@ TEST(CloseHand, StopsAtObstaclesAndTheStillLinksStay) {
 TEST(CloseHand, DoesNotDependOnHowLooseTheClearancesAre) {
   const Robot hand = find_robot("barrett");
   const CompiledScene scene = compiled(hand, generate_object("ball", 500));
-  const Vector3 middle = scene.object.ball_center();
+  const Vector3 middle = scene.object().mesh.ball_center();
   for (std::size_t s = 0; s < hand.hand->preshapes.size(); ++s) {
     const std::vector<double> dofs = hand.hand->preshapes[s].dofs;
     const Pose X_OH = translation(middle - Vector3(0.003, 0.002, 0.085));

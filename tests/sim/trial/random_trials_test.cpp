@@ -43,7 +43,7 @@ Candidate random_candidate(Random& random, const CompiledScene& scene) {
   Candidate candidate;
   const Matrix3 rotation = random.rotation();
   candidate.approach_O = rotation * hand.approach;
-  const Vector3 target = scene.object.ball_center() + random.in_box(0.02);
+  const Vector3 target = scene.object().mesh.ball_center() + random.in_box(0.02);
   const double short_of = random.uniform(0.0, 0.12);
   candidate.X_OH =
       pose_from(rotation, target - short_of * candidate.approach_O - rotation * hand.origin);
@@ -51,8 +51,8 @@ Candidate random_candidate(Random& random, const CompiledScene& scene) {
   candidate.preshape = static_cast<int>(random.index(hand.preshapes.size()));
   if (random.index(3) > 0) return candidate;
   // Any opening: up to half closed from the preshape's.
-  candidate.dofs = hand.preshapes[static_cast<std::size_t>(candidate.preshape)].dofs;
-  candidate.preshape = -1;
+  candidate.dofs = hand.preshapes[index(*candidate.preshape)].dofs;
+  candidate.preshape.reset();
   for (std::size_t d = 0; d < candidate.dofs.size(); ++d) {
     const DegreeOfFreedom& dof = scene.scene.hand.dofs[d];
     const double end = dof.closing_velocity > 0.0   ? dof.upper
@@ -65,11 +65,11 @@ Candidate random_candidate(Random& random, const CompiledScene& scene) {
 
 void check_contacts(const CompiledScene& scene, const Trial& trial,
                     const std::vector<std::vector<test::Corners>>& links) {
-  const auto object = test::soup(scene.object.mesh());
+  const auto object = test::soup(scene.object().mesh.mesh());
   for (const GraspContact& contact : trial.contacts) {
     const Vector3& p = contact.point.position;
     EXPECT_LE(test::point_to_surface(p, object), kTouching);
-    const auto link = static_cast<std::size_t>(contact.link);
+    const std::size_t link = index(contact.link);
     const bool soft = contact.point.model == ContactModel::soft_finger;
     EXPECT_LE(test::point_to_surface(p, links[link]),
               soft ? scene.links[link].compliant_depth + 1e-9 : kTouching);
@@ -81,7 +81,7 @@ void check_contacts(const CompiledScene& scene, const Trial& trial,
 
 // True when the hand as it starts is free of collisions with itself: what a candidate owes.
 bool starts_free_of_itself(const CompiledScene& scene, const Candidate& candidate) {
-  if (candidate.preshape >= 0) return true;
+  if (candidate.preshape) return true;
   const auto links =
       test::link_soups(scene, Pose::Identity(), joint_values(scene.scene.hand, candidate.dofs));
   for (const LinkPair& pair : scene.self_pairs) {
@@ -103,7 +103,7 @@ void check_trial(const CompiledScene& scene, const Candidate& candidate, Tally& 
   const auto links = test::link_soups(scene, trial.X_OH, trial.joints);
   const std::string collision = test::what_collides(links, scene);
   if (trial.outcome == Outcome::hand_blocked) {
-    EXPECT_NE(collision, "") << "called blocked by its link " << trial.link;
+    EXPECT_NE(collision, "") << "called blocked by its link " << blame(scene, trial).link;
     EXPECT_TRUE(trial.contacts.empty());
     return;
   }

@@ -106,8 +106,9 @@ TEST(SelfCentering, TheBodyIsBlockedByWhatStandsWhereItIsPushed) {
     ASSERT_EQ(test::collision(scene, candidate.X_OH, {0.04, 0.04}), "");
     const Trial trial = run_trial(scene, candidate);
     EXPECT_EQ(trial.outcome, Outcome::hand_blocked) << size;
-    EXPECT_EQ(trial.link, 0);
-    EXPECT_EQ(trial.obstacle, 0);
+    ASSERT_TRUE(trial.blocked.has_value());
+    EXPECT_EQ(trial.blocked->link, LinkId{0});
+    EXPECT_EQ(trial.blocked->body, BodyId::obstacle(0));
   }
 }
 

@@ -3,23 +3,37 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/random.h"
 #include "tests/support/scenes.h"
+#include "tests/support/trial_bytes.h"
 
 namespace prehend {
 namespace {
 
-// The Franka hand over a bar along y, 12 mm thick along the closing direction, turned by `angle`
-// about the approach.
+// The base of the Franka hand over a bar along y, turned by `angle` about the approach.
+Pose tilted_hand(double angle) {
+  const Robot hand = find_robot("franka_hand");
+  Pose X_OH = translation({0.0, 0.0, -hand.hand->origin.z() - 0.0373});
+  X_OH.rotate(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+  return X_OH;
+}
+
+Candidate over_bar(double angle) {
+  Candidate candidate;
+  candidate.X_OH = tilted_hand(angle);
+  candidate.preshape = 0;
+  return candidate;
+}
+
+// The bar is 12 mm thick along the closing direction.
+CompiledScene bar_scene(std::vector<StaticBody> obstacles) {
+  return test::compiled(find_robot("franka_hand"), make_box({0.012, 0.12, 0.02}),
+                        std::move(obstacles));
+}
+
 Trial grasp_tilted_bar(double angle, const TrialOptions& options,
                        std::vector<StaticBody> obstacles = {}) {
-  const Robot hand = find_robot("franka_hand");
-  const CompiledScene scene =
-      test::compiled(hand, make_box({0.012, 0.12, 0.02}), std::move(obstacles));
-  Candidate candidate;
-  candidate.X_OH = translation({0.0, 0.0, -hand.hand->origin.z() - 0.0373});
-  candidate.X_OH.rotate(Eigen::AngleAxisd(angle, Vector3::UnitZ()));
-  candidate.preshape = 0;
-  return run_trial(scene, candidate, options);
+  return run_trial(bar_scene(std::move(obstacles)), over_bar(angle), options);
 }
 
 TrialOptions hard() {
@@ -48,11 +62,101 @@ TEST(Settle, WhatHoldsIsLeftAlone) {
   EXPECT_EQ(trial.turned, 0.0);
 }
 
-TEST(Settle, AmongObstaclesNothingTurns) {
-  const Trial trial = grasp_tilted_bar(
-      0.9, hard(), {test::obstacle(make_box(Vector3::Constant(0.01)), {0.5, 0.5, 0.5})});
-  EXPECT_EQ(trial.outcome, Outcome::not_force_closure);
-  EXPECT_EQ(trial.turned, 0.0);
+constexpr double kTilts[] = {-0.9, 0.9, 1.1};
+
+StaticBody box_at(const Vector3& size, const Vector3& p_W) {
+  return test::obstacle(make_box(size), p_W);
+}
+
+// The hand comes from below, along z: what the bar could stand on is above it.
+StaticBody board_beyond_bar(double gap) {
+  return box_at({1.0, 1.0, 0.02}, {0.0, 0.0, 0.01 + gap + 0.01});
+}
+
+void expect_turns_as_without(const StaticBody& obstacle, double tilt) {
+  const Trial free = grasp_tilted_bar(tilt, hard());
+  ASSERT_GT(free.turned, 0.0);
+  EXPECT_EQ(test::bytes_of(grasp_tilted_bar(tilt, hard(), {obstacle})), test::bytes_of(free));
+}
+
+void expect_stays(const StaticBody& obstacle, double tilt) {
+  TrialOptions stiff = hard();
+  stiff.settle_steps = 0;
+  const Trial still = grasp_tilted_bar(tilt, stiff, {obstacle});
+  ASSERT_EQ(still.outcome, Outcome::not_force_closure) << "the obstacle stops the hand itself";
+  EXPECT_EQ(test::bytes_of(grasp_tilted_bar(tilt, hard(), {obstacle})), test::bytes_of(still));
+}
+
+TEST(Settle, ObstaclesOutOfReachChangeNothing) {
+  for (const double tilt : kTilts) {
+    expect_turns_as_without(box_at({4.0, 4.0, 0.02}, {0.0, 0.0, -1.0}), tilt);
+    expect_turns_as_without(box_at({4.0, 4.0, 0.02}, {0.0, 0.0, 1.0}), tilt);
+    expect_turns_as_without(box_at(Vector3::Constant(0.01), {0.5, 0.5, 0.5}), tilt);
+    // Farther than the bar or the hand reaches when it turns.
+    expect_turns_as_without(board_beyond_bar(0.15), tilt);
+  }
+}
+
+TEST(Settle, WhatStandsOnSomethingDoesNotTurn) {
+  for (const double tilt : kTilts) {
+    expect_stays(board_beyond_bar(0.0), tilt);
+    expect_stays(board_beyond_bar(0.0001), tilt);
+  }
+}
+
+// The bar's ends would sweep to where the wall is; it is beside the bar's end, which the hand does
+// not come near.
+TEST(Settle, AWallInTheWayOfTheObjectKeepsItFromTurning) {
+  for (const double tilt : kTilts) {
+    const double side = tilt > 0.0 ? 1.0 : -1.0;
+    for (const double x : {-0.012 * side, 0.012 * side}) {
+      expect_stays(box_at({0.006, 0.01, 0.02}, {x, 0.055, 0.0}), tilt);
+    }
+  }
+}
+
+// Two posts beside the hand's body, which is far from the bar.
+TEST(Settle, AWallInTheWayOfTheHandKeepsTheObjectFromTurning) {
+  for (const double tilt : kTilts) {
+    TriangleMesh posts;
+    for (const double side : {-1.0, 1.0}) {
+      append(posts,
+             transformed(make_box({0.01, 0.01, 0.02}), translation({0.09, side * 0.045, 0.0})));
+    }
+    StaticBody body = test::obstacle(std::move(posts), Vector3::Zero());
+    body.X_WB = tilted_hand(tilt) * translation({0.0, 0.0, 0.03});
+    expect_stays(body, tilt);
+  }
+}
+
+// Boxes all around: whatever settles is free with the hand turned about the bar, and with the bar
+// turned the other way in the hand at rest.
+TEST(Settle, WhatTurnedIsFreeOfObstacles) {
+  Random random(131);
+  int turned = 0;
+  int kept = 0;
+  for (int i = 0; i < 150; ++i) {
+    StaticBody body = box_at(Vector3::Constant(0.02), Vector3::Zero());
+    body.X_WB = pose_from(random.rotation(), random.uniform(0.05, 0.25) * random.direction());
+    const CompiledScene scene = bar_scene({body});
+    TrialOptions stiff = hard();
+    stiff.settle_steps = 0;
+    const Trial still = run_trial(scene, over_bar(0.9), stiff);
+    if (still.outcome != Outcome::not_force_closure) continue;
+    const Trial trial = run_trial(scene, over_bar(0.9), hard());
+    EXPECT_EQ(test::collision(scene, trial.X_OH, trial.joints), "");
+    if (trial.turned == 0.0) {
+      ++kept;
+      continue;
+    }
+    ++turned;
+    const Pose X_SO = still.X_OH * trial.X_OH.inverse();
+    const auto moved = test::soup(scene.object().mesh.mesh(), X_SO);
+    const auto box = test::soup(scene.obstacles()[0].mesh.mesh(), scene.obstacles()[0].X_RB);
+    EXPECT_FALSE(test::surfaces_meet(moved, box));
+  }
+  EXPECT_GT(turned, 20);
+  EXPECT_GT(kept, 20);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "sim/trial/trial.h"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -10,6 +9,7 @@
 #include "sim/base/random.h"
 #include "sim/geometry/object_generator.h"
 #include "tests/support/scenes.h"
+#include "tests/support/trial_bytes.h"
 
 namespace prehend {
 namespace {
@@ -41,7 +41,7 @@ void expect_held_by_plates(const CompiledScene& scene, const Candidate& candidat
   EXPECT_GT(trial.epsilon.lower, 0.01);
   std::map<std::string, int> points;
   for (const GraspContact& contact : trial.contacts) {
-    ++points[scene.links[static_cast<std::size_t>(contact.link)].name];
+    ++points[scene.links[index(contact.link)].name];
   }
   EXPECT_GE(points["left_plate"], 2);
   EXPECT_GE(points["right_plate"], 2);
@@ -69,14 +69,14 @@ TEST(Trial, AWideJawHoldsACubeByFourCornersAPlate) {
     const Trial trial = run_trial(scene, candidate);
     // Plates of 40 mm: the palm on the top (a region of its own) and four corners for each plate.
     // The plates are rubber: each also bears on one patch, in the middle of its corners.
-    std::map<std::pair<int, ContactModel>, int> count;
+    std::map<std::pair<LinkId, ContactModel>, int> count;
     for (const GraspContact& contact : trial.contacts) ++count[{contact.link, contact.point.model}];
-    for (const int link : {1, 2}) {
+    for (const LinkId link : {LinkId{1}, LinkId{2}}) {
       EXPECT_EQ((count[{link, ContactModel::point}]), 4);
       EXPECT_EQ((count[{link, ContactModel::soft_finger}]), 1);
     }
     for (const GraspContact& contact : trial.contacts) {
-      if (contact.link == 0) continue;
+      if (contact.link == LinkId{0}) continue;
       const bool soft = contact.point.model == ContactModel::soft_finger;
       EXPECT_NEAR(std::abs(contact.point.position.x()), 0.025, 1e-12);
       EXPECT_NEAR(std::abs(contact.point.position.y()), soft ? 0.0 : 0.02, 1e-9);
@@ -93,35 +93,6 @@ TEST(Trial, AWideJawHoldsACylinder) {
   expect_held_by_plates(scene, aimed(hand, Vector3::Zero(), kX, kY));
 }
 
-void append_bytes(std::vector<unsigned char>& bytes, const void* data, std::size_t size) {
-  const std::size_t at = bytes.size();
-  bytes.resize(at + size);
-  if (size > 0) std::memcpy(bytes.data() + at, data, size);
-}
-
-std::vector<unsigned char> bytes_of(const Trial& trial) {
-  std::vector<unsigned char> bytes;
-  for (const int value : {static_cast<int>(trial.outcome), trial.link, trial.obstacle,
-                          trial.back_offs, static_cast<int>(trial.epsilon.status)}) {
-    append_bytes(bytes, &value, sizeof(value));
-  }
-  append_bytes(bytes, trial.X_OH.data(), 16 * sizeof(double));
-  append_bytes(bytes, &trial.travel, sizeof(double));
-  append_bytes(bytes, trial.dofs.data(), trial.dofs.size() * sizeof(double));
-  append_bytes(bytes, trial.joints.data(), trial.joints.size() * sizeof(double));
-  for (const GraspContact& contact : trial.contacts) {
-    append_bytes(bytes, &contact.link, sizeof(int));
-    append_bytes(bytes, contact.point.position.data(), 3 * sizeof(double));
-    append_bytes(bytes, contact.point.normal.data(), 3 * sizeof(double));
-    append_bytes(bytes, &contact.point.friction, sizeof(double));
-    append_bytes(bytes, &contact.gap, sizeof(double));
-  }
-  append_bytes(bytes, &trial.epsilon.lower, sizeof(double));
-  append_bytes(bytes, &trial.epsilon.upper, sizeof(double));
-  append_bytes(bytes, trial.epsilon.weakest.data(), 6 * sizeof(double));
-  return bytes;
-}
-
 TEST(Trial, OfTheSameCandidateGivesTheSameBytes) {
   Random random(121);
   const Robot hand = find_robot("barrett");
@@ -132,12 +103,12 @@ TEST(Trial, OfTheSameCandidateGivesTheSameBytes) {
     const Vector3 approach = random.direction();
     candidates.push_back(aimed(hand, {0.0, 0.0, 0.05}, approach, any_orthogonal(approach)));
     candidates.back().preshape = i % 4;
-    first.push_back(bytes_of(run_trial(scene, candidates.back())));
+    first.push_back(test::bytes_of(run_trial(scene, candidates.back())));
   }
   // In another order, and on a scene compiled anew.
   const CompiledScene again = compile(scene.scene);
   for (std::size_t i = candidates.size(); i-- > 0;) {
-    EXPECT_EQ(bytes_of(run_trial(again, candidates[i])), first[i]) << i;
+    EXPECT_EQ(test::bytes_of(run_trial(again, candidates[i])), first[i]) << i;
   }
 }
 
@@ -150,12 +121,14 @@ TEST(Trial, NamesWhatBlocks) {
   };
   const Trial on_the_way = with(make_box({0.3, 0.02, 0.001}), {0.0, 0.0, 0.06});
   EXPECT_EQ(on_the_way.outcome, Outcome::approach_blocked);
-  EXPECT_EQ(on_the_way.obstacle, 0);
+  ASSERT_TRUE(on_the_way.blocked.has_value());
+  EXPECT_EQ(on_the_way.blocked->body, BodyId::obstacle(0));
   EXPECT_TRUE(on_the_way.contacts.empty());
   const Trial at_start = with(make_box({0.3, 0.1, 0.001}), {0.0, 0.0, 0.22});
   EXPECT_EQ(at_start.outcome, Outcome::hand_blocked);
-  EXPECT_EQ(at_start.obstacle, 0);
-  EXPECT_EQ(at_start.link, 0);
+  ASSERT_TRUE(at_start.blocked.has_value());
+  EXPECT_EQ(at_start.blocked->body, BodyId::obstacle(0));
+  EXPECT_EQ(at_start.blocked->link, LinkId{0});
   EXPECT_EQ(at_start.travel, 0.0);
 
   Candidate away = candidate;
@@ -165,7 +138,8 @@ TEST(Trial, NamesWhatBlocks) {
   away.approach_distance = 0.0;
   const Trial inside = run_trial(compiled(hand, cube), away);
   EXPECT_EQ(inside.outcome, Outcome::hand_blocked);
-  EXPECT_EQ(inside.obstacle, -1);
+  ASSERT_TRUE(inside.blocked.has_value());
+  EXPECT_TRUE(inside.blocked->body.is_object());
 }
 
 TEST(Trial, BacksOffWhereTheFirstClosingDoesNotHold) {
@@ -179,7 +153,7 @@ TEST(Trial, BacksOffWhereTheFirstClosingDoesNotHold) {
   for (int i = 0; i < 30; ++i) {
     const Vector3 approach = random.direction();
     Candidate candidate =
-        aimed(hand, scene.object.ball_center(), approach, any_orthogonal(approach));
+        aimed(hand, scene.object().mesh.ball_center(), approach, any_orthogonal(approach));
     candidate.preshape = static_cast<int>(random.index(hand.hand->preshapes.size()));
     const Trial trial = run_trial(scene, candidate, options);
     const Trial once = run_trial(scene, candidate, without);

@@ -1,0 +1,22 @@
+// Collisions of the hand with what does not belong to the robot.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend {
+
+// A link of the hand and the body that it touches or collides with.
+struct HandContact {
+  LinkId link = {};
+  BodyId body = BodyId::object();
+};
+
+// The first link, in the order of the hand, that overlaps the object or an obstacle with the hand's
+// base at X_OH and its joints at `joints`; nothing where the hand is free.
+std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
+                                          const std::vector<double>& joints);
+
+}  // namespace prehend

@@ -1,0 +1,100 @@
+#include "sim/trial/turning_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+// Balls around the bodies answer where they are far enough apart, the surfaces else.
+double gap_between(const CollisionBody& a, const CollisionBody& b, const Pose& X_AB,
+                   double enough) {
+  const double apart = (X_AB * b.mesh.ball_center() - a.mesh.ball_center()).norm() -
+                       a.mesh.ball_radius() - b.mesh.ball_radius();
+  return apart > enough ? apart : find_gap(a.mesh, b.mesh, X_AB).lower;
+}
+
+// Most that a point of the body moves when it turns by `angle` about an axis through the origin of
+// `center`'s frame: the arc of the farthest point of its ball.
+double turning_motion(const Vector3& center, double radius, double angle) {
+  return angle * (center.norm() + radius);
+}
+
+}  // namespace
+
+TurningRoom::TurningRoom(const CompiledScene& scene, const Trial& start,
+                         const TrialOptions& options)
+    : scene_(scene), X_OH_start_(start.X_OH), least_gap_(options.contact.threshold) {}
+
+bool TurningRoom::allows(const Trial& now, const HandTurn& turn) {
+  if (!scene_.has_obstacles()) return true;
+  const double object = object_motion(turn) + least_gap_;
+  if (object_gap_ <= object) object_gap_ = object_gap(now, object);
+  if (object_gap_ <= object) return false;
+  const double hand = hand_motion(now, turn) + least_gap_;
+  if (hand_gap_ <= hand) hand_gap_ = hand_gap(now, hand);
+  return hand_gap_ > hand;
+}
+
+void TurningRoom::spend(const Trial& now, const HandTurn& turn) {
+  if (!scene_.has_obstacles()) return;
+  object_gap_ -= object_motion(turn);
+  hand_gap_ -= hand_motion(now, turn);
+}
+
+double TurningRoom::object_motion(const HandTurn& turn) const {
+  const ProximityMesh& object = scene_.object().mesh;
+  return turning_motion(object.ball_center() - turn.middle_O, object.ball_radius(), turn.angle) +
+         turn.shift;
+}
+
+double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) const {
+  std::vector<Pose> X_HL;
+  link_poses(scene_.scene.hand, now.joints, X_HL);
+  double farthest = 0.0;
+  for (std::size_t l = 0; l < scene_.links.size(); ++l) {
+    const CompiledLink& link = scene_.links[l];
+    // Before centring, each finger may be a shift away from where it is after it.
+    double relative_to_palm = link.joints.empty() ? 0.0 : turn.shift;
+    for (std::size_t k = 0; k < link.joints.size(); ++k) {
+      const std::size_t j = index(link.joints[k]);
+      relative_to_palm += link.reach[k] * (std::abs(turn.opened[j] - now.joints[j]) +
+                                           std::abs(turn.opened[j] - turn.closed[j]));
+    }
+    const Vector3 center = now.X_OH * X_HL[l] * link.mesh.ball_center() - turn.middle_O;
+    farthest = std::max(
+        farthest,
+        relative_to_palm +
+            turning_motion(center, link.mesh.ball_radius() + relative_to_palm, turn.angle));
+  }
+  return farthest + turn.shift;
+}
+
+double TurningRoom::object_gap(const Trial& now, double enough) const {
+  // The hand stays where it started: the object is displaced by what the hand's pose lacks.
+  const Pose X_SO = X_OH_start_ * now.X_OH.inverse();  // S: the object's frame at the start
+  double least = std::numeric_limits<double>::infinity();
+  for (const PlacedBody& obstacle : scene_.obstacles()) {
+    least = std::min(
+        least, gap_between(scene_.object(), obstacle, X_SO.inverse() * obstacle.X_RB, enough));
+  }
+  return least;
+}
+
+double TurningRoom::hand_gap(const Trial& now, double enough) const {
+  std::vector<Pose> X_HL;
+  link_poses(scene_.scene.hand, now.joints, X_HL);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t l = 0; l < scene_.links.size(); ++l) {
+    const Pose X_LO = (now.X_OH * X_HL[l]).inverse();
+    for (const PlacedBody& obstacle : scene_.obstacles()) {
+      least = std::min(least, gap_between(scene_.links[l], obstacle, X_LO * obstacle.X_RB, enough));
+    }
+  }
+  return least;
+}
+
+}  // namespace prehend

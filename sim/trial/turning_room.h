@@ -1,0 +1,53 @@
+// Whether a hand and the object between its fingers have room among the obstacles to turn against
+// each other.
+#pragma once
+
+#include <vector>
+
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// The hand opens a little, turns about the object, closes again and is centred: what moves how far.
+struct HandTurn {
+  Vector3 middle_O = Vector3::Zero();  // a point of the axis, object frame [m]
+  double angle = 0.0;                  // >= 0 [rad]
+  std::vector<double> opened;          // joints before the turn
+  std::vector<double> closed;          // joints at the end
+  double shift = 0.0;                  // by which centring moves the hand [m]
+};
+
+// A turn changes the pose of the hand relative to the object. Which of them moves in the world
+// depends on who holds them, and nothing says that. So both must be free: the hand, turned about
+// the object at rest, and the object, turned the other way in the hand at rest. A body is free when
+// its gap to every obstacle is larger than the farthest that any of its points moves, with
+// `contact.threshold` left over; an object that stands on something, leans on it or is within the
+// threshold of it can therefore not turn at all.
+//
+// Fingers of the hand at rest need no test: they stay where they have been while they closed.
+class TurningRoom {
+ public:
+  // `start`: as the hand has closed, before any turn. The scene must outlive the room.
+  TurningRoom(const CompiledScene& scene, const Trial& start, const TrialOptions& options);
+
+  // Whether the turn from `now` is free. `now` is `start` after the turns that were spent.
+  bool allows(const Trial& now, const HandTurn& turn);
+  void spend(const Trial& now, const HandTurn& turn);
+
+ private:
+  // Farthest that any point moves in a turn [m].
+  double object_motion(const HandTurn& turn) const;
+  double hand_motion(const Trial& now, const HandTurn& turn) const;
+  // Lower bounds of the smallest gap to an obstacle, exact where it is not above `enough` [m].
+  double object_gap(const Trial& now, double enough) const;
+  double hand_gap(const Trial& now, double enough) const;
+
+  const CompiledScene& scene_;
+  const Pose X_OH_start_;
+  const double least_gap_;
+  // Known lower bounds of the gaps at the present pose [m].
+  double object_gap_ = 0.0;
+  double hand_gap_ = 0.0;
+};
+
+}  // namespace prehend

@@ -1,0 +1,104 @@
+// Results of an earlier run as a grasp file has them.
+#include "planner/files/asked_result.h"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "planner/files/grasps_file.h"
+#include "planner/path/grasp_motion.h"
+#include "sim/base/input_error.h"
+#include "tests/support/block_on_table.h"
+#include "tests/support/library_scenes.h"
+
+namespace prehend {
+namespace {
+
+using nlohmann::json;
+
+// A grasp that the arm holds in another posture than the nearest to its start.
+class ArmResult : public testing::Test {
+ protected:
+  static const CompiledScene& scene() {
+    static const CompiledScene kScene = compile(test::block_on_table());
+    return kScene;
+  }
+
+  static const ScoredGrasp& scored() {
+    static const ScoredGrasp kScored = [] {
+      const test::Grasp grasp = test::stable_grasp(scene());
+      ScoredGrasp scored{grasp.trial, grasp.candidate, 0.0, std::nullopt, "given", {}, {}};
+      const HandLine line = approach_line(scene(), grasp.candidate, grasp.trial);
+      scored.trial.arm_line = find_reaches(*scene().arm, line, 2, {}).at(1).line;
+      scored.trial.arm_dofs = scored.trial.arm_line.back();
+      return scored;
+    }();
+    return kScored;
+  }
+
+  // The file of that grasp.
+  static json file() {
+    PlanResult result;
+    result.grasps = {scored()};
+    return json::parse(grasps_json(scene(), result, {}));
+  }
+
+  static ScoredGrasp read_back(const json& content) {
+    const JsonFile file(test::write_scene(content));
+    const AskedGrasp asked = asked_grasps(file, scene()).front();
+    return asked_result(file.root()["grasps"].items().front(), asked, scene());
+  }
+
+  static std::string complaint(const json& content) {
+    try {
+      (void)read_back(content);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  // The motion that is drawn ends in the posture that the file names.
+  static void expect_drawn_in_that_posture(const ScoredGrasp& read) {
+    const GraspMotion motion = grasp_motion(scene(), read.candidate, read.trial, nullptr);
+    EXPECT_EQ(motion.frames.back().arm_joints,
+              arm_joints(*scene().arm, scored().trial.arm_dofs, read.trial.joints));
+    EXPECT_EQ(motion.frames.front().arm_joints.size(), scene().arm->robot().joints.size());
+    EXPECT_GT(motion.segments.front().last, 5);
+  }
+};
+
+TEST_F(ArmResult, TheArmsLineIsReadAsItWasWritten) {
+  const ScoredGrasp read = read_back(file());
+  EXPECT_EQ(read.trial.arm_line, scored().trial.arm_line);
+  EXPECT_EQ(read.trial.arm_dofs, scored().trial.arm_dofs);
+  expect_drawn_in_that_posture(read);
+}
+
+TEST_F(ArmResult, WithoutALineTheOneThatEndsAtArmDofsIsFound) {
+  json content = file();
+  content["grasps"][0].erase("arm_line");
+  const ScoredGrasp read = read_back(content);
+  ASSERT_EQ(read.trial.arm_line.size(), scored().trial.arm_line.size());
+  for (std::size_t i = 0; i < read.trial.arm_line.size(); ++i) {
+    for (const int d : scene().arm->dofs) {
+      const auto k = static_cast<std::size_t>(d);
+      EXPECT_NEAR(read.trial.arm_line[i][k], scored().trial.arm_line[i][k], 1e-5) << i;
+    }
+  }
+  expect_drawn_in_that_posture(read);
+}
+
+TEST_F(ArmResult, ALineThatEndsElsewhereIsRefused) {
+  json content = file();
+  content["grasps"][0]["arm_line"].erase(content["grasps"][0]["arm_line"].size() - 1);
+  EXPECT_NE(complaint(content).find("grasps[0].arm_line: must end at arm_dofs"), std::string::npos)
+      << complaint(content);
+  content["grasps"][0]["arm_line"] = json::array();
+  EXPECT_NE(complaint(content).find("grasps[0].arm_line: must not be empty"), std::string::npos)
+      << complaint(content);
+}
+
+}  // namespace
+}  // namespace prehend
