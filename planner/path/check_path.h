@@ -5,6 +5,7 @@
 
 #include "planner/path/trajectory.h"
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend {
@@ -24,6 +25,12 @@ struct PathCheck {
 struct PathCheckOptions {
   double step = 2e-3;  // longest motion of any point of a link between two postures [m]
 };
+
+template <SettingsOf<PathCheckOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [step] = options;
+  visit("step", step);
+}
 
 // Looks at postures along the cubics between the samples of the path, so densely that no point
 // moves more than `step` from one to the next: whether any two triangles meet, of every link with

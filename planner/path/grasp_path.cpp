@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "planner/path/check_path.h"
 #include "planner/path/closing_path.h"
 #include "sim/base/index.h"
 
@@ -78,7 +77,7 @@ class GraspPathPlanner {
     for (const bool opens_first : {true, false}) {
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
       std::optional<Trajectory> path = along(line, opens_first);
-      if (path && check_path(scene_, *path, {}, context_).ok()) return path;
+      if (path && check_path(scene_, *path, options_.check, context_).ok()) return path;
     }
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "planner/path/check_path.h"
 #include "planner/path/plan_transfer.h"
 #include "planner/path/time_path.h"
 #include "planner/path/trajectory.h"
@@ -17,7 +18,18 @@ struct GraspPathOptions {
   // Postures of the pre-grasp that are tried (>= 1): the trial's own first, where it has an
   // arm_line, then the others, nearest to the start first.
   int alternatives = 3;
+  PathCheckOptions check;  // of the finished path
 };
+
+template <SettingsOf<GraspPathOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [reach, transfer, timing, alternatives, check] = options;
+  visit("", reach);
+  visit("", transfer);
+  visit("", timing);
+  visit("alternatives", alternatives);
+  visit("check", check);
+}
 
 // Segments of a path, in order: "preshape" (the hand opens, the arm at rest; left out where the
 // hand starts so), "transfer" (from the start to the pre-grasp), "approach" (straight to the

@@ -21,9 +21,6 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-// Longest edge that a tree grows at once: the farthest that any point of the arm moves [m].
-constexpr double kLongestEdge = 0.8;
-
 // OMPL numbers its random generators in the order of their creation, on whatever thread: here each
 // gets a seed of its own.
 class SeededSampler : public ob::RealVectorStateSampler {
@@ -113,7 +110,7 @@ class TransferSpace {
 
   // Most that any point of a link moves for a unit of the degree of freedom.
   double motion_of(int dof) const {
-    double most = 1e-3;
+    double most = 1e-3;  // for one that moves nothing, so that its coordinate does not vanish
     for (const CompiledLink& link : arm_.links) {
       for (std::size_t k = 0; k < link.joints.size(); ++k) {
         const Joint& joint = arm_.robot().joints[index(link.joints[k])];
@@ -174,17 +171,17 @@ ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
   switch (options.planner) {
     case PathPlanner::roadmap: {
       auto planner = std::make_shared<og::LazyPRM>(information);
-      planner->setRange(kLongestEdge);
+      planner->setRange(options.longest_edge);
       return planner;
     }
     case PathPlanner::rrt_star: {
       auto planner = std::make_shared<Seeded<og::RRTstar>>(information, options.seed);
-      planner->setRange(kLongestEdge);
+      planner->setRange(options.longest_edge);
       return planner;
     }
     default: {
       auto planner = std::make_shared<Seeded<og::RRTConnect>>(information, options.seed);
-      planner->setRange(kLongestEdge);
+      planner->setRange(options.longest_edge);
       return planner;
     }
   }

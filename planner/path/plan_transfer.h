@@ -26,9 +26,21 @@ struct TransferOptions {
   PathPlanner planner = PathPlanner::rrt_connect;
   int max_iterations = 3000;  // of the planner; a time limit would not repeat
   int simplify_steps = 100;   // tries to cut a corner short
+  // Longest edge that a tree grows at once: the farthest that any point of the arm moves on it [m].
+  double longest_edge = 0.8;
   std::uint64_t seed = 1;
   MotionCheckOptions motion;
 };
+
+template <SettingsOf<TransferOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [planner, max_iterations, simplify_steps, longest_edge, seed, motion] = options;
+  visit("planner", planner);
+  visit("max_iterations", max_iterations);
+  visit("simplify_steps", simplify_steps);
+  visit("longest_edge", longest_edge);
+  visit("", motion);
+}
 
 struct Transfer {
   DofValues from;

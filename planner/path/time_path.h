@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/path/trajectory.h"
+#include "sim/base/settings.h"
 
 namespace prehend {
 
@@ -26,6 +27,12 @@ struct TimePathOptions {
   // Longest time between two samples (> 0) [s].
   double sample_time = 0.02;
 };
+
+template <SettingsOf<TimePathOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [sample_time] = options;
+  visit("sample_time", sample_time);
+}
 
 // A motion at rest at both ends. Time starts at 0 and increases.
 struct TimedPath {

@@ -133,7 +133,7 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
     return;
   }
   std::vector<Corner> outline = hull(std::move(points));
-  drop_flat_corners(outline, 0.1 * options.threshold);
+  drop_flat_corners(outline, options.flat_corner * options.threshold);
   drop_least_corners(outline, static_cast<std::size_t>(options.max_region_corners));
   for (const Corner& corner : outline) reduced.push_back(contacts[corner.contact]);
 }

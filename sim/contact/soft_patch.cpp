@@ -12,9 +12,6 @@
 namespace prehend {
 namespace {
 
-// Patches weaker than this part of the strongest are left out.
-constexpr double kWeakest = 0.1;
-
 // A triangle of the object's surface, or a part of one, that presses springs.
 struct PressedPart {
   Corners corners;
@@ -135,7 +132,8 @@ SoftPatch resultant(const std::vector<PressedPart>& parts) {
 }  // namespace
 
 std::vector<SoftPatch> soft_patches(const ProximityMesh& object, const ProximityMesh& link,
-                                    const Pose& X_OL, double depth, ContactWorkspace& workspace) {
+                                    const Pose& X_OL, double depth, const ContactOptions& options,
+                                    ContactWorkspace& workspace) {
   find_pairs_within(object, link, X_OL, depth, workspace.pairs);
   std::vector<PressedPart> parts;
   for (const TrianglePair& pair : workspace.pairs) {
@@ -157,7 +155,7 @@ std::vector<SoftPatch> soft_patches(const ProximityMesh& object, const Proximity
   std::stable_sort(patches.begin(), patches.end(),
                    [](const SoftPatch& a, const SoftPatch& b) { return a.force > b.force; });
   std::erase_if(patches, [&](const SoftPatch& patch) {
-    return patch.force < kWeakest * patches.front().force;
+    return patch.force < options.weakest_patch * patches.front().force;
   });
   return patches;
 }

@@ -21,8 +21,10 @@ struct SoftPatch {
 // The link, at rest with a gap to the object, is a bed of independent springs of which those nearer
 // than `depth` [m] are pressed, each by as much as the object lies inside that depth: an elastic
 // foundation (Johnson, "Contact Mechanics", 1985, section 4.3). Patches are apart where they share
-// no vertex of the object; the strongest comes first, and those below a tenth of it are left out.
+// no vertex of the object; the strongest comes first, and those below `weakest_patch` of it are
+// left out.
 std::vector<SoftPatch> soft_patches(const ProximityMesh& object, const ProximityMesh& link,
-                                    const Pose& X_OL, double depth, ContactWorkspace& workspace);
+                                    const Pose& X_OL, double depth, const ContactOptions& options,
+                                    ContactWorkspace& workspace);
 
 }  // namespace prehend

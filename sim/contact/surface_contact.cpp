@@ -10,11 +10,10 @@
 namespace prehend {
 namespace {
 
-// Points nearer than this to an edge or a vertex are on it [m].
+// Points nearer than this to an edge or a vertex are on it [m]. A guard against rounding, no choice
+// of accuracy: coordinates below a metre are known to 1e-16 m, and distances of meshes are far
+// above it.
 constexpr double kOnFeature = 1e-7;
-// Points nearer than this part of the threshold are one: far less than what regions are told apart
-// by, so that the corners of a region stay where they are.
-constexpr double kSamePlace = 0.01;
 
 double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 ab = b - a;
@@ -171,7 +170,7 @@ void find_contact_points(const ProximityMesh& object, const ProximityMesh& link,
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
   for (const SurfaceContact& contact : workspace.points) {
     const bool known = std::any_of(points.begin(), points.end(), [&](const SurfaceContact& other) {
-      return (other.position - contact.position).norm() <= kSamePlace * options.threshold &&
+      return (other.position - contact.position).norm() <= options.same_place * options.threshold &&
              other.normal.cross(contact.normal).norm() <= 2.0 * options.angular_tolerance &&
              other.normal.dot(contact.normal) > 0.0;
     });

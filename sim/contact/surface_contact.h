@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/base/settings.h"
 #include "sim/geometry/proximity.h"
 
 namespace prehend {
@@ -25,7 +26,29 @@ struct ContactOptions {
   double angular_tolerance = 0.02;
   // A region keeps at most this many corners; those that matter least to its area go first (>= 3).
   int max_region_corners = 8;
+  // Points with one normal that are nearer to each other than this part of the threshold are one:
+  // far less than what regions are told apart by, so that the corners of a region stay in place.
+  double same_place = 0.01;
+  // Corners of a region that stand out from the line between their neighbours by less than this
+  // part of the threshold are left out.
+  double flat_corner = 0.1;
+  // Patches of a soft link that bear less than this part of the force of the strongest are left
+  // out.
+  double weakest_patch = 0.1;
 };
+
+template <SettingsOf<ContactOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [threshold, evenness, angular_tolerance, max_region_corners, same_place, flat_corner,
+         weakest_patch] = options;
+  visit("threshold", threshold);
+  visit("evenness", evenness);
+  visit("angular_tolerance", angular_tolerance);
+  visit("max_region_corners", max_region_corners);
+  visit("same_place", same_place);
+  visit("flat_corner", flat_corner);
+  visit("weakest_patch", weakest_patch);
+}
 
 // Reused between calls so that a trial allocates little.
 struct ContactWorkspace {

@@ -84,7 +84,7 @@ class MotionCheck {
         ahead += pair.reach[k] * (after[j] - here[j]);
       }
       const double farthest = std::max(back, ahead);
-      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest);
+      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest, options_.gap_error);
       if (gap == GapAnswer::larger) continue;
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/scene/compiled_arm.h"
 
 namespace prehend {
@@ -16,7 +17,17 @@ struct MotionCheckOptions {
   // A stretch on which no point of a pair moves more than this relative to the other is not cut any
   // further: if its gap is still not proven, the pair counts as blocked [m].
   double tightest = 2e-4;
+  // Part by which the gap of a pair may be underestimated: a looser query is quicker, but cuts the
+  // motion into more stretches.
+  double gap_error = 0.5;
 };
+
+template <SettingsOf<MotionCheckOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [tightest, gap_error] = options;
+  visit("tightest", tightest);
+  visit("gap_error", gap_error);
+}
 
 // The first pair that was not proven to stay apart all along the path; none: the whole motion is
 // free, not only at samples. A gap in the middle of a stretch speaks for all of it when it is

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "sim/base/settings.h"
 #include "sim/reach/motion_check.h"
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/compiled_scene.h"
@@ -20,6 +21,15 @@ struct ReachOptions {
   double largest_joint_step = 0.15;
   MotionCheckOptions motion;
 };
+
+template <SettingsOf<ReachOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [kinematics, line_step, largest_joint_step, motion] = options;
+  visit("kinematics", kinematics);
+  visit("line_step", line_step);
+  visit("largest_joint_step", largest_joint_step);
+  visit("motion", motion);
+}
 
 // A straight motion of the hand with its joints at rest, in the object's frame.
 struct HandLine {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/robot/robot.h"
 #include "sim/robot/spherical_wrist.h"
 
@@ -26,6 +27,17 @@ struct IkOptions {
   int max_solutions = 16;            // no more are looked for (>= 1)
   std::uint64_t seed = 1;
 };
+
+template <SettingsOf<IkOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [position_tolerance, angle_tolerance, max_iterations, restarts, max_solutions, seed] =
+      options;
+  visit("position_tolerance", position_tolerance);
+  visit("angle_tolerance", angle_tolerance);
+  visit("max_iterations", max_iterations);
+  visit("restarts", restarts);
+  visit("max_solutions", max_solutions);
+}
 
 // Every degree of freedom of the robot has a value; those that move no target keep theirs.
 using DofValues = std::vector<double>;

@@ -13,8 +13,10 @@
 namespace prehend {
 namespace {
 
+// How far beyond the distance that is asked for gaps are told apart: as a multiple of it, and at
+// least by so much [m]. Guards against rounding: any cap above the distance gives the same answers.
 constexpr double kCapBeyond = 1.01;
-constexpr double kLeastCap = 1e-6;  // m
+constexpr double kLeastCap = 1e-6;
 
 // What moves link `a` relative to link `b`, or to the base for no b: the joints that they do not
 // share.
@@ -129,7 +131,7 @@ void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
 }
 
 GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
-                     double distance) {
+                     double distance, double relative_error) {
   const CompiledLink& link = arm.links[index(pair.link)];
   const Pose& X = X_BL[index(pair.link)];
   const auto [other, X_BF] = other_of(arm, pair, X_BL);
@@ -140,7 +142,7 @@ GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vec
   // The cap is a little beyond the distance: a gap that reaches the cap is then proven to be larger
   // than the distance.
   const GapOptions options{
-      .cap = kCapBeyond * distance + kLeastCap, .relative_error = 0.5, .hint = {}};
+      .cap = kCapBeyond * distance + kLeastCap, .relative_error = relative_error, .hint = {}};
   const Gap gap = find_gap(other.mesh, link.mesh, X_BF.inverse() * X, options);
   if (gap.lower > distance) return GapAnswer::larger;
   return gap.lower <= 0.0 ? GapAnswer::meets : GapAnswer::not_proven;

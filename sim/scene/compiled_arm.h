@@ -57,10 +57,11 @@ void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
                     std::vector<Pose>& X_BL);
 
 // Whether the gap between the bodies of a pair is larger than `distance` [m]. The query is cheap
-// and may leave a larger gap not_proven; `meets` where the surfaces touch or cross.
+// and may leave a gap up to `relative_error` larger not_proven; `meets` where the surfaces touch or
+// cross.
 enum class GapAnswer { larger, not_proven, meets };
 GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
-                     double distance);
+                     double distance, double relative_error);
 
 // True when the surfaces cross or one body contains the other.
 bool pair_meets(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL);

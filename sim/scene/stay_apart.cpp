@@ -8,8 +8,11 @@
 namespace prehend {
 namespace {
 
-constexpr std::size_t kMostJoints = 4;  // more of them and the boxes get too many
+// Limits to the length of a proof. They cost time only, never a collision: a pair that is not
+// proven to stay apart is tested as it moves.
+constexpr std::size_t kMostJoints = 4;  // with more of them the boxes get too many
 constexpr int kMostQueries = 300;
+constexpr double kGapError = 0.5;  // of a query, see gap_beyond
 
 struct Range {
   double lower = 0.0;
@@ -40,7 +43,7 @@ class Proof {
       }
     }
     arm_link_poses(arm_, joints_, X_BL_);
-    const GapAnswer gap = gap_beyond(arm_, pair_, X_BL_, farthest);
+    const GapAnswer gap = gap_beyond(arm_, pair_, X_BL_, farthest, kGapError);
     if (gap == GapAnswer::larger) return true;
     if (gap == GapAnswer::meets || box.empty()) return false;
     PostureBox low = box;

@@ -17,12 +17,12 @@ struct Pairing {
   double safe_until = 0.0;  // proven free of contact up to this travel
 };
 
-std::vector<Pairing> pairings(const CompiledScene& scene) {
+std::vector<Pairing> pairings(const CompiledScene& scene, const TrialOptions& options) {
   std::vector<Pairing> all;
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      all.push_back(
-          {link_id(l), BodyId::at(b), GapTracker(scene.bodies[b].mesh, scene.links[l].mesh)});
+      all.push_back({link_id(l), BodyId::at(b),
+                     GapTracker(scene.bodies[b].mesh, scene.links[l].mesh, options.gaps)});
     }
   }
   return all;
@@ -41,7 +41,7 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   link_poses(scene.scene.hand, joints, X_HL);
   ApproachResult result;
   result.object_clearance.assign(scene.links.size(), 0.0);
-  std::vector<Pairing> all = pairings(scene);
+  std::vector<Pairing> all = pairings(scene, options);
   for (const Pairing& pairing : all) {
     // Surfaces that cross have a gap of 0, which the loop below finds. It does not find a body
     // inside another, whose surfaces have a gap.

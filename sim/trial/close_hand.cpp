@@ -154,7 +154,8 @@ class Closing {
       if (motion_.speed(link, 0.0) == 0.0) continue;
       for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
         const BodyId body = BodyId::at(b);
-        Pairing pairing{link_id(l), body, GapTracker(scene_.bodies[b].mesh, link.mesh)};
+        Pairing pairing{link_id(l), body,
+                        GapTracker(scene_.bodies[b].mesh, link.mesh, options_.gaps)};
         const bool known = body.is_object() && !start_.object_clearance.empty();
         start_pairing(pairing, known ? start_.object_clearance[l] : 0.0);
       }
@@ -164,7 +165,7 @@ class Closing {
       const CompiledLink& a = scene_.links[index(pair.a)];
       const CompiledLink& b = scene_.links[index(pair.b)];
       if (motion_.speed(a, 0.0) + motion_.speed(b, 0.0) == 0.0) continue;
-      Pairing pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh)};
+      Pairing pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh, options_.gaps)};
       start_pairing(pairing, start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
     }
   }

@@ -19,9 +19,12 @@ inline double safe_step(const Gap& gap, const TrialOptions& options) {
 // have moved on.
 class GapTracker {
  public:
-  // Both meshes must outlive the tracker.
-  GapTracker(const ProximityMesh& a, const ProximityMesh& b)
-      : a_(&a), b_(&b), directions_(a.parts().size() * b.parts().size(), Vector3::Zero()) {}
+  // Both meshes and the options must outlive the tracker.
+  GapTracker(const ProximityMesh& a, const ProximityMesh& b, const GapTrackerOptions& options)
+      : a_(&a),
+        b_(&b),
+        options_(&options),
+        directions_(a.parts().size() * b.parts().size(), Vector3::Zero()) {}
 
   // A proven lower bound and an upper bound of the gap at X_AB. `moved` bounds how far any point of
   // one body moved relative to the other since the last query, `motion_left` how far it still can:
@@ -36,6 +39,7 @@ class GapTracker {
 
   const ProximityMesh* a_;
   const ProximityMesh* b_;
+  const GapTrackerOptions* options_;
   std::vector<Vector3> directions_;  // per pair of convex parts, what separated them last
   bool parts_meet_ = false;          // the parts have met: their distance has no more to say
   std::vector<TrianglePair> near_pairs_;

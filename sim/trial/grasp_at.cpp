@@ -57,8 +57,8 @@ std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose&
       contacts.push_back({link_id(l), {c.position, c.normal, link.friction}, c.gap});
     }
     if (!options.soft_fingers || link.compliant_depth <= 0.0 || touching.empty()) continue;
-    for (const SoftPatch& patch :
-         soft_patches(scene.object().mesh, link.mesh, X_OL, link.compliant_depth, workspace)) {
+    for (const SoftPatch& patch : soft_patches(scene.object().mesh, link.mesh, X_OL,
+                                               link.compliant_depth, options.contact, workspace)) {
       contacts.push_back(
           {link_id(l),
            {patch.position, patch.normal, link.friction, ContactModel::soft_finger, patch.torsion},

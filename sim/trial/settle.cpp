@@ -13,13 +13,6 @@
 namespace prehend {
 namespace {
 
-// Fingers open by this before the object turns, so that it can [m].
-constexpr double kLoosen = 3e-3;
-// Turning goes on while the fingers come closer by more than this in a step [m].
-constexpr double kCloser = 1e-6;
-// Couples with an arm shorter than this do not turn anything [m].
-constexpr double kShortArm = 1e-4;
-
 std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   for (std::size_t d = 0; d < hand.dofs.size(); ++d) {
     if (hand.dofs[d].coupling == Coupling::self_centering) {
@@ -51,13 +44,13 @@ struct Couple {
 };
 
 std::optional<Couple> couple_of(const CompiledScene& scene, const FingerPair& fingers,
-                                const Trial& trial) {
+                                const SettleOptions& options, const Trial& trial) {
   const std::optional<Vector3> a = touched_by(scene, trial, fingers.first);
   const std::optional<Vector3> b = touched_by(scene, trial, fingers.second);
   if (!a || !b) return std::nullopt;
   const Vector3 opening_O = trial.X_OH.linear() * fingers.opening_H;
   const Vector3 couple = (*a - *b).cross(opening_O);
-  if (couple.norm() < kShortArm) return std::nullopt;
+  if (couple.norm() < options.least_arm) return std::nullopt;
   return Couple{0.5 * (*a + *b), couple.normalized()};
 }
 
@@ -71,21 +64,21 @@ Pose turned(const Couple& couple, double angle, const Pose& X_OH) {
 // Where the hand closes from after a turn: with fingers a little open, so that they do not start in
 // the object.
 ClosingStart closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
-                           const Trial& trial, const Pose& X_OH) {
+                           const SettleOptions& options, const Trial& trial, const Pose& X_OH) {
   ClosingStart start;
   start.X_OH = X_OH;
   start.dofs = trial.dofs;
   double& opening = start.dofs[index(fingers.dof)];
-  opening += dof.closing_velocity < 0.0 ? std::min(kLoosen, dof.upper - opening)
-                                        : -std::min(kLoosen, opening - dof.lower);
+  opening += dof.closing_velocity < 0.0 ? std::min(options.loosen, dof.upper - opening)
+                                        : -std::min(options.loosen, opening - dof.lower);
   return start;
 }
 
 // Whether the fingers of `next` are closer together than those of `trial`.
-bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const Trial& trial,
-               const Trial& next) {
+bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const SettleOptions& options,
+               const Trial& trial, const Trial& next) {
   const double change = trial.joints[index(fingers.first)] - next.joints[index(fingers.first)];
-  return (dof.closing_velocity < 0.0 ? change : -change) > kCloser;
+  return (dof.closing_velocity < 0.0 ? change : -change) > options.least_gain;
 }
 
 // The hand turned by `angle` and closed again; nothing where it is not free to turn, or where the
@@ -93,10 +86,11 @@ bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const Tria
 std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
                           const TrialOptions& options, const Trial& trial, double angle,
                           TurningRoom& room, const RunContext& context) {
-  const std::optional<Couple> couple = couple_of(scene, fingers, trial);
+  const std::optional<Couple> couple = couple_of(scene, fingers, options.settle, trial);
   if (!couple) return std::nullopt;
   const DegreeOfFreedom& dof = scene.scene.hand.dofs[index(fingers.dof)];
-  const ClosingStart start = closing_start(dof, fingers, trial, turned(*couple, angle, trial.X_OH));
+  const ClosingStart start =
+      closing_start(dof, fingers, options.settle, trial, turned(*couple, angle, trial.X_OH));
   const std::vector<double> opened = joint_values(scene.scene.hand, start.dofs);
   // Asked before the hand closes, which takes longer, and again when it is known how far it moved.
   HandTurn turn{couple->middle_O, angle, opened, opened};
@@ -106,7 +100,8 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
   grasp_at(scene, start, options, next, context);
   const bool touches =
       next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
-  const bool settles = is_closer(dof, fingers, trial, next) || next.outcome == Outcome::stable;
+  const bool settles =
+      is_closer(dof, fingers, options.settle, trial, next) || next.outcome == Outcome::stable;
   if (!touches || !settles) return std::nullopt;
   turn.closed = next.joints;
   turn.shift = (next.X_OH.translation() - start.X_OH.translation()).norm();
@@ -119,14 +114,14 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
 
 void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
             const RunContext& context) {
-  if (trial.outcome != Outcome::not_force_closure || options.settle_steps <= 0) return;
+  if (trial.outcome != Outcome::not_force_closure || options.settle.steps <= 0) return;
   if (scene.arm) return;
   const std::optional<FingerPair> fingers = self_centering_fingers(scene.scene.hand);
   if (!fingers) return;
   Trial now = trial;
   TurningRoom room(scene, trial, options);
-  double angle = options.settle_angle;
-  for (int k = 0; k < options.settle_steps && now.outcome != Outcome::stable; ++k) {
+  double angle = options.settle.angle;
+  for (int k = 0; k < options.settle.steps && now.outcome != Outcome::stable; ++k) {
     if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, room, context)) {
       now = std::move(*next);
     } else {

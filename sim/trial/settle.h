@@ -8,7 +8,7 @@ namespace prehend {
 // Where a hand with two self-centering fingers touches with both but does not hold, its squeeze is
 // a couple that the grasp cannot resist: the object turns (here, the hand turns about it, which is
 // the same) and the fingers close after it, until they hold or come no closer. Quasi-static, in
-// steps of options.settle_angle, at most options.settle_steps of them; the fingers lose width in
+// steps of options.settle.angle, at most options.settle.steps of them; the fingers lose width in
 // every step. What does not come to hold stays as it was. Leaves other hands and outcomes alone.
 //
 // Among obstacles it turns only as far as neither the object nor the hand can touch one of them

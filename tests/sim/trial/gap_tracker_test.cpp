@@ -45,7 +45,8 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
     const auto soup_a = test::soup(pair.a);
     const double radius = max_distance(pair.b, Vector3::Zero());
     for (int run = 0; run < 8; ++run) {
-      GapTracker tracker(a, b);
+      const GapTrackerOptions options;
+      GapTracker tracker(a, b, options);
       Pose X_AB = pose_from(random.rotation(), 0.15 * random.direction());
       double moved = 0.0;
       for (int step = 0; step < 40; ++step) {
@@ -72,7 +73,8 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
 
 TEST(GapTracker, IsExactCloseBy) {
   const ProximityMesh box(make_box({0.05, 0.05, 0.05}, 3));
-  GapTracker tracker(box, box);
+  const GapTrackerOptions defaults;
+  GapTracker tracker(box, box, defaults);
   double height = 0.06;
   for (int i = 0; i < 200 && height > 0.05 + 4e-5; ++i) {
     const Gap gap = tracker.query(translation({0.0, 0.0, height}), i == 0 ? 0.0 : 1e-4, 1.0);

@@ -45,7 +45,7 @@ TrialOptions hard() {
 TEST(Settle, ATiltedBarTurnsUntilItIsHeld) {
   for (const double angle : {-0.9, 0.9, 1.1}) {
     TrialOptions stiff = hard();
-    stiff.settle_steps = 0;
+    stiff.settle.steps = 0;
     ASSERT_EQ(grasp_tilted_bar(angle, stiff).outcome, Outcome::not_force_closure) << angle;
     const Trial trial = grasp_tilted_bar(angle, hard());
     EXPECT_EQ(trial.outcome, Outcome::stable) << angle;
@@ -81,7 +81,7 @@ void expect_turns_as_without(const StaticBody& obstacle, double tilt) {
 
 void expect_stays(const StaticBody& obstacle, double tilt) {
   TrialOptions stiff = hard();
-  stiff.settle_steps = 0;
+  stiff.settle.steps = 0;
   const Trial still = grasp_tilted_bar(tilt, stiff, {obstacle});
   ASSERT_EQ(still.outcome, Outcome::not_force_closure) << "the obstacle stops the hand itself";
   EXPECT_EQ(test::bytes_of(grasp_tilted_bar(tilt, hard(), {obstacle})), test::bytes_of(still));
@@ -140,7 +140,7 @@ TEST(Settle, WhatTurnedIsFreeOfObstacles) {
     body.X_WB = pose_from(random.rotation(), random.uniform(0.05, 0.25) * random.direction());
     const CompiledScene scene = bar_scene({body});
     TrialOptions stiff = hard();
-    stiff.settle_steps = 0;
+    stiff.settle.steps = 0;
     const Trial still = run_trial(scene, over_bar(0.9), stiff);
     if (still.outcome != Outcome::not_force_closure) continue;
     const Trial trial = run_trial(scene, over_bar(0.9), hard());
