@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/geometry/primitive.h"
 #include "sim/geometry/triangle_mesh.h"
 
@@ -21,6 +22,14 @@ struct DecomposeOptions {
   int max_primitives = 12;
   std::uint64_t seed = 1;
 };
+
+template <SettingsOf<DecomposeOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [tolerance, coverage, max_primitives, seed] = options;
+  visit("primitive_tolerance", tolerance);
+  visit("primitive_coverage", coverage);
+  visit("max_primitives", max_primitives);
+}
 
 struct Decomposition {
   std::vector<Primitive> primitives;  // largest explained area first

@@ -1,5 +1,8 @@
 #include "planner/files/grasps_file.h"
 
+#include <string>
+#include <type_traits>
+
 #include "sim/base/index.h"
 #include "sim/scene/json_primitive.h"
 
@@ -82,36 +85,30 @@ Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const Plan
   return json;
 }
 
-Json settings_json(const RunRecord& record) {
-  const TrialOptions& trial = record.options.trial;
-  const CandidateOptions& candidates = record.options.candidates;
-  return {{"seed", record.seed},
-          {"top", record.options.rank.top},
-          {"cone_edges", trial.cone_edges},
-          {"contacts", trial.soft_fingers ? "soft" : "hard"},
-          {"contact_threshold", trial.contact.threshold},
-          {"contact_gap", trial.contact_gap},
-          {"back_off_step", trial.back_off_step},
-          {"back_off_tries", trial.back_off_tries},
-          {"settle_angle", trial.settle_angle},
-          {"settle_steps", trial.settle_steps},
-          {"primitive_tolerance", record.options.primitives.tolerance},
-          {"max_primitives", record.options.primitives.max_primitives},
-          {"max_candidates", candidates.max_candidates},
-          {"cylinder_directions", candidates.rules.cylinder_directions},
-          {"places", candidates.rules.places},
-          {"sphere_directions", candidates.rules.sphere_directions},
-          {"sphere_turns", candidates.rules.sphere_turns}};
+template <typename Value>
+Json setting_json(const Value& value) {
+  if constexpr (std::is_same_v<Value, PathPlanner>) {
+    return path_planner_name(value);
+  } else {
+    return value;
+  }
 }
 
-Json path_settings_json(const GraspPathOptions& paths) {
-  return {{"planner", path_planner_name(paths.transfer.planner)},
-          {"max_iterations", paths.transfer.max_iterations},
-          {"simplify_steps", paths.transfer.simplify_steps},
-          {"alternatives", paths.alternatives},
-          {"line_step", paths.reach.line_step},
-          {"tightest", paths.transfer.motion.tightest},
-          {"sample_time", paths.timing.sample_time}};
+// Every setting under its name (sim/base/settings.h).
+template <HasSettings Options>
+Json settings_json(const Options& options) {
+  Json json = Json::object();
+  visit_settings(options, [&](const std::string& name, const auto& value) {
+    json[name] = setting_json(value);
+  });
+  return json;
+}
+
+Json settings_json(const RunRecord& record) {
+  Json json = settings_json(record.options);
+  json["contacts"] = record.options.trial.soft_fingers ? "soft" : "hard";
+  if (record.options.paths) json["paths"] = settings_json(*record.options.paths);
+  return json;
 }
 
 Json names_json(const Robot& hand) {
@@ -148,7 +145,6 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
     }
   }
   json["settings"] = settings_json(record);
-  if (record.options.paths) json["settings"]["paths"] = path_settings_json(*record.options.paths);
   if (result.status != PlanStatus::complete) json["status"] = plan_status_name(result.status);
   if (result.untested > 0) json["untested"] = result.untested;
   json["stages"] = Json::array();

@@ -14,7 +14,6 @@ struct RunRecord {
   std::string scene;       // name of a library scene or absolute path of a scene or mesh file
   std::string unit = "m";  // of a mesh file
   std::string hand;        // as asked, empty: the scene's
-  std::uint64_t seed = 1;
   PlanOptions options;
 };
 

@@ -22,6 +22,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
 
   ProgressBar bar(command.common.progress);
   EvaluateOptions options;
+  options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
   if (!command.common.no_report) options.sections = kMostDetailed;
   const RunContext context{command.common.threads, interrupts.cancellation(),
@@ -31,7 +32,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   watch.add(result.times);
 
   RunRecord record = loaded.record;
-  record.seed = command.common.seed;
+  record.options.seed = command.common.seed;
   record.options.trial = options.trial;
   std::string report;
   if (!command.common.no_report) {

@@ -44,14 +44,12 @@ std::string names_of(const std::vector<ExportFile>& files) {
 
 PlanOptions options_of(const PlanCommand& command) {
   PlanOptions options;
-  options.primitives.seed = command.common.seed;
+  options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
-  options.trial.reach.kinematics.seed = command.common.seed;
   options.rank.top = command.top;
   if (command.path) {
     options.paths.emplace();
     options.paths->reach = options.trial.reach;
-    options.paths->transfer.seed = command.common.seed;
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();
   }
   if (!command.common.no_report) options.sections = kMostDetailed;
@@ -71,7 +69,7 @@ class PlanProgram {
     const CompiledScene scene = compile(std::move(loaded));
     watch_.lap(Stage::compile);
     const RunRecord record{scene_reference(file), command_.unit, command_.hand,
-                           command_.common.seed, options_of(command_)};
+                           options_of(command_)};
     const PlanResult result = plan_grasps(scene, record.options);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     if (result.status != PlanStatus::complete) throw InputError(no_candidates_words(scene, result));

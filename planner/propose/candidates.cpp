@@ -7,9 +7,6 @@
 namespace prehend {
 namespace {
 
-// Free space between hand and object where the approach starts [m].
-constexpr double kStartClearance = 0.01;
-
 // How far the hand at a preshape reaches beyond its origin along the approach [m].
 double reach_of(const Robot& robot, const Preshape& preshape) {
   std::vector<Pose> X_HL;
@@ -87,7 +84,7 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
           candidate.X_OH = hand_pose(hand, aimed, stand_off);
           candidate.approach_O = aimed.approach_O;
           candidate.approach_distance =
-              std::max(0.0, depth + reach[s] - stand_off + kStartClearance);
+              std::max(0.0, depth + reach[s] - stand_off + options.start_clearance);
           candidate.preshape = static_cast<int>(s);
           const bool known = std::any_of(proposals.grasps.begin(), proposals.grasps.end(),
                                          [&](const ProposedGrasp& other) {

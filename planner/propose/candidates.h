@@ -6,6 +6,7 @@
 
 #include "planner/propose/grasp_rules.h"
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/geometry/primitive.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
@@ -19,7 +20,19 @@ struct CandidateOptions {
   double duplicate_angle = 0.05;     // rad
   // At most this many, taken evenly over the list (>= 1).
   int max_candidates = 800;
+  // Added to the way from the pre-grasp to the object, so that the hand starts clear of it [m].
+  double start_clearance = 0.01;
 };
+
+template <SettingsOf<CandidateOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [rules, duplicate_distance, duplicate_angle, max_candidates, start_clearance] = options;
+  visit("", rules);
+  visit("duplicate_distance", duplicate_distance);
+  visit("duplicate_angle", duplicate_angle);
+  visit("max_candidates", max_candidates);
+  visit("start_clearance", start_clearance);
+}
 
 struct ProposedGrasp {
   Candidate candidate;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/settings.h"
 #include "sim/geometry/primitive.h"
 
 namespace prehend {
@@ -17,6 +18,15 @@ struct GraspRuleOptions {
   int sphere_directions = 20;
   int sphere_turns = 4;
 };
+
+template <SettingsOf<GraspRuleOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [cylinder_directions, places, sphere_directions, sphere_turns] = options;
+  visit("cylinder_directions", cylinder_directions);
+  visit("places", places);
+  visit("sphere_directions", sphere_directions);
+  visit("sphere_turns", sphere_turns);
+}
 
 struct AimedGrasp {
   Vector3 target_O = Vector3::Zero();     // where the hand's origin is aimed, object frame [m]

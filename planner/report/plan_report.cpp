@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& s
   if (scene.arm) facts.emplace_back("robot", scene.arm->robot().name);
   facts.emplace_back("contacts",
                      record.options.trial.soft_fingers ? "rubber as soft fingers" : "hard points");
-  facts.emplace_back("seed", std::to_string(record.seed));
+  facts.emplace_back("seed", std::to_string(record.options.seed));
   for (const StageCount& stage : result.stages) {
     facts.emplace_back(plan_count_name(stage.what), std::to_string(stage.count));
   }
@@ -69,7 +69,7 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
   WrenchSpaceOptions space;
   space.edges = record.options.trial.cone_edges;
   GraspDetail detail =
-      grasp_detail(contacts, links, scene.wrench_frame, space, record.seed, context);
+      grasp_detail(contacts, links, scene.wrench_frame, space, record.options.seed, context);
   if (scored.sections) detail.sections = *scored.sections;
   return detail;
 }

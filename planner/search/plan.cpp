@@ -11,6 +11,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/run_seed.h"
 #include "sim/parallel/parallel.h"
 #include "sim/quality/wrench_hull.h"
 
@@ -138,7 +139,7 @@ class PathSearch {
   bool search(std::size_t i) {
     ScoredGrasp& grasp = all_[i];
     GraspPathOptions path = *options_.paths;
-    path.transfer.seed += i;
+    path.transfer.seed = derived_seed(options_.seed, i);
     try {
       grasp.path = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
     } catch (const Cancelled&) {
@@ -172,6 +173,17 @@ class PathSearch {
   std::mutex progress_lock_;
   Progress progress_;
 };
+
+// The one seed of a plan, spread to all that is random in it.
+PlanOptions with_seeds(PlanOptions options) {
+  options.primitives.seed = derived_seed(options.seed);
+  options.trial.reach.kinematics.seed = derived_seed(options.seed);
+  if (options.paths) {
+    options.paths->reach.kinematics.seed = derived_seed(options.seed);
+    options.paths->transfer.seed = derived_seed(options.seed);
+  }
+  return options;
+}
 
 // The stages of plan(), each of which adds to the result.
 class PlanRun {
@@ -273,7 +285,8 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
   if (options.paths && !scene.arm) {
     throw InputError(scene.scene.name + ": robot: no arm to plan paths for, the hand flies free");
   }
-  return PlanRun(scene, options, context).run();
+  const PlanOptions seeded = with_seeds(options);
+  return PlanRun(scene, seeded, context).run();
 }
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
@@ -281,7 +294,9 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;
-  Finished finished = try_all(scene, candidates, options.trial, context, result);
+  TrialOptions trial = options.trial;
+  trial.reach.kinematics.seed = derived_seed(options.seed);
+  Finished finished = try_all(scene, candidates, trial, context, result);
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
     result.grasps.push_back({std::move(finished.trials[i]),
                              candidates[finished.candidates[i]],

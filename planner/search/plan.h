@@ -15,6 +15,7 @@
 #include "planner/search/stopwatch.h"
 #include "primitives/decompose.h"
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
@@ -22,6 +23,9 @@
 namespace prehend {
 
 struct PlanOptions {
+  // Everything random in the plan derives from it (run_seed.h): seeds in the options below are set
+  // from it, whatever they are.
+  std::uint64_t seed = 1;
   DecomposeOptions primitives;
   CandidateOptions candidates;
   TrialOptions trial;
@@ -32,7 +36,19 @@ struct PlanOptions {
   std::size_t sections = 0;
 };
 
+// All that grasps depend on but the paths, which are optional: GraspPathOptions has settings too.
+template <SettingsOf<PlanOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [seed, primitives, candidates, trial, rank, paths, sections] = options;
+  visit("seed", seed);
+  visit("", primitives);
+  visit("", candidates);
+  visit("", trial);
+  visit("", rank);
+}
+
 struct EvaluateOptions {
+  std::uint64_t seed = 1;  // as in PlanOptions
   TrialOptions trial;
   std::size_t sections = 0;  // as in PlanOptions
 };

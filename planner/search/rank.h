@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/base/settings.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
@@ -15,6 +16,15 @@ struct RankOptions {
   // So are grasps that touch at the same points: a two-finger hand turned by half a turn.
   double same_contact = 1e-3;  // m
 };
+
+template <SettingsOf<RankOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [top, same_distance, same_angle, same_contact] = options;
+  visit("top", top);
+  visit("same_distance", same_distance);
+  visit("same_angle", same_angle);
+  visit("same_contact", same_contact);
+}
 
 // Indices of the stable trials, largest epsilon first (equal epsilon: smaller index first), without
 // those that are near-identical to a better one, at most `top`.

@@ -37,6 +37,20 @@ TEST(Plan, SameBytesOnOneAndTwoThreads) {
   EXPECT_EQ(grasps_json(scene, one, {}), grasps_json(scene, two, {}));
 }
 
+// The seed of the plan decides, whatever the seeds of its stages were.
+TEST(Plan, OneSeedGoesToAllThatIsRandom) {
+  const CompiledScene scene = default_scene();
+  PlanOptions options = few_candidates();
+  options.seed = 7;
+  const std::string seven = grasps_json(scene, plan(scene, options), {});
+  options.primitives.seed = 3;
+  options.trial.reach.kinematics.seed = 3;
+  EXPECT_EQ(grasps_json(scene, plan(scene, options), {}), seven);
+  options.seed = 1;
+  options.primitives.seed = 7;
+  EXPECT_NE(grasps_json(scene, plan(scene, options), {}), seven);
+}
+
 TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
   const PlanResult result = plan(default_scene(), few_candidates(), on_threads(2));
   int total = 0;
