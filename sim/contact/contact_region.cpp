@@ -16,6 +16,7 @@ struct Corner {
   std::size_t contact = 0;
 };
 
+// Twice the signed area of the triangle abc: positive where it turns counter-clockwise.
 double turn(const Point2& a, const Point2& b, const Point2& c) {
   const Point2 ab = b - a;
   const Point2 ac = c - a;
@@ -65,6 +66,8 @@ void drop_flat_corners(std::vector<Corner>& polygon, double width) {
   }
 }
 
+// Leaves out the corner whose triangle with its neighbours is smallest, again and again until
+// `keep` are left: the polygon shrinks by the least area, and never grows.
 void drop_least_corners(std::vector<Corner>& polygon, std::size_t keep) {
   while (polygon.size() > keep) {
     const std::size_t n = polygon.size();
@@ -94,6 +97,9 @@ std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
   return {first, farthest_from(points[first].p)};
 }
 
+// Adds the corners of one group of contacts with the same normal: of a point contact the nearest,
+// of a line contact its ends, of an area the corners of its hull in the plane orthogonal to the
+// normal.
 void reduce_group(const std::vector<SurfaceContact>& contacts,
                   const std::vector<std::size_t>& group, const ContactOptions& options,
                   std::vector<SurfaceContact>& reduced) {
@@ -142,6 +148,7 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
 
 std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,
                                             const ContactOptions& options) {
+  // Contacts come nearest first, so each group is named after its nearest contact's normal.
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto same_normal = [&](const std::vector<std::size_t>& group) {

@@ -1,4 +1,4 @@
-// From contact points to the few that bound each region of contact.
+// Reduces contact points to the corners of the regions in which two surfaces touch.
 #pragma once
 
 #include <vector>

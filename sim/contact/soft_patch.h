@@ -1,4 +1,4 @@
-// Where a soft link bears on an object once it has given way a little.
+// The area over which a soft link presses on an object, as one contact with torsional friction.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Where one triangle lies over another.
+// The part of one triangle that lies above another, seen along its normal.
 #pragma once
 
 #include <array>

@@ -76,6 +76,8 @@ class MotionCheck {
     for (const std::size_t p : open) {
       context_.cancellation.check();
       const ArmPair& pair = pairs_[p];
+      // Farthest that a point of the one body moves relative to the other, from the middle to
+      // either end: no farther than the joints' motions times their reaches.
       double back = 0.0;
       double ahead = 0.0;
       for (std::size_t k = 0; k < pair.joints.size(); ++k) {
@@ -89,6 +91,7 @@ class MotionCheck {
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);
     }
+    // Only pairs that one gap in the middle did not settle are looked at in the halves.
     if (left.empty()) return std::nullopt;
     const std::optional<std::size_t> first = stretch(from, middle, left);
     return first ? first : stretch(middle, to, left);

@@ -1,4 +1,4 @@
-// What a question is about: an object to grasp, a hand, the things around them, friction.
+// A scene: the object to grasp, the hand, what carries it, obstacles, and friction.
 #pragma once
 
 #include <optional>
@@ -13,12 +13,13 @@
 
 namespace prehend {
 
-// What a file says of a body's surface, so that it can be said again: an object with "mesh" (an
-// absolute path) and "unit", or "generate" and "triangles", or "geometry"; as JSON. Empty: made by
-// a program, or from a file whose path is not UTF-8, which JSON cannot name.
+// Where a body's mesh came from, as a scene file states it, so that the scene can be written again:
+// a JSON object with "mesh" (an absolute path) and "unit", or "generate" and "triangles", or
+// "geometry". Empty for a mesh made by a program, or from a file whose path is not UTF-8, which
+// JSON cannot name.
 using ShapeSource = std::string;
 
-// A body that does not move: it can be touched and stands in the way.
+// An obstacle: a body that does not move.
 struct StaticBody {
   std::string name;
   TriangleMesh mesh;  // body frame
@@ -40,11 +41,11 @@ struct GraspableBody {
   ShapeSource source = {};
 };
 
-// What carries the hand to the object.
+// The platform that carries the hand to the object: an arm, perhaps on a mobile base.
 struct Carrier {
   Platform platform;   // limits as the scene narrows them
   std::string source;  // a name of the library, or an absolute path
-  int hand = 0;        // which of its robots grasps; the scene's hand is a copy of that one
+  int hand = 0;        // index of the robot that is the hand; Scene::hand is a copy of it
   Pose X_WB = Pose::Identity();
   std::vector<double> start;  // of each degree of freedom of the assembled platform [rad or m]
 };

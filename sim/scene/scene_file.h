@@ -1,4 +1,4 @@
-// Reads scene files (docs/scene-file.md), and makes a scene of a bare mesh file.
+// Reads scene files (docs/scene-file.md) and mesh files, which stand for a scene of one object.
 #pragma once
 
 #include <filesystem>

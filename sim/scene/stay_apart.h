@@ -1,14 +1,15 @@
-// Which bodies of a robot can never meet.
+// Pairs of bodies of an arm that cannot collide in any posture, so that they need no check.
 #pragma once
 
 #include "sim/scene/compiled_arm.h"
 
 namespace prehend {
 
-// True when it is proven that the bodies of the pair keep a gap in every posture inside the limits:
-// no point moves farther than its reach times the turn, so one gap speaks for a box of postures
-// around it, and boxes are halved until all are spoken for. False when they meet somewhere, or the
-// proof gets long: the pair is then tested as it moves.
+// True when it is proven that the bodies of the pair keep a gap in every posture inside the joint
+// limits. The proof: no point moves farther than its reach times the joint's motion, so a gap in
+// one posture that is larger than that covers a whole box of postures around it; the box of all
+// postures is halved until every part is covered. False when the bodies collide in some posture, or
+// the proof takes too many gap queries: the pair is then checked during motions.
 bool stay_apart(const CompiledArm& arm, const ArmPair& pair);
 
 }  // namespace prehend

@@ -193,6 +193,9 @@ class Closing {
     return scene_.pose_in(std::get<BodyId>(pairing.other), start_.X_OH * X_HL);
   }
 
+  // Asks for the gap where the last proof of freedom ends, and either stops the joints there or
+  // extends the proof by as long as the gap takes to close at the present speed. Joints only ever
+  // stop, so no bound on the speed grows later.
   void advance(Pairing& pairing) {
     const double t = pairing.safe_until;
     const double speed_now = speed(pairing, t);

@@ -1,4 +1,4 @@
-// Auto-grasp: every degree of freedom closes until what it moves touches something.
+// Auto-grasp: every degree of freedom closes until a link that it moves touches something.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,10 @@
 namespace prehend {
 
 struct ClosedHand {
-  std::vector<double> dofs;  // per degree of freedom, where it ended
-  std::vector<double>
-      joints;  // per joint, where it ended; not ratio * dof where joints have parted
+  std::vector<double> dofs;  // final values, per degree of freedom
+  // Final values per joint. Where a finger was stopped at one joint and went on at another
+  // (breakaway), they are not ratio * dof + offset.
+  std::vector<double> joints;
   std::vector<bool> stopped_by_contact;  // per joint
   int gap_queries = 0;
 };
@@ -20,7 +21,8 @@ struct ClosedHand {
 struct ClosingStart {
   Pose X_OH = Pose::Identity();
   std::vector<double> dofs;
-  // Per joint; where joints have parted from their degree of freedom. Empty: ratio * dof + offset.
+  // Per joint, where joints do not follow their degree of freedom (see ClosedHand). Empty: each is
+  // ratio * dof + offset.
   std::vector<double> joints;
   std::vector<double> object_clearance;  // per link, a lower bound of its gap to the object [m]
   std::vector<double> self_clearance;    // per self pair of the scene; empty: not known [m]

@@ -6,16 +6,20 @@
 #include "sim/base/index.h"
 
 namespace prehend {
+
 Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
   ++queries_;
   if (near_bound_ > 0.0) {
+    // Pairs that are not listed were at least near_bound_ apart, and came nearer by at most
+    // `moved`.
     near_bound_ -= moved;
     Gap gap = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);
     if (gap.lower <= near_bound_) {
       last_pair_ = gap.pair;
       return gap;
     }
-    // Listed pairs are farther than what the others are sure of: still a bound worth stepping by.
+    // The listed pairs are farther apart than the bound for all others. That bound still holds for
+    // every pair, and is worth a step while it is not too small.
     if (near_bound_ > options_->least_reach) return {near_bound_, gap.upper, gap.pair};
     near_bound_ = 0.0;
   }
@@ -34,6 +38,8 @@ double GapTracker::part_separation(const Pose& X_AB) {
 }
 
 Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
+  // Convex parts that hold the surfaces are quick to separate. Once they overlap their distance
+  // says nothing any more, and bodies that close on each other stay that near.
   if (!parts_meet_) {
     const double apart = part_separation(X_AB);
     if (apart > std::min(options_->near, motion_left)) {
@@ -46,6 +52,8 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
                {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
   if (gap.upper > options_->near || gap.upper == 0.0) return gap;
+  // Near contact, list the pairs that can still matter, so that the next queries need not walk the
+  // trees, and take the exact gap from them.
   const double bound = std::max(options_->reach * gap.upper, gap.upper + options_->least_reach);
   find_pairs_within(*a_, *b_, X_AB, bound, near_pairs_);
   const Gap exact = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);

@@ -1,4 +1,5 @@
-// Hands whose two fingers share one drive and slide toward each other.
+// Hands with two fingers that one drive slides towards each other, so that they centre what they
+// hold.
 #pragma once
 
 #include <vector>
@@ -13,15 +14,16 @@ struct FingerPair {
   int dof = 0;
   int first = 0;
   int second = 0;
-  Vector3 opening_H =
-      Vector3::UnitX();  // unit: the first finger moves this way for a growing value
+  // Unit: the direction in which the first finger moves when its joint value grows, hand frame.
+  Vector3 opening_H = Vector3::UnitX();
 };
 FingerPair finger_pair(const Robot& hand, int dof);
 
-// For each self-centering degree of freedom of which a joint was stopped by contact: the hand
-// moves sideways by half the difference of the two joints (or, as well, the object by as much the
-// other way), the fingers stay where they touch, and both joints get their mean. `X_OH` and
-// `closed` are changed. Returns whether the hand moved.
+// The drive makes both joints equal, but close_hand has stopped each finger where it touched. So
+// for each self-centering degree of freedom with a joint stopped by contact, the hand moves
+// sideways by half the difference of the two joints (which is the same as the object moving the
+// other way): the fingers stay where they touch, and both joints get their mean. Changes `X_OH` and
+// `closed`. Returns whether the hand moved.
 bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed);
 
 }  // namespace prehend
