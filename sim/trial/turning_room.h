@@ -24,7 +24,8 @@ struct HandTurn {
 // `contact.threshold` left over; an object that stands on something, leans on it or is within the
 // threshold of it can therefore not turn at all.
 //
-// Fingers of the hand at rest need no test: they stay where they have been while they closed.
+// Fingers of the hand at rest need no test of their own: how far they open is part of the test of
+// the first turn, when the turned hand is still at rest, and after it they are closer together.
 class TurningRoom {
  public:
   // `start`: as the hand has closed, before any turn. The scene must outlive the room.
