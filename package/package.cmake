@@ -7,18 +7,18 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-# All rooms in one library. The program is linked to the rooms themselves, so that it runs alone.
+# All rooms in one library: their objects, not what a linker would take from their archives. The
+# program is linked to the rooms themselves, so that it runs alone.
 get_property(rooms GLOBAL PROPERTY prehend_rooms)
-list(JOIN rooms "," rooms)
-add_library(prehend_shared SHARED planner/prehend.cpp)
+list(TRANSFORM rooms REPLACE "(.+)" "$<TARGET_OBJECTS:\\1>" OUTPUT_VARIABLE objects)
+add_library(prehend_shared SHARED planner/prehend.cpp ${objects})
 set_target_properties(prehend_shared PROPERTIES OUTPUT_NAME prehend EXPORT_NAME prehend
-  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-  LINK_LIBRARY_OVERRIDE "WHOLE_ARCHIVE,${rooms}")
+  VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 target_compile_definitions(prehend_shared PRIVATE PREHEND_VERSION="${PROJECT_VERSION}")
 target_compile_features(prehend_shared PUBLIC cxx_std_20)
 target_include_directories(prehend_shared INTERFACE $<INSTALL_INTERFACE:include>)
-target_link_libraries(prehend_shared PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,${rooms}>"
-  PUBLIC Eigen3::Eigen)
+# The rooms again, for the libraries that they stand on.
+target_link_libraries(prehend_shared PRIVATE ${rooms} PUBLIC Eigen3::Eigen)
 # The library calls its own functions directly, as its files were compiled to expect.
 target_link_options(prehend_shared PRIVATE LINKER:-Bsymbolic-functions LINKER:--no-undefined)
 

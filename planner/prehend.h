@@ -25,6 +25,7 @@
 // The answer
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
 //   grasp_words.h         where a grasp came from, in words
+//   run_context.h         threads, progress and cancellation of all that takes long
 // One step alone
 //   decompose.h           an object into boxes, spheres and cylinders
 //   candidates.h          where a hand may come from
@@ -80,6 +81,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/base/pose.h"
+#include "sim/base/run_context.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/make_mesh.h"
 #include "sim/geometry/mass_properties.h"

@@ -31,6 +31,26 @@ void plan_library_scene(const std::filesystem::path& folder) {
   check(result.grasps.size() == 10, "ten grasps are returned");
 }
 
+// Told to stop while it tries candidates, a plan returns those that were tried.
+void cancel_from_progress() {
+  const prehend::CompiledScene ready = prehend::compile(
+      prehend::make_scene(prehend::make_graspable("box", prehend::make_box({0.04, 0.05, 0.06}),
+                                                  prehend::Material::wood),
+                          "parallel_jaw"));
+  prehend::RunContext context;
+  context.threads = 1;
+  int seen = 0;
+  context.progress = [&](const prehend::Progress& progress) {
+    if (progress.stage != prehend::Stage::trials) return;
+    seen = progress.done;
+    if (progress.done == 3) context.cancellation.request();
+  };
+  const prehend::PlanResult result = prehend::plan(ready, {}, context);
+  check(result.status == prehend::PlanStatus::cancelled, "the plan says that it was cancelled");
+  check(result.tried.size() == 3 && seen == 3, "what was tried until then is there");
+  check(result.untested > 0, "and the rest is counted");
+}
+
 prehend::TriangleMesh slab(const Vector3& size, const Vector3& center) {
   return prehend::transformed(prehend::make_box(size), prehend::translation(center));
 }
@@ -62,7 +82,7 @@ void plan_with_arm(const std::filesystem::path& folder) {
 
   const auto again = prehend::plan_grasp_path(ready, best.candidate, best.trial, *options.paths);
   check(again.has_value(), "a path alone is found");
-  const prehend::Trial trial = prehend::run_trial(ready, best.candidate, options.trials.trial);
+  const prehend::Trial trial = prehend::run_trial(ready, best.candidate, options.trial);
   check(trial.epsilon.lower == best.trial.epsilon.lower, "a trial alone says the same");
   const prehend::PlanResult evaluated = prehend::evaluate(ready, {best.candidate});
   check(evaluated.grasps.front().trial.epsilon.lower == best.trial.epsilon.lower,
@@ -153,6 +173,7 @@ int main(int argc, char** argv) {
     solve_kinematics_alone();
     judge_contacts_alone();
     refuse_mistakes();
+    cancel_from_progress();
     plan_with_arm(argv[1]);
     plan_library_scene(argv[1]);
   } catch (const std::exception& error) {
