@@ -46,7 +46,7 @@
 //   contacts_report.h     what a report says of contacts without a hand
 //   report_html.h         a report as one file for a browser
 //   posed_grasp.h         a grasp as something to look at
-//   telling_side.h        the side from which a grasp explains itself
+//   telling_side.h        the viewing direction that shows most of a grasp
 //   grasp_picture.h       its picture
 //   contact_sheet.h       pictures of many grasps in one
 //   image.h               a picture as PNG

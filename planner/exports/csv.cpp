@@ -1,8 +1,7 @@
 #include "planner/exports/csv.h"
 
-#include "planner/exports/check_sizes.h"
 #include "planner/exports/number_text.h"
-#include "planner/exports/rotation.h"
+#include "sim/base/quaternion.h"
 
 namespace prehend {
 namespace {
@@ -38,7 +37,7 @@ class Row {
   void vector(const Vector3& v) { numbers({v.x(), v.y(), v.z()}); }
 
   void pose(const Pose& pose) {
-    const Eigen::Quaterniond q = unit_quaternion(pose);
+    const Eigen::Quaterniond q = quaternion_of(pose).normalized();
     vector(pose.translation());
     numbers({q.w(), q.x(), q.y(), q.z()});
   }

@@ -7,7 +7,7 @@
 #include "planner/exports/moveit.h"
 #include "planner/picture/glb_bytes.h"
 #include "planner/search/grasp_words.h"
-#include "planner/show/posed_grasp.h"
+#include "planner/show/grasp_bodies.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {
@@ -47,8 +47,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
 ExportFile gltf_file(const CompiledScene& scene, const ScoredGrasp& grasp,
                      const ExportGrasp& exported) {
   const PosedGrasp posed = posed_grasp(scene, grasp);
-  std::vector<DrawnBody> bodies = grasp_bodies(scene, posed);
-  for (DrawnBody& body : surrounding_bodies(scene, posed)) bodies.push_back(std::move(body));
+  const std::vector<DrawnBody> bodies = grasp_bodies(scene, posed).all();
   const std::string rank = std::to_string(exported.rank);
   return {"grasp_" + rank + ".glb", glb_bytes(bodies, "grasp " + rank,
                                               {{"rank", exported.rank},

@@ -1,4 +1,4 @@
-// A grasp as other programs want to read it.
+// A grasp with all that the file formats of other programs ask for.
 #pragma once
 
 #include <optional>
@@ -34,5 +34,12 @@ struct ExportGrasp {
   double approach_distance = 0.0;         // m
   std::optional<Trajectory> path;
 };
+
+// Throws InputError that names the grasp's rank when it has another number of dofs or joints than
+// the header.
+void check_sizes(const ExportHeader& header, const ExportGrasp& grasp);
+
+// Throws InputError when a sample is not of the path's joints.
+void check_sizes(const Trajectory& path);
 
 }  // namespace prehend

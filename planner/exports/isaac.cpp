@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/exports/check_sizes.h"
-#include "planner/exports/rotation.h"
 #include "planner/exports/yaml_text.h"
+#include "sim/base/quaternion.h"
 
 namespace prehend {
 namespace {
@@ -22,7 +21,7 @@ void put_joints(YAML::Emitter& yaml, const std::vector<std::string>& names,
 }
 
 void put_grasp(YAML::Emitter& yaml, const ExportHeader& header, const ExportGrasp& grasp) {
-  const Eigen::Quaterniond q = unit_quaternion(grasp.X_OH);
+  const Eigen::Quaterniond q = quaternion_of(grasp.X_OH).normalized();
   const Vector3 p = grasp.X_OH.translation();
   yaml << YAML::BeginMap;
   yaml << YAML::Key << "confidence" << YAML::Value;

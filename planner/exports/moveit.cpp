@@ -1,6 +1,5 @@
 #include "planner/exports/moveit.h"
 
-#include "planner/exports/check_sizes.h"
 #include "planner/exports/moveit_message.h"
 
 namespace prehend {

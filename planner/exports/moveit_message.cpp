@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "planner/exports/rotation.h"
 #include "sim/base/input_error.h"
+#include "sim/base/quaternion.h"
 
 namespace prehend {
 
@@ -52,7 +52,7 @@ void MoveitMessage::point(double time, const std::vector<double>& positions,
 }
 
 void MoveitMessage::pose(const Pose& pose) {
-  const Eigen::Quaterniond q = unit_quaternion(pose);
+  const Eigen::Quaterniond q = quaternion_of(pose).normalized();
   yaml_ << YAML::BeginMap << YAML::Key << "position" << YAML::Value;
   put_vector(yaml_, pose.translation());
   yaml_ << YAML::Key << "orientation" << YAML::Value << YAML::Flow << YAML::BeginMap;

@@ -21,7 +21,7 @@ void put_texts(YAML::Emitter& yaml, const std::vector<std::string>& texts);
 // {x: , y: , z: } on one line.
 void put_vector(YAML::Emitter& yaml, const Vector3& v);
 
-// The finished text, with a line end. Our own mistake in the order of pieces is asserted.
+// The finished text, with a line end. Pieces in a wrong order are a bug, which is asserted.
 std::string yaml_text(const YAML::Emitter& yaml);
 
 }  // namespace prehend

@@ -7,7 +7,6 @@
 #include "planner/show/contact_sheet.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
-#include "planner/show/posed_grasp.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/parallel/parallel.h"

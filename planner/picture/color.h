@@ -1,4 +1,4 @@
-// Colors as they are written down, and as light for computing with.
+// Colors in sRGB, and as linear light for computing with.
 #pragma once
 
 #include <array>

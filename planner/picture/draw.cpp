@@ -29,13 +29,13 @@ void check(const DrawOptions& options) {
 void check(const DrawnBody& body, std::size_t number) {
   const std::string name = "draw: body " + std::to_string(number) + ": ";
   if (!body.X_WB.matrix().allFinite()) throw InputError(name + "X_WB: must be finite");
-  for (std::size_t v = 0; v < body.mesh.vertices.size(); ++v) {
-    if (!body.mesh.vertices[v].allFinite()) {
+  for (std::size_t v = 0; v < body.mesh->vertices.size(); ++v) {
+    if (!body.mesh->vertices[v].allFinite()) {
       throw InputError(name + "vertex " + std::to_string(v) + ": must be finite");
     }
   }
-  const int vertices = static_cast<int>(body.mesh.vertices.size());
-  for (const Triangle& triangle : body.mesh.triangles) {
+  const int vertices = static_cast<int>(body.mesh->vertices.size());
+  for (const Triangle& triangle : body.mesh->triangles) {
     for (const int v : triangle) {
       if (v < 0 || v >= vertices) {
         throw InputError(name + "triangles: no such vertex (" + std::to_string(v) + ")");
@@ -80,17 +80,17 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
   const float opacity = usable_opacity(body.color);
   if (opacity == 0.0F) return;
   const bool solid = opacity >= 1.0F;
-  const SurfaceDetail detail = surface_detail(body.mesh, options.crease_angle);
+  const SurfaceDetail detail = surface_detail(*body.mesh, options.crease_angle);
   const Pose X_CB = projection.X_CW() * body.X_WB;
-  std::vector<CameraVertex> vertices(body.mesh.vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].p_C = X_CB * body.mesh.vertices[v];
+  std::vector<CameraVertex> vertices(body.mesh->vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].p_C = X_CB * body.mesh->vertices[v];
 
   const SurfaceLook look{light_of(body.color), opacity, solid ? opacity : kBackOpacity * opacity};
-  for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+  for (std::size_t t = 0; t < body.mesh->triangles.size(); ++t) {
     if (detail.face_normals[t].isZero(0.0)) continue;
     std::array<CameraVertex, 3> triangle;
     for (std::size_t k = 0; k < 3; ++k) {
-      triangle[k].p_C = vertices[static_cast<std::size_t>(body.mesh.triangles[t][k])].p_C;
+      triangle[k].p_C = vertices[static_cast<std::size_t>(body.mesh->triangles[t][k])].p_C;
       triangle[k].normal_C = X_CB.linear() * detail.corner_normals[t][k];
     }
     append_triangle(triangle, look, projection, out);
@@ -98,7 +98,7 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
   if (options.line_width == 0.0) return;
   LineLook line{look.albedo, solid ? 1.0F : std::sqrt(opacity), options.line_width};
   for (float& part : line.color) part *= kLineBrightness;
-  append_lines(detail, vertices, body.mesh, X_CB.linear(), options.crease_angle, line, projection,
+  append_lines(detail, vertices, *body.mesh, X_CB.linear(), options.crease_angle, line, projection,
                out);
 }
 
@@ -176,7 +176,7 @@ Camera camera_around(const std::vector<DrawnBody>& bodies, const Vector3& direct
   std::vector<Vector3> points;
   for (const DrawnBody& body : bodies) {
     if (usable_opacity(body.color) == 0.0F) continue;
-    for (const Vector3& p_B : body.mesh.vertices) points.push_back(body.X_WB * p_B);
+    for (const Vector3& p_B : body.mesh->vertices) points.push_back(body.X_WB * p_B);
   }
   return camera_around(points, direction, options.width, options.height);
 }

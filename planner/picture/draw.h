@@ -1,26 +1,14 @@
 // A small software renderer: triangles with opacity, a perspective camera, no display.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "planner/picture/camera.h"
-#include "planner/picture/color.h"
+#include "planner/picture/drawn_body.h"
 #include "planner/picture/image.h"
 #include "planner/picture/lighting.h"
-#include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
-
-// Both sides of a surface are drawn, so that a mesh need not be closed. The back of a translucent
-// surface is half as opaque as its front, and a translucent surface is denser where it is seen at
-// an angle, as a thin shell is: its opacity is that of its color where it faces the viewer.
-struct DrawnBody {
-  TriangleMesh mesh = {};
-  Pose X_WB = Pose::Identity();
-  Color color = {};
-  std::string name = {};  // for files that name bodies; not drawn
-};
 
 struct DrawOptions {
   int width = 900;   // pixels, 1 to 16384

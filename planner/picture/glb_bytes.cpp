@@ -13,6 +13,7 @@
 
 #include "planner/picture/vertex_arrays.h"
 #include "sim/base/input_error.h"
+#include "sim/base/quaternion.h"
 
 namespace prehend {
 namespace {
@@ -37,12 +38,8 @@ void append_raw(std::string& bytes, const std::vector<Element>& elements) {
   bytes.append(reinterpret_cast<const char*>(elements.data()), elements.size() * sizeof(Element));
 }
 
-// The rotation is a unit quaternion with w >= 0, in glTF's order x, y, z, w.
-Json rotation_json(const Eigen::Quaterniond& rotation) {
-  Eigen::Quaterniond q = rotation.normalized();
-  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  return {q.x(), q.y(), q.z(), q.w()};
-}
+// A unit quaternion in glTF's order.
+Json rotation_json(const Eigen::Quaterniond& q) { return {q.x(), q.y(), q.z(), q.w()}; }
 
 Json corner_json(const std::array<float, 3>& corner) {
   return {static_cast<double>(corner[0]), static_cast<double>(corner[1]),
@@ -76,7 +73,6 @@ class GlbDocument {
  public:
   explicit GlbDocument(double crease_angle) : crease_angle_(crease_angle) {}
 
-  // Keeps the address of its mesh.
   void add(const DrawnBody& body) {
     if (!body.X_WB.matrix().allFinite()) throw InputError("X_WB: must be finite");
     const int geometry = geometry_of(body.mesh);
@@ -84,20 +80,19 @@ class GlbDocument {
     const Vector3& p = body.X_WB.translation();
     nodes_.push_back({{"name", body.name},
                       {"translation", {p.x(), p.y(), p.z()}},
-                      {"rotation", rotation_json(Eigen::Quaterniond(body.X_WB.linear()))},
+                      {"rotation", rotation_json(quaternion_of(body.X_WB).normalized())},
                       {"mesh", mesh_of(geometry, material_of(body.color))}});
   }
 
   std::string bytes(const std::string& name, const Json& extras);
 
  private:
-  // POSITION, NORMAL and indices in the accessors; no indices: nothing to show.
   struct Geometry {
-    const TriangleMesh* mesh;
-    Json primitive;
+    SharedMesh mesh;
+    Json primitive;  // POSITION, NORMAL and indices by accessor; null: nothing to show
   };
 
-  int geometry_of(const TriangleMesh& mesh);
+  int geometry_of(const SharedMesh& mesh);
   int mesh_of(int geometry, int material);
   int material_of(const Color& color);
   // Appends to the buffer; `accessor` lacks the view.
@@ -166,13 +161,14 @@ Json GlbDocument::primitive_of(const VertexArrays& arrays) {
 }
 
 // -1 when there is nothing to show: the format knows no empty meshes.
-int GlbDocument::geometry_of(const TriangleMesh& mesh) {
+int GlbDocument::geometry_of(const SharedMesh& mesh) {
   auto known = std::find_if(geometries_.begin(), geometries_.end(), [&](const Geometry& other) {
-    return other.mesh->triangles == mesh.triangles && other.mesh->vertices == mesh.vertices;
+    return &*other.mesh == &*mesh ||
+           (other.mesh->triangles == mesh->triangles && other.mesh->vertices == mesh->vertices);
   });
   if (known == geometries_.end()) {
-    const VertexArrays arrays = vertex_arrays(mesh, crease_angle_);
-    geometries_.push_back({&mesh, arrays.triangles.empty() ? Json() : primitive_of(arrays)});
+    const VertexArrays arrays = vertex_arrays(*mesh, crease_angle_);
+    geometries_.push_back({mesh, arrays.triangles.empty() ? Json() : primitive_of(arrays)});
     known = geometries_.end() - 1;
   }
   return known->primitive.is_null() ? -1 : static_cast<int>(known - geometries_.begin());
@@ -211,8 +207,8 @@ std::string GlbDocument::bytes(const std::string& name, const Json& extras) {
   document["asset"] = {{"version", "2.0"}, {"generator", "prehend"}};
   document["scene"] = 0;
   document["scenes"] = Json::array({{{"nodes", Json::array({nodes_.size()})}}});
-  const Eigen::AngleAxisd y_up(-0.5 * std::numbers::pi, Vector3::UnitX());
-  Json root = {{"name", name}, {"rotation", rotation_json(Eigen::Quaterniond(y_up))}};
+  const Eigen::Quaterniond y_up(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitX()));
+  Json root = {{"name", name}, {"rotation", rotation_json(y_up.normalized())}};
   for (std::size_t n = 0; n < nodes_.size(); ++n) root["children"].push_back(n);
   if (!extras.empty()) root["extras"] = extras;
   document["nodes"] = nodes_;

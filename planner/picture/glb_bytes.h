@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "planner/picture/draw.h"
+#include "planner/picture/drawn_body.h"
 
 namespace prehend {
 

@@ -1,12 +1,13 @@
-// Meshes with more triangles than a picture shows.
+// Coarser meshes, where a picture would not show all triangles.
 #pragma once
 
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
 
-// The mesh with at most `most` (>= 1) triangles: vertices near each other joined, as far as needed;
-// where that would leave nothing, some of its triangles. To be looked at, not to be measured.
+// The mesh with at most `most` (>= 1) triangles. Vertices near each other are joined, in cells as
+// large as needed; where that would leave no triangle, evenly picked ones stay. Good enough to look
+// at; not for measuring.
 TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most);
 
 }  // namespace prehend

@@ -10,7 +10,7 @@
 namespace prehend {
 namespace {
 
-// For each vertex, the first in the list among those at the same place.
+// For each vertex, the first one in the list among those at the same place.
 std::vector<int> welded_vertices(const std::vector<Vector3>& vertices) {
   std::vector<int> order(vertices.size());
   std::iota(order.begin(), order.end(), 0);

@@ -80,10 +80,10 @@ void add_body(const DrawnBody& body, int number, const Projection& projection, P
   const auto opacity = static_cast<float>(body.color.opacity);
   const SurfaceLook look{{}, opacity, opacity >= 1.0F ? opacity : 0.5F * opacity};
   const Pose X_CB = projection.X_CW() * body.X_WB;
-  std::vector<CameraVertex> vertices(body.mesh.vertices.size());
-  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].p_C = X_CB * body.mesh.vertices[v];
+  std::vector<CameraVertex> vertices(body.mesh->vertices.size());
+  for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].p_C = X_CB * body.mesh->vertices[v];
   std::vector<ScreenTriangle> triangles;
-  for (const Triangle& t : body.mesh.triangles) {
+  for (const Triangle& t : body.mesh->triangles) {
     append_triangle(
         {vertices[static_cast<std::size_t>(t[0])], vertices[static_cast<std::size_t>(t[1])],
          vertices[static_cast<std::size_t>(t[2])]},
@@ -94,17 +94,23 @@ void add_body(const DrawnBody& body, int number, const Projection& projection, P
 
 }  // namespace
 
-std::vector<double> visible_pixels(const std::vector<DrawnBody>& bodies, const Camera& camera,
+std::vector<double> visible_pixels(const std::vector<DrawnBody>& seen,
+                                   const std::vector<DrawnBody>& around, const Camera& camera,
                                    int width, int height) {
   const Projection projection(camera, width, height);
   Pixels pixels(width, height);
   for (const bool solid : {true, false}) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if ((bodies[i].color.opacity >= 1.0) != solid) continue;
-      add_body(bodies[i], static_cast<int>(i), projection, pixels);
+    int number = 0;
+    for (const std::vector<DrawnBody>* bodies : {&seen, &around}) {
+      for (const DrawnBody& body : *bodies) {
+        if ((body.color.opacity >= 1.0) == solid) add_body(body, number, projection, pixels);
+        ++number;
+      }
     }
   }
-  return pixels.seen(bodies.size());
+  std::vector<double> counts = pixels.seen(seen.size() + around.size());
+  counts.resize(seen.size());
+  return counts;
 }
 
 }  // namespace prehend

@@ -14,7 +14,7 @@ struct JudgedContacts {
   Interval volume;
 };
 
-// `name`: of the contacts, for the title.
+// The report's title is `name`.
 Report contacts_report(const std::string& name, const ContactsFile& file,
                        const JudgedContacts& judged, std::uint64_t seed);
 

@@ -29,7 +29,7 @@ endif()
 string(SUBSTRING "${page}" 0 ${at} before)
 math(EXPR after_at "${at} + 8")
 string(SUBSTRING "${page}" ${after_at} -1 after)
-file(WRITE ${OUTPUT} "#include \"planner/report/page.h\"
+file(WRITE ${OUTPUT} "#include \"planner/report/report_html.h\"
 
 namespace prehend {
 

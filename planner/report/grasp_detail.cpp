@@ -8,10 +8,10 @@
 namespace prehend {
 namespace {
 
-// Hulls of smooth sets have as many corners as one asks for: enough to be looked at.
+// Corners of the polyhedron that approximates a smooth set: enough for a drawing.
 constexpr int kMostPoints = 200;
 
-// Samples of the contacts as they may really be. A report says two digits of what comes of them.
+// Samples of perturbed contacts for robust epsilon. A report shows two digits of the result.
 constexpr int kSamples = 100;
 
 PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame,

@@ -1,4 +1,4 @@
-// Meshes as a report carries them.
+// Meshes in the JSON of a report.
 #pragma once
 
 #include <cstdint>

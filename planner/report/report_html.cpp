@@ -1,6 +1,5 @@
 #include "planner/report/report_html.h"
 
-#include "planner/report/page.h"
 #include "planner/report/report_json.h"
 
 namespace prehend {

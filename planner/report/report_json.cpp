@@ -6,10 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/picture/palette.h"
 #include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 #include "planner/report/robot_json.h"
+#include "planner/show/palette.h"
 
 namespace prehend {
 namespace {
@@ -33,11 +33,31 @@ std::string hex(const Color& color) {
   return text;
 }
 
+Json look_json(const Color& color) { return {{"color", hex(color)}, {"opacity", color.opacity}}; }
+
+// All colours of the page that mean something.
 Json palette_json() {
-  return {{"object", hex(palette::kObject)},     {"hard", hex(palette::kHard)},
-          {"rubber", hex(palette::kRubber)},     {"arm", hex(palette::kArm)},
-          {"obstacle", hex(palette::kObstacle)}, {"primitive", hex(palette::kPrimitive)},
-          {"contact", hex(palette::kContact)},   {"weakest", hex(palette::kWeakest)}};
+  Json axes = Json::array();
+  for (const Color& axis : palette::kAxes) axes.push_back(hex(axis));
+  Json outcomes = Json::object();
+  for (const Outcome outcome : kOutcomes) {
+    outcomes[std::string(outcome_name(outcome))] = hex(palette::of(outcome));
+  }
+  return {{"object", look_json(palette::kObject)},
+          {"hard", look_json(palette::kHard)},
+          {"rubber", look_json(palette::kRubber)},
+          {"arm", look_json(palette::kArm)},
+          {"obstacle", look_json(palette::kObstacle)},
+          {"primitive", look_json(palette::kPrimitive)},
+          {"contact", look_json(palette::kContact)},
+          {"weakest", look_json(palette::kWeakest)},
+          {"pointed_at", look_json(palette::kPointedAt)},
+          {"center", look_json(palette::kCenterOfMass)},
+          {"wrench_space", look_json(palette::kWrenchSpace)},
+          {"epsilon_ball", look_json(palette::kEpsilonBall)},
+          {"contribution", look_json(palette::kContribution)},
+          {"axes", axes},
+          {"outcomes", outcomes}};
 }
 
 Json mesh_json(const TriangleMesh& mesh) {

@@ -6,6 +6,7 @@
 
 #include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
+#include "sim/base/quaternion.h"
 
 namespace prehend {
 namespace {
@@ -17,8 +18,8 @@ constexpr std::size_t kMostLinkTriangles = 8000;
 
 Pose rotation(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
 
-// What follows the motion about or along z: the rest of the joint's Denavit-Hartenberg transform,
-// as motions about and along one axis may change places.
+// The fixed transform that follows the motion about or along z: the rest of the joint's
+// Denavit-Hartenberg transform, as motions about and along one axis may change places.
 Pose after_motion(const Joint& joint) {
   return rotation(joint.theta, Vector3::UnitZ()) * translation(Vector3(joint.a, 0.0, joint.d)) *
          rotation(joint.alpha, Vector3::UnitX());
@@ -61,7 +62,7 @@ Json rounded(const Vector3& v, double scale) {
 }
 
 Json rounded(const Pose& pose) {
-  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
+  const Eigen::Quaterniond q = quaternion_of(pose).normalized();
   const Vector3& p = pose.translation();
   Json json = Json::array();
   for (const double x : {p.x(), p.y(), p.z()}) json.push_back(rounded(x, 1e7));

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "planner/picture/label.h"
-#include "planner/picture/palette.h"
+#include "planner/show/palette.h"
 #include "planner/show/telling_side.h"
 #include "sim/parallel/parallel.h"
 

@@ -50,7 +50,8 @@ std::vector<Stretch> stretches(const GraspMotion& motion) {
   return all;
 }
 
-// One to each first, as far as they go, and the others where the frames are farthest apart.
+// Distributes frames over the stretches: one to each first, as far as they go, and each further one
+// where the frames are farthest apart in time.
 void share(int frames, std::vector<Stretch>& all) {
   const auto shorter = [](const Stretch& a, const Stretch& b) {
     if ((a.inner == 0) != (b.inner == 0)) return b.inner == 0;

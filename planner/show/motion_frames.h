@@ -1,4 +1,4 @@
-// The few postures of a motion that tell it.
+// A few moments that summarise a motion.
 #pragma once
 
 #include <string>

@@ -1,56 +1,56 @@
 #include "planner/show/motion_picture.h"
 
 #include <cstddef>
-#include <utility>
+#include <numeric>
 
 #include "planner/picture/visible_pixels.h"
+#include "planner/show/grasp_bodies.h"
 #include "planner/show/telling_side.h"
 
 namespace prehend {
 namespace {
 
-// Of the pictures in which it is counted what is seen [pixels].
+// Size of the pictures in which visible pixels are counted; they are not shown.
 constexpr int kCountWidth = 240;
 constexpr int kCountHeight = 192;
 
 void append_points(const std::vector<DrawnBody>& bodies, std::vector<Vector3>& points) {
   for (const DrawnBody& body : bodies) {
-    for (const Vector3& p_B : body.mesh.vertices) points.push_back(body.X_WB * p_B);
+    for (const Vector3& p_B : body.mesh->vertices) points.push_back(body.X_WB * p_B);
   }
 }
 
-// The part of the hand that is not hidden.
-double hand_seen(const CompiledScene& scene, const PosedGrasp& grasp, const Camera& camera) {
-  const std::vector<DrawnBody> bodies = grasp_bodies(scene, grasp);
-  std::vector<DrawnBody> all(bodies.begin() + 1, bodies.end());
-  const auto pixels = [&] {
-    const std::vector<double> each = visible_pixels(all, camera, kCountWidth, kCountHeight);
-    double sum = 0.0;
-    for (std::size_t l = 0; l < scene.scene.hand.links.size(); ++l) sum += each[l];
-    return sum;
-  };
-  const double alone = pixels();
-  for (DrawnBody& body : surrounding_bodies(scene, grasp)) {
-    body.color.opacity = 1.0;
-    all.push_back(std::move(body));
-  }
-  return alone == 0.0 ? 0.0 : pixels() / alone;
+double sum(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+// The part of the hand that obstacles and the arm leave to be seen.
+double hand_seen(const GraspBodies& bodies, const Camera& camera) {
+  const double alone = sum(visible_pixels(bodies.hand, {}, camera, kCountWidth, kCountHeight));
+  if (alone == 0.0) return 0.0;
+  std::vector<DrawnBody> around = bodies.surroundings();
+  for (DrawnBody& body : around) body.color.opacity = 1.0;  // little is seen through an obstacle
+  return sum(visible_pixels(bodies.hand, around, camera, kCountWidth, kCountHeight)) / alone;
+}
+
+// Across the hand's way, where the hand is hidden least at the start, half way and at the end.
+// `points` are to be in the picture.
 Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
                     const std::vector<Vector3>& points) {
   const Pose& X_WO = scene.scene.object.X_WO;
   const Vector3 way =
       X_WO.linear() * (frames.back().X_OH.translation() - frames.front().X_OH.translation());
+  std::vector<GraspBodies> moments;
+  for (const std::size_t f : {std::size_t{0}, frames.size() / 2, frames.size() - 1}) {
+    moments.push_back(grasp_bodies(scene, posed_at(frames[f])));
+  }
   const std::vector<Vector3> directions = viewing_directions();
   Vector3 best = directions.front();
   double best_score = 0.0;
   for (const Vector3& direction : directions) {
     const Camera camera = camera_around(points, direction, kCountWidth, kCountHeight);
     double score = 0.0;
-    for (const std::size_t f : {std::size_t{0}, frames.size() / 2, frames.size() - 1}) {
-      score += hand_seen(scene, posed_at(frames[f]), camera);
-    }
+    for (const GraspBodies& moment : moments) score += hand_seen(moment, camera);
     if (way.norm() > 1e-9) score *= way.normalized().cross(direction).norm();
     if (score > best_score + 1e-9) {
       best = direction;
@@ -62,10 +62,6 @@ Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& 
 
 }  // namespace
 
-PosedGrasp posed_at(const MotionFrame& frame) {
-  return {frame.X_OH, frame.joints, {}, Wrench::Zero(), "", frame.arm_joints};
-}
-
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
                        const PosedGrasp& grasp, const GraspPictureOptions& options) {
   MotionView view;
@@ -74,10 +70,10 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
   std::vector<Vector3> close;
   for (const MotionFrame& frame : frames) {
     PosedGrasp moment = posed_at(frame);
-    if (view.with_arm) append_points(framed_bodies(scene, moment), whole);
+    if (view.with_arm) append_points(grasp_bodies(scene, moment).grasp_and_arm(), whole);
     // The hand comes into the close picture; all that it does there is in it.
     if (view.with_arm) moment.X_OH = grasp.X_OH;
-    append_points(grasp_bodies(scene, moment), close);
+    append_points(grasp_bodies(scene, moment).grasp(), close);
   }
   view.close = camera_around(close, telling_side(scene, grasp), options.width, options.height);
   if (!view.with_arm) return view;
@@ -88,9 +84,7 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
 
 Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,
                      const GraspPictureOptions& options) {
-  std::vector<DrawnBody> bodies = grasp_bodies(scene, moment);
-  const std::vector<DrawnBody> around = surrounding_bodies(scene, moment);
-  bodies.insert(bodies.end(), around.begin(), around.end());
+  const std::vector<DrawnBody> bodies = grasp_bodies(scene, moment).all();
   const DrawOptions draw_options{.width = options.width, .height = options.height};
   std::vector<Image> pictures;
   if (view.with_arm) pictures.push_back(draw(bodies, view.whole, draw_options));

@@ -1,4 +1,4 @@
-// Pictures of a motion that can be put one after another: all from one camera.
+// Pictures of the moments of a motion, all from the same camera, so that they make a film.
 #pragma once
 
 #include <vector>
@@ -20,9 +20,6 @@ struct MotionView {
 // across the hand's way on which the hand is hidden least; the other's is the telling side.
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
                        const PosedGrasp& grasp, const GraspPictureOptions& options = {});
-
-// The hand, and with it the arm, at a moment of the motion; nothing touches yet.
-PosedGrasp posed_at(const MotionFrame& frame);
 
 // A moment of the motion, with its title.
 Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,

@@ -12,4 +12,8 @@ PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
   return posed;
 }
 
+PosedGrasp posed_at(const MotionFrame& frame) {
+  return {frame.X_OH, frame.joints, {}, Wrench::Zero(), "", frame.arm_joints};
+}
+
 }  // namespace prehend

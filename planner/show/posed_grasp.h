@@ -1,15 +1,31 @@
-// A grasp that was tried, as something to look at.
+// A hand at one moment, as something to look at.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "planner/path/grasp_motion.h"
 #include "planner/search/plan.h"
-#include "planner/show/grasp_picture.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 
-// The hand closed, and where the scene has one and the trial says how, the arm that holds it there.
+// A hand where it is, with what it touches.
+struct PosedGrasp {
+  Pose X_OH = Pose::Identity();
+  std::vector<double> joints;           // of the hand [rad or m]
+  std::vector<GraspContact> contacts;   // each drawn as its friction cone
+  Wrench weakest = Wrench::Zero();      // drawn from the centre of mass; zero: not drawn
+  std::string title;                    // lines under the picture
+  std::vector<double> arm_joints = {};  // of the whole platform; empty: no arm is drawn
+};
+
+// A grasp that was tried: the hand closed, and where the scene has an arm and the trial found its
+// posture, the arm that holds the hand there.
 PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
                        const std::string& title = "");
+
+// The hand, and with it the arm, at a moment of a motion; nothing touches yet.
+PosedGrasp posed_at(const MotionFrame& frame);
 
 }  // namespace prehend

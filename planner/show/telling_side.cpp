@@ -4,51 +4,60 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include "planner/picture/simplified_mesh.h"
 #include "planner/picture/visible_pixels.h"
+#include "planner/show/grasp_bodies.h"
+#include "sim/base/index.h"
 
 namespace prehend {
 namespace {
 
-// What of the score is for seeing the whole hand.
+// Weight of seeing the hand, against seeing the contacts.
 constexpr double kHandPart = 0.5;
 
-// Of a body in the small pictures.
+// More triangles of a body would not show in the small pictures.
 constexpr std::size_t kMostTriangles = 2000;
 
-// Scores closer than this are equal: they differ by rounding.
+// Scores closer than this count as equal, so that rounding does not choose between symmetric sides.
 constexpr double kSameScore = 1e-9;
 
 // What the small pictures show.
 struct SmallScene {
-  std::vector<DrawnBody> framed;  // what fills the picture
-  std::vector<DrawnBody> seen;    // the hand's links, the cones, then what hides them
-  std::size_t links = 0;
-  std::size_t contacts = 0;
-  std::vector<DrawnBody> behind_obstacles = {};  // `seen` and the obstacles; empty without any
+  std::vector<DrawnBody> framed;     // fills the picture: object, hand and cones
+  std::vector<DrawnBody> seen;       // the hand's links, then the cones
+  std::size_t links = 0;             // of the hand
+  std::vector<DrawnBody> around;     // object and arm
+  std::vector<DrawnBody> obstacles;  // that are to count; they hide as if they were solid
 };
 
+DrawnBody coarse(DrawnBody body) {
+  if (body.mesh->triangles.size() > kMostTriangles) {
+    body.mesh = simplified(*body.mesh, kMostTriangles);
+  }
+  return body;
+}
+
 std::vector<DrawnBody> coarse(std::vector<DrawnBody> bodies) {
-  for (DrawnBody& body : bodies) body.mesh = simplified(body.mesh, kMostTriangles);
+  for (DrawnBody& body : bodies) body = coarse(std::move(body));
   return bodies;
 }
 
 SmallScene small_scene(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles) {
-  PosedGrasp bare = grasp;
-  bare.weakest.setZero();
-  SmallScene small{
-      coarse(grasp_bodies(scene, bare)), {}, scene.scene.hand.links.size(), grasp.contacts.size()};
-  small.seen.assign(small.framed.begin() + 1, small.framed.end());
-  small.seen.push_back(small.framed.front());
-  std::vector<DrawnBody> around = coarse(surrounding_bodies(scene, grasp));
-  for (DrawnBody& body : around) body.color.opacity = 1.0;
-  const auto arm = around.begin() + static_cast<std::ptrdiff_t>(scene.scene.obstacles.size());
-  small.seen.insert(small.seen.end(), arm, around.end());
-  if (with_obstacles && scene.has_obstacles()) {
-    small.behind_obstacles = small.seen;
-    small.behind_obstacles.insert(small.behind_obstacles.end(), around.begin(), arm);
-  }
+  const GraspBodies bodies = grasp_bodies(scene, grasp);
+  const DrawnBody object = coarse(bodies.object);
+  SmallScene small;
+  small.links = bodies.hand.size();
+  small.seen = coarse(bodies.hand);
+  small.seen.insert(small.seen.end(), bodies.contacts.begin(), bodies.contacts.end());
+  small.framed = small.seen;
+  small.framed.push_back(object);
+  small.around = coarse(bodies.arm);
+  small.around.push_back(object);
+  if (with_obstacles) small.obstacles = coarse(bodies.obstacles);
+  for (DrawnBody& body : small.obstacles) body.color.opacity = 1.0;
   return small;
 }
 
@@ -59,30 +68,36 @@ struct View {
   double clear = 1.0;            // the part of the hand that no obstacle stands before
 };
 
+double sum(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 View view_from(const Vector3& direction, const SmallScene& small, const CompiledScene& scene,
                const PosedGrasp& grasp, const TellingSideOptions& options) {
   const Camera camera =
       camera_around(small.framed, direction, {.width = options.width, .height = options.height});
-  const auto pixels_of = [&](const std::vector<DrawnBody>& bodies) {
-    return visible_pixels(bodies, camera, options.width, options.height);
+  const auto pixels_of = [&](const std::vector<DrawnBody>& seen,
+                             const std::vector<DrawnBody>& around) {
+    return visible_pixels(seen, around, camera, options.width, options.height);
   };
-  std::vector<double> pixels = pixels_of(small.seen);
+  std::vector<double> pixels = pixels_of(small.seen, small.around);
   View view;
-  const auto hand_end = static_cast<std::ptrdiff_t>(small.links);
-  if (!small.behind_obstacles.empty()) {
-    const double free = std::accumulate(pixels.begin(), pixels.begin() + hand_end, 0.0);
-    pixels = pixels_of(small.behind_obstacles);
-    const double left = std::accumulate(pixels.begin(), pixels.begin() + hand_end, 0.0);
-    view.clear = free == 0.0 ? 0.0 : left / free;
+  if (!small.obstacles.empty()) {
+    const double free = sum(std::span(pixels).first(small.links));
+    std::vector<DrawnBody> around = small.around;
+    around.insert(around.end(), small.obstacles.begin(), small.obstacles.end());
+    pixels = pixels_of(small.seen, around);
+    view.clear = free == 0.0 ? 0.0 : sum(std::span(pixels).first(small.links)) / free;
   }
-  view.links.assign(pixels.begin(), pixels.begin() + hand_end);
-  for (std::size_t c = 0; c < small.contacts; ++c) {
-    const std::size_t cone = small.links + c;
-    const double alone = pixels_of({small.seen[cone]})[0];
+  const auto cones = pixels.begin() + static_cast<std::ptrdiff_t>(small.links);
+  view.links.assign(pixels.begin(), cones);
+  for (std::size_t c = 0; c < grasp.contacts.size(); ++c) {
+    const double alone = pixels_of({small.seen[small.links + c]}, {})[0];
     const Vector3 axis =
         scene.scene.object.X_WO.linear() * grasp.contacts[c].point.normal.normalized();
     const double aside = axis.cross(direction).norm();
-    view.contacts.push_back(alone == 0.0 ? 0.0 : aside * pixels[cone] / alone);
+    view.contacts.push_back(alone == 0.0 ? 0.0
+                                         : aside * cones[static_cast<std::ptrdiff_t>(c)] / alone);
   }
   return view;
 }
@@ -92,7 +107,7 @@ double contact_score(const View& view, const PosedGrasp& grasp, std::size_t link
   std::vector<double> sums(links, 0.0);
   std::vector<int> counts(links, 0);
   for (std::size_t c = 0; c < view.contacts.size(); ++c) {
-    const auto link = static_cast<std::size_t>(grasp.contacts[c].link);
+    const auto link = index(grasp.contacts[c].link);
     sums[link] += view.contacts[c];
     ++counts[link];
   }
@@ -138,8 +153,12 @@ Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_
   }
   Choice best{directions.front()};
   for (std::size_t d = 0; d < directions.size(); ++d) {
-    const double score =
+    const double told =
         contact_score(views[d], grasp, small.links) + kHandPart * hand_score(views[d], largest);
+    // What an obstacle covers counts as hidden in both parts already. The factor prefers, among
+    // sides that tell as much, one on which nothing stands before the hand: an obstacle is drawn
+    // translucent, but what is behind it is dim.
+    const double score = told * views[d].clear;
     if (score > best.score + kSameScore) best = {directions[d], score};
   }
   return best;

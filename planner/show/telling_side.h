@@ -1,4 +1,4 @@
-// The side from which a grasp explains itself.
+// The viewing direction that shows most of a grasp.
 #pragma once
 
 #include <vector>
@@ -9,21 +9,24 @@
 namespace prehend {
 
 struct TellingSideOptions {
-  // Of the small pictures in which it is counted what is seen [pixels].
+  // Size of the pictures in which visible pixels are counted; they are not shown [pixels].
   int width = 160;
   int height = 128;
 };
 
-// Where a viewer may stand: unit, from what is looked at to the eye, in the world's frame, around
-// the upper half of the sphere. Always the same ones.
+// Where a viewer may stand: unit vectors from what is looked at to the eye, in the world's frame,
+// around the upper half of the sphere. Always the same ones.
 std::vector<Vector3> viewing_directions();
 
-// The one of them from which most is seen of the contacts' cones, from their sides: the links that
-// touch count alike, however many contacts they have, and the one that is seen least counts twice;
-// less of what tells is how much of each link of the hand is seen. The hand, the arm and obstacles
-// hide what is behind them, the object dims it. All counts less the more of the hand is behind an
-// obstacle; where obstacles hide all, they do not count.
-// The first one of equals. Throws Cancelled.
+// The one of these directions with the best score, of equal ones the first. The score is
+//   (mean over the links that touch + least of them + 1/2 mean over all links) * clear.
+// The first two terms are about contacts: how much of the friction cones of a link is seen, less
+// the more the viewer looks along a cone's axis, as the mean over the link's contacts, so that a
+// link with many contacts counts as much as one with a single one. The third is about the hand: the
+// root of a link's pixels over its pixels from where it is largest. `clear` is the part of the
+// hand's pixels before which no obstacle stands. The hand, the arm and obstacles hide what is
+// behind them, the object dims it. Where every score is 0 because of obstacles, they do not count.
+// Throws Cancelled.
 Vector3 telling_side(const CompiledScene& scene, const PosedGrasp& grasp,
                      const TellingSideOptions& options = {}, const RunContext& context = {});
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "sim/base/quaternion.h"
+
 namespace prehend {
 
 Pose read_pose(const JsonField& field) {
@@ -20,8 +22,7 @@ Pose read_pose(const JsonField& field) {
 }
 
 nlohmann::ordered_json pose_to_json(const Pose& pose) {
-  Eigen::Quaterniond q(pose.linear());
-  if (q.w() < 0.0) q.coeffs() *= -1.0;  // one of the two that mean the same
+  const Eigen::Quaterniond q = quaternion_of(pose);
   return {{"position", vector_to_json(pose.translation())},
           {"quaternion_wxyz", {q.w(), q.x(), q.y(), q.z()}}};
 }

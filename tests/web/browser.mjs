@@ -1,22 +1,32 @@
-// A browser without a screen or a network, and pages in it that are watched.
+// A browser without a screen or a network, and pages in it that are watched. Nothing here looks at
+// the clock, as a busy machine may take any time: what has to happen first is waited for, without a
+// limit. ctest ends a test that waits in vain.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
 
+const hour = 3600000;  // ms
+
 const swiftShader = ['--no-sandbox', '--enable-unsafe-swiftshader'];
 
 export function launch(...words) {
   const executablePath =
       execFileSync('sh', ['-c', 'command -v chromium'], {encoding: 'utf8'}).trim();
-  return chromium.launch({executablePath, args: [...swiftShader, ...words]});
+  return chromium.launch({executablePath, args: [...swiftShader, ...words], timeout: 0});
 }
 
-// A report that is open in a page of its own; complaints are what should not happen.
+// How many times slower than it is the processor shall seem to pages: from PREHEND_SLOWDOWN.
+const slowdownOfAll = Number(process.env.PREHEND_SLOWDOWN ?? 1);
+
+// A report that is open in a page of its own; complaints are what should not happen. With `stepped`
+// the page's time runs only as far as run() lets it, from the moment that the page has been drawn.
 export class OpenReport {
   static async open(browser, out, {
     address = '',
+    slowdown = 1,
+    stepped = false,
     viewport =
     {
       width: 1280, height: 900
@@ -27,6 +37,11 @@ export class OpenReport {
     report.complaints = [];
     report.requests = [];
     report.page = await browser.newPage({viewport});
+    report.page.setDefaultTimeout(0);
+    const session = await report.page.context().newCDPSession(report.page);
+    const rate = Math.max(slowdown, slowdownOfAll);
+    await session.send('Emulation.setCPUThrottlingRate', {rate});
+    if (stepped) await report.page.clock.install({time: 0});
     report.page.on('request', (request) => report.requests.push(request.url()));
     report.page.on('pageerror', (error) => report.complaints.push(String(error)));
     report.page.on('dialog', (dialog) => {
@@ -39,13 +54,33 @@ export class OpenReport {
     await report.page.addInitScript(addPixelsOf);
     await report.page.goto(report.url + address);
     await report.settle();
+    if (stepped) await report.page.clock.pauseAt(hour);
     return report;
   }
 
-  // Until what was asked to be drawn has been.
+  // Until what was asked to be drawn has been, as fine as it gets, or never will be.
   async settle() {
-    await this.page.evaluate(
-        () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await this.drawn('fine', 'never');
+  }
+
+  // Until the scene is in one of the states of its attribute data-drawn (scene_view.js).
+  async drawn(...states) {
+    const selector = states.map((state) => `#scene[data-drawn="${state}"]`).join();
+    await this.page.locator(selector).waitFor({state: 'attached'});
+  }
+
+  // Until the grasp of a number is the one that is explained.
+  async shown(number) {
+    await this.page.locator('#grasp-title', {hasText: new RegExp(`^Grasp ${number}$`)}).waitFor();
+  }
+
+  // Lets the time of a stepped page run [ms], with a frame every 16 ms, or in one leap with one
+  // frame.
+  async run(time) {
+    await this.page.clock.runFor(time);
+  }
+  async leap(time) {
+    await this.page.clock.fastForward(time);
   }
 
   text(selector) {

@@ -32,7 +32,7 @@ function numberOf(text) {
 
 async function expectShown(report, number) {
   const grasp = grasps[number - 1];
-  assert.equal(await report.text('#grasp-title'), `Grasp ${number}`);
+  await report.shown(number);
   assert.equal(
       await report.page.locator('#contacts tr[data-contact]').count(), grasp.contacts.length);
   const row = await report.text('#contacts tr[data-contact="0"]');
@@ -70,6 +70,7 @@ test('another grasp changes picture and table', async () => {
   await report.page.keyboard.press('ArrowRight');
   await expectShown(report, 4);
   await report.page.keyboard.press('ArrowLeft');
+  await expectShown(report, 3);
   await report.page.keyboard.press('ArrowLeft');
   await expectShown(report, 2);
   await report.close();
@@ -95,10 +96,57 @@ test('the hand comes and closes', async () => {
   const closing = await report.picture('#scene');
   await expectChanged(report, closed, closing, 100);
   await expectChanged(report, away, closing, many);
+  await report.close();
+});
+
+// A slow processor draws few and coarse pictures on the way.
+for (const slowdown of [1, 8]) {
+  test(`playing ends with the grasp, ${slowdown} times slower`, async () => {
+    const report = await OpenReport.open(browser, planned, {slowdown});
+    const closed = await report.picture('#scene');
+    await report.page.getByText('play').click();
+    await report.page.locator('#moment', {hasText: /^grasp/}).waitFor();
+    assert.ok(await report.difference(closed, await report.picture('#scene')) < 50);
+    assert.equal(await report.text('#playback button'), '▶ play');
+    await report.close();
+  });
+}
+
+function secondsOf(moment) {
+  return Number(moment.match(/([\d.]+) s of/)[1]);
+}
+
+test('playing keeps the time of the motion', async () => {
+  const report = await OpenReport.open(browser, planned, {stepped: true});
+  const closed = await report.picture('#scene');
   await report.page.getByText('play').click();
-  await report.page.waitForFunction(
-      () => document.getElementById('moment').textContent.startsWith('grasp'));
+  await report.run(20);
+  assert.match(await report.text('#moment'), /^approach, 0\.00 s/);
+  await report.run(480);
+  const half = secondsOf(await report.text('#moment'));
+  assert.ok(half > 0.45 && half <= 0.5, `${half} s after half a second`);
+  await report.page.getByText('pause').click();
+  await report.run(480);
+  assert.equal(secondsOf(await report.text('#moment')), half);
+  await expectChanged(report, closed, await report.picture('#scene'), many);
+  await report.page.getByText('play').click();
+  await report.run(60000);
+  assert.match(await report.text('#moment'), /^grasp/);
   assert.ok(await report.difference(closed, await report.picture('#scene')) < 50);
+  await report.close();
+});
+
+test('pictures are coarse while frames take long, and fine at rest', async () => {
+  const report = await OpenReport.open(browser, planned, {stepped: true});
+  const fine = await report.picture('#scene');
+  for (const moment of ['100', '500', '1000']) {
+    await report.page.locator('#slider').fill(moment);
+    await report.leap(200);
+  }
+  await report.drawn('coarse');
+  await report.run(1000);
+  await report.drawn('fine');
+  assert.ok(await report.difference(fine, await report.picture('#scene')) < 50);
   await report.close();
 });
 
@@ -160,11 +208,12 @@ test('small pictures are drawn when they come into sight', async () => {
   const report = await OpenReport.open(browser, planned);
   const picture = report.page.locator('#list canvas').last();
   await picture.scrollIntoViewIfNeeded();
-  await report.page.waitForFunction(() => {
-    const canvas = [...document.querySelectorAll('#list canvas')].pop();
+  await report.page.locator('#list li:last-child canvas[data-drawn="fine"]').waitFor();
+  const colors = await picture.evaluate((canvas) => {
     const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    return new Set(new Uint32Array(data.buffer)).size > 50;
+    return new Set(new Uint32Array(data.buffer)).size;
   });
+  assert.ok(colors > 50, `${colors} colours`);
   await expectShown(report, 1);
   await report.close();
 });
@@ -249,7 +298,7 @@ test('hundreds of grasps are listed, and the first are explained', async () => {
   writeFileSync(file, JSON.stringify(asked));
   const out = run('evaluate', file);
   const report = await OpenReport.open(browser, out, {address: '#200'});
-  assert.equal(await report.text('#grasp-title'), 'Grasp 200');
+  await report.shown(200);
   assert.match(await report.text('#wrench-note'), /first grasps only/);
   await report.close();
 });

@@ -16,7 +16,7 @@ class CandidateArrows {
     const positions = [];
     const colors = [];
     for (const row of this.shown) {
-      const color = new THREE.Color(outcomeColors[data.outcomes[row[6]].name]);
+      const color = new THREE.Color(data.palette.outcomes[data.outcomes[row[6]].name]);
       this.addArrow(row, positions);
       for (let i = 0; i < 9; ++i) colors.push(color.r, color.g, color.b);
     }
@@ -26,7 +26,8 @@ class CandidateArrows {
     this.group.add(new THREE.Mesh(geometry, this.material));
   }
 
-  // Three sides.
+  // A cone of three sides, with its tip where the hand was aimed. Rows are described in
+  // report_json.cpp.
   addArrow(row, positions) {
     const tip = vectorOf(row);
     const along = new THREE.Vector3(row[3], row[4], row[5]);
@@ -44,7 +45,7 @@ class CandidateArrows {
     }
   }
 
-  // What the arrow of a triangle has to say.
+  // How the candidate ended to whose arrow a triangle belongs.
   words(triangle) {
     const row = this.shown[Math.floor(triangle / 3)];
     const blame = data.candidates.blames[row[7]];

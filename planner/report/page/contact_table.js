@@ -1,4 +1,5 @@
-// The contacts of a grasp as a table; pointing at one lights it up wherever it is shown.
+// The contacts of a grasp as a table; pointing at a row highlights that contact wherever it is
+// shown.
 
 function contactColumns(grasp) {
   const columns = [['#', true, (contact, i) => i + 1]];

@@ -2,17 +2,6 @@
 
 const data = JSON.parse(document.getElementById('data').textContent);
 
-const outcomeColors = {
-  stable: '#2e9e4f',
-  not_force_closure: '#e8952b',
-  no_contact: '#8d939b',
-  hand_blocked: '#d23b2f',
-  approach_blocked: '#8a5a2b',
-  unreachable: '#3f7fd6',
-  arm_blocked: '#1d3f80',
-  no_path: '#14909c',
-};
-
 const identityPose = [0, 0, 0, 0, 0, 0, 1];
 
 function bytesOf(base64) {

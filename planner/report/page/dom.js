@@ -27,7 +27,7 @@ function swatch(color) {
   return element('span', {class: 'swatch', color});
 }
 
-// Three or four digits that say something.
+// A number with so many significant digits; those outside 1e-4 .. 1e5 with an exponent.
 function numberText(value, digits = 3) {
   if (!Number.isFinite(value)) return '–';
   if (value === 0) return '0';
@@ -36,7 +36,7 @@ function numberText(value, digits = 3) {
                                       value.toExponential(digits - 1);
 }
 
-// A force or torque is felt in a direction: the nearest axis says it in a word.
+// The direction of a vector in words: the axes of the world that it is nearest to.
 function directionWords(v) {
   const parts = [['+x', v.x], ['+y', v.y], ['up', v.z], ['−x', -v.x], ['−y', -v.y], ['down', -v.z]];
   const size = v.length();

@@ -4,12 +4,13 @@ const coneLength = 0.22;  // of the radius
 const arrowLength = 1.1;
 
 const contactMaterial = new THREE.MeshPhongMaterial({
-  color: data.palette.contact,
+  color: data.palette.contact.color,
   side: THREE.DoubleSide,
   specular: 0x111111,
 });
-const litMaterial = new THREE.MeshBasicMaterial({color: '#ffb300', side: THREE.DoubleSide});
-const weakestMaterial = new THREE.MeshPhongMaterial({color: data.palette.weakest});
+const litMaterial =
+    new THREE.MeshBasicMaterial({color: data.palette.pointed_at.color, side: THREE.DoubleSide});
+const weakestMaterial = new THREE.MeshPhongMaterial({color: data.palette.weakest.color});
 
 function contactMarks(grasp) {
   const group = new THREE.Group();
@@ -57,8 +58,8 @@ function primitiveSolid(primitive) {
         new THREE.CylinderBufferGeometry(primitive.radius, primitive.radius, primitive.height, 40);
     geometry.rotateX(Math.PI / 2);
   }
-  const group = solid(geometry, data.palette.primitive, 0.25);
-  if (primitive.shape !== 'sphere') outlined(geometry, group, data.palette.primitive, 1);
+  const group = solid(geometry, data.palette.primitive);
+  if (primitive.shape !== 'sphere') outlined(geometry, group, data.palette.primitive);
   group.applyMatrix(matrixOf(primitive.X));
   return group;
 }

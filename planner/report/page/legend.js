@@ -5,38 +5,39 @@ function simplifiedWords(mesh) {
 }
 
 function legendRows() {
-  const colors = data.palette;
+  const looks = data.palette;
   const rows = [];
   if (data.scene) {
     rows.push(
         [
-          [colors.object], 'object',
+          [looks.object.color], 'object',
           'what is grasped, seen through' + simplifiedWords(data.scene.object.mesh)
         ],
-        [[colors.hard, colors.rubber], 'hand', 'light links are hard, dark ones rubber']);
-    if (data.scene.arm) rows.push([[colors.arm], 'arm', 'what carries the hand']);
+        [[looks.hard.color, looks.rubber.color], 'hand', 'light links are hard, dark ones rubber']);
+    if (data.scene.arm) rows.push([[looks.arm.color], 'arm', 'what carries the hand']);
     if (data.scene.obstacles.length > 0)
-      rows.push([[colors.obstacle], 'obstacles', 'what stands in the way']);
+      rows.push([[looks.obstacle.color], 'obstacles', 'what stands in the way']);
     rows.push([
-      [colors.primitive], 'primitive', 'the box, sphere or cylinder that the grasp was made from'
+      [looks.primitive.color], 'primitive',
+      'the box, sphere or cylinder that the grasp was made from'
     ]);
   }
   rows.push(
       [
-        [colors.contact], 'contact',
+        [looks.contact.color], 'contact',
         'where hand and object touch; the cone holds the forces that friction allows, as wide as the friction'
       ],
       [
-        [colors.weakest], 'weakest',
+        [looks.weakest.color], 'weakest',
         'the disturbance that the grasp resists least: the arrow is its force, the ring its torque'
       ],
-      [['#111111'], 'centre of mass', 'torques are taken about it'],
-      [axisColors, 'frames', 'x, y and z axes of the object and of the hand'],
+      [[looks.center.color], 'centre of mass', 'torques are taken about it'],
+      [looks.axes, 'frames', 'x, y and z axes of the object and of the hand'],
       [
-        ['#6f8fb8'], 'wrench space',
+        [looks.wrench_space.color], 'wrench space',
         'what the contacts can exert with unit force: forces where there is no torque, torques where there is no force. Forces are parts of the contact force, torques parts of it times r'
       ],
-      [['#2e9e4f'], 'ε ball', 'the largest ball inside the wrench space']);
+      [[looks.epsilon_ball.color], 'ε ball', 'the largest ball inside the wrench space']);
   const meanings = [
     [
       'ε (epsilon)',

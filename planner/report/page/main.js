@@ -14,6 +14,7 @@ const layerNames = {
 };
 
 function failure(error) {
+  byId('scene').dataset.drawn = 'never';
   byId('stage').append(element(
       'p', {class: 'failure'},
       'This browser cannot draw in three dimensions (WebGL): ' + error.message));
@@ -80,15 +81,15 @@ class Page {
         'input',
         {type: 'checkbox', 'data-layer': name, onchange: () => this.setLayer(name, box.checked)});
     box.checked = this.view.layers[name].visible;
-    const color = {
-      center: '#111111',
-      frames: axisColors[0],
-      candidates: outcomeColors.not_force_closure,
-      contacts: data.palette.contact,
-      hand: data.palette.hard,
-      obstacles: data.palette.obstacle
-    }[name] ||
-        data.palette[name];
+    const {palette} = data;
+    const colors = {
+      frames: palette.axes[0],
+      candidates: palette.outcomes.not_force_closure,
+      contacts: palette.contact.color,
+      hand: palette.hard.color,
+      obstacles: palette.obstacle.color
+    };
+    const color = colors[name] || palette[name].color;
     return element('label', {}, box, swatch(color), layerNames[name]);
   }
 
@@ -200,5 +201,6 @@ class Page {
   }
 }
 
-document.documentElement.style.setProperty('--weakest', data.palette.weakest);
+document.documentElement.style.setProperty('--weakest', data.palette.weakest.color);
+document.documentElement.style.setProperty('--stable', data.palette.outcomes.stable);
 new Page();

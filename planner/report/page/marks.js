@@ -46,7 +46,7 @@ function twist(center, axis, ringRadius, angle, thickness, material) {
   return group;
 }
 
-// Words that face the viewer.
+// A word that always faces the viewer.
 function wordSprite(text, height, color) {
   const canvas = document.createElement('canvas');
   canvas.width = 128;
@@ -65,15 +65,14 @@ function wordSprite(text, height, color) {
   return sprite;
 }
 
-const axisColors = ['#c62828', '#2e7d32', '#1f4fb0'];
-
 function frameAxes(length, name) {
   const group = new THREE.Group();
   ['x', 'y', 'z'].forEach((axis, i) => {
+    const color = data.palette.axes[i];
     const along = new THREE.Vector3().setComponent(i, length);
-    const material = new THREE.MeshBasicMaterial({color: axisColors[i]});
+    const material = new THREE.MeshBasicMaterial({color});
     group.add(arrow(new THREE.Vector3(), along, 0.02 * length, material));
-    const word = wordSprite(axis, 0.22 * length, axisColors[i]);
+    const word = wordSprite(axis, 0.22 * length, color);
     word.position.copy(along.multiplyScalar(1.15));
     group.add(word);
   });

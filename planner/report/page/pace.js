@@ -14,6 +14,11 @@ class Pace {
     this.last = -longPause;
   }
 
+  // Whether a finer picture will follow the last one.
+  coarse() {
+    return this.moving && this.part < 1;
+  }
+
   // To be called for each picture; answers the pixel ratio to draw it with.
   next(now) {
     const gap = now - this.last;
@@ -24,7 +29,7 @@ class Pace {
       this.part = Math.max(coarsest, this.part * (gap > 2 * slowFrame ? 0.5 : 0.8));
     }
     clearTimeout(this.timer);
-    if (this.moving && this.part < 1) {
+    if (this.coarse()) {
       this.timer = setTimeout(() => this.rest(), Math.max(restAfter, 2 * gap));
     }
     return Math.min(window.devicePixelRatio, 1.5) * (this.moving ? this.part : 1);

@@ -9,7 +9,7 @@ function fixedFrame(pose) {
 }
 
 class RobotModel {
-  constructor(robot, colorOf) {
+  constructor(robot, lookOf) {
     this.root = new THREE.Group();
     this.motions = [];
     this.frames = [];  // after each joint
@@ -25,7 +25,7 @@ class RobotModel {
     }
     for (const link of robot.links) {
       const geometry = meshGeometry(link.mesh);
-      const part = outlined(geometry, solid(geometry, colorOf(link)), 0x20242c, 0.55);
+      const part = outlined(geometry, solid(geometry, lookOf(link)), lookOf(link));
       part.userData.link = link.name;
       this.frameOf(link.joint).add(part);
     }

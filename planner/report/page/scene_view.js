@@ -1,6 +1,6 @@
 // The scene in three dimensions: what is there, in which posture, seen from where.
 
-function colorOfLink(link) {
+function lookOfLink(link) {
   return link.material === 'rubber' ? data.palette.rubber : data.palette.hard;
 }
 
@@ -54,7 +54,7 @@ class SceneView {
     if (data.scene) this.buildBodies();
     const center = new THREE.Mesh(
         new THREE.SphereBufferGeometry(0.035 * radius, 20, 14),
-        new THREE.MeshBasicMaterial({color: '#111111', depthTest: false}));
+        new THREE.MeshBasicMaterial({color: data.palette.center.color, depthTest: false}));
     center.renderOrder = 25;
     center.position.copy(vectorOf(data.frame.origin));
     this.layer('center', this.objectFrame, center);
@@ -76,8 +76,8 @@ class SceneView {
     const surface = meshGeometry(object.mesh);
     this.layer(
         'object', this.objectFrame,
-        outlined(surface, solid(surface, data.palette.object, 0.42), '#6b6350', 0.5));
-    this.hand = new RobotModel(hand, colorOfLink);
+        outlined(surface, solid(surface, data.palette.object), data.palette.object));
+    this.hand = new RobotModel(hand, lookOfLink);
     this.handAxes = frameAxes(0.5 * radius, 'hand');
     this.handAxes.visible = false;
     this.hand.root.add(this.handAxes);
@@ -93,7 +93,7 @@ class SceneView {
       this.layer('obstacles', this.scene, ...obstacles.map((body) => {
         const geometry = meshGeometry(body.mesh);
         const part =
-            outlined(geometry, solid(geometry, data.palette.obstacle, 0.3), '#555555', 0.6);
+            outlined(geometry, solid(geometry, data.palette.obstacle), data.palette.obstacle);
         part.applyMatrix(matrixOf(body.X));
         return part;
       }));
@@ -226,10 +226,23 @@ class SceneView {
     this.draw();  // at once: a new size leaves the canvas empty
   }
 
+  // Runs what poses the scene for a picture on another canvas, and puts it back as it was. The
+  // picture on this canvas stays, as it would look the same again.
+  borrow(pose) {
+    const {grasp, time, lit, asked} = this;
+    this.asked = true;
+    pose();
+    this.show(grasp);
+    this.pose(time);
+    this.highlight(lit);
+    this.asked = asked;
+  }
+
   // Draws once before the next repaint, however often it is asked.
   ask() {
     if (this.asked) return;
     this.asked = true;
+    this.tellState();
     requestAnimationFrame((now) => {
       this.asked = false;
       const ratio = this.pace.next(now);
@@ -241,6 +254,13 @@ class SceneView {
   draw() {
     this.renderer.render(this.scene, this.camera);
     for (const listener of this.listeners) listener();
+    this.tellState();
+  }
+
+  // The attribute data-drawn of the canvas: "stale" while what it shows is older than what was
+  // asked for, "coarse" while a finer picture is to come, else "fine". Tests wait for it.
+  tellState() {
+    this.canvas.dataset.drawn = this.asked ? 'stale' : this.pace.coarse() ? 'coarse' : 'fine';
   }
 }
 

@@ -43,9 +43,22 @@ function meshGeometry(mesh) {
       new Float32Array(bytesOf(mesh.positions)), new Uint32Array(bytesOf(mesh.indices)));
 }
 
-// A surface that can be seen through shows its far side first, then its near side.
-function solid(geometry, color, opacity = 1) {
-  const sides = opacity < 1 ? [THREE.BackSide, THREE.FrontSide] : [THREE.DoubleSide];
+// A thin shell is denser where it is seen at an angle: as in pictures (planner/picture/tile.cpp),
+// its opacity is that of its look where it faces the viewer.
+function drawAsShell(material) {
+  const plain = 'gl_FragColor = vec4( outgoingLight, diffuseColor.a );';
+  const dense = 'float facing = max(0.3, abs(dot(normal, normalize(vViewPosition))));' +
+      'gl_FragColor = vec4(outgoingLight, 1.0 - pow(1.0 - diffuseColor.a, 1.0 / facing));';
+  material.onBeforeCompile = (shader) => {
+    shader.fragmentShader = shader.fragmentShader.replace(plain, dense);
+  };
+}
+
+// A surface in a look of the palette. One that can be seen through shows its far side first, half
+// as dense, then its near side.
+function solid(geometry, {color, opacity}) {
+  const translucent = opacity < 1;
+  const sides = translucent ? [THREE.BackSide, THREE.FrontSide] : [THREE.DoubleSide];
   const group = new THREE.Group();
   sides.forEach((side, i) => {
     const material = new THREE.MeshPhongMaterial({
@@ -53,21 +66,27 @@ function solid(geometry, color, opacity = 1) {
       side,
       specular: 0x222222,
       shininess: 25,
-      transparent: opacity < 1,
-      opacity: opacity < 1 && i === 0 ? opacity / 2 : opacity,
-      depthWrite: opacity >= 1,
+      transparent: translucent,
+      opacity: translucent && i === 0 ? opacity / 2 : opacity,
+      depthWrite: !translucent,
     });
+    if (translucent) drawAsShell(material);
     const part = new THREE.Mesh(geometry, material);
-    part.renderOrder = opacity < 1 ? 10 + i : 0;
+    part.renderOrder = translucent ? 10 + i : 0;
     group.add(part);
   });
   return group;
 }
 
-function outlined(geometry, group, color, opacity, leastAngle = 32) {
-  const edges = new THREE.EdgesGeometry(geometry, leastAngle);
-  const lines = new THREE.LineSegments(
-      edges, new THREE.LineBasicMaterial({color, transparent: opacity < 1, opacity}));
+const lineBrightness = 0.12;  // of the light from the surface, as in planner/picture/draw.cpp
+
+// Adds dark lines along the edges at which faces meet at more than `leastAngle` (degrees); on what
+// can be seen through they are faint as well.
+function outlined(geometry, group, {color, opacity}, leastAngle = 32) {
+  const dark = new THREE.Color(color).convertSRGBToLinear().multiplyScalar(lineBrightness);
+  const material = new THREE.LineBasicMaterial(
+      {color: dark.convertLinearToSRGB(), transparent: opacity < 1, opacity: Math.sqrt(opacity)});
+  const lines = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, leastAngle), material);
   lines.renderOrder = 12;
   group.add(lines);
   return group;

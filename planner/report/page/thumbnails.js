@@ -32,26 +32,28 @@ class Thumbnails {
     });
   }
 
-  // Poses the scene for a picture and puts it back as it was.
   draw(canvas) {
     const {view} = this;
-    const {grasp, time, lit} = view;
     const hidden = ['candidates', 'frames'].map((name) => view.layers[name]);
     const visible = hidden.map((layer) => layer.visible);
     hidden.forEach((layer) => {
       layer.visible = false;
     });
-    view.show(data.grasps[Number(canvas.dataset.grasp)]);
+    view.borrow(() => this.drawGrasp(data.grasps[Number(canvas.dataset.grasp)], canvas));
+    hidden.forEach((layer, i) => {
+      layer.visible = visible[i];
+    });
+  }
+
+  // Leaves the scene as the picture shows it.
+  drawGrasp(grasp, canvas) {
+    const {view} = this;
+    view.show(grasp);
     this.renderer.setSize(canvas.width, canvas.height, false);
     this.camera.aspect = canvas.width / canvas.height;
     aim(this.camera, view.corners(false), view.telling());
     this.renderer.render(view.scene, this.camera);
     canvas.getContext('2d').drawImage(this.renderer.domElement, 0, 0);
-    hidden.forEach((layer, i) => {
-      layer.visible = visible[i];
-    });
-    view.show(grasp);
-    view.pose(time);
-    view.highlight(lit);
+    canvas.dataset.drawn = 'fine';
   }
 }

@@ -37,9 +37,8 @@ function shareWords(grasp) {
 
 function verdict(grasp, i) {
   const best = bestGrasp();
-  const color = grasp.outcome ? outcomeColors[grasp.outcome] :
-      grasp.force_closure     ? '#2e9e4f' :
-                                '#e8952b';
+  const holds = grasp.force_closure ? 'stable' : 'not_force_closure';
+  const color = data.palette.outcomes[grasp.outcome || holds];
   const name = grasp.outcome || (grasp.force_closure ? 'force closure' : 'no force closure');
   const known = data.outcomes.find((outcome) => outcome.name === grasp.outcome);
   const line = element(

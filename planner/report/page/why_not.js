@@ -24,7 +24,7 @@ class WhyNot {
     const chart = element('div', {class: 'chart'});
     data.outcomes.forEach((outcome, i) => {
       if (outcome.count === 0) return;
-      const color = outcomeColors[outcome.name];
+      const color = data.palette.outcomes[outcome.name];
       const box = element('input', {
         type: 'checkbox',
         'data-outcome': outcome.name,

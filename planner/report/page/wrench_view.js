@@ -4,8 +4,8 @@
 const contactEdges = 24;
 
 // Seen through the hull and the ball that it is in.
-const weakestOverlay =
-    new THREE.MeshBasicMaterial({color: data.palette.weakest, depthTest: false, transparent: true});
+const weakestOverlay = new THREE.MeshBasicMaterial(
+    {color: data.palette.weakest.color, depthTest: false, transparent: true});
 
 // Forces of a contact's friction cone at a unit normal force, and the scaled torques with them.
 function coneWrenches(contact) {
@@ -42,13 +42,14 @@ function fan(curve, spikes) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.Float32BufferAttribute(positions, 3));
   group.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
-    color: data.palette.contact,
+    color: data.palette.contribution.color,
     side: THREE.DoubleSide,
     transparent: true,
-    opacity: 0.75,
+    opacity: data.palette.contribution.opacity,
     depthTest: false
   })));
-  const material = new THREE.MeshBasicMaterial({color: data.palette.contact, depthTest: false});
+  const material =
+      new THREE.MeshBasicMaterial({color: data.palette.contribution.color, depthTest: false});
   for (const spike of spikes) group.add(arrow(new THREE.Vector3(), spike, 0.008, material));
   group.traverse((node) => {
     node.renderOrder = 20;
@@ -80,11 +81,12 @@ class WrenchSection {
     for (const x of slice.vertices) this.size = Math.max(this.size, Math.abs(x));
     if (slice.vertices.length > 0) {
       const geometry = creasedGeometry(slice.vertices, slice.triangles, 1);
-      this.content.add(outlined(geometry, solid(geometry, '#6f8fb8', 0.3), '#33507a', 0.3, 2));
+      const look = data.palette.wrench_space;
+      this.content.add(outlined(geometry, solid(geometry, look), look, 2));
     }
     if (grasp.epsilon[0] > 0) {
       const ball = new THREE.SphereBufferGeometry(grasp.epsilon[0], 32, 20);
-      this.content.add(solid(ball, '#2e9e4f', 0.55));
+      this.content.add(solid(ball, data.palette.epsilon_ball));
     }
     this.content.add(frameAxes(0.55 * this.size, ''));
     const weakest = vectorOf(this.kind === 'forces' ? grasp.weakest_force : grasp.weakest_torque);

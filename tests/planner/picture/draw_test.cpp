@@ -332,9 +332,12 @@ TEST(DrawTest, MistakesAreNamed) {
   EXPECT_NE(error({.line_width = std::nan("")}, {}).find("line_width"), std::string::npos);
   EXPECT_NE(error({}, {.eye = Vector3::Zero()}).find("target"), std::string::npos);
   EXPECT_NE(error({}, {.vertical_field_of_view = 3.2}).find("vertical_field"), std::string::npos);
-  body.mesh.triangles[3] = {0, 1, 8};
+  TriangleMesh mesh = *body.mesh;
+  mesh.triangles[3] = {0, 1, 8};
+  body.mesh = mesh;
   EXPECT_NE(error({}, {}).find("body 1: triangles: no such vertex (8)"), std::string::npos);
-  body.mesh.vertices[5].y() = std::numeric_limits<double>::quiet_NaN();
+  mesh.vertices[5].y() = std::numeric_limits<double>::quiet_NaN();
+  body.mesh = mesh;
   EXPECT_NE(error({}, {}).find("body 1: vertex 5"), std::string::npos);
 }
 

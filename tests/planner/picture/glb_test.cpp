@@ -113,10 +113,8 @@ std::vector<DrawnBody> samples() {
           {make_box(Vector3(0.1, 0.2, 0.3)), random.pose(2.0), kOrange, "box"},
           {make_cylinder(0.05, 0.2, 15, 3), random.pose(2.0), kOrange, "can"},
           // An odd number of 16-bit indices ends between two words.
-          {{{Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY()}, {{0, 1, 2}}},
-           random.pose(2.0),
-           kOrange,
-           "leaf"}};
+          {TriangleMesh{{Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY()}, {{0, 1, 2}}},
+           random.pose(2.0), kOrange, "leaf"}};
 }
 
 TEST(GlbTest, EveryTriangleIsWhereItsBodyHasIt) {
@@ -129,7 +127,7 @@ TEST(GlbTest, EveryTriangleIsWhereItsBodyHasIt) {
     const Pose X = pose_of(glb.root()) * pose_of(node);
     const std::vector<std::size_t> indices = glb.indices(node);
     const std::vector<Vector3> positions = glb.vectors(node, "POSITION");
-    const TriangleMesh& mesh = bodies[b].mesh;
+    const TriangleMesh& mesh = *bodies[b].mesh;
     ASSERT_EQ(indices.size(), 3 * mesh.triangles.size());
     for (std::size_t i = 0; i < indices.size(); ++i) {
       const auto v = static_cast<std::size_t>(mesh.triangles[i / 3][i % 3]);
@@ -156,8 +154,8 @@ TEST(GlbTest, TheLibrarysReaderFindsTheSameTriangles) {
   std::size_t triangles = 0;
   Bounds expected;
   for (const DrawnBody& body : bodies) {
-    triangles += body.mesh.triangles.size();
-    for (const Vector3& p : body.mesh.vertices) {
+    triangles += body.mesh->triangles.size();
+    for (const Vector3& p : body.mesh->vertices) {
       expected.lower = expected.lower.cwiseMin(y_up(body.X_WB * p));
       expected.upper = expected.upper.cwiseMax(y_up(body.X_WB * p));
     }
@@ -206,7 +204,7 @@ TEST(GlbTest, MoreVerticesThanSixteenBitsCount) {
   const DrawnBody body{make_box(Vector3(1, 1, 1), 110), Pose::Identity(), kOrange, "box"};
   const Glb glb = read({body});
   const std::vector<std::size_t> indices = glb.indices(glb.node(0));
-  ASSERT_EQ(indices.size(), 3 * body.mesh.triangles.size());
+  ASSERT_EQ(indices.size(), 3 * body.mesh->triangles.size());
   EXPECT_EQ(*std::max_element(indices.begin(), indices.end()), 6U * 111U * 111U - 1U);
 }
 
@@ -302,7 +300,9 @@ TEST(GlbTest, SameBytesTwice) {
 TEST(GlbTest, WhatIsNotFiniteIsRefused) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<DrawnBody> bodies = samples();
-  bodies[1].mesh.vertices[2].z() = nan;
+  TriangleMesh mesh = *bodies[1].mesh;
+  mesh.vertices[2].z() = nan;
+  bodies[1].mesh = mesh;
   EXPECT_THROW(glb_bytes(bodies, "", {}), InputError);
   bodies = samples();
   bodies[2].X_WB.translation().x() = nan;

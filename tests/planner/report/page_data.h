@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "planner/report/page.h"
 #include "planner/report/report_html.h"
 
 namespace prehend::test {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/report/report_json.h"
+#include "planner/show/palette.h"
 #include "sim/geometry/object_generator.h"
 #include "tests/planner/report/page_data.h"
 #include "tests/planner/report/unpack.h"
@@ -133,12 +134,14 @@ std::string content(const std::filesystem::path& file) {
   return text.str();
 }
 
+std::filesystem::path page_folder() {
+  return std::filesystem::path(PREHEND_SOURCE_DIR) / "planner" / "report" / "page";
+}
+
 // Whatever could make a browser ask for something: addresses must be of the page itself.
 TEST(ReportHtml, ThePageFetchesNothing) {
   int parts = 0;
-  const std::filesystem::path folder =
-      std::filesystem::path(PREHEND_SOURCE_DIR) / "planner" / "report" / "page";
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+  for (const auto& entry : std::filesystem::directory_iterator(page_folder())) {
     ++parts;
     const std::string text = content(entry.path());
     for (const char* asks :
@@ -158,6 +161,78 @@ TEST(ReportHtml, ThePageFetchesNothing) {
   EXPECT_EQ(count_of(page, "<link rel=\"icon\" href=\"data:,\">"), 1);
   for (const char* element_of : {"<img", "<iframe", "<embed", "<audio", "<video"}) {
     EXPECT_EQ(count_of(page, element_of), 0) << element_of;
+  }
+}
+
+// A part in [0, 1] of a colour, as a page writes it: two hexadecimal digits at `place`.
+double part_of(const std::string& color, std::size_t place) {
+  return std::stoi(color.substr(1 + 2 * place, 2), nullptr, 16) / 255.0;
+}
+
+void expect_color(const nlohmann::json& found, const Color& expected, const std::string& name) {
+  const std::string color = found.get<std::string>();
+  ASSERT_EQ(color.size(), 7U) << name;
+  EXPECT_EQ(color[0], '#') << name;
+  EXPECT_NEAR(part_of(color, 0), expected.red, 0.5 / 255.0 + 1e-12) << name;
+  EXPECT_NEAR(part_of(color, 1), expected.green, 0.5 / 255.0 + 1e-12) << name;
+  EXPECT_NEAR(part_of(color, 2), expected.blue, 0.5 / 255.0 + 1e-12) << name;
+}
+
+const std::vector<std::pair<std::string, Color>> kLooks = {
+    {"object", palette::kObject},
+    {"hard", palette::kHard},
+    {"rubber", palette::kRubber},
+    {"arm", palette::kArm},
+    {"obstacle", palette::kObstacle},
+    {"primitive", palette::kPrimitive},
+    {"contact", palette::kContact},
+    {"weakest", palette::kWeakest},
+    {"pointed_at", palette::kPointedAt},
+    {"center", palette::kCenterOfMass},
+    {"wrench_space", palette::kWrenchSpace},
+    {"epsilon_ball", palette::kEpsilonBall},
+    {"contribution", palette::kContribution}};
+
+TEST(ReportJson, ColoursAndOpacitiesAreThoseOfPictures) {
+  const nlohmann::json found = data_of(Report{})["palette"];
+  for (const auto& [name, look] : kLooks) {
+    ASSERT_TRUE(found.contains(name)) << name;
+    expect_color(found[name]["color"], look, name);
+    EXPECT_EQ(found[name]["opacity"], look.opacity) << name;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    expect_color(found["axes"][axis], palette::kAxes[axis], "axis");
+  }
+  for (const Outcome outcome : kOutcomes) {
+    const std::string name(outcome_name(outcome));
+    ASSERT_TRUE(found["outcomes"].contains(name)) << name;
+    expect_color(found["outcomes"][name], palette::of(outcome), name);
+  }
+  EXPECT_EQ(found.size(), kLooks.size() + 2);
+}
+
+// The page takes them from there: it says no colour of the palette and no opacity itself.
+TEST(ReportHtml, ThePageHasNoColoursOfItsOwn) {
+  const nlohmann::json data = data_of(Report{})["palette"];
+  std::string scripts;
+  for (const auto& entry : std::filesystem::directory_iterator(page_folder())) {
+    const std::string text = lower(content(entry.path()));
+    for (const auto& [name, look] : kLooks) {
+      const std::string color = data[name]["color"];
+      EXPECT_EQ(count_of(text, color), 0) << entry.path().filename() << ": " << name;
+    }
+    for (const auto& list : {data["axes"], data["outcomes"]}) {
+      for (const std::string color : list) {
+        EXPECT_EQ(count_of(text, color), 0) << entry.path().filename() << ": " << color;
+      }
+    }
+    for (const char* number : {"0", "1", "."}) {
+      EXPECT_EQ(count_of(text, std::string("opacity: ") + number), 0) << entry.path().filename();
+    }
+    if (entry.path().extension() == ".js") scripts += text;
+  }
+  for (const auto& [name, look] : kLooks) {
+    EXPECT_GT(count_of(scripts, "palette." + name) + count_of(scripts, "looks." + name), 0) << name;
   }
 }
 

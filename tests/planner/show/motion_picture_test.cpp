@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/show/grasp_bodies.h"
 #include "planner/show/motion_frames.h"
 #include "tests/support/held_cube.h"
 
@@ -21,8 +22,8 @@ TEST(MotionPicture, OneCameraSeesAllFrames) {
   EXPECT_FALSE(view.with_arm);
   const Projection projection(view.close, options.width, options.height);
   for (const MotionFrame& frame : frames) {
-    for (const DrawnBody& body : grasp_bodies(held.scene, posed_at(frame))) {
-      for (const Vector3& p_B : body.mesh.vertices) {
+    for (const DrawnBody& body : grasp_bodies(held.scene, posed_at(frame)).grasp()) {
+      for (const Vector3& p_B : body.mesh->vertices) {
         const Eigen::Vector2d pixel = projection.pixel(projection.X_CW() * (body.X_WB * p_B));
         EXPECT_TRUE(pixel.x() >= 0 && pixel.x() <= options.width);
         EXPECT_TRUE(pixel.y() >= 0 && pixel.y() <= options.height);

@@ -1,4 +1,4 @@
-#include "planner/exports/check_sizes.h"
+#include "planner/exports/export_grasp.h"
 
 #include "sim/base/input_error.h"
 

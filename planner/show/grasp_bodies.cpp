@@ -1,0 +1,127 @@
+#include "planner/show/grasp_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "planner/picture/marks.h"
+#include "planner/show/palette.h"
+
+namespace prehend {
+namespace {
+
+// A link whose box has a shorter diagonal only marks a place [m].
+constexpr double kMarker = 0.01;
+
+// Sizes of marks as parts of the object's radius.
+constexpr double kConeLength = 0.22;
+constexpr double kArrowLength = 1.1;
+constexpr double kForceRadius = 0.035;
+constexpr double kTorqueRadius = 0.015;
+
+// Largest distance of the object from its centre of mass: what marks are sized by.
+double object_radius(const CompiledScene& scene) { return 1.0 / scene.wrench_frame.torque_scale; }
+
+std::vector<DrawnBody> joined(std::initializer_list<const std::vector<DrawnBody>*> lists) {
+  std::vector<DrawnBody> bodies;
+  for (const std::vector<DrawnBody>* list : lists) {
+    bodies.insert(bodies.end(), list->begin(), list->end());
+  }
+  return bodies;
+}
+
+DrawnBody link_body(const Link& link, const Pose& X_WL, const Color& color) {
+  return {SharedMesh::borrowed(link.mesh), X_WL, color, link.name};
+}
+
+std::vector<DrawnBody> hand_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  const Robot& hand = scene.scene.hand;
+  const Pose X_WH = scene.scene.object.X_WO * grasp.X_OH;
+  std::vector<Pose> X_HL;
+  link_poses(hand, grasp.joints, X_HL);
+  std::vector<DrawnBody> bodies;
+  for (std::size_t l = 0; l < hand.links.size(); ++l) {
+    const Link& link = hand.links[l];
+    const Color& color = link.material == "rubber" ? palette::kRubber : palette::kHard;
+    bodies.push_back(link_body(link, X_WH * X_HL[l], color));
+  }
+  return bodies;
+}
+
+std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  std::vector<DrawnBody> bodies;
+  if (grasp.arm_joints.empty()) return bodies;
+  const CompiledArm& arm = *scene.arm;
+  std::vector<Pose> X_BL;
+  arm_link_poses(arm, grasp.arm_joints, X_BL);
+  for (std::size_t l = 0; l < X_BL.size(); ++l) {
+    if (arm.is_hand_link(link_id(l))) continue;
+    bodies.push_back(link_body(arm.robot().links[l], arm.X_WB * X_BL[l], palette::kArm));
+  }
+  return bodies;
+}
+
+DrawnBody contact_body(const CompiledScene& scene, const Contact& point) {
+  // A frictionless cone would not show.
+  const double slope = std::max(0.05, point.friction);
+  // All cones are equally long along their sides, however wide they are.
+  const double length = kConeLength * object_radius(scene) / std::sqrt(1.0 + slope * slope);
+  return {cone_mesh(point.position, point.normal, slope, length), scene.scene.object.X_WO,
+          palette::kContact, "contact"};
+}
+
+// Two arrows from the centre of mass, sized against each other: together they have one length.
+std::vector<DrawnBody> weakest_bodies(const CompiledScene& scene, const Wrench& wrench) {
+  if (wrench.isZero(0.0)) return {};
+  const double radius = object_radius(scene);
+  const Pose& X_WO = scene.scene.object.X_WO;
+  const Vector3& origin = scene.wrench_frame.torque_origin;
+  const Vector3 force = wrench.head<3>() / wrench.norm() * kArrowLength * radius;
+  const Vector3 torque = wrench.tail<3>() / wrench.norm() * kArrowLength * radius;
+  return {{arrow_mesh(origin, origin + force, kForceRadius * radius), X_WO, palette::kWeakest,
+           "weakest force"},
+          {arrow_mesh(origin, origin + torque, kTorqueRadius * radius), X_WO, palette::kWeakest,
+           "weakest torque"}};
+}
+
+}  // namespace
+
+std::vector<DrawnBody> GraspBodies::grasp() const {
+  std::vector<DrawnBody> bodies = {object};
+  for (const DrawnBody& body : joined({&hand, &contacts, &weakest})) bodies.push_back(body);
+  return bodies;
+}
+
+std::vector<DrawnBody> GraspBodies::surroundings() const { return joined({&obstacles, &arm}); }
+
+std::vector<DrawnBody> GraspBodies::all() const {
+  const std::vector<DrawnBody> first = grasp();
+  return joined({&first, &obstacles, &arm});
+}
+
+std::vector<DrawnBody> GraspBodies::grasp_and_arm() const {
+  std::vector<DrawnBody> bodies = grasp();
+  for (const DrawnBody& link : arm) {
+    if (bounds(*link.mesh).size().norm() > kMarker) bodies.push_back(link);
+  }
+  return bodies;
+}
+
+GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+  const GraspableBody& object = scene.scene.object;
+  GraspBodies bodies;
+  bodies.object = {SharedMesh::borrowed(object.mesh), object.X_WO, palette::kObject, object.name};
+  bodies.hand = hand_bodies(scene, grasp);
+  for (const GraspContact& contact : grasp.contacts) {
+    bodies.contacts.push_back(contact_body(scene, contact.point));
+  }
+  bodies.weakest = weakest_bodies(scene, grasp.weakest);
+  for (const StaticBody& body : scene.scene.obstacles) {
+    bodies.obstacles.push_back(
+        {SharedMesh::borrowed(body.mesh), body.X_WB, palette::kObstacle, body.name});
+  }
+  bodies.arm = arm_bodies(scene, grasp);
+  return bodies;
+}
+
+}  // namespace prehend
