@@ -37,7 +37,8 @@ struct AssembledPlatform {
   std::vector<PlatformPart> parts;  // as the platform's robots
 };
 
-// The robots joined: a child's base link belongs to the joint that carries it.
+// The robots joined into one tree: the joints and links that stand on a robot's base follow the
+// joint that carries it. Throws InputError for a robot whose joints are no tree (require_tree).
 AssembledPlatform assemble(const Platform& platform);
 
 // The only robot of the platform that is a hand.
