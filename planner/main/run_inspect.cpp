@@ -84,15 +84,19 @@ void print_drive(const Joint& joint) {
   const bool turns = joint.type == JointType::revolute;
   const JointFriction& friction = joint.friction;
   if (joint.max_effort == 0.0 && friction.coulomb == 0.0 && friction.viscous == 0.0) return;
-  std::printf("        %-20s", "");
+  const char* separator = "";
+  std::printf("%29s", "");
   if (joint.max_effort > 0.0) {
-    std::printf(" effort up to %.4g %s", joint.max_effort, turns ? "N m" : "N");
+    std::printf("effort up to %.4g %s", joint.max_effort, turns ? "N m" : "N");
+    separator = ", ";
   }
   if (friction.coulomb > 0.0) {
-    std::printf(" Coulomb friction %.4g %s", friction.coulomb, turns ? "N m" : "N");
+    std::printf("%sCoulomb friction %.4g %s", separator, friction.coulomb, turns ? "N m" : "N");
+    separator = ", ";
   }
   if (friction.viscous > 0.0) {
-    std::printf(" viscous friction %.4g %s", friction.viscous, turns ? "N m s/rad" : "N s/m");
+    std::printf("%sviscous friction %.4g %s", separator, friction.viscous,
+                turns ? "N m s/rad" : "N s/m");
   }
   std::printf("\n");
 }

@@ -64,7 +64,7 @@ struct Chain {
   ClosedForm closed_form = ClosedForm::none;
 };
 
-// How the joints of one degree of freedom part when one of them is stopped.
+// What the joints of one degree of freedom do when contact stops one of them.
 enum class Coupling {
   rigid,           // all stop
   breakaway,       // the stopped joint stays, the others go on
@@ -84,7 +84,8 @@ struct DegreeOfFreedom {
   Coupling coupling = Coupling::rigid;
 };
 
-// A rigid piece. Its mesh is given in the frame after `joint`, or in the base frame for joint -1.
+// A rigid body of the robot. Its mesh is given in the frame after `joint`, or in the base frame for
+// joint -1.
 struct Link {
   std::string name;
   std::string material;
@@ -106,7 +107,8 @@ struct Preshape {
 struct Hand {
   Vector3 approach = Vector3::UnitZ();  // unit, base frame: the palm moves this way to the object
   Vector3 closing = Vector3::UnitX();   // unit, orthogonal to approach: the fingers close along it
-  Vector3 origin = Vector3::Zero();     // point of the palm that is aimed, base frame [m]
+  Vector3 origin =
+      Vector3::Zero();  // the point of the palm that is aimed at the object, base frame [m]
   std::vector<Preshape> preshapes;
 };
 

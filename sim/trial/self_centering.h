@@ -17,8 +17,8 @@ struct FingerPair {
 };
 FingerPair finger_pair(const Robot& hand, int dof);
 
-// Unit, in the hand's base frame: the direction in which the first finger slides when its joint value
-// grows. It depends on the joints where the fingers stand on a part of the hand that moves.
+// Unit, in the hand's base frame: the direction in which the first finger slides when its joint
+// value grows. It depends on the joints where the fingers stand on a part of the hand that moves.
 Vector3 opening_axis(const Robot& hand, const FingerPair& fingers,
                      const std::vector<double>& joints);
 
