@@ -79,6 +79,28 @@ void print_primitives(const TriangleMesh& mesh) {
   for (const Primitive& primitive : parts.primitives) print_shape(primitive);
 }
 
+// What the file says of the joint's drive and friction; no line where it says nothing.
+void print_drive(const Joint& joint) {
+  const bool turns = joint.type == JointType::revolute;
+  const JointFriction& friction = joint.friction;
+  if (joint.max_effort == 0.0 && friction.coulomb == 0.0 && friction.viscous == 0.0) return;
+  const char* separator = "";
+  std::printf("%29s", "");
+  if (joint.max_effort > 0.0) {
+    std::printf("effort up to %.4g %s", joint.max_effort, turns ? "N m" : "N");
+    separator = ", ";
+  }
+  if (friction.coulomb > 0.0) {
+    std::printf("%sCoulomb friction %.4g %s", separator, friction.coulomb, turns ? "N m" : "N");
+    separator = ", ";
+  }
+  if (friction.viscous > 0.0) {
+    std::printf("%sviscous friction %.4g %s", separator, friction.viscous,
+                turns ? "N m s/rad" : "N s/m");
+  }
+  std::printf("\n");
+}
+
 void print_robot(const Robot& robot) {
   std::printf("robot %s: %zu links, %zu joints, %zu degrees of freedom\n", robot.name.c_str(),
               robot.links.size(), robot.joints.size(), robot.dofs.size());
@@ -87,6 +109,7 @@ void print_robot(const Robot& robot) {
                 joint.name.c_str(), joint.type == JointType::revolute ? "revolute" : "prismatic",
                 joint.lower, joint.upper,
                 robot.dofs[static_cast<std::size_t>(joint.dof)].name.c_str(), joint.ratio);
+    print_drive(joint);
   }
   for (const DegreeOfFreedom& dof : robot.dofs) {
     std::printf("  dof   %-20s from %9.4f to %9.4f, closes at %g\n", dof.name.c_str(), dof.lower,
@@ -94,9 +117,14 @@ void print_robot(const Robot& robot) {
   }
   for (const Link& link : robot.links) {
     const Vector3 size = kMillimetres * bounds(link.mesh).size();
-    std::printf("  link  %-20s %-8s %3zu triangles, %.1f x %.1f x %.1f mm%s\n", link.name.c_str(),
-                link.material.c_str(), link.mesh.triangles.size(), size.x(), size.y(), size.z(),
-                check_mesh(link.mesh).solid() ? "" : ", not a closed solid");
+    const Vector3 center = kMillimetres * link.inertial.center_of_mass;
+    std::printf(
+        "  link  %-20s %-8s %3zu triangles, %.1f x %.1f x %.1f mm, %.4g kg about (%.1f, %.1f, "
+        "%.1f) "
+        "mm%s\n",
+        link.name.c_str(), link.material.c_str(), link.mesh.triangles.size(), size.x(), size.y(),
+        size.z(), link.inertial.mass, center.x(), center.y(), center.z(),
+        check_mesh(link.mesh).solid() ? "" : ", not a closed solid");
   }
   if (!robot.hand) return;
   for (const Preshape& preshape : robot.hand->preshapes) {

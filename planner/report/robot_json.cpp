@@ -16,29 +16,23 @@ using Json = nlohmann::ordered_json;
 // Links of real robots come with more detail than a picture of the whole shows.
 constexpr std::size_t kMostLinkTriangles = 8000;
 
-Pose rotation(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
-
-// The fixed transform that follows the motion about or along z: the rest of the joint's
-// Denavit-Hartenberg transform, as motions about and along one axis may change places.
-Pose after_motion(const Joint& joint) {
-  return rotation(joint.theta, Vector3::UnitZ()) * translation(Vector3(joint.a, 0.0, joint.d)) *
-         rotation(joint.alpha, Vector3::UnitX());
-}
-
 Json pose_or_null(const Pose& pose) {
   return pose.isApprox(Pose::Identity(), 1e-12) ? Json() : rounded(pose);
 }
 
+Json axis_or_null(const Vector3& axis) {
+  return axis == Vector3::UnitZ() ? Json() : rounded(axis, 1e9);
+}
+
 Json joints_json(const Robot& robot) {
   Json joints = Json::array();
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const Joint& joint = robot.joints[j];
-    const Chain& chain = robot.chains[static_cast<std::size_t>(joint.chain)];
-    const bool first = chain.first_joint == static_cast<int>(j);
-    joints.push_back({{"parent", first ? chain.parent : joint.parent},
+  for (const Joint& joint : robot.joints) {
+    // Motions about or along one axis may change places: at value 0 the rest of the joint follows.
+    joints.push_back({{"parent", joint.parent},
                       {"type", joint.type == JointType::revolute ? "r" : "p"},
-                      {"before", first ? pose_or_null(chain.X_PC) : Json()},
-                      {"after", pose_or_null(after_motion(joint))}});
+                      {"axis", axis_or_null(joint.axis)},
+                      {"before", pose_or_null(joint.X_PJ)},
+                      {"after", pose_or_null(across(joint, 0.0))}});
   }
   return joints;
 }

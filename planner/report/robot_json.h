@@ -17,9 +17,10 @@ nlohmann::ordered_json rounded(const Pose& pose);
 // To six significant digits.
 double significant(double value);
 
-// "joints": for each its parent's number (-1: the base), whether it turns ("r") or slides ("p")
-// about its z axis, and the fixed poses before and after that motion (null: none). "links": name,
-// joint (-1: the base), material, mesh (simplified where it is large).
+// "joints": for each its parent's number (-1: the base), whether it turns about its axis ("r") or
+// slides along it ("p"), the axis (unit, null: z) in the frame before the motion, and the fixed
+// poses before and after that motion (null: none). "links": name, joint (-1: the base), material,
+// mesh (simplified where it is large).
 nlohmann::ordered_json robot_json(const Robot& robot);
 
 // The platform in the same way, without the hand's links, with its base ("X", in the world), the

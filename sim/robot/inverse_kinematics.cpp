@@ -103,10 +103,8 @@ class Linearizer {
 
   void add_joint(int j, Eigen::Index row, const Vector3& p_T) {
     const Joint& joint = task_.robot.joints[index(j)];
-    const Chain& chain = task_.robot.chains[index(joint.chain)];
-    const Pose X_BP = joint.parent < 0 ? Pose::Identity() : X_BJ_[index(joint.parent)];
-    const Pose X_BF = j == chain.first_joint ? X_BP * chain.X_PC : X_BP;
-    const Vector3 axis = X_BF.linear().col(2);
+    const Pose X_BF = joint.parent < 0 ? joint.X_PJ : X_BJ_[index(joint.parent)] * joint.X_PJ;
+    const Vector3 axis = X_BF.linear() * joint.axis;
     auto column = at_.jacobian.col(column_[index(joint.dof)]);
     if (joint.type == JointType::prismatic) {
       column.segment<3>(row) += joint.ratio * axis;
@@ -260,8 +258,9 @@ class Collector {
   std::vector<DofValues> found_;
 };
 
-// The chain that ends at the target's joint when its closed form may be used: each of its joints
-// has a degree of freedom of its own.
+// The chain that ends at the target's joint, when its closed form may be used: each of its joints
+// has a degree of freedom of its own. A target beyond a branch of the chain, or before its end, has
+// none.
 const Chain* closed_form_chain(const Robot& robot, int joint) {
   const Chain& chain = robot.chains[index(robot.joints[index(joint)].chain)];
   if (chain.closed_form == ClosedForm::none) return nullptr;
@@ -279,14 +278,16 @@ void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target
                   const DofValues& values, Collector& found) {
   std::vector<Pose> X_BJ;
   joint_poses(robot, joint_values(robot, values), X_BJ);
-  const Pose X_BP = chain.parent < 0 ? Pose::Identity() : X_BJ[index(chain.parent)];
-  const Pose X_CT = (X_BP * chain.X_PC).inverse() * target.X_BT * target.X_JT.inverse();
+  const SphericalWrist wrist(robot, chain);
+  const int parent = robot.joints[index(chain.first_joint)].parent;
+  const Pose X_BC = parent < 0 ? wrist.X_PC() : X_BJ[index(parent)] * wrist.X_PC();
+  const Pose X_CT = X_BC.inverse() * target.X_BT * target.X_JT.inverse();
   SphericalWrist::Joints near{};
   for (std::size_t k = 0; k < near.size(); ++k) {
     const Joint& joint = robot.joints[index(chain.first_joint) + k];
     near[k] = joint.ratio * values[index(joint.dof)] + joint.offset;
   }
-  const SphericalWrist::Solutions branches = SphericalWrist(robot, chain).solve(X_CT, near);
+  const SphericalWrist::Solutions branches = wrist.solve(X_CT, near);
   for (int b = 0; b < branches.count; ++b) {
     DofValues branch = values;
     bool inside = true;

@@ -1,4 +1,4 @@
-// From where a robot should be to the values of its degrees of freedom.
+// Inverse kinematics: values of the degrees of freedom that bring frames of a robot to given poses.
 #pragma once
 
 #include <cstdint>
@@ -57,8 +57,8 @@ std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>
                                  const DofValues& start, const IkOptions& options = {},
                                  const RunContext& context = {});
 
-// How near the value nearest to one of its limits is: 0 at a limit, 1 in the middle. Only for the
-// degrees of freedom listed.
+// The least distance of the listed degrees of freedom from their limits, each as a part of half its
+// range: 0 when one is at a limit, 1 when all are in the middle.
 double limit_margin(const Robot& robot, const std::vector<int>& dofs, const DofValues& values);
 
 // Degrees of freedom that move the frame after `joint`, base to tip.

@@ -16,13 +16,12 @@ void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole)
   const auto carried = [&](int joint) { return joint < 0 ? part.joint : part.first_joint + joint; };
   for (Chain chain : robot.chains) {
     chain.name = named(chain.name);
-    if (chain.parent < 0) chain.X_PC = part.X_JR * chain.X_PC;
-    chain.parent = carried(chain.parent);
     chain.first_joint += part.first_joint;
     whole.chains.push_back(std::move(chain));
   }
   for (Joint joint : robot.joints) {
     joint.name = named(joint.name);
+    if (joint.parent < 0) joint.X_PJ = part.X_JR * joint.X_PJ;
     joint.parent = carried(joint.parent);
     joint.dof += part.first_dof;
     joint.chain += first_chain;
@@ -34,7 +33,10 @@ void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole)
   }
   for (Link link : robot.links) {
     link.name = named(link.name);
-    if (link.joint < 0) link.mesh = transformed(link.mesh, part.X_JR);
+    if (link.joint < 0) {
+      link.mesh = transformed(link.mesh, part.X_JR);
+      link.inertial = transformed(link.inertial, part.X_JR);
+    }
     link.joint = carried(link.joint);
     whole.links.push_back(std::move(link));
   }
@@ -47,6 +49,7 @@ AssembledPlatform assemble(const Platform& platform) {
   Robot& whole = assembled.robot;
   whole.name = platform.name;
   for (const MountedRobot& mounted : platform.robots) {
+    require_tree(mounted.robot);
     PlatformPart part;
     part.X_JR = mounted.X_MR;
     if (mounted.parent >= 0) {

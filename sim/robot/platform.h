@@ -1,4 +1,5 @@
-// Robots on robots: a tree of arms, bases and hands, and the one robot that they are together.
+// Platforms: robots mounted on robots, such as a hand on an arm on a mobile base, and their
+// assembly into one robot.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ struct MountedRobot {
   int parent = -1;  // the robot that carries it, which stands before it; -1: the first
   int chain = 0;    // of the parent: it is attached to the frame after that chain's last joint
   Pose X_MR = Pose::Identity();    // the robot's base in that frame, or in the platform's base
-  std::optional<Link> mount = {};  // a body fixed to that frame, between the two
+  std::optional<Link> mount = {};  // a link between the two robots, fixed to that frame
 };
 
 struct Platform {
@@ -37,7 +38,8 @@ struct AssembledPlatform {
   std::vector<PlatformPart> parts;  // as the platform's robots
 };
 
-// The robots joined: a child's base link belongs to the joint that carries it.
+// The robots joined into one tree: the joints and links that stand on a robot's base follow the
+// joint that carries it. Throws InputError for a robot whose joints are no tree (require_tree).
 AssembledPlatform assemble(const Platform& platform);
 
 // The only robot of the platform that is a hand.

@@ -4,8 +4,8 @@
 
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
+#include "sim/robot/link_file.h"
 #include "sim/robot/robot_file.h"
-#include "sim/robot/robot_geometry.h"
 
 namespace prehend {
 namespace {
@@ -36,11 +36,9 @@ int find_chain(const JsonField& field, const Robot& robot) {
 }
 
 Link read_mount(const JsonField& field, const FileUnits& units) {
-  field.allow_only({"name", "material", "geometry"});
-  return {.name = field["name"].text(),
-          .material = field["material"].text(),
-          .joint = -1,
-          .mesh = read_geometry(field["geometry"], units, {})};
+  field.allow_only(
+      {"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
+  return read_link(field, units, {}, -1);
 }
 
 MountedRobot read_mounted(const JsonField& field, const FileUnits& units,

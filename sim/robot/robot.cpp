@@ -3,29 +3,46 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 #include "sim/base/index.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
 
-// Rz(theta) Tz(d) Tx(a) Rx(alpha), multiplied out.
-Pose denavit_hartenberg(double theta, double d, double a, double alpha) {
-  const double ct = std::cos(theta);
-  const double st = std::sin(theta);
-  const double ca = std::cos(alpha);
-  const double sa = std::sin(alpha);
+// Lengths of axes are 1 up to rounding.
+constexpr double kUnit = 1e-9;
+
+// The motion of a joint whose value, with its zero, is `amount`.
+Pose motion(const Joint& joint, double amount) {
+  if (joint.type == JointType::prismatic) return translation(amount * joint.axis);
+  // About z the entries are plain sines and cosines. The general formula would round them again,
+  // and products of Denavit-Hartenberg joints would lose their closed form.
+  if (joint.axis != Vector3::UnitZ()) return Pose(Eigen::AngleAxisd(amount, joint.axis));
+  const double c = std::cos(amount);
+  const double s = std::sin(amount);
   Matrix3 rotation;
-  rotation << ct, -st * ca, st * sa,  //
-      st, ct * ca, -ct * sa,          //
-      0.0, sa, ca;
-  return pose_from(rotation, Vector3(a * ct, a * st, d));
+  rotation << c, -s, 0.0,  //
+      s, c, 0.0,           //
+      0.0, 0.0, 1.0;
+  return pose_from(rotation, Vector3::Zero());
 }
 
-Pose across(const Joint& joint, double value) {
-  const bool revolute = joint.type == JointType::revolute;
-  return denavit_hartenberg(joint.theta + (revolute ? value : 0.0),
-                            joint.d + (revolute ? 0.0 : value), joint.a, joint.alpha);
+void require_chain(const Robot& robot, const Chain& chain) {
+  const int last = chain.first_joint + chain.joint_count - 1;
+  const auto fail = [&](const std::string& problem) {
+    throw InputError(robot.name + ": chain " + chain.name + ": " + problem);
+  };
+  if (chain.first_joint < 0 || chain.joint_count < 1 ||
+      last >= static_cast<int>(robot.joints.size())) {
+    fail("names joints that the robot does not have");
+  }
+  for (int j = chain.first_joint + 1; j <= last; ++j) {
+    if (robot.joints[index(j)].parent != j - 1) {
+      fail("joint " + robot.joints[index(j)].name + " does not follow the one before it");
+    }
+  }
 }
 
 }  // namespace
@@ -57,16 +74,41 @@ std::vector<int> joints_to(const Robot& robot, int joint) {
   return path;
 }
 
+Pose across(const Joint& joint, double value) {
+  return motion(joint, value + joint.zero) * joint.X_JA;
+}
+
 void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BJ) {
   assert(joints.size() == robot.joints.size());
   X_BJ.resize(robot.joints.size());
-  for (const Chain& chain : robot.chains) {
-    Pose X = chain.parent < 0 ? chain.X_PC : X_BJ[index(chain.parent)] * chain.X_PC;
-    for (int j = chain.first_joint; j < chain.first_joint + chain.joint_count; ++j) {
-      X = X * across(robot.joints[index(j)], joints[index(j)]);
-      X_BJ[index(j)] = X;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    assert(joint.parent < static_cast<int>(j));
+    const Pose X_BF = joint.parent < 0 ? joint.X_PJ : X_BJ[index(joint.parent)] * joint.X_PJ;
+    X_BJ[j] = X_BF * across(joint, joints[j]);
+  }
+}
+
+void require_tree(const Robot& robot) {
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    const auto fail = [&](const std::string& problem) {
+      throw InputError(robot.name + ": joint " + joint.name + ": " + problem);
+    };
+    if (joint.parent < -1 || joint.parent >= static_cast<int>(j)) {
+      fail("must stand after its parent joint");
+    }
+    if (!(std::abs(joint.axis.norm() - 1.0) < kUnit)) fail("axis must be of length 1");
+    if (joint.dof < 0 || joint.dof >= static_cast<int>(robot.dofs.size())) {
+      fail("no degree of freedom drives it");
     }
   }
+  for (const Link& link : robot.links) {
+    if (link.joint < -1 || link.joint >= static_cast<int>(robot.joints.size())) {
+      throw InputError(robot.name + ": link " + link.name + ": follows no joint of the robot");
+    }
+  }
+  for (const Chain& chain : robot.chains) require_chain(robot, chain);
 }
 
 }  // namespace prehend

@@ -1,4 +1,5 @@
-// A robot as data: joints in chains, degrees of freedom that drive them, links with geometry.
+// A robot as data: a tree of joints, degrees of freedom that drive them, links with geometry and
+// mass.
 #pragma once
 
 #include <optional>
@@ -6,28 +7,44 @@
 #include <vector>
 
 #include "sim/geometry/triangle_mesh.h"
+#include "sim/robot/inertial.h"
 
 namespace prehend {
 
 enum class JointType { revolute, prismatic };
 
-// Standard (distal) Denavit-Hartenberg: the frame after the joint in the frame before it is
-// Rz(theta) Tz(d) Tx(a) Rx(alpha). The joint's value is added to theta (revolute) or d (prismatic).
-// Source: Denavit and Hartenberg 1955; Paul 1981, section 2.8.
+// Friction that opposes a joint's motion at the speed v: coulomb * sign(v) + viscous * v. 0: none
+// or not known.
+struct JointFriction {
+  double coulomb = 0.0;  // >= 0 [N m, prismatic: N]
+  double viscous = 0.0;  // >= 0 [N m s/rad, prismatic: N s/m]
+};
+
+// One axis of motion. With the frames P (after the parent joint, or the robot's base), J (the joint
+// frame, fixed in P) and A (after the joint):
+//
+//   X_PA = X_PJ * motion(axis, value + zero) * X_JA
+//
+// where motion turns about the axis (revolute) or slides along it (prismatic). URDF's joints have
+// zero = 0 and X_JA = identity; denavit_hartenberg.h writes those of Denavit and Hartenberg.
 struct Joint {
   std::string name;
   JointType type = JointType::revolute;
-  double theta = 0.0;  // rad
-  double d = 0.0;      // m
-  double a = 0.0;      // m
-  double alpha = 0.0;  // rad
-  double lower = 0.0;  // limits of the joint's value, without theta or d [rad or m]
+  Pose X_PJ = Pose::Identity();
+  Vector3 axis = Vector3::UnitZ();  // unit, through the origin of J, in J
+  // Added to the value. It could be part of X_JA, but sums of angles keep digits that products of
+  // rotations lose.
+  double zero = 0.0;  // rad or m
+  Pose X_JA = Pose::Identity();
+  double lower = 0.0;  // limits of the joint's value, without zero [rad or m]
   double upper = 0.0;
   int dof = 0;         // the degree of freedom that drives it
   double ratio = 1.0;  // value = ratio * dof + offset
   double offset = 0.0;
-  int parent = -1;  // the joint before it towards the base, -1 for none
-  int chain = 0;
+  int parent = -1;          // the joint before it towards the base, -1: none; parents stand first
+  int chain = 0;            // the chain that it is part of
+  double max_effort = 0.0;  // largest torque or force of its drive, 0: not said [N m or N]
+  JointFriction friction = {};
 };
 
 // A closed-form solution of inverse kinematics that is known for a chain.
@@ -36,23 +53,24 @@ enum class ClosedForm {
   spherical_wrist,  // six revolute joints, elbow and spherical wrist (spherical_wrist.h)
 };
 
-// Joints first_joint .. first_joint + joint_count - 1 of the robot, base to tip.
+// A named path in the tree: joints first_joint .. first_joint + joint_count - 1 of the robot, each
+// the parent of the next. It begins at the base or at any joint of an earlier chain (the parent of
+// its first joint). Chains name where other robots are mounted and what has a closed form;
+// kinematics follow the joints' parents alone.
 struct Chain {
   std::string name;
-  // The frame before the chain's first joint, in the frame after joint `parent`.
-  Pose X_PC = Pose::Identity();
   int first_joint = 0;
   int joint_count = 0;
-  int parent = -1;  // -1: the robot's base; chains stand after those that carry them
   ClosedForm closed_form = ClosedForm::none;
 };
 
-// How the joints of one degree of freedom part when one of them is stopped.
+// What the joints of one degree of freedom do when contact stops one of them.
 enum class Coupling {
   rigid,           // all stop
   breakaway,       // the stopped joint stays, the others go on
-  self_centering,  // two opposed prismatic fingers: the other goes on until it touches too, and the
-                   // hand (or the object) gives way sideways until both values are equal again
+  self_centering,  // two opposed prismatic fingers on one body: the other goes on until it touches
+                   // too, and the hand (or the object) gives way sideways until both values are
+                   // equal again
 };
 
 struct DegreeOfFreedom {
@@ -66,12 +84,14 @@ struct DegreeOfFreedom {
   Coupling coupling = Coupling::rigid;
 };
 
-// A rigid piece. Its mesh is given in the frame after `joint`, or in the base frame for joint -1.
+// A rigid body of the robot. Its mesh is given in the frame after `joint`, or in the base frame for
+// joint -1.
 struct Link {
   std::string name;
   std::string material;
   int joint = -1;
   TriangleMesh mesh;
+  Inertial inertial = {};  // in the link's frame; mass 0: not known
 };
 
 // A named opening of a hand from which grasps start.
@@ -87,7 +107,8 @@ struct Preshape {
 struct Hand {
   Vector3 approach = Vector3::UnitZ();  // unit, base frame: the palm moves this way to the object
   Vector3 closing = Vector3::UnitX();   // unit, orthogonal to approach: the fingers close along it
-  Vector3 origin = Vector3::Zero();     // point of the palm that is aimed, base frame [m]
+  Vector3 origin =
+      Vector3::Zero();  // the point of the palm that is aimed at the object, base frame [m]
   std::vector<Preshape> preshapes;
 };
 
@@ -103,13 +124,22 @@ struct Robot {
 // Joint values for degrees of freedom (one each): ratio * dof + offset.
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs);
 
-// Poses of all links in the robot's base frame for joint values (one each); `X_BL` is resized.
+// The frame A after a joint in its joint frame J, for a joint value [rad or m].
+Pose across(const Joint& joint, double value);
+
+// Poses of the frames after each joint in the robot's base frame, for joint values (one each);
+// `X_BJ` is resized.
+void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BJ);
+
+// As joint_poses, for the frames of all links.
 void link_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BL);
 
 // Joints from the base to `joint`, in that order; none for joint -1.
 std::vector<int> joints_to(const Robot& robot, int joint);
 
-// As link_poses, for the frames after each joint.
-void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BJ);
+// Throws InputError "ROBOT: joint NAME: ..." unless every joint stands after its parent, has a unit
+// axis and a degree of freedom, and every chain is a path. Robots read from files are like this;
+// those built in code are checked when they are compiled or assembled.
+void require_tree(const Robot& robot);
 
 }  // namespace prehend

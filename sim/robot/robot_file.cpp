@@ -8,7 +8,8 @@
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/hand_file.h"
-#include "sim/robot/robot_geometry.h"
+#include "sim/robot/joint_file.h"
+#include "sim/robot/link_file.h"
 #include "sim/robot/spherical_wrist.h"
 
 namespace prehend {
@@ -17,6 +18,8 @@ namespace {
 constexpr int kUndriven = -1;
 // Limits and values pass through different sums; a limit itself must count as inside.
 constexpr double kRounding = 1e-9;  // rad or m
+// Directions typed with few digits are still meant to be opposite [length of their sum].
+constexpr double kOpposed = 1e-6;
 
 // Reads one file into one robot, in the order that later parts need earlier ones:
 // named geometry, base, joints, degrees of freedom, links, hand.
@@ -28,9 +31,10 @@ class RobotReader {
 
  private:
   void read_named_geometry();
-  void read_link(const JsonField& field, int joint);
+  void add_link(const JsonField& field, int joint);
   void read_chain(const JsonField& field);
-  void read_joint(const JsonField& field, int parent);
+  int read_parent(const JsonField& field) const;
+  void add_joint(const JsonField& field, int parent, const Pose& X_PC);
   void read_dof(const JsonField& field);
   void read_drive(const JsonField& field, int dof);
   void derive_limits(const JsonField& field, int dof);
@@ -58,12 +62,6 @@ void require_new_name(const JsonField& field, const std::vector<Named>& others) 
   }
 }
 
-JointType read_type(const JsonField& field) {
-  if (field.text() == "revolute") return JointType::revolute;
-  if (field.text() == "prismatic") return JointType::prismatic;
-  field.fail("unknown joint type, known are revolute and prismatic");
-}
-
 // 0 where it is not said.
 double read_positive_or_zero(const JsonField& field, const char* key) {
   if (!field.has(key)) return 0.0;
@@ -81,14 +79,25 @@ ClosedForm read_closed_form(const JsonField& field, const Robot& robot, const Ch
   return ClosedForm::spherical_wrist;
 }
 
+// What one finger gives up the other must be able to take, so that the hand may shift between them.
+bool can_center(const std::vector<const Joint*>& fingers) {
+  if (fingers.size() != 2 || fingers[0]->parent != fingers[1]->parent) return false;
+  Vector3 sum = Vector3::Zero();
+  for (const Joint* joint : fingers) {
+    if (joint->type != JointType::prismatic) return false;
+    sum += joint->X_PJ.linear() * joint->axis;
+  }
+  return sum.norm() < kOpposed;
+}
+
 Robot RobotReader::read() {
   root_.allow_only({"name", "units", "geometries", "base", "chains", "dofs", "hand"});
   robot_.name = root_["name"].text();
   units_ = read_units(root_);
   if (root_.has("geometries")) read_named_geometry();
   const JsonField base = root_["base"];
-  base.allow_only({"name", "material", "geometry"});
-  read_link(base, -1);
+  base.allow_only({"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
+  add_link(base, -1);
   const std::vector<JsonField> chains = root_["chains"].items();
   for (const JsonField& chain : chains) read_chain(chain);
   for (const JsonField& dof : root_["dofs"].items()) read_dof(dof);
@@ -110,25 +119,24 @@ void RobotReader::read_named_geometry() {
   }
 }
 
-void RobotReader::read_link(const JsonField& field, int joint) {
+void RobotReader::add_link(const JsonField& field, int joint) {
   require_new_name(field["name"], robot_.links);
-  robot_.links.push_back({.name = field["name"].text(),
-                          .material = field["material"].text(),
-                          .joint = joint,
-                          .mesh = read_geometry(field["geometry"], units_, named_)});
+  robot_.links.push_back(read_link(field, units_, named_, joint));
 }
 
 void RobotReader::read_chain(const JsonField& field) {
-  field.allow_only({"name", "base", "joints", "links", "inverse_kinematics"});
+  field.allow_only({"name", "parent", "base", "joints", "links", "inverse_kinematics"});
   require_new_name(field["name"], robot_.chains);
   Chain chain{.name = field["name"].text()};
-  if (field.has("base")) chain.X_PC = read_pose(field["base"], units_);
+  const int parent = field.has("parent") ? read_parent(field["parent"]) : -1;
+  const Pose X_PC = field.has("base") ? read_pose(field["base"], units_) : Pose::Identity();
   chain.first_joint = static_cast<int>(robot_.joints.size());
   const std::vector<JsonField> joints = field["joints"].items();
   if (joints.empty()) field["joints"].fail("a chain needs at least one joint");
   chain.joint_count = static_cast<int>(joints.size());
-  for (std::size_t k = 0; k < joints.size(); ++k) {
-    read_joint(joints[k], k == 0 ? -1 : chain.first_joint + static_cast<int>(k) - 1);
+  add_joint(joints.front(), parent, X_PC);
+  for (int k = 1; k < chain.joint_count; ++k) {
+    add_joint(joints[static_cast<std::size_t>(k)], chain.first_joint + k - 1, Pose::Identity());
   }
   if (field.has("inverse_kinematics")) {
     chain.closed_form = read_closed_form(field["inverse_kinematics"], robot_, chain);
@@ -136,19 +144,17 @@ void RobotReader::read_chain(const JsonField& field) {
   robot_.chains.push_back(std::move(chain));
 }
 
-void RobotReader::read_joint(const JsonField& field, int parent) {
-  field.allow_only({"name", "type", "theta", "d", "a", "alpha", "limits"});
+int RobotReader::read_parent(const JsonField& field) const {
+  const auto found = joint_index_.find(field.text());
+  if (found == joint_index_.end()) field.fail("no joint of this name in a chain before this one");
+  return found->second;
+}
+
+// `X_PC`: the frame in which the file gives the joint, in the frame after its parent.
+void RobotReader::add_joint(const JsonField& field, int parent, const Pose& X_PC) {
+  Joint joint = read_joint(field, units_);
   require_new_name(field["name"], robot_.joints);
-  Joint joint{.name = field["name"].text(), .type = read_type(field["type"])};
-  joint.theta = field["theta"].number() * units_.angle;
-  joint.d = field["d"].number() * units_.length;
-  joint.a = field["a"].number() * units_.length;
-  joint.alpha = field["alpha"].number() * units_.angle;
-  const JsonField limits = field["limits"];
-  const std::vector<double> range = limits.numbers(2);
-  if (range[0] > range[1]) limits.fail("limits the wrong way round");
-  joint.lower = range[0] * unit_of(joint.type);
-  joint.upper = range[1] * unit_of(joint.type);
+  joint.X_PJ = X_PC * joint.X_PJ;
   joint.dof = kUndriven;
   joint.parent = parent;
   joint.chain = static_cast<int>(robot_.chains.size());
@@ -235,29 +241,27 @@ Coupling RobotReader::read_coupling(const JsonField& field, int dof) const {
   if (name != "self_centering") {
     field.fail("unknown coupling, known are rigid, breakaway and self_centering");
   }
-  int count = 0;
-  bool sliding = true;
+  std::vector<const Joint*> fingers;
   for (const Joint& joint : robot_.joints) {
-    if (joint.dof != dof) continue;
-    ++count;
-    sliding = sliding && joint.type == JointType::prismatic && joint.parent == -1;
+    if (joint.dof == dof) fingers.push_back(&joint);
   }
-  if (count != 2 || !sliding) {
-    field.fail("needs two prismatic joints, each the first of its chain");
+  if (!can_center(fingers)) {
+    field.fail("needs two prismatic joints on one parent that slide in opposite directions");
   }
   return Coupling::self_centering;
 }
 
 void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& chain) {
   for (const JsonField& field : chain_field["links"].items()) {
-    field.allow_only({"name", "joint", "material", "geometry"});
+    field.allow_only(
+        {"name", "joint", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
     const JsonField name = field["joint"];
     const auto found = joint_index_.find(name.text());
     if (found == joint_index_.end() || found->second < chain.first_joint ||
         found->second >= chain.first_joint + chain.joint_count) {
       name.fail("no joint of this name in the link's chain");
     }
-    read_link(field, found->second);
+    add_link(field, found->second);
   }
 }
 

@@ -49,6 +49,12 @@ double angle_unit(const JsonField& field, const std::string& suffix) {
   field.fail("unknown unit, known are rad" + suffix + " and deg" + suffix);
 }
 
+double mass_unit(const JsonField& field) {
+  if (field.text() == "kg") return 1.0;
+  if (field.text() == "g") return 1e-3;
+  field.fail("unknown unit, known are kg and g");
+}
+
 TriangleMesh box(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "size", "pose"});
   const JsonField size = shape["size"];
@@ -155,12 +161,13 @@ FileUnits read_units(const JsonField& root) {
   FileUnits units;
   if (!root.has("units")) return units;
   const JsonField field = root["units"];
-  field.allow_only({"length", "angle", "angular_velocity"});
+  field.allow_only({"length", "angle", "angular_velocity", "mass"});
   if (field.has("length")) {
     const JsonField length = field["length"];
     units.length = in_field(length, [&] { return metres_per_unit(length.text()); });
   }
   if (field.has("angle")) units.angle = angle_unit(field["angle"], "");
+  if (field.has("mass")) units.mass = mass_unit(field["mass"]);
   units.angular_velocity =
       field.has("angular_velocity") ? angle_unit(field["angular_velocity"], "/s") : units.angle;
   return units;

@@ -14,9 +14,11 @@ struct FileUnits {
   double length = 1.0;            // m
   double angle = 1.0;             // rad
   double angular_velocity = 1.0;  // rad/s
+  double mass = 1.0;              // kg
 };
 
-// `root` is the robot; its field "units" may be missing: metres, radians, radians a second.
+// `root` is the robot; its field "units" may be missing: metres, radians, radians a second,
+// kilograms.
 FileUnits read_units(const JsonField& root);
 
 // A list of steps, each {"translate": [x, y, z]} or {"rotate_x" | "rotate_y" | "rotate_z": angle},

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/robot/denavit_hartenberg.h"
+
 namespace prehend {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// Parameters typed with few digits are still meant to be right angles and zeros [rad or m].
+// Parameters that are right angles and zeros up to rounding are meant to be [rad or m].
 constexpr double kExact = 1e-9;
 // Beyond the reach by rounding only [part of the lengths squared].
 constexpr double kStretched = 1e-12;
@@ -36,6 +38,55 @@ Matrix3 turn(double theta, double sign) {
   return rotation;
 }
 
+// The chain as the formulas see it: Denavit-Hartenberg parameters between its axes.
+struct Axes {
+  std::array<Vector3, 6> axis;  // as its joint says, or its opposite
+  std::array<double, 6> sense;  // 1, or -1 for the opposite
+  std::array<AxisStep, 5> steps;
+};
+
+// A frame at the joint frame's origin with z along `axis`, in the joint frame.
+Pose along(const Vector3& axis) {
+  if (axis == Vector3::UnitZ()) return Pose::Identity();
+  return Pose(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis));
+}
+
+AxisStep step_after(const Robot& robot, const Chain& chain, const Axes& axes, int k) {
+  const auto i = static_cast<std::size_t>(k);
+  const Pose X_JK = joint_of(robot, chain, k).X_JA * joint_of(robot, chain, k + 1).X_PJ;
+  return step_between_axes(along(axes.axis[i]).inverse() * X_JK * along(axes.axis[i + 1]));
+}
+
+Axes axes_of(const Robot& robot, const Chain& chain) {
+  Axes axes{};
+  for (int k = 0; k < 6; ++k) {
+    axes.axis[static_cast<std::size_t>(k)] = joint_of(robot, chain, k).axis;
+    axes.sense[static_cast<std::size_t>(k)] = 1.0;
+  }
+  // The elbow shall turn in the sense of the second axis, not against it.
+  if (std::abs(step_after(robot, chain, axes, 1).dh.alpha) > std::numbers::pi / 2.0) {
+    axes.axis[2] = -axes.axis[2];
+    axes.sense[2] = -1.0;
+  }
+  for (int k = 0; k < 5; ++k) {
+    axes.steps[static_cast<std::size_t>(k)] = step_after(robot, chain, axes, k);
+  }
+  // alpha5 = -alpha4: the common normal may as well point the other way.
+  AxisStep& wrist = axes.steps[4];
+  if (axes.steps[3].dh.alpha * wrist.dh.alpha > 0.0) {
+    wrist.dh.theta += std::numbers::pi;
+    wrist.dh.a = -wrist.dh.a;
+    wrist.dh.alpha = -wrist.dh.alpha;
+    wrist.twist += std::numbers::pi;
+  }
+  return axes;
+}
+
+// How far apart the common normals at an axis stand, along it.
+double offset_at(const Axes& axes, std::size_t k) {
+  return axes.steps[k].dh.d + (k > 0 ? axes.steps[k - 1].beyond : 0.0);
+}
+
 }  // namespace
 
 std::string spherical_wrist_defect(const Robot& robot, const Chain& chain) {
@@ -45,42 +96,61 @@ std::string spherical_wrist_defect(const Robot& robot, const Chain& chain) {
       return "the closed form needs revolute joints";
     }
   }
-  const auto at = [&](int k) -> const Joint& { return joint_of(robot, chain, k); };
-  const bool shoulder =
-      is_zero(at(0).a) && is_right_angle(at(0).alpha) && is_zero(at(1).alpha) && !is_zero(at(1).a);
-  const bool elbow = is_right_angle(at(2).alpha) && !is_zero(std::hypot(at(2).a, at(3).d));
-  const bool wrist = is_zero(at(3).a) && is_zero(at(4).a) && is_zero(at(5).a) && is_zero(at(4).d) &&
-                     is_right_angle(at(3).alpha) && is_zero(at(3).alpha + at(4).alpha) &&
-                     is_zero(at(5).alpha);
-  if (!shoulder) return "the closed form needs a1 = 0, alpha1 = +-90 degrees, alpha2 = 0, a2 not 0";
-  if (!elbow) return "the closed form needs alpha3 = +-90 degrees and a forearm";
-  if (!wrist) return "the closed form needs a spherical wrist";
+  const Axes axes = axes_of(robot, chain);
+  const auto at = [&](std::size_t k) -> const DhParameters& { return axes.steps[k].dh; };
+  if (!is_zero(at(0).a) || !is_right_angle(at(0).alpha)) {
+    return "the closed form needs the axes of joints 1 and 2 to meet at a right angle";
+  }
+  if (!is_zero(at(1).alpha) || is_zero(at(1).a)) {
+    return "the closed form needs the axes of joints 2 and 3 to be parallel and apart";
+  }
+  if (!is_right_angle(at(2).alpha)) {
+    return "the closed form needs the axis of joint 4 at a right angle to that of joint 3";
+  }
+  if (!is_zero(at(3).a) || !is_zero(at(4).a) || !is_zero(offset_at(axes, 4))) {
+    return "the closed form needs the axes of joints 4, 5 and 6 to meet in a point";
+  }
+  if (!is_right_angle(at(3).alpha) || !is_right_angle(at(4).alpha)) {
+    return "the closed form needs the axis of joint 5 at a right angle to those of joints 4 and 6";
+  }
+  if (is_zero(std::hypot(at(2).a, offset_at(axes, 3)))) {
+    return "the closed form needs the wrist away from the axis of joint 3";
+  }
   return "";
 }
 
 SphericalWrist::SphericalWrist(const Robot& robot, const Chain& chain) {
-  const auto at = [&](int k) -> const Joint& { return joint_of(robot, chain, k); };
-  for (int k = 0; k < 6; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    theta_[i] = at(k).theta;
-    lower_[i] = at(k).lower;
-    upper_[i] = at(k).upper;
+  const Axes axes = axes_of(robot, chain);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Joint& joint = joint_of(robot, chain, static_cast<int>(k));
+    sense_[k] = axes.sense[k];
+    theta_[k] = axes.sense[k] * joint.zero;
+    if (k > 0) theta_[k] += axes.steps[k - 1].twist;
+    if (k < 5) theta_[k] += axes.steps[k].dh.theta;
+    lower_[k] = joint.lower;
+    upper_[k] = joint.upper;
   }
-  d1_ = at(0).d;
-  a2_ = at(1).a;
-  side_ = at(1).d + at(2).d;
-  d6_ = at(5).d;
-  shoulder_sign_ = sign_of(at(0).alpha);
-  elbow_sign_ = sign_of(at(2).alpha);
-  wrist_sign_ = sign_of(at(3).alpha);
-  forearm_ = std::hypot(at(2).a, at(3).d);
-  fold_ = std::atan2(-at(3).d * elbow_sign_, at(2).a);
+  X_PC_ = joint_of(robot, chain, 0).X_PJ * along(axes.axis[0]);
+  const Pose X_6T = translation(axes.steps[4].beyond * Vector3::UnitZ()) *
+                    along(axes.axis[5]).inverse() * joint_of(robot, chain, 5).X_JA;
+  X_T6_ = X_6T.inverse();
+  const DhParameters& elbow = axes.steps[2].dh;
+  d1_ = axes.steps[0].dh.d;
+  a2_ = axes.steps[1].dh.a;
+  side_ = offset_at(axes, 1) + offset_at(axes, 2);
+  const double d4 = offset_at(axes, 3);
+  shoulder_sign_ = sign_of(axes.steps[0].dh.alpha);
+  elbow_sign_ = sign_of(elbow.alpha);
+  wrist_sign_ = sign_of(axes.steps[3].dh.alpha);
+  forearm_ = std::hypot(elbow.a, d4);
+  fold_ = std::atan2(-d4 * elbow_sign_, elbow.a);
 }
 
 SphericalWrist::Solutions SphericalWrist::solve(const Pose& X_CT, const Joints& near) const {
   Solutions all;
-  const Matrix3 R_CT = X_CT.linear();
-  const Vector3 wrist = X_CT.translation() - d6_ * R_CT.col(2);
+  const Pose X_C6 = X_CT * X_T6_;
+  const Matrix3 R_C6 = X_C6.linear();
+  const Vector3& wrist = X_C6.translation();
   // Seen along the shoulder's second axis, the arm is two bars in a plane that passes the first
   // axis at the distance side_: (x, y) is the wrist in that plane.
   const double across = wrist.head<2>().squaredNorm();
@@ -103,37 +173,37 @@ SphericalWrist::Solutions SphericalWrist::solve(const Pose& X_CT, const Joints& 
       const double q2 = rise - elbow * beyond;
       const double q3 = elbow * bend - fold_;
       const Matrix3 R_C3 = R_C1 * turn(q2 + q3, elbow_sign_);
-      add_wrists(R_C3.transpose() * R_CT, {q1, q2, q3, 0.0, 0.0, 0.0}, near, all);
+      add_wrists(R_C3.transpose() * R_C6, {q1, q2, q3, 0.0, 0.0, 0.0}, near, all);
     }
   }
   return all;
 }
 
 // The wrist turns like Rz(q4) Ry(tilt) Rz(q6).
-void SphericalWrist::add_wrists(const Matrix3& R_3T, const Joints& arm, const Joints& near,
+void SphericalWrist::add_wrists(const Matrix3& R_36, const Joints& arm, const Joints& near,
                                 Solutions& all) const {
-  const double sine = std::hypot(R_3T(0, 2), R_3T(1, 2));
+  const double sine = std::hypot(R_36(0, 2), R_36(1, 2));
   Joints angles = arm;
   if (sine < kStraight) {
-    angles[3] = near[3] + theta_[3];
-    const Matrix3 rest = turn(angles[3], 0.0).transpose() * R_3T;
-    angles[4] = R_3T(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
+    angles[3] = sense_[3] * near[3] + theta_[3];
+    const Matrix3 rest = turn(angles[3], 0.0).transpose() * R_36;
+    angles[4] = R_36(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
     angles[5] = std::atan2(rest(1, 0), rest(1, 1));
     add_if_inside(angles, near, all);
     return;
   }
-  const double tilt = std::atan2(sine, R_3T(2, 2));
+  const double tilt = std::atan2(sine, R_36(2, 2));
   for (const double flip : {1.0, -1.0}) {
-    angles[3] = std::atan2(flip * R_3T(1, 2), flip * R_3T(0, 2));
+    angles[3] = std::atan2(flip * R_36(1, 2), flip * R_36(0, 2));
     angles[4] = -wrist_sign_ * flip * tilt;
-    angles[5] = std::atan2(flip * R_3T(2, 1), -flip * R_3T(2, 0));
+    angles[5] = std::atan2(flip * R_36(2, 1), -flip * R_36(2, 0));
     add_if_inside(angles, near, all);
   }
 }
 
 void SphericalWrist::add_if_inside(Joints angles, const Joints& near, Solutions& all) const {
   for (std::size_t k = 0; k < 6; ++k) {
-    double value = angles[k] - theta_[k];
+    double value = sense_[k] * (angles[k] - theta_[k]);
     value += kTurn * std::round((near[k] - value) / kTurn);  // within half a turn of near
     if (value < lower_[k] - kExact)
       value += kTurn * std::ceil((lower_[k] - kExact - value) / kTurn);

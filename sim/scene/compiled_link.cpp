@@ -10,45 +10,40 @@
 namespace prehend {
 namespace {
 
-// Where the frame after the joint is, in the frame before it, at joint value 0.
-Pose at_zero(const Joint& joint) {
-  return Pose(Eigen::AngleAxisd(joint.theta, Vector3::UnitZ())) *
-         translation(Vector3(joint.a, 0.0, joint.d)) *
-         Pose(Eigen::AngleAxisd(joint.alpha, Vector3::UnitX()));
-}
-
-// Most that a slide adds to a distance from the frame before the joint.
+// Most that a slide adds to a distance from the joint frame's origin.
 double slide_of(const Joint& joint) {
   if (joint.type == JointType::revolute) return 0.0;
   return std::max(std::abs(joint.lower), std::abs(joint.upper));
 }
 
-// Where the frame before the joint is in the frame after the one before it.
-Vector3 after_the_one_before(const Robot& robot, int joint) {
-  const Chain& chain = robot.chains[index(robot.joints[index(joint)].chain)];
-  return joint == chain.first_joint ? Vector3(chain.X_PC.translation()) : Vector3::Zero();
+// How far a point of the joint frame is away from the joint's axis.
+double from_axis_of(const Joint& joint, const Vector3& p) {
+  if (joint.axis == Vector3::UnitZ()) return std::hypot(p.x(), p.y());
+  return joint.axis.cross(p).norm();
 }
 
-// For each joint of the path, the most that a point of the link can be away from its axis.
+// For each joint of the path, the most that a point of the link can be away from its axis in any
+// posture inside the limits. From the link towards the base, each joint turns what lies beyond it
+// about its axis, which keeps distances from the axis and from the joint frame's origin; so both
+// are taken at joint value 0, and a slide adds its travel to the latter. The next joint towards the
+// base sees all points beyond within that distance of the joint frame's origin.
 std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
                             const TriangleMesh& mesh) {
   std::vector<double> reach(path.size());
-  // Distances of the link's points from the last joint's axis and from the frame before it do not
-  // depend on that joint's angle, so they are taken as they are at value 0.
-  double from_axis = 0.0;
-  double from_frame = 0.0;
+  double from_frame = 0.0;  // of any point, from the origin of the joint frame
   for (std::size_t k = path.size(); k-- > 0;) {
     const Joint& joint = robot.joints[index(path[k])];
+    const Pose X_JA = across(joint, 0.0);
+    double from_axis = 0.0;
     if (k + 1 == path.size()) {
-      const Pose X = at_zero(joint);
       for (const Vector3& p : mesh.vertices) {
-        const Vector3 q = X * p;
-        from_axis = std::max(from_axis, std::hypot(q.x(), q.y()));
+        const Vector3 q = X_JA * p;
+        from_axis = std::max(from_axis, from_axis_of(joint, q));
         from_frame = std::max(from_frame, q.norm());
       }
     } else {
-      const Vector3 next = at_zero(joint) * after_the_one_before(robot, path[k + 1]);
-      from_axis = std::hypot(next.x(), next.y()) + from_frame;
+      const Vector3 next = X_JA * robot.joints[index(path[k + 1])].X_PJ.translation();
+      from_axis = from_axis_of(joint, next) + from_frame;
       from_frame += next.norm();
     }
     from_frame += slide_of(joint);
@@ -85,6 +80,7 @@ bool is_before(const CompiledLink& a, const CompiledLink& b) {
 }  // namespace
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {
+  require_tree(robot);
   std::vector<CompiledLink> links;
   for (const Link& link : robot.links) links.push_back(compile_link(scene, robot, link));
   return links;

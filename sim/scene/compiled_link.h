@@ -29,7 +29,7 @@ struct LinkPair {
 };
 
 // All links of `robot`, with their friction against the object of the scene.
-// Throws InputError for an unknown material or a link without triangles.
+// Throws InputError for an unknown material, a link without triangles or joints that are no tree.
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot);
 
 // All pairs of links that are checked for self-collision. Left out are two links on the same joint,

@@ -2,27 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
 
-constexpr std::array<std::string_view, 5> kNames = {"glass", "metal", "plastic", "wood", "rubber"};
-
 std::size_t index(Material material) { return static_cast<std::size_t>(material); }
 
 }  // namespace
-
-std::string_view material_name(Material material) { return kNames.at(index(material)); }
-
-Material material_named(std::string_view name) {
-  for (Material material : kMaterials) {
-    if (material_name(material) == name) return material;
-  }
-  throw InputError("unknown material \"" + std::string(name) +
-                   "\" (known: glass, metal, plastic, wood, rubber)");
-}
 
 FrictionTable::FrictionTable()
     : values_{{{0.2, 0.2, 0.2, 0.3, 1.0},

@@ -1,21 +1,11 @@
-// Materials and the static friction between them.
+// Friction between materials, and how far they give way.
 #pragma once
 
 #include <array>
-#include <string>
-#include <string_view>
+
+#include "sim/base/material.h"
 
 namespace prehend {
-
-enum class Material { glass, metal, plastic, wood, rubber };
-
-inline constexpr std::array<Material, 5> kMaterials = {
-    Material::glass, Material::metal, Material::plastic, Material::wood, Material::rubber};
-
-std::string_view material_name(Material material);
-
-// Throws InputError that lists the names.
-Material material_named(std::string_view name);
 
 // Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default
 // materials (Miller and Allen 2004, section "Contacts and Friction"; docs/scene-file.md).

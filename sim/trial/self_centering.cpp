@@ -3,13 +3,23 @@
 #include "sim/base/index.h"
 
 namespace prehend {
+
 FingerPair finger_pair(const Robot& hand, int dof) {
   std::vector<int> joints;
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     if (hand.joints[j].dof == dof) joints.push_back(static_cast<int>(j));
   }
-  const Pose& X_HC = hand.chains[index(hand.joints[index(joints[0])].chain)].X_PC;
-  return {dof, joints[0], joints[1], X_HC.linear() * Vector3::UnitZ()};
+  return {dof, joints[0], joints[1]};
+}
+
+Vector3 opening_axis(const Robot& hand, const FingerPair& fingers,
+                     const std::vector<double>& joints) {
+  const Joint& finger = hand.joints[index(fingers.first)];
+  const Vector3 axis = finger.X_PJ.linear() * finger.axis;
+  if (finger.parent < 0) return axis;
+  std::vector<Pose> X_HJ;
+  joint_poses(hand, joints, X_HJ);
+  return X_HJ[index(finger.parent)].linear() * axis;
 }
 
 bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed) {
@@ -23,7 +33,7 @@ bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed) {
     if (!closed.stopped_by_contact[a] && !closed.stopped_by_contact[b]) continue;
     const double mean = 0.5 * (closed.joints[a] + closed.joints[b]);
     // Finger a stays put: what its joint gives up, the hand takes on.
-    const Vector3 shift = (closed.joints[a] - mean) * fingers.opening_H;
+    const Vector3 shift = (closed.joints[a] - mean) * opening_axis(hand, fingers, closed.joints);
     if (shift.isZero(0.0)) continue;
     X_OH = X_OH * translation(shift);
     closed.joints[a] = closed.joints[b] = mean;

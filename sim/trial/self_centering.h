@@ -14,10 +14,13 @@ struct FingerPair {
   int dof = 0;
   int first = 0;
   int second = 0;
-  // Unit: the direction in which the first finger moves when its joint value grows, hand frame.
-  Vector3 opening_H = Vector3::UnitX();
 };
 FingerPair finger_pair(const Robot& hand, int dof);
+
+// Unit, in the hand's base frame: the direction in which the first finger slides when its joint
+// value grows. It depends on the joints where the fingers stand on a part of the hand that moves.
+Vector3 opening_axis(const Robot& hand, const FingerPair& fingers,
+                     const std::vector<double>& joints);
 
 // The drive makes both joints equal, but close_hand has stopped each finger where it touched. So
 // for each self-centering degree of freedom with a joint stopped by contact, the hand moves

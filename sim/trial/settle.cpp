@@ -22,13 +22,13 @@ std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   return std::nullopt;
 }
 
-// The middle of what the links after a joint touch, in O.
+// The middle of what the links beyond a joint touch, in O.
 std::optional<Vector3> touched_by(const CompiledScene& scene, const Trial& trial, int joint) {
   Vector3 sum = Vector3::Zero();
   int count = 0;
   for (const GraspContact& contact : trial.contacts) {
     const std::vector<int>& joints = scene.links[index(contact.link)].joints;
-    if (joints.empty() || joints.back() != joint) continue;
+    if (std::find(joints.begin(), joints.end(), joint) == joints.end()) continue;
     sum += contact.point.position;
     ++count;
   }
@@ -48,7 +48,8 @@ std::optional<Couple> couple_of(const CompiledScene& scene, const FingerPair& fi
   const std::optional<Vector3> a = touched_by(scene, trial, fingers.first);
   const std::optional<Vector3> b = touched_by(scene, trial, fingers.second);
   if (!a || !b) return std::nullopt;
-  const Vector3 opening_O = trial.X_OH.linear() * fingers.opening_H;
+  const Vector3 opening_O =
+      trial.X_OH.linear() * opening_axis(scene.scene.hand, fingers, trial.joints);
   const Vector3 couple = (*a - *b).cross(opening_O);
   if (couple.norm() < options.least_arm) return std::nullopt;
   return Couple{0.5 * (*a + *b), couple.normalized()};

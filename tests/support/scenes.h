@@ -47,9 +47,10 @@ inline Robot finger_hand(Coupling coupling, double distal_ratio = 0.5) {
   robot.name = "finger";
   robot.chains = {{.name = "finger", .first_joint = 0, .joint_count = 2}};
   const double half_turn = std::numbers::pi;
+  const Pose tip = translation({0.05, 0.0, 0.0});
   robot.joints = {
-      {.name = "proximal", .a = 0.05, .lower = 0.0, .upper = half_turn},
-      {.name = "distal", .a = 0.05, .lower = 0.0, .upper = half_turn, .ratio = distal_ratio}};
+      {.name = "proximal", .X_JA = tip, .lower = 0.0, .upper = half_turn},
+      {.name = "distal", .X_JA = tip, .lower = 0.0, .upper = half_turn, .ratio = distal_ratio}};
   robot.joints[1].parent = 0;
   robot.dofs = {{.name = "bend", .upper = 1.5, .closing_velocity = 1.0, .coupling = coupling}};
   const TriangleMesh bar = block({0.044, 0.01, 0.02}, {-0.025, 0.0, 0.0});

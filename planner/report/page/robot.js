@@ -20,7 +20,8 @@ class RobotModel {
       this.frameOf(joint.parent).add(before);
       before.add(motion);
       motion.add(after);
-      this.motions.push({node: motion, turns: joint.type === 'r'});
+      const axis = new THREE.Vector3(...(joint.axis || [0, 0, 1]));
+      this.motions.push({node: motion, turns: joint.type === 'r', axis});
       this.frames.push(after);
     }
     for (const link of robot.links) {
@@ -37,11 +38,11 @@ class RobotModel {
   }
 
   setJoints(values) {
-    this.motions.forEach(({node, turns}, j) => {
+    this.motions.forEach(({node, turns, axis}, j) => {
       if (turns) {
-        node.rotation.z = values[j];
+        node.quaternion.setFromAxisAngle(axis, values[j]);
       } else {
-        node.position.z = values[j];
+        node.position.copy(axis).multiplyScalar(values[j]);
       }
     });
   }

@@ -12,6 +12,7 @@
 #include "sim/robot/robot_file.h"
 #include "tests/planner/report/unpack.h"
 #include "tests/support/library_scenes.h"
+#include "tests/support/trees.h"
 
 namespace prehend {
 namespace {
@@ -77,6 +78,14 @@ void expect_same_place(const Link& link, const Pose& X_BL, const nlohmann::json&
   for (std::size_t v = 0; v < drawn.vertices.size(); ++v) {
     const Vector3 expected = X_BL * link.mesh.vertices[v];
     ASSERT_LT((X_BD * drawn.vertices[v] - expected).norm(), kNear) << link.name;
+  }
+}
+
+TEST(RobotJson, TreesOfAnyAxesMoveAsOurs) {
+  Random random(6);
+  for (int i = 0; i < 10; ++i) {
+    const Robot robot = test::random_tree(random, 6);
+    expect_same_motion(robot, nlohmann::json::parse(robot_json(robot).dump()), 10);
   }
 }
 

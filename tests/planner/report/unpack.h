@@ -81,10 +81,12 @@ inline std::vector<Pose> frames_in(const nlohmann::json& robot, const std::vecto
     const int parent = joint.at("parent");
     const double value = values.at(frames.size());
     Pose moved = Pose::Identity();
+    const nlohmann::json& at = joint.at("axis");
+    const Vector3 axis = at.is_null() ? Vector3::UnitZ() : Vector3(at[0], at[1], at[2]);
     if (joint.at("type") == "r") {
-      moved = Pose(Eigen::AngleAxisd(value, Vector3::UnitZ()));
+      moved = Pose(Eigen::AngleAxisd(value, axis));
     } else {
-      moved = translation(Vector3(0.0, 0.0, value));
+      moved = translation(value * axis);
     }
     const Pose X_BP = parent < 0 ? Pose::Identity() : frames.at(static_cast<std::size_t>(parent));
     frames.push_back(X_BP * pose_in(joint.at("before")) * moved * pose_in(joint.at("after")));

@@ -22,10 +22,9 @@ inline Matrix4 turn(double angle, const Vector3& axis) {
   return m;
 }
 
-inline Matrix4 shift(double x, double z) {
+inline Matrix4 shift(const Vector3& way) {
   Matrix4 m = Matrix4::Identity();
-  m(0, 3) = x;
-  m(2, 3) = z;
+  m.topRightCorner<3, 1>() = way;
   return m;
 }
 
@@ -84,16 +83,11 @@ class Machine {
     frames[""] = carrier_.X_WB.matrix();
     for (const MountedRobot& mounted : carrier_.platform.robots) {
       const Matrix4 base = frames.at(carried_by(mounted)) * mounted.X_MR.matrix();
-      for (const Chain& chain : mounted.robot.chains) {
+      for (const Joint& joint : mounted.robot.joints) {
+        const std::string name = mounted.name + "/" + joint.name;
         const Matrix4& from =
-            chain.parent < 0 ? base : frames.at(joint_name(mounted, chain.parent));
-        Matrix4 X = from * chain.X_PC.matrix();
-        for (int k = 0; k < chain.joint_count; ++k) {
-          const Joint& joint = mounted.robot.joints[at(chain.first_joint + k)];
-          const std::string name = mounted.name + "/" + joint.name;
-          X = X * across(joint, posture.at(name));
-          frames[name] = X;
-        }
+            joint.parent < 0 ? base : frames.at(joint_name(mounted, joint.parent));
+        frames[name] = from * across(joint, posture.at(name));
       }
     }
     return frames;
@@ -108,10 +102,10 @@ class Machine {
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   static Matrix4 across(const Joint& joint, double value) {
-    const bool turns = joint.type == JointType::revolute;
-    return turn(joint.theta + (turns ? value : 0.0), Vector3::UnitZ()) *
-           shift(0.0, joint.d + (turns ? 0.0 : value)) * shift(joint.a, 0.0) *
-           turn(joint.alpha, Vector3::UnitX());
+    const double moved = value + joint.zero;
+    const Matrix4 motion = joint.type == JointType::revolute ? turn(moved, joint.axis)
+                                                             : shift(Vector3(moved * joint.axis));
+    return joint.X_PJ.matrix() * motion * joint.X_JA.matrix();
   }
 
   static std::string joint_name(const MountedRobot& mounted, int joint) {

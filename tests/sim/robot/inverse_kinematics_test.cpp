@@ -8,6 +8,7 @@
 #include "sim/base/random.h"
 #include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
+#include "tests/support/trees.h"
 
 namespace prehend {
 namespace {
@@ -187,6 +188,49 @@ TEST(InverseKinematics, SolvesATreeOfChains) {
     EXPECT_EQ(found[0][3], hand.dofs[3].initial);  // the thumb moves neither
   }
   EXPECT_EQ(solved, 50);
+}
+
+// Targets on two branches of one finger, which share the joint before them.
+TEST(InverseKinematics, SolvesABranchingFinger) {
+  const Robot hand = test::branching_hand();
+  Random random(9);
+  for (int i = 0; i < 30; ++i) {
+    const DofValues asked = random_values(hand, random);
+    const std::vector<IkTarget> targets = {where_it_is(hand, 3, random.pose(0.01), asked),
+                                           where_it_is(hand, 2, Pose::Identity(), asked)};
+    const auto found = solve_all(hand, targets, initial_values(hand));
+    ASSERT_FALSE(found.empty()) << i;
+    for (const IkTarget& target : targets) EXPECT_LE(miss(hand, target, found[0]).position, 1e-8);
+    for (std::size_t d = 0; d < 4; ++d) EXPECT_NEAR(found[0][d], asked[d], 1e-6);
+    EXPECT_EQ(found[0][4], hand.dofs[4].initial);  // the other nail moves neither
+  }
+}
+
+TEST(InverseKinematics, SolvesRandomTreesOfAnyAxes) {
+  Random random(10);
+  int solved = 0;
+  for (int i = 0; i < 40; ++i) {
+    const Robot robot = test::random_tree(random, 7);
+    const DofValues asked = random_values(robot, random);
+    const std::vector<IkTarget> targets = {where_it_is(robot, 6, random.pose(0.1), asked),
+                                           where_it_is(robot, 5, random.pose(0.1), asked)};
+    const auto found = solve_all(robot, targets, asked);
+    solved += !found.empty();
+    // From close by, as a motion would ask.
+    DofValues near = asked;
+    for (std::size_t d = 0; d < near.size(); ++d) {
+      near[d] = std::clamp(near[d] + random.uniform(-1e-3, 1e-3), robot.dofs[d].lower,
+                           robot.dofs[d].upper);
+    }
+    const auto again = solve_near(robot, targets, near);
+    ASSERT_TRUE(again.has_value()) << i;
+    for (const IkTarget& target : targets) {
+      EXPECT_LE(miss(robot, target, *again).position, 1e-8);
+      EXPECT_LE(miss(robot, target, *again).angle, 1e-8);
+    }
+    expect_inside_limits(robot, *again);
+  }
+  EXPECT_EQ(solved, 40);
 }
 
 TEST(InverseKinematics, SameSeedSameSolutions) {

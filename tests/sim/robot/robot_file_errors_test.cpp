@@ -31,7 +31,7 @@ std::vector<BadField> bad_fields() {
        R"(("red"))"},
       {"UnknownJointField", "/chains/0/joints/1/thetta", "3",
        "chains[0].joints[1].thetta: unknown field, known here are name, type, theta, d, a, alpha, "
-       "limits (3)"},
+       "origin, axis, limits, effort, friction (3)"},
       {"UnknownDofField", "/dofs/0/speed", "1",
        "dofs[0].speed: unknown field, known here are name, drives, initial, closing_velocity, "
        "coupling, velocity, acceleration (1)"},
@@ -76,7 +76,8 @@ std::vector<BadField> bad_fields() {
        "dofs[0].coupling: unknown coupling, known are rigid, breakaway and self_centering "
        R"(("loose"))"},
       {"SelfCenteringRevolutes", "/dofs/0/coupling", R"("self_centering")",
-       "dofs[0].coupling: needs two prismatic joints, each the first of its chain "
+       "dofs[0].coupling: needs two prismatic joints on one parent that slide in opposite "
+       "directions "
        R"(("self_centering"))"},
       {"LinkWithoutGeometry", "/base/geometry", "[]",
        "base.geometry: a link needs at least one triangle ([])"},

@@ -20,8 +20,8 @@ constexpr double kRounding = 1e-15;
 TEST(RobotFile, ConvertsUnitsToMetresAndRadians) {
   const Robot robot = load_robot_json(small_robot());
   EXPECT_EQ(robot.name, "small");
-  EXPECT_NEAR(robot.joints[0].a, 0.3, kRounding);
-  EXPECT_NEAR(robot.joints[2].d, 0.005, kRounding);
+  EXPECT_NEAR(robot.joints[0].X_JA.translation().x(), 0.3, kRounding);
+  EXPECT_NEAR(robot.joints[2].zero, 0.005, kRounding);
   EXPECT_NEAR(robot.joints[0].lower, -90.0 * kDegree, kRounding);
   EXPECT_NEAR(robot.joints[2].upper, 0.04, kRounding);
   EXPECT_NEAR(robot.joints[1].offset, 10.0 * kDegree, kRounding);
@@ -40,7 +40,7 @@ TEST(RobotFile, DefaultUnitsAreMetresAndRadians) {
   json["dofs"][1]["initial"] = 7;
   const Robot robot = load_robot_json(json);
   EXPECT_FALSE(robot.hand.has_value());
-  EXPECT_EQ(robot.joints[0].a, 300.0);
+  EXPECT_EQ(robot.joints[0].X_JA.translation().x(), 300.0);
   EXPECT_EQ(robot.joints[0].upper, 90.0);
   EXPECT_EQ(robot.dofs[0].closing_velocity, 90.0);
   EXPECT_EQ(robot.dofs[1].initial, 7.0);
@@ -67,7 +67,7 @@ TEST(RobotFile, JoinsChainsJointsAndLinks) {
   EXPECT_EQ(robot.links[2].name, "fore");
   EXPECT_EQ(robot.links[2].joint, 1);
   EXPECT_EQ(robot.links[3].material, "rubber");
-  const Vector3 along_x = robot.chains[1].X_PC.linear().col(2);
+  const Vector3 along_x = robot.joints[2].X_PJ.linear() * robot.joints[2].axis;
   EXPECT_LT((along_x - Vector3::UnitX()).norm(), kRounding);
 }
 

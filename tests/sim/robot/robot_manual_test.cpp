@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -35,8 +36,21 @@ TEST(RobotManual, ItsExampleIsARobot) {
   EXPECT_NEAR(jaw.lower.x(), 0.04, 1e-12) << "60 mm from the fixed finger at x = -20 mm";
 }
 
+TEST(RobotManual, ItsForkBranches) {
+  const Robot robot = load_robot(test::write_robot_text(json_block(1)));
+  EXPECT_EQ(robot.name, "fork");
+  ASSERT_EQ(robot.joints.size(), 3U);
+  EXPECT_EQ(robot.joints[1].parent, 0);
+  EXPECT_EQ(robot.joints[2].parent, 0);
+  EXPECT_EQ(robot.joints[1].max_effort, 0.5);
+  std::vector<Pose> X_BL;
+  link_poses(robot, joint_values(robot, {0.0, std::numbers::pi / 2.0}), X_BL);
+  const Bounds tip = bounds(transformed(robot.links[2].mesh, X_BL[2]));
+  EXPECT_NEAR(tip.upper.y(), -0.020 + 0.040, 1e-12) << "bent towards y";
+}
+
 TEST(RobotManual, ItsPlatformIsAPlatform) {
-  const std::filesystem::path file = test::write_robot_text(json_block(1));
+  const std::filesystem::path file = test::write_robot_text(json_block(2));
   const std::filesystem::path vice = file.parent_path() / "vice.json";
   std::ofstream(vice) << json_block(0);
   const Platform platform = load_platform(file);

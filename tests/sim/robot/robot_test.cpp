@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/robot/denavit_hartenberg.h"
+
 namespace prehend {
 namespace {
 
@@ -15,7 +17,8 @@ constexpr double kRounding = 1e-14;
 Robot planar_arm(double first, double second) {
   Robot robot;
   robot.chains = {{.name = "arm", .first_joint = 0, .joint_count = 2}};
-  robot.joints = {{.name = "shoulder", .a = first}, {.name = "elbow", .a = second, .dof = 1}};
+  robot.joints = {denavit_hartenberg({.name = "shoulder"}, {.a = first}),
+                  denavit_hartenberg({.name = "elbow", .dof = 1}, {.a = second})};
   robot.joints[1].parent = 0;
   robot.dofs = {{.name = "q0"}, {.name = "q1"}};
   robot.links.resize(3);  // not in the order of their joints
@@ -53,7 +56,8 @@ TEST(ForwardKinematics, PlanarArmFollowsItsClosedForm) {
 }
 
 TEST(ForwardKinematics, StandardDenavitHartenbergOrder) {
-  const Joint joint{.name = "j", .theta = 0.4, .d = 0.1, .a = 0.2, .alpha = -0.9};
+  const Joint joint =
+      denavit_hartenberg({.name = "j"}, {.theta = 0.4, .d = 0.1, .a = 0.2, .alpha = -0.9});
   const Pose expected = Pose(Eigen::AngleAxisd(0.4 + 0.3, Vector3::UnitZ())) *
                         translation({0.0, 0.0, 0.1}) * translation({0.2, 0.0, 0.0}) *
                         Eigen::AngleAxisd(-0.9, Vector3::UnitX());
@@ -61,8 +65,8 @@ TEST(ForwardKinematics, StandardDenavitHartenbergOrder) {
 }
 
 TEST(ForwardKinematics, PrismaticJointSlidesAlongZOfTheFrameBefore) {
-  const Joint joint{
-      .name = "j", .type = JointType::prismatic, .theta = 0.4, .d = 0.1, .a = 0.2, .alpha = -0.9};
+  const Joint joint = denavit_hartenberg({.name = "j", .type = JointType::prismatic},
+                                         {.theta = 0.4, .d = 0.1, .a = 0.2, .alpha = -0.9});
   const Pose at_rest = one_joint(joint, 0.0);
   const Pose moved = one_joint(joint, 0.25);
   EXPECT_LT((moved.linear() - at_rest.linear()).norm(), kRounding);
@@ -73,9 +77,10 @@ TEST(ForwardKinematics, PrismaticJointSlidesAlongZOfTheFrameBefore) {
 TEST(ForwardKinematics, ChainsStartAtTheirOwnBase) {
   Robot robot = planar_arm(0.3, 0.2);
   robot.chains.push_back({.name = "second", .first_joint = 2, .joint_count = 1});
-  robot.chains[1].X_PC =
+  const Pose X_BJ2 =
       translation({0.0, 0.0, 0.5}) * Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitY());
-  robot.joints.push_back({.name = "slide", .type = JointType::prismatic, .chain = 1});
+  robot.joints.push_back(
+      {.name = "slide", .type = JointType::prismatic, .X_PJ = X_BJ2, .chain = 1});
   std::vector<Pose> X_BJ;
   joint_poses(robot, {0.0, 0.0, 0.07}, X_BJ);
   ASSERT_EQ(X_BJ.size(), 3U);
