@@ -22,6 +22,7 @@ enum class MassSource {
   surface,
 };
 
+// For the uniform density that fills the volume.
 struct MassProperties {
   MassSource source = MassSource::signed_volume;
   double volume = 0.0;                       // m^3

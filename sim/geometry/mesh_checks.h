@@ -5,6 +5,7 @@
 
 namespace prehend {
 
+// Counts of what a mesh is made of, and of what keeps it from bounding a solid.
 struct MeshChecks {
   int vertices = 0;
   int triangles = 0;

@@ -9,6 +9,8 @@
 
 namespace prehend {
 
+// Lengths are in metres.
+
 // The set |x| <= size.x / 2, |y| <= size.y / 2, |z| <= size.z / 2 in its own frame.
 struct Box {
   Vector3 size = Vector3::Zero();
@@ -27,6 +29,7 @@ struct Cylinder {
 
 using Shape = std::variant<Box, Sphere, Cylinder>;
 
+// A shape where it is in the object.
 struct Primitive {
   Shape shape;
   Pose X_OP = Pose::Identity();  // the primitive's frame in the object's
@@ -34,9 +37,10 @@ struct Primitive {
 
 std::string_view shape_name(const Shape& shape);  // "box", "sphere", "cylinder"
 
-// Distance of p_O from the primitive's surface: negative inside, 0 on it.
+// Distance of point p_O (object frame) from the primitive's surface: negative inside, 0 on it [m].
 double signed_distance(const Primitive& primitive, const Vector3& p_O);
 
+// Of the whole surface, ends of a cylinder included [m^2].
 double surface_area(const Shape& shape);
 
 }  // namespace prehend

@@ -18,6 +18,7 @@ class ProximityMesh {
   // Throws InputError for a mesh without triangles.
   explicit ProximityMesh(TriangleMesh mesh);
 
+  // As it was given.
   const TriangleMesh& mesh() const;
   // Indices of the triangles around vertex `v`, ascending.
   std::span<const int> triangles_at(int v) const;
@@ -27,6 +28,7 @@ class ProximityMesh {
   // Convex sets that together hold the surface: one for each component while they are few.
   const std::vector<ConvexPoints>& parts() const;
 
+  // For the functions of this room.
   struct Data;
   const Data& data() const { return *data_; }
 
@@ -40,6 +42,7 @@ struct TrianglePair {
   int b = -1;
 };
 
+// How exact an answer of find_gap has to be: what need not be known costs no time.
 struct GapOptions {
   // Gaps beyond this need not be told apart [m].
   double cap = std::numeric_limits<double>::infinity();

@@ -11,6 +11,7 @@ namespace prehend {
 // Metres in one unit of length: "m", "cm", "mm" or "in". Throws InputError on any other name.
 double metres_per_unit(std::string_view unit);
 
+// How the numbers of a file become metres and vertices.
 struct MeshFileOptions {
   // Metres in one unit of the file, positive. COLLADA and glTF state their unit themselves; it is
   // applied first, so leave this at 1 for them unless the file lies.
@@ -19,6 +20,7 @@ struct MeshFileOptions {
   double weld_fraction = 1e-6;
 };
 
+// What a file holds once it is cleaned, and what was cleaned.
 struct LoadedMesh {
   TriangleMesh mesh;           // welded; every vertex finite and used; metres
   int degenerate_removed = 0;  // triangles of no area or with a repeated vertex, left out
