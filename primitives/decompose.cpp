@@ -96,9 +96,12 @@ struct Leaf {
   }
 };
 
-// Splits where the objective falls most, until no split lowers it.
+// Greedy top-down clustering: one region is the whole surface; the split that lowers the objective
+// most is carried out, until no split lowers it. Splits of a region do not depend on other regions,
+// so each is computed once.
 std::vector<Region> grown(const Surface& surface, const DecomposeOptions& options) {
-  // More pieces than asked for, since merging afterwards finds the better few.
+  // More pieces than asked for: merging afterwards (polished, reduced) finds a better set of few
+  // pieces than stopping early does, because early cuts are made without knowing the later ones.
   const std::size_t most = static_cast<std::size_t>(options.max_primitives) + 4;
   std::vector<Leaf> leaves;
   leaves.push_back({fit_region(surface.points, surface, Effort::thorough), false, std::nullopt});

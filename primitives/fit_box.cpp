@@ -93,6 +93,8 @@ std::vector<Slabs> best_starts(std::span<const SurfacePoint> points, const FitOp
 
 // Faces with fewer points than their area deserves.
 std::array<bool, 6> open_faces(const Slabs& box, const std::array<double, 6>& support) {
+  // A closed face has about its share of the points. An open one still gets some, from the rim of
+  // the faces beside it, but far fewer than a quarter.
   constexpr double kCovered = 0.25;
   const Vector3 size = (box.high - box.low).cwiseMax(0.0);
   const Vector3 area(size.y() * size.z(), size.z() * size.x(), size.x() * size.y());
@@ -153,7 +155,9 @@ void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff)
   }
 }
 
-// One Gauss-Newton step about the points' own centre.
+// One Gauss-Newton step about the points' own centre: iteratively reweighted least squares on the
+// distance of each point from the face it is nearest to. Which face that is, and the weights, are
+// computed anew in every step.
 Step improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions& options) {
   std::vector<Seen> seen;
   std::vector<double> residuals;
@@ -179,6 +183,8 @@ Step improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions&
     fix_unknown(system, 3 + face);
     close_face(box, face, seen, cutoff);
   }
+  // Relative damping (Marquardt) keeps the step finite where the points leave a direction open,
+  // such as the turn of a square face. Larger turns than a quarter radian leave the linearisation.
   constexpr double kDamping = 1e-4;
   constexpr double kLargestTurn = 0.25;
   system.normal.diagonal() *= 1.0 + kDamping;

@@ -70,6 +70,8 @@ Primitive primitive_of(const Tube& tube, double min_extent) {
 // The cylinder through the points that face sideways (the caps would fill its circle), with the
 // fraction `tail` of the points beyond each end of it.
 Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, double tail) {
+  // Cosine between normal and axis. A point of the side has 0; 0.6 leaves room for a starting axis
+  // that is off by 35 degrees, and for cones.
   constexpr double kSideways = 0.6;
   Tube tube;
   tube.R_OP.col(2) = axis;
@@ -175,7 +177,9 @@ void fix_unknown(System& system, int k) {
   system.right[k] = 0.0;
 }
 
-// One Gauss-Newton step.
+// One Gauss-Newton step of iteratively reweighted least squares, as in fit_box.cpp: each point
+// pulls the part (side or cap) that it is nearest to, parts and weights are computed anew in every
+// step.
 Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions& options) {
   constexpr double kCovered = 0.25;
   constexpr double kDamping = 1e-4;

@@ -1,4 +1,5 @@
-// Triangles cut across curved surfaces; their vertices lie on them.
+// Corrects fitted radii for tessellation: sampled points lie on facets, which cut inside the curved
+// surface that the mesh approximates; only the vertices lie on that surface.
 #pragma once
 
 #include <span>

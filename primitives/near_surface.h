@@ -1,4 +1,4 @@
-// Is there surface near this point? A voxel grid that answers in constant time.
+// Whether a point is near the sampled surface, in constant time: a voxel grid.
 #pragma once
 
 #include <cstdint>

@@ -129,6 +129,8 @@ double objective(const Regions& regions, const Surface& surface) {
 }
 
 Regions polished(Regions regions, const Surface& surface) {
+  // Reassigning points, dropping and merging each open the way for the others, so they are
+  // repeated.
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     const double before = objective(regions, surface);

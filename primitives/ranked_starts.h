@@ -1,4 +1,5 @@
-// From many starting directions to the few that are worth a fit.
+// Chooses the few of many starting directions from which a fit is tried. A fit by Gauss-Newton
+// finds the nearest local minimum only, and a fit from every direction would take too long.
 #pragma once
 
 #include <algorithm>

@@ -29,7 +29,8 @@ struct Surface {
 // One more primitive must lower the rest of the objective by this much.
 constexpr double kPieceCost = 0.015;
 
-// Short of the coverage, a piece pays for itself with well under one percent of the surface.
+// While less than the coverage is explained, a primitive pays for itself (kPieceCost) as soon as it
+// explains another 0.75 % of the surface.
 constexpr double kShortfallCost = 2.0;
 
 struct Region {

@@ -49,6 +49,8 @@ bool consider_cut(const Region& region, const Surface& surface, const Cut& cut,
 
 void consider_cuts_along(const Vector3& direction, const Region& region, const Surface& surface,
                          std::optional<Split>& best) {
+  // Evenly spaced cuts first, then two halvings of the spacing around the best of them: that places
+  // a cut to 1/36 of the extent with 12 fits instead of 35.
   constexpr int kStations = 8;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;

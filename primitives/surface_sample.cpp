@@ -21,7 +21,9 @@ Vector3 point_in_triangle(const TriangleMesh& mesh, std::size_t t, double u, dou
   return a + u * (b - a) + v * (c - a);
 }
 
-// -1 when the mesh as a whole is inside out, by the sign of its volume about its centre.
+// -1 when the mesh as a whole is inside out. The flux of p - center through a closed surface is
+// three times the volume inside (divergence theorem); its sign survives holes that are not too
+// large.
 double outward_sign(const std::vector<SurfacePoint>& points, const Vector3& center) {
   double flux = 0.0;
   for (const SurfacePoint& s : points) flux += s.n_O.dot(s.p_O - center);

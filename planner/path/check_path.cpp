@@ -96,7 +96,8 @@ class PathChecker {
     return joint >= first && joint < first + hand_joints_;
   }
 
-  // From sample i to the next, in halves until the steps are short.
+  // From sample i to the next. The number of steps is doubled until the longest of them is short
+  // enough: how far a link moves in a step is known only once its poses are computed.
   void walk(std::size_t i) {
     int steps = 1;
     while (steps < 4096 && longest_step(i, steps) > options_.step) steps *= 2;

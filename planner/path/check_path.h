@@ -1,4 +1,4 @@
-// A second look at a finished path, by other means than those that made it.
+// An independent check of a finished path: collisions, and the limits of the joints.
 #pragma once
 
 #include <string>
@@ -32,10 +32,12 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("step", step);
 }
 
-// Looks at postures along the cubics between the samples of the path, so densely that no point
-// moves more than `step` from one to the next: whether any two triangles meet, of every link with
-// every other that it is not joined to, with the object and with the obstacles. Knows no gaps, no
-// proven pairs and no bounds of motion but the points of the links themselves. Throws Cancelled.
+// Checks postures along the cubics between the samples of the path, so densely that no corner of a
+// link's bounding box moves more than `step` from one to the next: whether any two triangles meet,
+// of every link with every other that it is not joined to, with the object and with the obstacles.
+// It shares no code with the proof that planning relies on (motion_check.h): no gaps, no bounds of
+// motion, no pairs left out because they were proven to stay apart. So an error there shows here.
+// Throws Cancelled.
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
                      const PathCheckOptions& options = {}, const RunContext& context = {});
 

@@ -1,4 +1,4 @@
-// How a hand comes to a grasp and closes, posture by posture: to be looked at.
+// The motion of a hand that approaches a grasp and closes, as frames for pictures and reports.
 #pragma once
 
 #include <string>

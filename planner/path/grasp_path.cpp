@@ -82,7 +82,8 @@ class GraspPathPlanner {
     return std::nullopt;
   }
 
-  // The hand takes its preshape before the arm moves, or at the pre-grasp.
+  // The hand takes its preshape before the arm moves, or at the pre-grasp: an open hand may not fit
+  // where a closed one does, and the other way round.
   std::optional<Trajectory> along(const std::vector<DofValues>& line, bool opens_first) const {
     const std::vector<double>& carried = opens_first ? line_.hand_joints : start_hand_;
     const DofValues& opens_at = opens_first ? arm_.start : line.front();

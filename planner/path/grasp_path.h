@@ -1,4 +1,4 @@
-// The whole way of a robot to a grasp, in time.
+// The timed motion of a robot from its start posture to a grasp.
 #pragma once
 
 #include <optional>

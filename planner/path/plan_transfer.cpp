@@ -214,6 +214,8 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
   SeededSimplifier simplifier(information, options.seed);
   const auto steps = static_cast<unsigned>(options.simplify_steps);
+  // Dropping vertices first is cheap and leaves fewer corners to cut; cutting corners makes new
+  // vertices that can be dropped again.
   simplifier.reduceVertices(*path, steps, steps);
   simplifier.shortcutPath(*path, steps, steps);
   simplifier.reduceVertices(*path, steps, steps);
@@ -244,7 +246,7 @@ std::optional<PathPlanner> path_planner_named(std::string_view name) {
 
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
                                      const TransferOptions& options, const RunContext& context) {
-  ompl::msg::noOutputHandler();
+  ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
   const TransferSpace space(arm, transfer, options, context);
   if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};

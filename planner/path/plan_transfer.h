@@ -1,4 +1,4 @@
-// A way of the arm from one posture to another, around everything. The only place that knows OMPL.
+// A collision-free path of the arm from one posture to another. The only place that knows OMPL.
 #pragma once
 
 #include <cstdint>

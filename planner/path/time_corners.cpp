@@ -15,7 +15,7 @@ struct Trapezoid {
 };
 
 // How far along the line, as a fraction of it, and how fast [1/s].
-struct Progress {
+struct LinePoint {
   double fraction = 0.0;
   double rate = 0.0;
 };
@@ -57,13 +57,15 @@ class LineSampler {
     const double ramp = trapezoid.ramp;
     const double peak = 1.0 / (ramp + trapezoid.cruise);  // the area under the trapezoid is 1
     const double ramp_fraction = 0.5 * peak * ramp;
-    phase(ramp, sample_time, [&](double t) { return Progress{ramp_fraction * (t * t), peak * t}; });
+    phase(ramp, sample_time, [&](double t) {
+      return LinePoint{ramp_fraction * (t * t), peak * t};
+    });
     phase(trapezoid.cruise, sample_time, [&](double t) {
-      return Progress{ramp_fraction + peak * trapezoid.cruise * t, peak};
+      return LinePoint{ramp_fraction + peak * trapezoid.cruise * t, peak};
     });
     phase(ramp, sample_time, [&](double t) {
       const double left = 1.0 - t;
-      return Progress{1.0 - ramp_fraction * (left * left), peak * left};
+      return LinePoint{1.0 - ramp_fraction * (left * left), peak * left};
     });
     path_.positions.back() = to_;
   }
@@ -80,7 +82,7 @@ class LineSampler {
     start_ += duration;
   }
 
-  void add(double time, const Progress& progress) {
+  void add(double time, const LinePoint& progress) {
     path_.times.push_back(time);
     std::vector<double> position(from_.size());
     std::vector<double> velocity(from_.size());

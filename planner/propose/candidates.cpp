@@ -51,6 +51,8 @@ bool is_duplicate(const Candidate& a, const Candidate& b, const CandidateOptions
   return std::abs(turn.angle()) <= options.duplicate_angle;
 }
 
+// Every (size / most)-th of the list. The list is ordered by primitive and rule, so that a limit
+// thins all of them out alike instead of cutting off the last primitives.
 void keep_evenly(std::vector<ProposedGrasp>& grasps, std::size_t most) {
   if (grasps.size() <= most) return;
   std::vector<ProposedGrasp> kept;
@@ -75,6 +77,8 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
     for (const AimedGrasp& aimed : aim_at(primitives[p], options.rules)) {
       context.cancellation.check();
       proposals.smallest_width = std::min(proposals.smallest_width, aimed.width);
+      // The hand starts so far back that, along the approach, all of it is kStartClearance before
+      // all of the object.
       const double depth = object_reach(scene.scene.object.mesh, aimed.target_O, aimed.approach_O);
       for (std::size_t s = 0; s < hand.preshapes.size(); ++s) {
         const Preshape& preshape = hand.preshapes[s];

@@ -1,4 +1,4 @@
-// From primitives to pre-grasps: where a hand is tried, and why there.
+// Proposes grasps: from the primitives of an object to the poses at which a hand is tried.
 #pragma once
 
 #include <string>
@@ -51,9 +51,9 @@ struct Proposals {
 // - box: thumb and fingers on two opposite faces, approach along each of the four other directions;
 // - cylinder: from the side, with the thumb across the axis or along it, and onto both ends;
 // - sphere: from directions spread evenly over it.
-// The thumb goes on either side. Each is tried twice: until the palm touches, and with the place
-// between the fingertips. Source: Miller, Knoop, Allen and Christensen 2003 (rules per primitive).
-// Throws Cancelled.
+// Each grasp is proposed with the thumb on either side, and at two depths: with the palm moving on
+// until it touches, and with the target between the fingertips (Preshape::depth). Source: Miller,
+// Knoop, Allen and Christensen 2003 (rules per primitive). Throws Cancelled.
 Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                          const CandidateOptions& options = {}, const RunContext& context = {});
 

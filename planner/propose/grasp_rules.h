@@ -1,4 +1,5 @@
-// The grasp rules of each primitive, without a hand: where to aim, from where, closing along what.
+// The grasp rules of each primitive, independent of the hand: the target, the direction of approach
+// and the direction along which the fingers close.
 #pragma once
 
 #include <string>

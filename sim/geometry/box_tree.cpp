@@ -11,7 +11,8 @@ namespace {
 
 class Builder {
  public:
-  explicit Builder(const TriangleMesh& mesh) : mesh_(mesh), order_(mesh.triangles.size()) {
+  Builder(const TriangleMesh& mesh, const RunContext& context)
+      : mesh_(mesh), context_(context), order_(mesh.triangles.size()) {
     std::iota(order_.begin(), order_.end(), 0);
     centers_.reserve(order_.size());
     for (const Triangle& t : mesh.triangles) {
@@ -31,6 +32,7 @@ class Builder {
   const Vector3& vertex(int v) const { return mesh_.vertices[index(v)]; }
 
   void fill(std::size_t node, std::span<int> triangles) {
+    context_.cancellation.check();
     Bounds box;
     Bounds of_centers;
     for (int t : triangles) {
@@ -64,6 +66,7 @@ class Builder {
   }
 
   const TriangleMesh& mesh_;
+  const RunContext& context_;
   std::vector<int> order_;
   std::vector<Vector3> centers_;
   std::vector<BoxNode> nodes_;
@@ -71,6 +74,8 @@ class Builder {
 
 }  // namespace
 
-std::vector<BoxNode> build_box_tree(const TriangleMesh& mesh) { return Builder(mesh).build(); }
+std::vector<BoxNode> build_box_tree(const TriangleMesh& mesh, const RunContext& context) {
+  return Builder(mesh, context).build();
+}
 
 }  // namespace prehend

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
@@ -19,7 +20,8 @@ struct BoxNode {
 };
 
 // Node 0 is the root. Splits at the median along the longest side of the triangles' centres.
-std::vector<BoxNode> build_box_tree(const TriangleMesh& mesh);
+// Throws Cancelled.
+std::vector<BoxNode> build_box_tree(const TriangleMesh& mesh, const RunContext& context = {});
 
 // Lower bound of the distance between boxes of two meshes at one relative pose.
 class BoxDistance {

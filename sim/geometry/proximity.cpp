@@ -224,13 +224,15 @@ struct CollectVisitor {
 
 }  // namespace
 
-ProximityMesh::ProximityMesh(TriangleMesh mesh) {
+ProximityMesh::ProximityMesh(TriangleMesh mesh, const RunContext& context) {
   if (mesh.empty()) throw InputError("proximity: a mesh without triangles");
   auto data = std::make_shared<Data>();
   data->mesh = std::move(mesh);
-  data->tree = build_box_tree(data->mesh);
+  data->tree = build_box_tree(data->mesh, context);
+  context.cancellation.check();
   data->corners_mm = corners_in_mm(data->mesh);
   build_incidence(*data);
+  context.cancellation.check();
   data->ball_center = bounds(data->mesh).center();
   data->ball_radius = max_distance(data->mesh, data->ball_center);
   data->parts = convex_parts(data->mesh);

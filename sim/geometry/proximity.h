@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/base/run_context.h"
 #include "sim/geometry/separation.h"
 #include "sim/geometry/triangle_mesh.h"
 
@@ -15,8 +16,8 @@ namespace prehend {
 // A mesh with its bounding-volume tree. Immutable and shared by threads; cheap to copy.
 class ProximityMesh {
  public:
-  // Throws InputError for a mesh without triangles.
-  explicit ProximityMesh(TriangleMesh mesh);
+  // Throws InputError for a mesh without triangles, and Cancelled.
+  explicit ProximityMesh(TriangleMesh mesh, const RunContext& context = {});
 
   // As it was given.
   const TriangleMesh& mesh() const;

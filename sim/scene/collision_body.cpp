@@ -27,8 +27,9 @@ bool has_component_inside(const CollisionBody& a, const CollisionBody& b, const 
 
 }  // namespace
 
-CollisionBody make_collision_body(std::string name, const TriangleMesh& mesh, bool is_solid) {
-  return {std::move(name), ProximityMesh(mesh), component_vertices(mesh), is_solid};
+CollisionBody make_collision_body(std::string name, const TriangleMesh& mesh, bool is_solid,
+                                  const RunContext& context) {
+  return {std::move(name), ProximityMesh(mesh, context), component_vertices(mesh), is_solid};
 }
 
 bool one_contains_other(const CollisionBody& a, const CollisionBody& b, const Pose& X_AB) {

@@ -27,8 +27,9 @@ struct PlacedBody : CollisionBody {
   Pose X_RB = Pose::Identity();
 };
 
-// Throws InputError for a mesh without triangles.
-CollisionBody make_collision_body(std::string name, const TriangleMesh& mesh, bool is_solid);
+// Throws InputError for a mesh without triangles, and Cancelled.
+CollisionBody make_collision_body(std::string name, const TriangleMesh& mesh, bool is_solid,
+                                  const RunContext& context = {});
 
 // True when a component of one body is inside the other, which must be solid. Says nothing about
 // surfaces that cross. `X_AB`: the pose of b's frame in a's.

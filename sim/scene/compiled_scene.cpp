@@ -38,9 +38,11 @@ void check_object_is_free(const CompiledScene& scene) {
 }
 
 // The object and the obstacles, in the object's frame.
-std::vector<PlacedBody> placed_bodies(const Scene& scene) {
-  const auto placed = [](const std::string& name, const TriangleMesh& mesh, const Pose& X_OB) {
-    return PlacedBody{make_collision_body(name, mesh, check_mesh(mesh).solid()), X_OB};
+std::vector<PlacedBody> placed_bodies(const Scene& scene, const RunContext& context) {
+  const auto placed = [&context](const std::string& name, const TriangleMesh& mesh,
+                                 const Pose& X_OB) {
+    context.cancellation.check();
+    return PlacedBody{make_collision_body(name, mesh, check_mesh(mesh).solid(), context), X_OB};
   };
   std::vector<PlacedBody> bodies = {placed(scene.object.name, scene.object.mesh, Pose::Identity())};
   const Pose X_OW = scene.object.X_WO.inverse();
@@ -60,7 +62,7 @@ std::vector<PlacedBody> bodies_in_base(const CompiledScene& scene) {
 
 }  // namespace
 
-CompiledScene compile(Scene scene) {
+CompiledScene compile(Scene scene, const RunContext& context) {
   if (!scene.hand.hand) throw InputError(scene.hand.name + ": hand: the robot is not a hand");
   const double radius = max_distance(scene.object.mesh, scene.object.center_of_mass);
   if (!(radius > 0.0) || !std::isfinite(radius)) {
@@ -68,13 +70,16 @@ CompiledScene compile(Scene scene) {
   }
   CompiledScene compiled{.scene = scene};
   compiled.links = compile_links(scene, scene.hand);
-  compiled.bodies = placed_bodies(scene);
+  compiled.bodies = placed_bodies(scene, context);
   compiled.self_pairs = separate_pairs(compiled.links);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
+    context.cancellation.check();
     compiled.preshape_gaps.push_back(gaps_at(compiled, preshape));
   }
   compiled.wrench_frame = {scene.object.center_of_mass, 1.0 / radius};
+  context.cancellation.check();
   check_object_is_free(compiled);
+  context.cancellation.check();
   if (scene.carrier) compiled.arm = compile_arm(scene, bodies_in_base(compiled));
   return compiled;
 }

@@ -38,6 +38,9 @@ struct CompiledScene {
 // Throws InputError when the robot is not a hand, has an unknown material or an empty link, a
 // preshape in which links collide, the object has no extent or overlaps an obstacle, or the arm's
 // start posture collides or is outside limits.
-CompiledScene compile(Scene scene);
+//
+// Throws Cancelled. The checks of one mesh (is it closed, of how many pieces is it) and its convex
+// hull are not interrupted: above 50 000 triangles they can take longer than 50 ms.
+CompiledScene compile(Scene scene, const RunContext& context = {});
 
 }  // namespace prehend

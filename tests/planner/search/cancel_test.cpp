@@ -184,6 +184,7 @@ TEST(CancelledBeforehand, LongCallsThrow) {
   ASSERT_FALSE(planned.grasps.empty());
   const ScoredGrasp& best = planned.grasps.front();
   const HandLine line = approach_line(scene, best.candidate, best.trial);
+  EXPECT_THROW(compile(mug().scene, context), Cancelled);
   EXPECT_THROW(decompose(scene.scene.object.mesh, {}, context), Cancelled);
   EXPECT_THROW(propose_grasps(scene, planned.primitives, {}, context), Cancelled);
   EXPECT_THROW(run_trial(scene, best.candidate, {}, context), Cancelled);
