@@ -2,6 +2,7 @@
 
 #include "planner/exports/export_files.h"
 #include "planner/files/grasps_file.h"
+#include "planner/files/timings_file.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"

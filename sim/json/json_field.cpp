@@ -107,7 +107,7 @@ void JsonField::require_object() const {
   if (!value_->is_object()) fail("must be an object");
 }
 
-void JsonField::allow_only(std::initializer_list<std::string_view> names) const {
+void JsonField::allow_only(std::span<const std::string_view> names) const {
   require_object();
   for (const auto& [key, value] : value_->items()) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
@@ -163,6 +163,16 @@ int JsonField::integer() const {
     fail("must be a whole number");
   }
   return static_cast<int>(value);
+}
+
+bool JsonField::boolean() const {
+  if (!value_->is_boolean()) fail("must be true or false");
+  return value_->get<bool>();
+}
+
+std::uint64_t JsonField::unsigned_integer() const {
+  if (!value_->is_number_unsigned()) fail("must be a whole number from 0");
+  return value_->get<std::uint64_t>();
 }
 
 std::string JsonField::text() const {
