@@ -1,10 +1,10 @@
 #include "planner/files/json_grasp.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
+#include "planner/files/json_contact.h"
 #include "planner/files/json_posture.h"
 #include "planner/files/json_trajectory.h"
 #include "sim/base/index.h"
@@ -14,9 +14,6 @@ namespace prehend {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::array kContactModels = {ContactModel::frictionless, ContactModel::point,
-                                       ContactModel::soft_finger};
 
 ValueNames<LinkId> link_names(const CompiledScene& scene) {
   ValueNames<LinkId> names;
@@ -32,14 +29,10 @@ ValueNames<int> preshape_names(const Hand& hand) {
   return names;
 }
 
-void contact_fields(auto& fields, auto& contact, const ValueNames<LinkId>& links) {
-  for (const char* name : {"link", "position", "normal", "friction"}) fields.needs(name);
+void grasp_contact_fields(auto& fields, auto& contact, const ValueNames<LinkId>& links) {
+  fields.needs("link");
   fields.named("link", contact.link, links);
-  fields("position", contact.point.position);
-  fields("normal", contact.point.normal);
-  fields("friction", contact.point.friction);
-  fields.named("model", contact.point.model, value_names(kContactModels, contact_model_name));
-  fields("torsion", contact.point.torsion);
+  contact_fields(fields, contact.point);
   fields("gap", contact.gap);
 }
 
@@ -248,7 +241,7 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
   PostureFields{scene.scene.hand}(fields, grasp);
   const ValueNames<LinkId> links = link_names(scene);
   fields.objects("contacts", trial.contacts,
-                 [&](auto& inner, auto& contact) { contact_fields(inner, contact, links); });
+                 [&](auto& inner, auto& contact) { grasp_contact_fields(inner, contact, links); });
   fields.derived("torque_origin", [&] { return vector_to_json(scene.wrench_frame.torque_origin); });
   fields.derived("torque_scale", [&] { return scene.wrench_frame.torque_scale; });
   fields.object("weakest_wrench",

@@ -12,7 +12,7 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   if (!command_line.hand.empty()) asked.hand = command_line.hand;
   if (!command_line.unit.empty()) asked.unit = command_line.unit;
   if (asked.scene.empty()) {
-    throw InputError(grasps.path().string() + ": scene: missing; name it there or with --scene");
+    throw InputError({grasps.path().string(), "scene", "missing; name it there or with --scene"});
   }
   RunRecord record;
   if (!asked.unit.empty()) record.unit = asked.unit;

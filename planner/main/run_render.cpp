@@ -63,10 +63,11 @@ std::string numbers_of(const ScoredGrasp& grasp, bool judged, std::size_t number
 std::vector<DrawnGrasp> drawn_grasps(const JsonFile& file, const CompiledScene& scene, int asked) {
   const GraspFile read = read_grasps(file, scene);
   const std::vector<ScoredGrasp>& grasps = read.result.grasps;
-  if (grasps.empty()) throw InputError(file.path().string() + ": grasps: there is none to draw");
+  if (grasps.empty()) throw InputError({file.path().string(), "grasps", "there is none to draw"});
   if (asked > static_cast<int>(grasps.size())) {
-    throw InputError(file.path().string() + ": --grasp: there are " +
-                     std::to_string(grasps.size()) + " grasps (" + std::to_string(asked) + ")");
+    throw InputError({file.path().string(), "--grasp",
+                      "there are " + std::to_string(grasps.size()) + " grasps",
+                      std::to_string(asked)});
   }
   std::vector<DrawnGrasp> drawn;
   for (std::size_t i = 0; i < grasps.size(); ++i) {

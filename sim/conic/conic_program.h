@@ -59,7 +59,7 @@ struct ConicSolution {
 // sections II and III; Andersen, Dahl and Vandenberghe, "Interior-point methods for large-scale
 // cone programming", 2011.
 //
-// Throws std::invalid_argument for shapes that do not fit, a value that is not finite, a
+// Throws InputError for shapes that do not fit, a value that is not finite, a
 // second-order cone without rows, or an option that is not positive.
 ConicSolution solve(const ConicProgram& program, const ConicOptions& options = {});
 

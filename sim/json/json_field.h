@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/input_error.h"
 #include "sim/base/pose.h"
 
 namespace prehend {
@@ -70,6 +71,8 @@ class JsonField {
 
   // "FILE: FIELD: what (VALUE)"
   [[noreturn]] void fail(const std::string& what) const;
+  // What a function that takes the read value refused it for: its field is one inside this field.
+  [[noreturn]] void fail(const InputError& error) const;
 
  private:
   void require_object() const;

@@ -1,6 +1,10 @@
 // The largest ball around the origin inside a convex set of wrenches, without its hull.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 #include "sim/quality/support.h"
 #include "sim/quality/wrench.h"
 
@@ -14,6 +18,12 @@ enum class EpsilonStatus {
   stalled,           // rounding leaves no better polytope; the bracket stands. From epsilon_l1 only
                      // where qhull fails on the same wrenches
 };
+
+constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
+  constexpr std::array<std::string_view, 5> kNames = {"converged", "no_force_closure",
+                                                      "below_cutoff", "limit", "stalled"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 struct EpsilonOptions {
   // Of upper - lower, >= 0. Differences of 2e-14 of the set's size are rounding, whatever is asked.
@@ -45,12 +55,12 @@ struct EpsilonBracket {
 //
 // A set whose smallest support value is below kFlatness (1e-9) of its size has no force closure.
 // Its coordinates must have squares: sizes from 1e-150 to 1e150. epsilon_l1 takes any.
-// Throws std::invalid_argument for a tolerance that is negative or not a number.
+// Throws InputError for a tolerance that is negative or not a number.
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
 
 // Ferrari and Canny's L1 measure of the hull of the columns of `wrenches` (ICRA 1992): their hull's
 // smallest facet offset. Where rounding stalls the growth, wrench_hull decides.
-// No columns: no force closure. Throws std::invalid_argument where a column is not finite.
+// No columns: no force closure. Throws InputError where a column is not finite.
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
 
 }  // namespace prehend

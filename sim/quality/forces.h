@@ -1,7 +1,10 @@
 // The contact forces that balance a wrench, and how large a wrench contacts can resist.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -43,6 +46,11 @@ enum class ForceOutcome {
   limit,       // rounding allows neither; the best forces found stand
 };
 
+constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
+  constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
+
 // Forces are in the unit of the wrench's force, torques in that unit times a metre.
 struct ContactForces {
   ForceOutcome outcome = ForceOutcome::limit;
@@ -72,7 +80,7 @@ inline constexpr double kLargestForce = 1e10;
 // forces", 2007; Lobo et al., "Applications of second-order cone programming", 1998, section 3.7;
 // joint torques as in Buss, Hashimoto and Moore 1996.
 //
-// Throws std::invalid_argument as check_contacts, for a wrench that is not finite, for options out
+// Throws InputError as check_contacts, for a wrench that is not finite, for options out
 // of range, and for matrices of the wrong shape or that are not finite, or negative limits.
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const ForceOptions& options = {});

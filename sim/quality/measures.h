@@ -19,7 +19,7 @@
 namespace prehend {
 
 // What measures need beside the contacts. Where something is missing that one cannot do without, it
-// throws std::invalid_argument that says what.
+// throws InputError that says what.
 struct MeasureOptions {
   WrenchSpaceOptions space;
   std::optional<EpsilonOptions> epsilon;  // empty: epsilon_options(space)
