@@ -17,9 +17,8 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   RunRecord record;
   if (!asked.unit.empty()) record.unit = asked.unit;
   record.hand = asked.hand;
-  const std::filesystem::path file = find_scene(asked.scene);
-  record.scene = scene_reference(file);
-  return {compile(load_scene(file, {record.hand, record.unit})), record};
+  record.scene = scene_reference(asked.scene);
+  return {compile(load_scene(asked.scene, {record.hand, record.unit})), record};
 }
 
 }  // namespace prehend

@@ -28,12 +28,13 @@ constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
 struct EpsilonOptions {
   // Of upper - lower, >= 0. Differences of 2e-14 of the set's size are rounding, whatever is asked.
   double relative_tolerance = 1e-9;
-  // Stop as soon as the upper bound is below this: the set cannot rank higher.
+  // Stop as soon as the upper bound is below this: for callers who rank and know a better grasp.
   double cutoff = 0.0;
-  // Facets made before giving up, looked at before each expansion.
+  // Most facets; checked before each expansion.
   int max_facets = 200000;
-  // Steps downhill on the support function from each new upper bound. They pay on smooth sets,
-  // whose nearest facets point beside the minimum; on a polytope the last facet ends in it anyway.
+  // Steps of descent on the support function from each new upper bound. They save facets on smooth
+  // sets, where the normal of the nearest facet is only near the minimum; on a polytope the last
+  // facet has the minimum as its normal, and they are not needed.
   int descent_steps = 0;
 };
 
@@ -54,7 +55,8 @@ struct EpsilonBracket {
 // support value seen is the upper bound, the smallest facet offset the lower one. Deterministic.
 //
 // A set whose smallest support value is below kFlatness (1e-9) of its size has no force closure.
-// Its coordinates must have squares: sizes from 1e-150 to 1e150. epsilon_l1 takes any.
+// The squares of its coordinates must neither overflow nor vanish: sizes from 1e-150 to 1e150.
+// epsilon_l1 takes any size.
 // Throws InputError for a tolerance that is negative or not a number.
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
 

@@ -14,7 +14,7 @@
 
 namespace prehend {
 
-// What is made as small as it can be, or limited to one.
+// The norm of the contact forces that is minimised, or limited to one.
 enum class ForceMeasure {
   largest_normal,  // L-infinity: each contact pushes with its own actuator
   sum_of_normals,  // L1: all contacts share one
@@ -30,8 +30,9 @@ struct ForceOptions {
   double gap_tolerance = 1e-6;  // of the measure, relative
 };
 
-// Joints that have to bear the forces: |J'f| <= limits, f the forces of the contacts on the object
-// one after the other. `spin` is for the torques of soft fingers, which load no joint without it.
+// The hand's joint torques that the contact forces cause, and their limits: |J'f| <= limits, f the
+// forces of the contacts on the object one after the other. `spin` is for the torques of soft
+// fingers, which load no joint without it.
 struct HandTorques {
   Eigen::MatrixXd jacobian;  // 3n x joints: velocities of the contact points in the axes of the
                              // contacts [m/s per rad/s]
@@ -71,7 +72,8 @@ struct ContactForces {
   Eigen::VectorXd torque_multipliers;  // joints, with a hand; for the unit wrench above
 };
 
-// Normal forces that add up to more than this times the wrench are no grasp but rounding.
+// Normal forces that add up to more than this times the wrench are taken for rounding errors of a
+// grasp that cannot balance it.
 inline constexpr double kLargestForce = 1e10;
 
 // The forces inside the friction cones whose wrenches and `external` add up to zero, smallest in
