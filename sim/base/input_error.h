@@ -1,6 +1,7 @@
 // The exception for a caller's mistake: a file, a field and a value that cannot be used.
 #pragma once
 
+#include <concepts>
 #include <stdexcept>
 #include <string>
 
@@ -22,8 +23,9 @@ struct InputErrorParts {
 //   catch (const InputError& error) { throw error.under("contacts[3]").in_file(path); }
 class InputError : public std::invalid_argument {
  public:
-  explicit InputError(const std::string& problem)
-      : InputError(InputErrorParts{.problem = problem}) {}
+  // A template so that a list in braces is never taken for a text: only InputErrorParts has lists.
+  template <std::convertible_to<std::string> Text>
+  explicit InputError(const Text& problem) : InputError(InputErrorParts{.problem = problem}) {}
   explicit InputError(InputErrorParts parts);
 
   const std::string& file() const { return parts_.file; }
