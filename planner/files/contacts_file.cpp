@@ -1,46 +1,16 @@
 #include "planner/files/contacts_file.h"
 
-#include "sim/json/json_field.h"
+#include "planner/files/json_contact.h"
 
 namespace prehend {
 namespace {
 
-ContactModel read_model(const JsonField& field) {
-  for (const ContactModel model :
-       {ContactModel::frictionless, ContactModel::point, ContactModel::soft_finger}) {
-    if (field.text() == contact_model_name(model)) return model;
-  }
-  field.fail("unknown contact model (known: frictionless, point, soft_finger)");
-}
-
-Contact read_contact(const JsonField& field) {
-  Contact contact;
-  contact.position = field["position"].vector3();
-  contact.normal = field["normal"].vector3();
-  contact.friction = field.number_or("friction", 0.0);
-  if (field.has("model")) contact.model = read_model(field["model"]);
-  contact.torsion = field.number_or("torsion", 0.0);
-  if (contact.model != ContactModel::frictionless && !field.has("friction")) {
-    field.fail("needs friction");
-  }
-  if (contact.model == ContactModel::soft_finger && !field.has("torsion")) {
-    field.fail("a soft_finger needs torsion");
-  }
-  return contact;
-}
-
-// The file is checked where it is wrong, so that the message names the place.
-std::vector<Contact> read_contacts(const JsonField& list, const WrenchFrame& frame) {
+std::vector<Contact> read_contacts(const JsonField& list) {
   std::vector<Contact> contacts;
   for (const JsonField& field : list.items()) {
-    contacts.push_back(read_contact(field));
-    try {
-      check_contacts({&contacts.back(), 1}, frame);
-    } catch (const std::invalid_argument& error) {
-      const std::string what = error.what();
-      constexpr std::string_view kPrefix = "contact 0: ";
-      field.fail(what.substr(what.rfind(kPrefix, 0) == 0 ? kPrefix.size() : 0));
-    }
+    FieldReader fields(field);
+    contact_fields(fields, contacts.emplace_back());
+    fields.finish();
   }
   return contacts;
 }
@@ -112,8 +82,8 @@ ContactsFile load_contacts(const std::filesystem::path& file) {
   if (root.has("torque_origin")) read.frame.torque_origin = root["torque_origin"].vector3();
   read.frame.torque_scale = root.number_or("torque_scale", 1.0);
   if (!(read.frame.torque_scale > 0.0)) root["torque_scale"].fail("must be above 0");
-  read.contacts = read_contacts(root["contacts"], read.frame);
-  if (root.has("surface")) read.surface = read_contacts(root["surface"], read.frame);
+  read.contacts = read_contacts(root["contacts"]);
+  if (root.has("surface")) read.surface = read_contacts(root["surface"]);
   if (root.has("task")) read.task = read_task(root["task"], read.frame);
   if (root.has("hand")) read.hand = read_hand(root["hand"], read.contacts.size());
   if (root.has("external")) read.external = read_wrench(root["external"], read.frame);

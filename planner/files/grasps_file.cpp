@@ -1,9 +1,13 @@
 #include "planner/files/grasps_file.h"
 
-#include <string>
-#include <type_traits>
+#include <array>
+#include <filesystem>
+#include <utility>
 
+#include "planner/files/json_grasp.h"
+#include "planner/files/json_settings.h"
 #include "sim/base/index.h"
+#include "sim/json/json_fields.h"
 #include "sim/scene/json_primitive.h"
 
 namespace prehend {
@@ -11,182 +15,198 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json contact_json(const CompiledScene& scene, const GraspContact& contact) {
-  return {{"link", scene.links[index(contact.link)].name},
-          {"position", vector_to_json(contact.point.position)},
-          {"normal", vector_to_json(contact.point.normal)},
-          {"friction", contact.point.friction},
-          {"model", contact_model_name(contact.point.model)},
-          {"torsion", contact.point.torsion},
-          {"gap", contact.gap}};
-}
+constexpr int kVersion = 1;
 
-Json primitive_json(const ScoredGrasp& grasp, const PlanResult& result) {
-  if (!grasp.primitive) return nullptr;
-  return {{"index", *grasp.primitive},
-          {"shape", shape_name(result.primitives[index(*grasp.primitive)].shape)},
-          {"rule", grasp.rule}};
-}
+constexpr std::array kPlanStatuses = {PlanStatus::complete, PlanStatus::cancelled,
+                                      PlanStatus::object_too_large, PlanStatus::no_candidates};
 
-Json blocked_json(const CompiledScene& scene, const Trial& trial) {
-  const Blame blocked = blame(scene, trial);
-  if (blocked.link.empty()) return nullptr;
-  return {{"link", blocked.link}, {"by", blocked.by}};
-}
+constexpr std::array kPlanCounts = {
+    PlanCount::primitives_given, PlanCount::primitives, PlanCount::candidates, PlanCount::reach,
+    PlanCount::obstacles,        PlanCount::trials,     PlanCount::ranked,     PlanCount::paths};
 
-Json path_json(const Trajectory& path) {
-  Json segments = Json::array();
-  for (const TrajectorySegment& segment : path.segments) {
-    segments.push_back({{"name", segment.name}, {"first", segment.first}, {"last", segment.last}});
-  }
-  return {{"joints", path.joints},
-          {"times", path.times},
-          {"positions", path.positions},
-          {"velocities", path.velocities},
-          {"segments", segments}};
-}
-
-Json grasp_json(const CompiledScene& scene, const ScoredGrasp& grasp, const PlanResult& result) {
-  const Trial& trial = grasp.trial;
-  const Candidate& candidate = grasp.candidate;
-  const bool stable = trial.outcome == Outcome::stable;
-  Json json;
-  json["outcome"] = outcome_name(trial.outcome);
-  json["epsilon"] = stable ? trial.epsilon.lower : 0.0;
-  if (grasp.volume) json["volume"] = *grasp.volume;
-  json["force_closure"] = stable;
-  json["X_object_hand"] = pose_to_json(trial.X_OH);
-  json["X_world_hand"] = pose_to_json(scene.scene.object.X_WO * trial.X_OH);
-  if (candidate.preshape) {
-    json["preshape"] = scene.scene.hand.hand->preshapes[index(*candidate.preshape)].name;
-  } else {
-    json["preshape"] = nullptr;
-  }
-  json["dofs"] = trial.dofs;
-  json["joints"] = trial.joints;
-  json["contacts"] = Json::array();
-  for (const GraspContact& c : trial.contacts) json["contacts"].push_back(contact_json(scene, c));
-  json["torque_origin"] = vector_to_json(scene.wrench_frame.torque_origin);
-  json["torque_scale"] = scene.wrench_frame.torque_scale;
-  json["weakest_wrench"] = {{"force", vector_to_json(trial.epsilon.weakest.head<3>())},
-                            {"torque", vector_to_json(trial.epsilon.weakest.tail<3>())}};
-  json["primitive"] = primitive_json(grasp, result);
-  json["approach"] = {{"direction", vector_to_json(candidate.approach_O)},
-                      {"distance", candidate.approach_distance},
-                      {"travel", trial.travel},
-                      {"back_offs", trial.back_offs},
-                      {"turned", trial.turned}};
-  json["blocked"] = blocked_json(scene, trial);
-  if (!trial.arm_dofs.empty()) {
-    json["arm_dofs"] = trial.arm_dofs;
-    json["arm_line"] = trial.arm_line;
-  }
-  if (grasp.path) json["path"] = path_json(*grasp.path);
-  return json;
-}
-
-template <typename Value>
-Json setting_json(const Value& value) {
-  if constexpr (std::is_same_v<Value, PathPlanner>) {
-    return path_planner_name(value);
-  } else {
-    return value;
-  }
-}
-
-// Every setting under its name (sim/base/settings.h).
-template <HasSettings Options>
-Json settings_json(const Options& options) {
-  Json json = Json::object();
-  visit_settings(options, [&](const std::string& name, const auto& value) {
-    json[name] = setting_json(value);
-  });
-  return json;
-}
-
-Json settings_json(const RunRecord& record) {
-  Json json = settings_json(record.options);
-  json["contacts"] = record.options.trial.soft_fingers ? "soft" : "hard";
-  if (record.options.paths) json["paths"] = settings_json(*record.options.paths);
-  return json;
-}
-
-Json names_json(const Robot& hand) {
+Json names_json(const Robot& robot) {
   Json dofs = Json::array();
-  for (const DegreeOfFreedom& dof : hand.dofs) dofs.push_back(dof.name);
+  for (const DegreeOfFreedom& dof : robot.dofs) dofs.push_back(dof.name);
   Json joints = Json::array();
-  for (const Joint& joint : hand.joints) joints.push_back(joint.name);
-  return {{"name", hand.name}, {"dofs", dofs}, {"joints", joints}};
+  for (const Joint& joint : robot.joints) joints.push_back(joint.name);
+  return {{"name", robot.name}, {"dofs", dofs}, {"joints", joints}};
+}
+
+Json object_json(const GraspableBody& object) {
+  return {{"name", object.name},
+          {"material", material_name(object.material)},
+          {"mass", object.mass},
+          {"center_of_mass", vector_to_json(object.center_of_mass)},
+          {"X_world_object", pose_to_json(object.X_WO)}};
+}
+
+Json robot_json(const CompiledArm& arm) {
+  Json json = names_json(arm.robot());
+  json["X_world_robot"] = pose_to_json(arm.X_WB);
+  return json;
+}
+
+Json obstacles_json(const CompiledScene& scene) {
+  Json names = Json::array();
+  for (const PlacedBody& obstacle : scene.obstacles()) names.push_back(obstacle.name);
+  return names;
+}
+
+// Only what is out of the ordinary is written: the plan ended early, or candidates were left out.
+void status_fields(auto& fields, auto& result) {
+  if (kReads<decltype(fields)> || result.status != PlanStatus::complete) {
+    fields.named("status", result.status, value_names(kPlanStatuses, plan_status_name));
+  }
+  if (kReads<decltype(fields)> || result.untested > 0) fields("untested", result.untested);
+}
+
+void result_fields(auto& fields, auto& result) {
+  status_fields(fields, result);
+  fields.objects("stages", result.stages, [](auto& inner, auto& stage) {
+    inner.needs("name");
+    inner.named("name", stage.what, value_names(kPlanCounts, plan_count_name));
+    inner("count", stage.count);
+  });
+  fields.object("outcomes", [&](auto& inner) {
+    for (const Outcome outcome : kOutcomes) {
+      inner(outcome_name(outcome), result.outcomes[static_cast<std::size_t>(outcome)]);
+    }
+  });
+  fields.objects("blockers", result.blockers, [](auto& inner, auto& blocker) {
+    for (const char* name : {"outcome", "link", "by"}) inner.needs(name);
+    inner.named("outcome", blocker.outcome, value_names(kOutcomes, outcome_name));
+    inner("link", blocker.link);
+    inner("by", blocker.by);
+    inner("count", blocker.count);
+  });
+}
+
+Json primitives_json(const std::vector<Primitive>& primitives) {
+  Json list = Json::array();
+  for (const Primitive& primitive : primitives) list.push_back(primitive_to_json(primitive));
+  return list;
+}
+
+Json grasps_list_json(const CompiledScene& scene, const PlanResult& result) {
+  Json list = Json::array();
+  for (const ScoredGrasp& grasp : result.grasps) {
+    list.push_back(grasp_to_json(grasp, scene, result.primitives));
+  }
+  return list;
+}
+
+// The scene is a text or an object in files that somebody else wrote, and so is the hand.
+void read_scene(const JsonField& root, SceneReference& reference) {
+  if (root.has("scene") && root["scene"].is_text()) {
+    reference.scene = root["scene"].text();
+  } else if (root.has("scene")) {
+    FieldReader fields(root["scene"]);
+    fields("file", reference.scene);
+    fields("unit", reference.unit);
+    fields("hand", reference.hand);
+    fields.finish();
+  }
+  const bool beside = reference.hand.empty() && root.has("hand") && root["hand"].is_text();
+  if (beside) reference.hand = root["hand"].text();
+}
+
+void scene_field(auto& fields, auto& record) {
+  if constexpr (kReads<decltype(fields)>) {
+    SceneReference reference;
+    (void)fields.knows("scene");
+    read_scene(fields.field(), reference);
+    record.scene = reference.scene;
+    record.hand = reference.hand;
+    if (!reference.unit.empty()) record.unit = reference.unit;
+  } else {
+    fields.object("scene", [&](auto& inner) {
+      inner("file", record.scene);
+      inner("unit", record.unit);
+      if (!record.hand.empty()) inner("hand", record.hand);
+    });
+  }
+}
+
+void settings_field(auto& fields, auto& record) {
+  if constexpr (kReads<decltype(fields)>) {
+    if (fields.knows("settings")) read_settings(fields.field()["settings"], record);
+  } else {
+    fields.derived("settings", [&] { return settings_to_json(record); });
+  }
+}
+
+void file_fields(auto& fields, auto& record, auto& result, const CompiledScene& scene) {
+  int version = kVersion;
+  fields.named("format", version, ValueNames<int>{{"prehend grasps 1", kVersion}});
+  scene_field(fields, record);
+  fields.derived("object", [&] { return object_json(scene.scene.object); });
+  fields.derived("hand", [&] { return names_json(scene.scene.hand); });
+  if (kReads<decltype(fields)> || scene.arm) {
+    fields.derived("robot", [&] { return robot_json(*scene.arm); });
+  }
+  if (kReads<decltype(fields)> || scene.has_obstacles()) {
+    fields.derived("obstacles", [&] { return obstacles_json(scene); });
+  }
+  settings_field(fields, record);
+  result_fields(fields, result);
+}
+
+void read_lists(FieldReader& fields, GraspFile& file, const CompiledScene& scene) {
+  const JsonField root = fields.field();
+  if (fields.knows("primitives")) {
+    for (const JsonField& field : root["primitives"].items()) {
+      file.result.primitives.push_back(read_primitive(field));
+    }
+  }
+  fields.needs("grasps");
+  (void)fields.knows("grasps");
+  for (const JsonField& field : root["grasps"].items()) {
+    ReadGrasp read = read_grasp(field, scene, file.result.primitives);
+    file.result.grasps.push_back(std::move(read.grasp));
+    file.judged.push_back(read.judged);
+  }
 }
 
 }  // namespace
 
 std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                         const RunRecord& record) {
-  const GraspableBody& object = scene.scene.object;
-  Json json;
-  json["format"] = "prehend grasps 1";
-  json["scene"] = {{"file", record.scene}, {"unit", record.unit}};
-  if (!record.hand.empty()) json["scene"]["hand"] = record.hand;
-  json["object"] = {{"name", object.name},
-                    {"material", material_name(object.material)},
-                    {"mass", object.mass},
-                    {"center_of_mass", vector_to_json(object.center_of_mass)},
-                    {"X_world_object", pose_to_json(object.X_WO)}};
-  json["hand"] = names_json(scene.scene.hand);
-  if (scene.arm) {
-    json["robot"] = names_json(scene.arm->robot());
-    json["robot"]["X_world_robot"] = pose_to_json(scene.arm->X_WB);
-  }
-  if (scene.has_obstacles()) {
-    json["obstacles"] = Json::array();
-    for (const PlacedBody& obstacle : scene.obstacles()) {
-      json["obstacles"].push_back(obstacle.name);
-    }
-  }
-  json["settings"] = settings_json(record);
-  if (result.status != PlanStatus::complete) json["status"] = plan_status_name(result.status);
-  if (result.untested > 0) json["untested"] = result.untested;
-  json["stages"] = Json::array();
-  for (const StageCount& stage : result.stages) {
-    json["stages"].push_back({{"name", plan_count_name(stage.what)}, {"count", stage.count}});
-  }
-  json["outcomes"] = Json::object();
-  for (Outcome outcome : kOutcomes) {
-    json["outcomes"][std::string(outcome_name(outcome))] =
-        result.outcomes[static_cast<std::size_t>(outcome)];
-  }
-  json["blockers"] = Json::array();
-  for (const Blocker& blocker : result.blockers) {
-    json["blockers"].push_back({{"outcome", outcome_name(blocker.outcome)},
-                                {"link", blocker.link},
-                                {"by", blocker.by},
-                                {"count", blocker.count}});
-  }
-  json["primitives"] = Json::array();
-  for (const Primitive& primitive : result.primitives) {
-    json["primitives"].push_back(primitive_to_json(primitive));
-  }
-  json["grasps"] = Json::array();
-  for (const ScoredGrasp& grasp : result.grasps) {
-    json["grasps"].push_back(grasp_json(scene, grasp, result));
-  }
+  FieldWriter fields;
+  file_fields(fields, record, result, scene);
+  fields.derived("primitives", [&] { return primitives_json(result.primitives); });
+  fields.derived("grasps", [&] { return grasps_list_json(scene, result); });
   // Names of files need not be text in UTF-8.
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return std::move(fields).json().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds& trials,
-                         int threads) {
-  Json json{{"threads", threads}, {"stages", Json::array()}};
-  double total = 0.0;
-  for (const StageTime& time : times) {
-    json["stages"].push_back({{"name", stage_name(time.stage)}, {"seconds", time.seconds}});
-    total += time.seconds;
+SceneReference read_scene_reference(const JsonFile& file) {
+  SceneReference reference;
+  read_scene(file.root(), reference);
+  const std::filesystem::path beside = file.path().parent_path() / reference.scene;
+  if (!reference.scene.empty() && std::filesystem::exists(beside)) {
+    reference.scene = beside.string();
   }
-  json["total"] = total;
-  json["trials_on_all_threads"] = {
-      {"reach", trials.reach}, {"approach", trials.approach}, {"close", trials.close}};
-  return json.dump(1) + "\n";
+  return reference;
+}
+
+GraspFile read_grasps(const JsonFile& file, const CompiledScene& scene) {
+  GraspFile read;
+  FieldReader fields(file.root());
+  file_fields(fields, read.record, read.result, scene);
+  read_lists(fields, read, scene);
+  fields.finish();
+  return read;
+}
+
+std::vector<Candidate> given_candidates(const GraspFile& file, const CompiledScene& scene) {
+  std::vector<Candidate> candidates;
+  for (const ScoredGrasp& grasp : file.result.grasps) {
+    Candidate candidate = grasp.candidate;
+    candidate.approach_O = candidate.X_OH.linear() * scene.scene.hand.hand->approach;
+    candidate.approach_distance = 0.0;
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
 }
 
 }  // namespace prehend

@@ -1,4 +1,5 @@
-// grasps.json and timings.json as text (docs/grasps-file.md).
+// grasps.json, written and read (docs/grasps-file.md). It comes in two steps: which scene a file is
+// about, and, once that scene is there, the grasps of its hand.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +7,7 @@
 #include <vector>
 
 #include "planner/search/plan.h"
+#include "sim/json/json_field.h"
 
 namespace prehend {
 
@@ -22,8 +24,33 @@ struct RunRecord {
 std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                         const RunRecord& record);
 
-// Seconds a stage, and in all; of the trials also what each of their stages took.
-std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds& trials,
-                         int threads);
+// The scene that a file is about; what it does not say is empty.
+struct SceneReference {
+  std::string scene;  // name of a library scene, or path of a scene or mesh file
+  std::string hand;
+  std::string unit;  // of a mesh file
+};
+
+// "scene": a name or path, or {"file", "unit", "hand"}; "hand" may also stand beside it. A relative
+// path is first looked for beside the file. Throws InputError that names the file and the field.
+SceneReference read_scene_reference(const JsonFile& file);
+
+// What a file says: a run and what came of it, as far as there are fields for it. Of a file that
+// holds no more than somebody's grasps, everything else is as in fresh values.
+struct GraspFile {
+  RunRecord record;
+  PlanResult result;
+  std::vector<bool> judged;  // of each grasp, whether the file says how its trial ended
+};
+
+// Reads what grasps_json writes, and files that say less: of each grasp a pose and a posture are
+// enough. The grasps have to fit the scene's hand, and what the file says came of them has to fit
+// its arm. Not read are the descriptions of "object", "hand", "robot" and "obstacles", nor what was
+// "blocked". Throws InputError that names the file, the grasp and the field, also for unknown
+// fields.
+GraspFile read_grasps(const JsonFile& file, const CompiledScene& scene);
+
+// The grasps of a file as candidates that are tried where they are: without an approach.
+std::vector<Candidate> given_candidates(const GraspFile& file, const CompiledScene& scene);
 
 }  // namespace prehend

@@ -5,27 +5,20 @@
 #include "sim/scene/scene_library.h"
 
 namespace prehend {
-namespace {
 
-std::string first_of(const std::string& word, const std::optional<std::string>& in_file,
-                     const char* otherwise) {
-  return !word.empty() ? word : in_file.value_or(otherwise);
-}
-
-}  // namespace
-
-LoadedScene load_asked_scene(const JsonFile& grasps, const SceneWords& words) {
-  const AskedScene asked = asked_scene(grasps);
-  const std::string name = first_of(words.scene, asked.file, "");
-  if (name.empty()) {
-    throw InputError(grasps.path().string() + ": scene: missing; name it there or with --scene");
+LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& command_line) {
+  SceneReference asked = read_scene_reference(grasps);
+  if (!command_line.scene.empty()) asked.scene = command_line.scene;
+  if (!command_line.hand.empty()) asked.hand = command_line.hand;
+  if (!command_line.unit.empty()) asked.unit = command_line.unit;
+  if (asked.scene.empty()) {
+    throw InputError({grasps.path().string(), "scene", "missing; name it there or with --scene"});
   }
   RunRecord record;
-  record.unit = first_of(words.unit, asked.unit, "m");
-  record.hand = first_of(words.hand, asked.hand, "");
-  const std::filesystem::path file = find_scene(name);
-  record.scene = scene_reference(file);
-  return {compile(load_scene(file, {record.hand, record.unit})), record};
+  if (!asked.unit.empty()) record.unit = asked.unit;
+  record.hand = asked.hand;
+  record.scene = scene_reference(asked.scene);
+  return {compile(load_scene(asked.scene, {record.hand, record.unit})), record};
 }
 
 }  // namespace prehend

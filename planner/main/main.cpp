@@ -2,11 +2,11 @@
 #include <exception>
 #include <functional>
 #include <iostream>
-#include <stdexcept>
 
 #include <CLI/CLI.hpp>
 
 #include "planner/main/commands.h"
+#include "sim/base/input_error.h"
 #include "sim/mesh_files/mesh_file.h"
 
 namespace {
@@ -183,7 +183,7 @@ int main(int argc, char** argv) {
     }
     prehend::Interrupts interrupts;
     return program.chosen(interrupts);
-  } catch (const std::invalid_argument& error) {
+  } catch (const prehend::InputError& error) {
     std::cerr << "prehend: " << error.what() << "\n";
     return kCallersMistake;
   } catch (const std::exception& error) {

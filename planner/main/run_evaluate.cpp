@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "planner/files/timings_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
@@ -14,10 +15,8 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   Stopwatch watch;
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
-  std::vector<Candidate> candidates;
-  for (const AskedGrasp& asked : asked_grasps(file, loaded.scene)) {
-    candidates.push_back(asked.candidate);
-  }
+  const std::vector<Candidate> candidates =
+      given_candidates(read_grasps(file, loaded.scene), loaded.scene);
   watch.lap(Stage::load);
 
   ProgressBar bar(command.common.progress);

@@ -20,17 +20,6 @@ namespace {
 constexpr double kMillimetres = 1000.0;
 constexpr double kLitres = 1000.0;
 
-const char* source_name(MassSource source) {
-  switch (source) {
-    case MassSource::signed_volume:
-      return "signed volume";
-    case MassSource::convex_hull:
-      return "convex hull, the mesh is not closed";
-    default:
-      return "surface, the mesh encloses nothing";
-  }
-}
-
 void print_checks(const MeshChecks& checks) {
   std::printf("  triangles %d, vertices %d, components %d\n", checks.triangles, checks.vertices,
               checks.components);
@@ -69,7 +58,8 @@ void print_mesh(const TriangleMesh& mesh) {
   const MassProperties mass = mass_properties(mesh);
   const Vector3 center = kMillimetres * mass.center_of_mass;
   std::printf("  volume %.4f litres, centre of mass (%.2f, %.2f, %.2f) mm, from the %s\n",
-              kLitres * mass.volume, center.x(), center.y(), center.z(), source_name(mass.source));
+              kLitres * mass.volume, center.x(), center.y(), center.z(),
+              std::string(mass_source_name(mass.source)).c_str());
 }
 
 void print_primitives(const TriangleMesh& mesh) {

@@ -2,6 +2,7 @@
 
 #include "planner/exports/export_files.h"
 #include "planner/files/grasps_file.h"
+#include "planner/files/timings_file.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
@@ -63,12 +64,11 @@ class PlanProgram {
       : command_(command), interrupts_(interrupts), folder_(command.common.out) {}
 
   int run() {
-    const std::filesystem::path file = find_scene(command_.scene);
-    Scene loaded = load_scene(file, {command_.hand, command_.unit});
+    Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit});
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
     watch_.lap(Stage::compile);
-    const RunRecord record{scene_reference(file), command_.unit, command_.hand,
+    const RunRecord record{scene_reference(command_.scene), command_.unit, command_.hand,
                            options_of(command_)};
     const PlanResult result = plan_grasps(scene, record.options);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);

@@ -18,32 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view status_name(EpsilonStatus status) {
-  switch (status) {
-    case EpsilonStatus::converged:
-      return "converged";
-    case EpsilonStatus::no_force_closure:
-      return "no_force_closure";
-    case EpsilonStatus::below_cutoff:
-      return "below_cutoff";
-    case EpsilonStatus::limit:
-      return "limit";
-    default:
-      return "stalled";
-  }
-}
-
-std::string_view outcome_name(ForceOutcome outcome) {
-  switch (outcome) {
-    case ForceOutcome::balanced:
-      return "balanced";
-    case ForceOutcome::impossible:
-      return "impossible";
-    default:
-      return "limit";
-  }
-}
-
 // pyramid, pyramid:EDGES or exact.
 void read_cone(const std::string& word, WrenchSpaceOptions& space) {
   const std::string prefix = "pyramid:";
@@ -55,7 +29,9 @@ void read_cone(const std::string& word, WrenchSpaceOptions& space) {
   if (word == "pyramid") return;
   std::istringstream number(word.rfind(prefix, 0) == 0 ? word.substr(prefix.size()) : "");
   if (!(number >> space.edges) || !number.eof() || space.edges < 3) {
-    throw InputError("--cone: pyramid:EDGES with at least 3 edges, or exact (" + word + ")");
+    throw InputError({.field = "--cone",
+                      .problem = "pyramid:EDGES with at least 3 edges, or exact",
+                      .value = word});
   }
 }
 
@@ -84,12 +60,16 @@ FixedCoordinates read_fixed(const std::string& words) {
     std::istringstream number(word.size() > 3 && word[2] == '=' ? word.substr(3) : "");
     double value = 0.0;
     if (at == std::string_view::npos || at % 3 != 0 || !(number >> value) || count == 3) {
-      throw InputError("--project: force, torque, or three like tx=0,ty=0,fz=0.5 (" + words + ")");
+      throw InputError({.field = "--project",
+                        .problem = "force, torque, or three like tx=0,ty=0,fz=0.5",
+                        .value = words});
     }
     fixed.coordinates[count] = static_cast<int>(at / 3);
     fixed.values[static_cast<Eigen::Index>(count++)] = value;
   }
-  if (count != 3) throw InputError("--project: three coordinates are fixed (" + words + ")");
+  if (count != 3)
+    throw InputError(
+        {.field = "--project", .problem = "three coordinates are fixed", .value = words});
   return fixed;
 }
 
@@ -112,7 +92,7 @@ Json forces_json(const ContactsFile& file, const WrenchSpaceOptions& space) {
   const ContactForces found =
       file.hand ? balancing_forces(file.contacts, file.frame, *file.external, *file.hand, options)
                 : balancing_forces(file.contacts, file.frame, *file.external, options);
-  Json json{{"outcome", outcome_name(found.outcome)}};
+  Json json{{"outcome", force_outcome_name(found.outcome)}};
   if (found.outcome == ForceOutcome::impossible) {
     json["separating_wrench"] = wrench_json(found.separating);
     return json;
@@ -139,9 +119,9 @@ void add_measures(const QualityCommand& command, const ContactsFile& file,
     const NamedMeasure* measure = find_measure(name);
     if (measure == nullptr) {
       std::ostringstream message;
-      message << "--measures: unknown measure " << name << " (known:";
+      message << "unknown measure " << name << " (known:";
       for (const NamedMeasure& known : measures()) message << " " << known.name;
-      throw InputError(message.str() + ")");
+      throw InputError({.field = "--measures", .problem = message.str() + ")"});
     }
     if (json.contains(name)) continue;
     json[name] = interval_json(measure->measure(file.contacts, file.frame, options));
@@ -152,14 +132,17 @@ void add_measures(const QualityCommand& command, const ContactsFile& file,
 void write_slice(const QualityCommand& command, const ContactsFile& file,
                  const MeasureOptions& options, Interrupts& interrupts) {
   const FixedCoordinates fixed = read_fixed(command.project);
-  if (file.contacts.empty()) throw InputError("--project: there are no contacts");
+  if (file.contacts.empty())
+    throw InputError({.field = "--project", .problem = "there are no contacts"});
   const SetHull hull =
       set_hull(*wrench_space(file.contacts, file.frame, options.space), options.hull);
   if (hull.hull.status != PointHullStatus::solid) {
-    throw InputError("--project: the wrench space is flat");
+    throw InputError({.field = "--project", .problem = "the wrench space is flat"});
   }
   const WrenchSlice slice = wrench_slice(hull.hull, fixed);
-  if (slice.empty()) throw InputError("--project: the section is empty (" + command.project + ")");
+  if (slice.empty())
+    throw InputError(
+        {.field = "--project", .problem = "the section is empty", .value = command.project});
   make_folder(command.out);
   interrupts.write(command.out / "slice.ply", ply_text(slice.vertices, slice.triangles));
 }
@@ -178,8 +161,9 @@ Json quality_json(const QualityCommand& command, const ContactsFile& file,
                   const MeasureOptions& options, const JudgedContacts& judged) {
   const EpsilonBracket& bracket = judged.epsilon;
   Json json;
-  json["epsilon"] = {
-      {"lower", bracket.lower}, {"upper", bracket.upper}, {"status", status_name(bracket.status)}};
+  json["epsilon"] = {{"lower", bracket.lower},
+                     {"upper", bracket.upper},
+                     {"status", epsilon_status_name(bracket.status)}};
   json["force_closure"] = bracket.force_closure();
   json["volume"] = judged.volume.lower;
   json["volume_bracket"] = interval_json(judged.volume);
@@ -213,10 +197,10 @@ int run_quality(const QualityCommand& command, Interrupts& interrupts) {
     if (!command.project.empty()) write_slice(command, file, options, interrupts);
     write_report(command, report, interrupts);
     std::cout << json.dump(1) << "\n";
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(command.contacts.string() + ": " + error.what());
+  } catch (const InputError& error) {
+    // What the command line says is refused for itself, all else is about the contacts.
+    if (error.field().starts_with("--")) throw;
+    throw error.in_file(command.contacts.string());
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "planner/files/asked_result.h"
+#include "planner/files/grasps_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/show/contact_sheet.h"
@@ -24,9 +24,10 @@ struct DrawnGrasp {
   std::string numbers;  // lines for the contact sheet
 };
 
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[96];
+  std::snprintf(text, sizeof text, pattern, values...);
   return text;
 }
 
@@ -36,43 +37,45 @@ std::string numbered(const char* pattern, std::size_t number) {
   return text;
 }
 
-std::string title_of(const JsonField& grasp, std::size_t number) {
+std::string title_of(const ScoredGrasp& grasp, bool judged, std::size_t number) {
   std::string title = "grasp " + std::to_string(number);
-  if (grasp.has("epsilon")) title += format("   epsilon %.4f", grasp["epsilon"].number());
-  if (grasp.has("outcome")) title += "   " + grasp["outcome"].text();
-  return title;
+  if (!judged) return title;
+  title += format("   epsilon %.4f", grasp.trial.epsilon.lower);
+  return title + "   " + std::string(outcome_name(grasp.trial.outcome));
 }
 
 // What the file knows of it, in lines that are short enough for a cell.
-std::string numbers_of(const JsonField& grasp, std::size_t number) {
-  std::string first = "grasp " + std::to_string(number);
-  if (grasp.has("epsilon")) first += format("   epsilon %.4f", grasp["epsilon"].number());
+std::string numbers_of(const ScoredGrasp& grasp, bool judged, std::size_t number) {
+  std::string text = "grasp " + std::to_string(number);
+  if (judged) text += format("   epsilon %.4f", grasp.trial.epsilon.lower);
   std::string second;
-  if (grasp.has("volume")) second += format("volume %.3g", grasp["volume"].number());
-  if (grasp.has("contacts")) {
-    second += (second.empty() ? "" : "   ") + std::to_string(grasp["contacts"].items().size()) +
-              " contacts";
+  if (grasp.volume) second += format("volume %.3g", *grasp.volume);
+  const std::size_t contacts = grasp.trial.contacts.size();
+  if (judged || contacts > 0) {
+    second += (second.empty() ? "" : "   ") + std::to_string(contacts) + " contacts";
   }
-  const std::string outcome = grasp.text_or("outcome", "stable");
-  const std::string third = outcome == "stable" ? "" : outcome;
-  return first + (second.empty() ? "" : "\n" + second) + (third.empty() ? "" : "\n" + third);
+  if (!second.empty()) text += "\n" + second;
+  const bool failed = judged && grasp.trial.outcome != Outcome::stable;
+  return failed ? text + "\n" + std::string(outcome_name(grasp.trial.outcome)) : text;
 }
 
 // All of them, or the one that was asked for.
-std::vector<DrawnGrasp> read_grasps(const JsonFile& file, const CompiledScene& scene, int asked) {
-  const std::vector<AskedGrasp> grasps = asked_grasps(file, scene);
-  const std::vector<JsonField> fields = file.root()["grasps"].items();
-  if (grasps.empty()) throw InputError(file.path().string() + ": grasps: there is none to draw");
+std::vector<DrawnGrasp> drawn_grasps(const JsonFile& file, const CompiledScene& scene, int asked) {
+  const GraspFile read = read_grasps(file, scene);
+  const std::vector<ScoredGrasp>& grasps = read.result.grasps;
+  if (grasps.empty()) throw InputError({file.path().string(), "grasps", "there is none to draw"});
   if (asked > static_cast<int>(grasps.size())) {
-    throw InputError(file.path().string() + ": --grasp: there are " +
-                     std::to_string(grasps.size()) + " grasps (" + std::to_string(asked) + ")");
+    throw InputError({file.path().string(), "--grasp",
+                      "there are " + std::to_string(grasps.size()) + " grasps",
+                      std::to_string(asked)});
   }
   std::vector<DrawnGrasp> drawn;
   for (std::size_t i = 0; i < grasps.size(); ++i) {
     if (asked > 0 && i + 1 != static_cast<std::size_t>(asked)) continue;
-    const ScoredGrasp result = asked_result(fields[i], grasps[i], scene);
-    drawn.push_back({i + 1, result, posed_grasp(scene, result, title_of(fields[i], i + 1)),
-                     numbers_of(fields[i], i + 1)});
+    const bool judged = read.judged[i];
+    drawn.push_back({i + 1, grasps[i],
+                     posed_grasp(scene, grasps[i], title_of(grasps[i], judged, i + 1)),
+                     numbers_of(grasps[i], judged, i + 1)});
   }
   return drawn;
 }
@@ -157,7 +160,7 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
 int run_render(const RenderCommand& command, Interrupts& interrupts) {
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
-  const std::vector<DrawnGrasp> grasps = read_grasps(file, loaded.scene, command.grasp);
+  const std::vector<DrawnGrasp> grasps = drawn_grasps(file, loaded.scene, command.grasp);
   const std::filesystem::path& folder = command.common.out;
   make_folder(folder);
   interrupts.end_at_once("pictures that were drawn are written");

@@ -168,23 +168,19 @@ ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t
 
 ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
                           const TransferOptions& options) {
+  const auto with_range = [&options](auto planner) -> ob::PlannerPtr {
+    planner->setRange(options.longest_edge);
+    return planner;
+  };
   switch (options.planner) {
-    case PathPlanner::roadmap: {
-      auto planner = std::make_shared<og::LazyPRM>(information);
-      planner->setRange(options.longest_edge);
-      return planner;
-    }
-    case PathPlanner::rrt_star: {
-      auto planner = std::make_shared<Seeded<og::RRTstar>>(information, options.seed);
-      planner->setRange(options.longest_edge);
-      return planner;
-    }
-    default: {
-      auto planner = std::make_shared<Seeded<og::RRTConnect>>(information, options.seed);
-      planner->setRange(options.longest_edge);
-      return planner;
-    }
+    case PathPlanner::roadmap:
+      return with_range(std::make_shared<og::LazyPRM>(information));
+    case PathPlanner::rrt_star:
+      return with_range(std::make_shared<Seeded<og::RRTstar>>(information, options.seed));
+    case PathPlanner::rrt_connect:
+      break;
   }
+  return with_range(std::make_shared<Seeded<og::RRTConnect>>(information, options.seed));
 }
 
 // Counts how often the planner asks, and ends it at the limit: the same on every machine.

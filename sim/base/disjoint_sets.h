@@ -1,4 +1,4 @@
-// Sets of 0 .. n-1 that only ever merge (union-find).
+// A partition of 0 .. n-1 into sets that can be merged (union-find).
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ class DisjointSets {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  // The set's smallest member.
+  // The smallest member of the set that holds the element: its representative.
   std::size_t find(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;

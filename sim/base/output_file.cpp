@@ -31,7 +31,7 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
   if (!error) return;
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
-  throw InputError(file.string() + ": cannot be written: " + error.message());
+  throw InputError({.file = file.string(), .problem = "cannot be written: " + error.message()});
 }
 
 void remove_file(const std::filesystem::path& file) {

@@ -45,7 +45,7 @@ class Random {
     return Vector3(ring * std::cos(angle), ring * std::sin(angle), z).normalized();
   }
 
-  // A turn by any angle about any axis; not uniform over rotations.
+  // A rotation by a uniform angle about a uniform axis; this is not uniform over all rotations.
   Matrix3 rotation() {
     const Vector3 axis = direction();
     return Eigen::AngleAxisd(uniform(0.0, 2.0 * std::numbers::pi), axis).toRotationMatrix();

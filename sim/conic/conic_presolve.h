@@ -1,4 +1,4 @@
-// What is done to a conic program before it is solved, and undone afterwards.
+// Scaling and reduction of a conic program before it is solved, and their reversal afterwards.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +30,8 @@ class Equilibration {
   double objective_ = 1.0;  // and c by this
 };
 
-// Leaves out rows of A that depend on others, and directions of x that neither A nor G sees.
+// Leaves out rows of A that depend on others, and directions of x in the null spaces of both A
+// and G.
 //
 // Either may prove the program infeasible: b outside the range of A, or c along such a direction.
 // decided() is then true and solution() holds the certificate.

@@ -28,7 +28,7 @@ enum class ConicStatus {
 // Tolerances are relative to the largest of c and of b and h, with rows and columns equilibrated.
 struct ConicOptions {
   double tolerance = 1e-10;  // of residuals and gap
-  // What residuals and gap may still be where rounding lets them sink no further.
+  // Largest residuals and gap of a solution that is accepted where rounding stops the progress.
   double acceptable = 1e-7;
   // Of a certificate's equations. No solution smaller than its inverse exists then.
   double infeasible_tolerance = 1e-10;
@@ -59,7 +59,7 @@ struct ConicSolution {
 // sections II and III; Andersen, Dahl and Vandenberghe, "Interior-point methods for large-scale
 // cone programming", 2011.
 //
-// Throws std::invalid_argument for shapes that do not fit, a value that is not finite, a
+// Throws InputError for shapes that do not fit, a value that is not finite, a
 // second-order cone without rows, or an option that is not positive.
 ConicSolution solve(const ConicProgram& program, const ConicOptions& options = {});
 

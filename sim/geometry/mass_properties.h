@@ -1,6 +1,10 @@
 // Volume, centre of mass and inertia of the solid that a mesh bounds, at uniform density.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
@@ -21,6 +25,14 @@ enum class MassSource {
   // Flat, without a hull: mass spread evenly over the triangles. Volume 0.
   surface,
 };
+
+// For people: "convex hull, the mesh is not closed".
+constexpr std::string_view mass_source_name(MassSource source) {
+  constexpr std::array<std::string_view, 4> kNames = {
+      "signed volume", "signed volume, holes closed", "convex hull, the mesh is not closed",
+      "surface, the mesh encloses nothing"};
+  return kNames[static_cast<std::size_t>(source)];
+}
 
 // For the uniform density that fills the volume.
 struct MassProperties {

@@ -26,10 +26,10 @@ std::string shown(const Json& value) {
 std::string read_text(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(file.string() + ": cannot be read: is a folder");
+    throw InputError({.file = file.string(), .problem = "cannot be read: is a folder"});
   }
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file.string() + ": cannot be read: no such file");
+  if (!stream) throw InputError({.file = file.string(), .problem = "cannot be read: no such file"});
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
@@ -64,7 +64,7 @@ class RepeatedKeys {
     if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
       if (!keys_.back().insert(key).second) {
-        throw InputError(file_.string() + ": " + key + ": field given twice in one object");
+        throw InputError({file_.string(), key, "field given twice in one object"});
       }
     }
     return true;
@@ -85,10 +85,9 @@ Json parse(const std::filesystem::path& file) {
   } catch (const Json::parse_error& error) {
     // `byte` counts from one and points at the last character read.
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-    throw InputError(file.string() + ": " + line_of(text, byte) + ": " +
-                     without_prefix(error.what()));
+    throw InputError({file.string(), line_of(text, byte), without_prefix(error.what())});
   } catch (const Json::exception& error) {
-    throw InputError(file.string() + ": " + without_prefix(error.what()));
+    throw InputError({.file = file.string(), .problem = without_prefix(error.what())});
   }
 }
 
@@ -99,15 +98,18 @@ JsonFile::JsonFile(const std::filesystem::path& file) : path_(file), value_(pars
 JsonField JsonFile::root() const { return JsonField(value_, path_, ""); }
 
 void JsonField::fail(const std::string& what) const {
-  const std::string field = name_.empty() ? "" : name_ + ": ";
-  throw InputError(file_->string() + ": " + field + what + " (" + shown(*value_) + ")");
+  throw InputError({file_->string(), name_, what, shown(*value_)});
+}
+
+void JsonField::fail(const InputError& error) const {
+  throw error.under(name_).in_file(file_->string());
 }
 
 void JsonField::require_object() const {
   if (!value_->is_object()) fail("must be an object");
 }
 
-void JsonField::allow_only(std::initializer_list<std::string_view> names) const {
+void JsonField::allow_only(std::span<const std::string_view> names) const {
   require_object();
   for (const auto& [key, value] : value_->items()) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
@@ -129,7 +131,7 @@ JsonField JsonField::operator[](std::string_view key) const {
   const std::string full = name_.empty() ? std::string(key) : name_ + "." + std::string(key);
   const auto found = value_->find(key);
   if (found == value_->end()) {
-    throw InputError(file_->string() + ": " + full + ": missing field");
+    throw InputError({file_->string(), full, "missing field"});
   }
   return JsonField(*found, *file_, full);
 }
@@ -163,6 +165,16 @@ int JsonField::integer() const {
     fail("must be a whole number");
   }
   return static_cast<int>(value);
+}
+
+bool JsonField::boolean() const {
+  if (!value_->is_boolean()) fail("must be true or false");
+  return value_->get<bool>();
+}
+
+std::uint64_t JsonField::unsigned_integer() const {
+  if (!value_->is_number_unsigned()) fail("must be a whole number from 0");
+  return value_->get<std::uint64_t>();
 }
 
 std::string JsonField::text() const {

@@ -2,14 +2,17 @@
 // field.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/input_error.h"
 #include "sim/base/pose.h"
 
 namespace prehend {
@@ -37,7 +40,10 @@ class JsonField {
       : value_(&value), file_(&file), name_(std::move(name)) {}
 
   // An object may only have these fields: a misspelt one must not pass unnoticed.
-  void allow_only(std::initializer_list<std::string_view> names) const;
+  void allow_only(std::span<const std::string_view> names) const;
+  void allow_only(std::initializer_list<std::string_view> names) const {
+    allow_only(std::span(names.begin(), names.size()));
+  }
 
   bool has(std::string_view key) const;
   JsonField operator[](std::string_view key) const;  // of an object; missing is an error
@@ -46,6 +52,8 @@ class JsonField {
 
   double number() const;
   int integer() const;
+  bool boolean() const;
+  std::uint64_t unsigned_integer() const;
   std::string text() const;  // not empty
   Vector3 vector3() const;
   // `count` numbers.
@@ -54,6 +62,7 @@ class JsonField {
   double number_or(std::string_view key, double otherwise) const;
   std::string text_or(std::string_view key, const std::string& otherwise) const;
 
+  bool is_null() const { return value_->is_null(); }
   bool is_text() const { return value_->is_string(); }
   std::string json() const { return value_->dump(); }  // as it stands in the file, on one line
 
@@ -62,6 +71,8 @@ class JsonField {
 
   // "FILE: FIELD: what (VALUE)"
   [[noreturn]] void fail(const std::string& what) const;
+  // What a function that takes the read value refused it for: its field is one inside this field.
+  [[noreturn]] void fail(const InputError& error) const;
 
  private:
   void require_object() const;

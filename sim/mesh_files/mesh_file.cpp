@@ -110,7 +110,7 @@ LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& o
   try {
     return load(file, options);
   } catch (const InputError& error) {
-    throw InputError(file.string() + ": " + error.what());
+    throw error.in_file(file.string());
   }
 }
 

@@ -16,6 +16,9 @@ enum class ContactModel {
                  // the ellipsoidal limit surface (Howe and Cutkosky 1996)
 };
 
+inline constexpr std::array<ContactModel, 3> kContactModels = {
+    ContactModel::frictionless, ContactModel::point, ContactModel::soft_finger};
+
 constexpr std::string_view contact_model_name(ContactModel model) {
   constexpr std::array<std::string_view, 3> kNames = {"frictionless", "point", "soft_finger"};
   return kNames[static_cast<std::size_t>(model)];

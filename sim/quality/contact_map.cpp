@@ -2,10 +2,11 @@
 
 #include <cmath>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 
 #include <Eigen/Geometry>
+
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
@@ -16,30 +17,20 @@ constexpr double kParallelSine = 1e-6;
 const Eigen::IOFormat kInline(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ");
 
 template <typename Value>
-[[noreturn]] void reject(const std::string& what, const Value& value) {
+[[noreturn]] void reject(const std::string& field, const std::string& problem, const Value& value) {
   std::ostringstream text;
-  text << what << " (" << value << ")";
-  throw std::invalid_argument(text.str());
+  text << value;
+  throw InputError({.field = field, .problem = problem, .value = text.str()});
 }
 
-void check_finite(const std::string& what, const Eigen::Vector3d& vector) {
-  if (!vector.allFinite()) reject(what + ": not finite", vector.transpose().format(kInline));
+void check_finite(const std::string& field, const Eigen::Vector3d& vector) {
+  if (!vector.allFinite()) reject(field, "not finite", vector.transpose().format(kInline));
 }
 
-void check_not_negative(const std::string& what, double value) {
+void check_not_negative(const std::string& field, double value) {
   if (!std::isfinite(value) || value < 0.0) {
-    reject(what + ": must be finite and not negative", value);
+    reject(field, "must be finite and not negative", value);
   }
-}
-
-void check_contact(const Contact& contact, const std::string& name) {
-  check_finite(name + "position", contact.position);
-  check_finite(name + "normal", contact.normal);
-  if (std::abs(contact.normal.norm() - 1.0) > kUnitTolerance) {
-    reject(name + "normal: not unit", contact.normal.transpose().format(kInline));
-  }
-  check_not_negative(name + "friction", contact.friction);
-  check_not_negative(name + "torsion", contact.torsion);
 }
 
 }  // namespace
@@ -63,13 +54,27 @@ ContactMap contact_map(const Contact& contact, const WrenchFrame& frame) {
   return map;
 }
 
+void check_contact(const Contact& contact) {
+  check_finite("position", contact.position);
+  check_finite("normal", contact.normal);
+  if (std::abs(contact.normal.norm() - 1.0) > kUnitTolerance) {
+    reject("normal", "not unit", contact.normal.transpose().format(kInline));
+  }
+  check_not_negative("friction", contact.friction);
+  check_not_negative("torsion", contact.torsion);
+}
+
 void check_contacts(std::span<const Contact> contacts, const WrenchFrame& frame) {
   check_finite("torque_origin", frame.torque_origin);
   if (!std::isfinite(frame.torque_scale) || frame.torque_scale <= 0.0) {
-    reject("torque_scale: must be positive and finite", frame.torque_scale);
+    reject("torque_scale", "must be positive and finite", frame.torque_scale);
   }
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    check_contact(contacts[i], "contact " + std::to_string(i) + ": ");
+    try {
+      check_contact(contacts[i]);
+    } catch (const InputError& error) {
+      throw error.under("contacts[" + std::to_string(i) + "]");
+    }
   }
 }
 

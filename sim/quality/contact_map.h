@@ -30,9 +30,13 @@ Tangents contact_tangents(const Eigen::Vector3d& normal);
 using ContactMap = Eigen::Matrix<double, 6, 4>;
 ContactMap contact_map(const Contact& contact, const WrenchFrame& frame);
 
-// Throws std::invalid_argument, with the contact's number, on a value that is not finite, a normal
-// that is not unit within 1e-3 (a nearly unit one is taken as its direction), negative friction or
-// torsion; and on a torque origin that is not finite or a scale that is not positive and finite.
+// Throws InputError whose field is "position", "normal", "friction" or "torsion" on a value that is
+// not finite, a normal that is not unit within 1e-3 (a nearly unit one is taken as its direction),
+// and negative friction or torsion.
+void check_contact(const Contact& contact);
+
+// check_contact for each, with the field under "contacts[i]". Throws InputError also on a torque
+// origin that is not finite, or a scale that is not positive and finite.
 void check_contacts(std::span<const Contact> contacts, const WrenchFrame& frame);
 
 }  // namespace prehend

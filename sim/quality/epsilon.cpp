@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/expanding_polytope.h"
 #include "sim/quality/start_simplex.h"
 #include "sim/quality/wrench_hull.h"
@@ -15,8 +15,9 @@ namespace {
 
 void check(const EpsilonOptions& options) {
   if (!(options.relative_tolerance >= 0.0)) {
-    throw std::invalid_argument("relative_tolerance: must not be negative (" +
-                                std::to_string(options.relative_tolerance) + ")");
+    throw InputError({.field = "relative_tolerance",
+                      .problem = "must not be negative",
+                      .value = std::to_string(options.relative_tolerance)});
   }
 }
 

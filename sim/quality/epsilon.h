@@ -1,6 +1,10 @@
 // The largest ball around the origin inside a convex set of wrenches, without its hull.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string_view>
+
 #include "sim/quality/support.h"
 #include "sim/quality/wrench.h"
 
@@ -15,15 +19,22 @@ enum class EpsilonStatus {
                      // where qhull fails on the same wrenches
 };
 
+constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
+  constexpr std::array<std::string_view, 5> kNames = {"converged", "no_force_closure",
+                                                      "below_cutoff", "limit", "stalled"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
 struct EpsilonOptions {
   // Of upper - lower, >= 0. Differences of 2e-14 of the set's size are rounding, whatever is asked.
   double relative_tolerance = 1e-9;
-  // Stop as soon as the upper bound is below this: the set cannot rank higher.
+  // Stop as soon as the upper bound is below this: for callers who rank and know a better grasp.
   double cutoff = 0.0;
-  // Facets made before giving up, looked at before each expansion.
+  // Most facets; checked before each expansion.
   int max_facets = 200000;
-  // Steps downhill on the support function from each new upper bound. They pay on smooth sets,
-  // whose nearest facets point beside the minimum; on a polytope the last facet ends in it anyway.
+  // Steps of descent on the support function from each new upper bound. They save facets on smooth
+  // sets, where the normal of the nearest facet is only near the minimum; on a polytope the last
+  // facet has the minimum as its normal, and they are not needed.
   int descent_steps = 0;
 };
 
@@ -44,13 +55,14 @@ struct EpsilonBracket {
 // support value seen is the upper bound, the smallest facet offset the lower one. Deterministic.
 //
 // A set whose smallest support value is below kFlatness (1e-9) of its size has no force closure.
-// Its coordinates must have squares: sizes from 1e-150 to 1e150. epsilon_l1 takes any.
-// Throws std::invalid_argument for a tolerance that is negative or not a number.
+// The squares of its coordinates must neither overflow nor vanish: sizes from 1e-150 to 1e150.
+// epsilon_l1 takes any size.
+// Throws InputError for a tolerance that is negative or not a number.
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
 
 // Ferrari and Canny's L1 measure of the hull of the columns of `wrenches` (ICRA 1992): their hull's
 // smallest facet offset. Where rounding stalls the growth, wrench_hull decides.
-// No columns: no force closure. Throws std::invalid_argument where a column is not finite.
+// No columns: no force closure. Throws InputError where a column is not finite.
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
 
 }  // namespace prehend

@@ -1,7 +1,10 @@
 // The contact forces that balance a wrench, and how large a wrench contacts can resist.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -11,7 +14,7 @@
 
 namespace prehend {
 
-// What is made as small as it can be, or limited to one.
+// The norm of the contact forces that is minimised, or limited to one.
 enum class ForceMeasure {
   largest_normal,  // L-infinity: each contact pushes with its own actuator
   sum_of_normals,  // L1: all contacts share one
@@ -27,8 +30,9 @@ struct ForceOptions {
   double gap_tolerance = 1e-6;  // of the measure, relative
 };
 
-// Joints that have to bear the forces: |J'f| <= limits, f the forces of the contacts on the object
-// one after the other. `spin` is for the torques of soft fingers, which load no joint without it.
+// The hand's joint torques that the contact forces cause, and their limits: |J'f| <= limits, f the
+// forces of the contacts on the object one after the other. `spin` is for the torques of soft
+// fingers, which load no joint without it.
 struct HandTorques {
   Eigen::MatrixXd jacobian;  // 3n x joints: velocities of the contact points in the axes of the
                              // contacts [m/s per rad/s]
@@ -42,6 +46,11 @@ enum class ForceOutcome {
   impossible,  // proved: see ContactForces::separating
   limit,       // rounding allows neither; the best forces found stand
 };
+
+constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
+  constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
+  return kNames[static_cast<std::size_t>(outcome)];
+}
 
 // Forces are in the unit of the wrench's force, torques in that unit times a metre.
 struct ContactForces {
@@ -63,7 +72,8 @@ struct ContactForces {
   Eigen::VectorXd torque_multipliers;  // joints, with a hand; for the unit wrench above
 };
 
-// Normal forces that add up to more than this times the wrench are no grasp but rounding.
+// Normal forces that add up to more than this times the wrench are taken for rounding errors of a
+// grasp that cannot balance it.
 inline constexpr double kLargestForce = 1e10;
 
 // The forces inside the friction cones whose wrenches and `external` add up to zero, smallest in
@@ -72,7 +82,7 @@ inline constexpr double kLargestForce = 1e10;
 // forces", 2007; Lobo et al., "Applications of second-order cone programming", 1998, section 3.7;
 // joint torques as in Buss, Hashimoto and Moore 1996.
 //
-// Throws std::invalid_argument as check_contacts, for a wrench that is not finite, for options out
+// Throws InputError as check_contacts, for a wrench that is not finite, for options out
 // of range, and for matrices of the wrong shape or that are not finite, or negative limits.
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const ForceOptions& options = {});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/grasp_matrix.h"
 
 namespace prehend {
@@ -47,14 +47,15 @@ Interval measure_isotropy(Contacts contacts, const WrenchFrame& frame, const Mea
 }
 
 Interval measure_task(Contacts contacts, const WrenchFrame& frame, const MeasureOptions& options) {
-  if (!options.task) throw std::invalid_argument("task_resistance: there is no task");
+  if (!options.task) throw InputError({.field = "task_resistance", .problem = "there is no task"});
   return task_resistance(contacts, frame, *options.task, options.space);
 }
 
 Interval measure_object(Contacts contacts, const WrenchFrame& frame,
                         const MeasureOptions& options) {
   if (options.surface.empty()) {
-    throw std::invalid_argument("object_wrench_ratio: there are no contacts all over the object");
+    throw InputError(
+        {.field = "object_wrench_ratio", .problem = "there are no contacts all over the object"});
   }
   return object_wrench_ratio(contacts, frame, options.surface, options.space);
 }
@@ -66,7 +67,8 @@ Interval measure_robust(Contacts contacts, const WrenchFrame& frame,
 }
 
 Interval measure_manipulability(Contacts, const WrenchFrame&, const MeasureOptions& options) {
-  if (!options.jacobian) throw std::invalid_argument("manipulability: there is no jacobian");
+  if (!options.jacobian)
+    throw InputError({.field = "manipulability", .problem = "there is no jacobian"});
   return exactly(manipulability(*options.jacobian));
 }
 

@@ -18,8 +18,8 @@
 
 namespace prehend {
 
-// What measures need beside the contacts. Where something is missing that one cannot do without, it
-// throws std::invalid_argument that says what.
+// What measures need besides the contacts. A measure throws InputError that names what it needs
+// where that is missing.
 struct MeasureOptions {
   WrenchSpaceOptions space;
   std::optional<EpsilonOptions> epsilon;  // empty: epsilon_options(space)

@@ -1,4 +1,4 @@
-// The wrench space of contacts, whole: contacts in, numbers out, with no scene, hand or file.
+// All of sim/quality: grasp quality from contacts alone, without a scene, a hand or a file.
 //
 // Contacts
 //   contact.h         a contact: position, normal, friction, model
@@ -17,9 +17,9 @@
 // What the set is good for
 //   forces.h          the contact forces that balance a wrench, and the largest such wrench
 //   task.h            resistance to the disturbances of a task
-//   robust_epsilon.h  epsilon of contacts that are not quite where they were thought to be
+//   robust_epsilon.h  epsilon under noise in pose, contacts and friction
 //   measures.h        all measures by name
-//   interval.h        what many of these answer with
+//   interval.h        lower and upper bound, the result of many of these
 #pragma once
 
 #include "sim/base/eigen_alignment.h"

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include <Eigen/Geometry>
 
+#include "sim/base/input_error.h"
 #include "sim/base/random.h"
 
 namespace prehend {
@@ -30,8 +30,9 @@ Eigen::Matrix3d normal_rotation(Random& random, double deviation) {
 
 void check(const char* name, double deviation) {
   if (!std::isfinite(deviation) || deviation < 0.0) {
-    throw std::invalid_argument(std::string(name) + ": must be finite and not negative (" +
-                                std::to_string(deviation) + ")");
+    throw InputError({.field = name,
+                      .problem = "must be finite and not negative",
+                      .value = std::to_string(deviation)});
   }
 }
 
@@ -41,7 +42,10 @@ void check(const NoiseOptions& noise) {
   check("contact_position", noise.contact_position);
   check("normal_angle", noise.normal_angle);
   check("friction", noise.friction);
-  if (noise.samples < 1) throw std::invalid_argument("samples: at least one is needed");
+  if (noise.samples < 1)
+    throw InputError({.field = "samples",
+                      .problem = "at least one is needed",
+                      .value = std::to_string(noise.samples)});
 }
 
 std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFrame& frame,

@@ -33,8 +33,8 @@ struct RobustEpsilon {
 };
 
 // The same on every platform and for every number of threads. Source: Weisz and Allen, ICRA 2012
-// (probability of force closure under pose error). Throws std::invalid_argument for a deviation
-// that is negative or not finite or for no samples, as wrench_space, and Cancelled.
+// (probability of force closure under pose error). Throws InputError for a deviation that is
+// negative or not finite or for no samples, as wrench_space, and Cancelled.
 RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
                              const WrenchSpaceOptions& space = {}, const NoiseOptions& noise = {},
                              const RunContext& context = {});

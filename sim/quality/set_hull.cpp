@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <Eigen/LU>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/start_simplex.h"
 
 namespace prehend {
@@ -89,7 +90,9 @@ Beyond look_beyond(const SupportMap& set, const PointHull& hull, const Wrenches&
 
 SetHull set_hull(const SupportMap& set, const SetHullOptions& options) {
   if (!(options.relative_tolerance > 0.0)) {
-    throw std::invalid_argument("relative_tolerance: must be positive");
+    throw InputError({.field = "relative_tolerance",
+                      .problem = "must be positive",
+                      .value = std::to_string(options.relative_tolerance)});
   }
   SetHull result;
   const StartSimplex start = start_simplex(set, false);

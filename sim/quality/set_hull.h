@@ -24,7 +24,7 @@ struct SetHull {
 };
 
 // Grows by the points that the set has beyond the facets, round after round. A flat set has a flat
-// hull and no volume. Throws std::invalid_argument where the tolerance is not positive, and
+// hull and no volume. Throws InputError where the tolerance is not positive, and
 // std::runtime_error with qhull's message where qhull fails.
 SetHull set_hull(const SupportMap& set, const SetHullOptions& options = {});
 

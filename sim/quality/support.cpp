@@ -3,18 +3,19 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <stdexcept>
 #include <string>
+
+#include "sim/base/input_error.h"
 
 namespace prehend {
 
 ColumnSupport::ColumnSupport(const Wrenches& wrenches) {
-  if (wrenches.cols() == 0) throw std::invalid_argument("wrenches: none");
+  if (wrenches.cols() == 0) throw InputError({.field = "wrenches", .problem = "none"});
   blocks_.reserve(static_cast<std::size_t>(wrenches.cols()) / kBlock + 1);
   int filled = kBlock;
   for (Eigen::Index j = 0; j < wrenches.cols(); ++j) {
     if (!wrenches.col(j).allFinite()) {
-      throw std::invalid_argument("wrench " + std::to_string(j) + ": not finite");
+      throw InputError({.field = "wrenches[" + std::to_string(j) + "]", .problem = "not finite"});
     }
     // Frictionless contacts repeat their column: once is enough.
     if (j > 0 && wrenches.col(j) == wrenches.col(j - 1)) continue;

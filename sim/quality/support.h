@@ -21,7 +21,7 @@ class SupportMap {
 // are those of contact_wrenches. Ties go to the first column.
 class ColumnSupport final : public SupportMap {
  public:
-  // Throws std::invalid_argument where there is no column, or one that is not finite.
+  // Throws InputError where there is no column, or one that is not finite.
   explicit ColumnSupport(const Wrenches& wrenches);
 
   Wrench support(const Wrench& direction) const override;

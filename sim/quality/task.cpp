@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 #include <Eigen/LU>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/forces.h"
 
 namespace prehend {
@@ -42,7 +42,7 @@ struct Resist {
   const WrenchSpaceOptions& space;
 
   Interval operator()(const TaskWrenches& task) const {
-    if (task.wrenches.empty()) throw std::invalid_argument("task: no wrench");
+    if (task.wrenches.empty()) throw InputError({.field = "task", .problem = "no wrench"});
     const double unbounded = std::numeric_limits<double>::infinity();
     Interval least{unbounded, unbounded};
     for (const Wrench& wrench : task.wrenches) {
@@ -57,7 +57,8 @@ struct Resist {
   Interval operator()(const TaskEllipsoid& task) const {
     const Eigen::FullPivLU<Eigen::Matrix<double, 6, 6>> lu(task.axes);
     if (!task.axes.allFinite() || !lu.isInvertible()) {
-      throw std::invalid_argument("task: the axes of the ellipsoid must be finite and independent");
+      throw InputError(
+          {.field = "task", .problem = "the axes of the ellipsoid must be finite and independent"});
     }
     if (contacts.empty()) return {};
     const auto set = wrench_space(contacts, frame, space);
@@ -68,7 +69,8 @@ struct Resist {
   Interval operator()(const TaskGravity& task) const {
     const double length = task.direction.norm();
     if (!std::isfinite(length) || length <= 0.0 || !(task.weight > 0.0)) {
-      throw std::invalid_argument("task: gravity needs a direction and a weight above 0");
+      throw InputError(
+          {.field = "task", .problem = "gravity needs a direction and a weight above 0"});
     }
     Wrench pull = Wrench::Zero();
     pull.head<3>() = task.weight / length * task.direction;

@@ -34,7 +34,7 @@ using Task = std::variant<TaskWrenches, TaskEllipsoid, TaskGravity>;
 // The largest k such that contacts with at most unit force (of the space's norm) resist k times
 // every wrench of the task; 0 where some wrench of it cannot be resisted at all.
 // Source: Borst, Fischer and Hirzinger, ICRA 2004 (task wrench space); Pollard 1994.
-// Throws std::invalid_argument for an empty task, wrenches that are not finite, axes that are not
+// Throws InputError for an empty task, wrenches that are not finite, axes that are not
 // independent, a weight or direction that is not positive; and as wrench_space.
 Interval task_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,
                          const Task& task, const WrenchSpaceOptions& space = {});

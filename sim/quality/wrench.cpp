@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
+
+#include "sim/base/input_error.h"
 
 namespace prehend {
 
@@ -32,8 +33,9 @@ Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
   check_contacts(contacts, frame);
   if (edges < 3) {
-    throw std::invalid_argument("edges: a friction pyramid needs at least 3 (" +
-                                std::to_string(edges) + ")");
+    throw InputError({.field = "edges",
+                      .problem = "a friction pyramid needs at least 3",
+                      .value = std::to_string(edges)});
   }
   Eigen::Index columns = 0;
   for (const Contact& contact : contacts) columns += pyramid_corners(contact.model, edges);

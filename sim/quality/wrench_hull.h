@@ -30,7 +30,7 @@ struct WrenchHull {
 // others (near-duplicates), it is asked again with joggled input (QJ), of which min_offset and
 // volume are then taken; a joggled hull shows force closure only beyond the joggle.
 //
-// Thread-safe (one qhull state a call). Throws std::invalid_argument on a value that is not finite,
+// Thread-safe (one qhull state a call). Throws InputError on a value that is not finite,
 // std::runtime_error (with qhull's message) where qhull fails for another reason than flatness.
 WrenchHull wrench_hull(const Wrenches& wrenches);
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "sim/base/input_error.h"
 #include "sim/conic/conic_program.h"
 
 namespace prehend {
@@ -33,14 +33,15 @@ std::array<int, 3> others(const std::array<int, 3>& fixed) {
 
 void check(const PointHull& hull, const FixedCoordinates& fixed) {
   if (hull.status != PointHullStatus::solid || hull.normals.rows() != 6) {
-    throw std::invalid_argument("hull: a section needs a solid one in six dimensions");
+    throw InputError({.field = "hull", .problem = "a section needs a solid one in six dimensions"});
   }
   const std::array<int, 3>& c = fixed.coordinates;
   const bool known = std::all_of(c.begin(), c.end(), [](int i) { return 0 <= i && i < 6; });
   if (!known || c[0] == c[1] || c[0] == c[2] || c[1] == c[2]) {
-    throw std::invalid_argument("coordinates: three different ones of 0 to 5 are needed");
+    throw InputError(
+        {.field = "coordinates", .problem = "three different ones of 0 to 5 are needed"});
   }
-  if (!fixed.values.allFinite()) throw std::invalid_argument("values: not finite");
+  if (!fixed.values.allFinite()) throw InputError({.field = "values", .problem = "not finite"});
 }
 
 // Facets parallel to the section only say whether there is one.

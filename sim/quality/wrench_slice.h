@@ -28,7 +28,7 @@ struct WrenchSlice {
 
 // The section of a solid hull in six dimensions (wrench_space, then set_hull): its facets cut by
 // the fixed coordinates are half-spaces, which are intersected. Source: Miller and Allen 2004,
-// "Visualizing the Grasp Wrench Space". Throws std::invalid_argument for a hull that is not solid
+// "Visualizing the Grasp Wrench Space". Throws InputError for a hull that is not solid
 // in six dimensions, coordinates that are not three different ones of the six, or values that are
 // not finite.
 WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed = {});

@@ -33,10 +33,10 @@ std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
                                          const WrenchFrame& frame,
                                          const WrenchSpaceOptions& options = {});
 
-// What to ask of epsilon on such a set when the caller has no wish. Pyramids have corners and end
-// in them: EpsilonOptions' own defaults. The sets of exact cones are smooth, and each digit costs
-// many times the facets of the one before: a bracket within 1e-2, or what 20,000 facets (about 3
-// ms) give.
+// Default options of epsilon for such a set. The sets of pyramids are polytopes, where the search
+// ends at a facet: EpsilonOptions' own defaults. The sets of exact cones are smooth, and each digit
+// costs many times the facets of the one before: a bracket within 1e-2, or what 20,000 facets
+// (about 3 ms) give.
 EpsilonOptions epsilon_options(const WrenchSpaceOptions& space);
 
 // Ferrari and Canny's measure of the set: epsilon of support.h's set, or epsilon_l1 where the set

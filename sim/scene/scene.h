@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/geometry/mass_properties.h"
@@ -13,11 +14,28 @@
 
 namespace prehend {
 
-// Where a body's mesh came from, as a scene file states it, so that the scene can be written again:
-// a JSON object with "mesh" (an absolute path) and "unit", or "generate" and "triangles", or
-// "geometry". Empty for a mesh made by a program, or from a file whose path is not UTF-8, which
-// JSON cannot name.
-using ShapeSource = std::string;
+// A surface from a mesh file.
+struct MeshFileSource {
+  std::string path;  // absolute
+  std::string unit;  // m, cm, mm or in
+};
+
+// A surface from generate_object.
+struct GeneratedSource {
+  std::string name;
+  int triangles = 0;
+};
+
+// A surface made of shapes that the scene file spells out. They are kept in the file's own words:
+// nothing but the writer of scene files looks at them again.
+struct WrittenShapesSource {
+  std::string geometry;  // the list in the field "geometry"
+};
+
+// Where a body's surface comes from, so that a scene file can say it again in few words; nothing:
+// made by a program, and written triangle by triangle.
+using ShapeSource =
+    std::variant<std::monostate, MeshFileSource, GeneratedSource, WrittenShapesSource>;
 
 // An obstacle: a body that does not move.
 struct StaticBody {

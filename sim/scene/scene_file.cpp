@@ -13,6 +13,7 @@
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
 #include "sim/scene/json_primitive.h"
+#include "sim/scene/scene_library.h"
 
 namespace prehend {
 namespace {
@@ -39,6 +40,12 @@ TriangleMesh mesh_from_file(const std::filesystem::path& file, const std::string
   return mesh;
 }
 
+constexpr int kDefaultTriangles = 5000;
+
+int read_triangles(const JsonField& body) {
+  return body.has("triangles") ? body["triangles"].integer() : kDefaultTriangles;
+}
+
 // Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
 TriangleMesh read_body_mesh(const JsonField& body) {
   const int given = int{body.has("mesh")} + int{body.has("generate")} + int{body.has("geometry")};
@@ -48,46 +55,37 @@ TriangleMesh read_body_mesh(const JsonField& body) {
     return mesh_from_file(file, body.text_or("unit", "m"));
   }
   if (body.has("geometry")) return read_geometry(body["geometry"], FileUnits{}, {});
-  const int triangles = body.has("triangles") ? body["triangles"].integer() : 5000;
   try {
-    return generate_object(body["generate"].text(), triangles);
+    return generate_object(body["generate"].text(), read_triangles(body));
   } catch (const InputError& error) {
     body.fail(error.what());
   }
 }
 
-// JSON has no way to write a path that is not UTF-8: then there is no source.
-ShapeSource source_text(const nlohmann::ordered_json& source) {
-  try {
-    return source.dump();
-  } catch (const nlohmann::ordered_json::type_error&) {
-    return {};
-  }
+std::string absolute_path(const std::filesystem::path& file) {
+  return std::filesystem::absolute(file).lexically_normal().string();
 }
 
 ShapeSource read_source(const JsonField& body) {
-  nlohmann::ordered_json source;
   if (body.has("mesh")) {
-    const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
-    source["mesh"] = std::filesystem::absolute(file).lexically_normal().string();
+    return MeshFileSource{absolute_path(body.file().parent_path() / body["mesh"].text()),
+                          body.text_or("unit", "m")};
   }
-  for (const char* key : {"unit", "generate", "triangles", "geometry"}) {
-    if (body.has(key)) source[key] = nlohmann::ordered_json::parse(body[key].json());
-  }
-  return source_text(source);
+  if (body.has("generate")) return GeneratedSource{body["generate"].text(), read_triangles(body)};
+  return WrittenShapesSource{body["geometry"].json()};
 }
 
 // A path is made absolute; a name stays.
 std::string robot_source(const std::string& name_or_file) {
   if (!std::filesystem::is_regular_file(name_or_file)) return name_or_file;
-  return std::filesystem::absolute(name_or_file).lexically_normal().string();
+  return absolute_path(name_or_file);
 }
 
 // A name of the library, or the absolute path of a file: beside the scene if there is one.
 std::string robot_source(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
   if (std::filesystem::is_regular_file(beside)) {
-    return std::filesystem::absolute(beside).lexically_normal().string();
+    return absolute_path(beside);
   }
   return robot_source(field.text());
 }
@@ -263,7 +261,8 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file, const SceneSource& source) {
+Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source) {
+  const std::filesystem::path file = find_scene(name_or_file.string());
   if (file.extension() == ".json") {
     const JsonFile json(file);
     return read_scene(json.root(), source);
@@ -271,9 +270,7 @@ Scene load_scene(const std::filesystem::path& file, const SceneSource& source) {
   Scene scene;
   scene.name = file.stem().string();
   scene.object = make_graspable(scene.name, mesh_from_file(file, source.unit), Material::plastic);
-  scene.object.source =
-      source_text({{"mesh", std::filesystem::absolute(file).lexically_normal().string()},
-                   {"unit", source.unit}});
+  scene.object.source = MeshFileSource{absolute_path(file), source.unit};
   scene.hand_source = source.hand.empty() ? kDefaultHand : robot_source(source.hand);
   scene.hand = find_robot(scene.hand_source);
   return scene;

@@ -30,11 +30,12 @@ std::filesystem::path find_scene(const std::string& name_or_file) {
   if (is_name && std::filesystem::exists(in_library)) return in_library;
   std::string names;
   for (const std::string& name : library_scene_names()) names += (names.empty() ? "" : ", ") + name;
-  throw InputError(name_or_file + ": no such file, and no scene of that name (scenes: " + names +
-                   ")");
+  throw InputError({.file = name_or_file,
+                    .problem = "no such file, and no scene of that name (scenes: " + names + ")"});
 }
 
-std::string scene_reference(const std::filesystem::path& file) {
+std::string scene_reference(const std::filesystem::path& name_or_file) {
+  const std::filesystem::path file = find_scene(name_or_file.string());
   // A scene file of one's own can be named without a library.
   const std::optional<std::filesystem::path> data = find_data_folder();
   std::error_code missing;

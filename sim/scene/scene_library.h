@@ -13,7 +13,8 @@ std::filesystem::path find_scene(const std::string& name_or_file);
 
 std::vector<std::string> library_scene_names();
 
-// What a grasp file calls a scene: its name if it is the library's, else its absolute path.
-std::string scene_reference(const std::filesystem::path& file);
+// What a grasp file calls a scene: its name if it is the library's, else its absolute path. Throws
+// InputError as find_scene.
+std::string scene_reference(const std::filesystem::path& name_or_file);
 
 }  // namespace prehend

@@ -1,5 +1,7 @@
 #include "sim/scene/scene_text.h"
 
+#include <variant>
+
 #include "sim/base/input_error.h"
 #include "sim/robot/platform_file.h"
 #include "sim/scene/json_primitive.h"
@@ -16,14 +18,37 @@ Json triangles_json(const TriangleMesh& mesh) {
   return Json::array({shape});
 }
 
+// JSON has no way to name a path that is not UTF-8.
+bool can_be_named(const std::string& path) {
+  try {
+    (void)Json(path).dump();
+    return true;
+  } catch (const Json::type_error&) {
+    return false;
+  }
+}
+
+// The fields of a body that say where its surface comes from.
+struct ShapeFields {
+  const TriangleMesh& mesh;
+
+  Json operator()(std::monostate /*none*/) const { return {{"geometry", triangles_json(mesh)}}; }
+  Json operator()(const MeshFileSource& source) const {
+    if (!can_be_named(source.path)) return (*this)(std::monostate{});
+    return {{"mesh", source.path}, {"unit", source.unit}};
+  }
+  Json operator()(const GeneratedSource& source) const {
+    return {{"generate", source.name}, {"triangles", source.triangles}};
+  }
+  Json operator()(const WrittenShapesSource& source) const {
+    return {{"geometry", Json::parse(source.geometry)}};
+  }
+};
+
 template <typename Body>
 Json body_json(const Body& body, const Pose& X_WB) {
   Json json{{"name", body.name}};
-  if (body.source.empty()) {
-    json["geometry"] = triangles_json(body.mesh);
-  } else {
-    json.update(Json::parse(body.source));
-  }
+  json.update(std::visit(ShapeFields{body.mesh}, body.source));
   json["material"] = material_name(body.material);
   json["pose"] = pose_to_json(X_WB);
   return json;
@@ -43,7 +68,7 @@ Json object_json(const Scene& scene) {
 // its own.
 Json carrier_json(const Scene& scene) {
   const Carrier& carrier = *scene.carrier;
-  if (carrier.source.empty()) throw InputError(scene.name + ": robot: has no file to be named by");
+  if (carrier.source.empty()) throw InputError({scene.name, "robot", "has no file to be named by"});
   const Platform own = find_platform(carrier.source);
   Json json{{"platform", carrier.source}, {"pose", pose_to_json(carrier.X_WB)}};
   std::size_t next = 0;
@@ -98,7 +123,7 @@ std::string scene_text(const Scene& scene) {
     if (!scene.hand_source.empty()) json["robot"]["hand"] = scene.hand_source;
   } else {
     if (scene.hand_source.empty()) {
-      throw InputError(scene.name + ": hand: has no file to be named by");
+      throw InputError({scene.name, "hand", "has no file to be named by"});
     }
     json["hand"] = scene.hand_source;
   }

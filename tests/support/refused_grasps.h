@@ -74,8 +74,11 @@ inline std::vector<RefusedGrasp> refused_grasps() {
       {"torque scale infinite", scale + "(inf)", four, {{}, infinity}},
       {"pyramids of 2 edges", "edges: a friction pyramid needs at least 3 (2)", four, {}, 2},
       {"pyramids of -1 edges", "edges: a friction pyramid needs at least 3 (-1)", four, {}, -1},
-      {"torques of 1e309", "wrench 0: not finite", scaled(four, 1e300), {{}, 1e9}},
-      {"torsion times friction 1e309", "wrench 0: not finite", soft(tetrahedron(1e300), 1e9), {}},
+      {"torques of 1e309", "wrenches[0]: not finite", scaled(four, 1e300), {{}, 1e9}},
+      {"torsion times friction 1e309",
+       "wrenches[0]: not finite",
+       soft(tetrahedron(1e300), 1e9),
+       {}},
       {"tolerance -1", "relative_tolerance: must not be negative (-1.000000)", four, {}, 8, {-1.0}},
       {"tolerance NaN", "relative_tolerance: must not be negative (nan)", four, {}, 8, {nan}},
   };
@@ -87,7 +90,7 @@ inline std::vector<RefusedGrasp> refused_grasps() {
 inline std::string refusal(const RefusedGrasp& grasp) {
   try {
     epsilon_l1(contact_wrenches(grasp.contacts, grasp.frame, grasp.edges), grasp.options);
-  } catch (const std::invalid_argument& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "";

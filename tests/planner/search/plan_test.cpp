@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/files/asked_grasps.h"
 #include "planner/files/grasps_file.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/quality/wrench_hull.h"
@@ -72,10 +71,8 @@ TEST(Plan, EvaluateRepeatsWhatPlanFound) {
   const PlanResult planned = plan(scene, few_candidates(), on_threads(2));
   const std::filesystem::path file = testing::TempDir() + "/planned.json";
   std::ofstream(file) << grasps_json(scene, planned, {});
-  std::vector<Candidate> candidates;
-  for (const AskedGrasp& asked : asked_grasps(JsonFile(file), scene)) {
-    candidates.push_back(asked.candidate);
-  }
+  const std::vector<Candidate> candidates =
+      given_candidates(read_grasps(JsonFile(file), scene), scene);
   const PlanResult again = evaluate(scene, candidates);
   ASSERT_EQ(again.grasps.size(), planned.grasps.size());
   int same = 0;

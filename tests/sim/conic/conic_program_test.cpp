@@ -289,7 +289,7 @@ TEST(ConicProgram, RejectsWrongShapesAndValues) {
   const auto rejects = [&](auto change) {
     ConicProgram bad = good;
     change(bad);
-    EXPECT_THROW(solve(bad), std::invalid_argument);
+    EXPECT_THROW(solve(bad), InputError);
   };
   rejects([](ConicProgram& p) { p.c.conservativeResize(2); });
   rejects([](ConicProgram& p) { p.h.conservativeResize(3); });
@@ -299,8 +299,8 @@ TEST(ConicProgram, RejectsWrongShapesAndValues) {
   rejects([](ConicProgram& p) { p.cone = {-1, {5}}; });
   rejects([](ConicProgram& p) { p.c[0] = std::numeric_limits<double>::quiet_NaN(); });
   rejects([](ConicProgram& p) { p.G(0, 0) = std::numeric_limits<double>::infinity(); });
-  EXPECT_THROW(solve(good, {.tolerance = 0.0}), std::invalid_argument);
-  EXPECT_THROW(solve(good, {.max_iterations = 0}), std::invalid_argument);
+  EXPECT_THROW(solve(good, {.tolerance = 0.0}), InputError);
+  EXPECT_THROW(solve(good, {.max_iterations = 0}), InputError);
 }
 
 }  // namespace

@@ -141,13 +141,13 @@ TEST(Epsilon, SameBitsEachTime) {
 
 TEST(Epsilon, RejectsNonsense) {
   Wrenches wrenches = box(Wrench::Ones()).wrenches;
-  EXPECT_THROW(epsilon_l1(wrenches, {.relative_tolerance = -1.0}), std::invalid_argument);
+  EXPECT_THROW(epsilon_l1(wrenches, {.relative_tolerance = -1.0}), InputError);
   wrenches(3, 17) = std::numeric_limits<double>::infinity();
   try {
     epsilon_l1(wrenches);
     FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "wrench 17: not finite");
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "wrenches[17]: not finite");
   }
 }
 

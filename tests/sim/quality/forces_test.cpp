@@ -258,7 +258,7 @@ TEST(Forces, ThousandRandomProblems) {
 TEST(Forces, RejectsWhatMakesNoSense) {
   const Contacts contacts = two_fingers(0.5);
   const auto rejects = [&](const Wrench& external, const ForceOptions& options) {
-    EXPECT_THROW(balancing_forces(contacts, {}, external, options), std::invalid_argument);
+    EXPECT_THROW(balancing_forces(contacts, {}, external, options), InputError);
   };
   rejects(wrench_of(std::nan(""), 0, 0), {});
   rejects(kWeight, {.edges = 2});
@@ -266,9 +266,9 @@ TEST(Forces, RejectsWhatMakesNoSense) {
   rejects(kWeight, {.gap_tolerance = -1.0});
   Contacts bad = contacts;
   bad[0].friction = -1.0;
-  EXPECT_THROW(balancing_forces(bad, {}, kWeight), std::invalid_argument);
+  EXPECT_THROW(balancing_forces(bad, {}, kWeight), InputError);
   const auto rejects_hand = [&](const HandTorques& hand) {
-    EXPECT_THROW(balancing_forces(contacts, {}, kWeight, hand), std::invalid_argument);
+    EXPECT_THROW(balancing_forces(contacts, {}, kWeight, hand), InputError);
   };
   const HandTorques good{Eigen::MatrixXd::Zero(6, 2), Eigen::Vector2d(1, 1), {}};
   EXPECT_NO_THROW(balancing_forces(contacts, {}, kWeight, good));

@@ -51,7 +51,7 @@ TEST(Measures, SayWhatTheyMiss) {
     try {
       find_measure(name)->measure(octahedron_grasp(0.5), {}, {});
       ADD_FAILURE() << name;
-    } catch (const std::invalid_argument& error) {
+    } catch (const InputError& error) {
       EXPECT_EQ(std::string(error.what()).rfind(name, 0), 0U) << error.what();
     }
   }

@@ -65,12 +65,12 @@ TEST(RobustEpsilon, SameSeedSameBytesAndSizeDoesNotMatter) {
 TEST(RobustEpsilon, RefusesNonsense) {
   NoiseOptions noise;
   noise.samples = 0;
-  EXPECT_THROW(robust_epsilon({}, {}, {}, noise), std::invalid_argument);
+  EXPECT_THROW(robust_epsilon({}, {}, {}, noise), InputError);
   noise = {};
   noise.friction = -0.1;
-  EXPECT_THROW(robust_epsilon({}, {}, {}, noise), std::invalid_argument);
+  EXPECT_THROW(robust_epsilon({}, {}, {}, noise), InputError);
   noise.friction = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(robust_epsilon({}, {}, {}, noise), std::invalid_argument);
+  EXPECT_THROW(robust_epsilon({}, {}, {}, noise), InputError);
 }
 
 }  // namespace

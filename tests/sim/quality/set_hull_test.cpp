@@ -132,7 +132,7 @@ TEST(SetHull, FlatSetsHaveNoVolume) {
 TEST(SetHull, RejectsAToleranceThatIsNotPositive) {
   const Box box(Wrench::Ones());
   for (const double tolerance : {0.0, -1.0, std::nan("")}) {
-    EXPECT_THROW(set_hull(box, {.relative_tolerance = tolerance}), std::invalid_argument);
+    EXPECT_THROW(set_hull(box, {.relative_tolerance = tolerance}), InputError);
   }
 }
 

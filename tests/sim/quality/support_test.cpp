@@ -40,14 +40,14 @@ TEST(ColumnSupport, TiesGoToTheFirstColumn) {
 }
 
 TEST(ColumnSupport, RejectsNothingAndNonsense) {
-  EXPECT_THROW(ColumnSupport(Wrenches(6, 0)), std::invalid_argument);
+  EXPECT_THROW(ColumnSupport(Wrenches(6, 0)), InputError);
   Wrenches wrenches = Wrenches::Zero(6, 3);
   wrenches(4, 2) = std::numeric_limits<double>::quiet_NaN();
   try {
     const ColumnSupport set(wrenches);
     FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "wrench 2: not finite");
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "wrenches[2]: not finite");
   }
 }
 

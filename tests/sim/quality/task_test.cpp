@@ -89,14 +89,12 @@ TEST(ObjectWrenchRatio, OfPushesOnAPinch) {
 
 TEST(TaskResistance, RefusesWhatIsNoTask) {
   const Contacts pinch = ring_grasp(2, kFriction);
-  EXPECT_THROW(task_resistance(pinch, {}, TaskWrenches{}), std::invalid_argument);
-  EXPECT_THROW(task_resistance(pinch, {}, TaskGravity{Eigen::Vector3d::Zero(), 1.0}),
-               std::invalid_argument);
-  EXPECT_THROW(task_resistance(pinch, {}, TaskGravity{Eigen::Vector3d::UnitX(), -1.0}),
-               std::invalid_argument);
+  EXPECT_THROW(task_resistance(pinch, {}, TaskWrenches{}), InputError);
+  EXPECT_THROW(task_resistance(pinch, {}, TaskGravity{Eigen::Vector3d::Zero(), 1.0}), InputError);
+  EXPECT_THROW(task_resistance(pinch, {}, TaskGravity{Eigen::Vector3d::UnitX(), -1.0}), InputError);
   TaskEllipsoid flat;
   flat.axes.col(2).setZero();
-  EXPECT_THROW(task_resistance(pinch, {}, flat), std::invalid_argument);
+  EXPECT_THROW(task_resistance(pinch, {}, flat), InputError);
 }
 
 }  // namespace

@@ -74,8 +74,8 @@ TEST(WrenchHull, RejectsNonFinite) {
   try {
     wrench_hull(wrenches);
     FAIL();
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "wrench 3: not finite");
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "wrenches[3]: not finite");
   }
 }
 

@@ -62,8 +62,8 @@ TEST(WrenchSize, NotFiniteIsStillRefused) {
   for (const double bad : {HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN()}) {
     Wrenches wrenches = times_power_of_two(cube(), 600);
     wrenches(2, 5) = bad;
-    EXPECT_THROW(epsilon_l1(wrenches), std::invalid_argument);
-    EXPECT_THROW(wrench_hull(wrenches), std::invalid_argument);
+    EXPECT_THROW(epsilon_l1(wrenches), InputError);
+    EXPECT_THROW(wrench_hull(wrenches), InputError);
   }
 }
 

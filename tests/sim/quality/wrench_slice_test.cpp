@@ -178,11 +178,11 @@ TEST(WrenchSections, OfWhatIsFlatAreEmpty) {
 }
 
 TEST(WrenchSlice, RefusesWhatIsNoSection) {
-  EXPECT_THROW(wrench_slice({}), std::invalid_argument);
-  EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 1, 2}, {}}), std::invalid_argument);
-  EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 2, 6}, {}}), std::invalid_argument);
+  EXPECT_THROW(wrench_slice({}), InputError);
+  EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 1, 2}, {}}), InputError);
+  EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 2, 6}, {}}), InputError);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 2, 3}, {0.0, nan, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(wrench_slice(cross_polytope(), {{1, 2, 3}, {0.0, nan, 0.0}}), InputError);
 }
 
 }  // namespace

@@ -355,8 +355,8 @@ TEST(GraspEpsilon, NoContactsHoldNothing) {
 TEST(GraspEpsilon, RejectsNonsense) {
   Contacts contacts = cube_grasp(0.5);
   const WrenchSpaceOptions two_edges = {.norm = WrenchNorm::linf, .edges = 2};
-  EXPECT_THROW(grasp_epsilon(contacts, {}, two_edges), std::invalid_argument);
-  EXPECT_THROW(grasp_epsilon(contacts, {}, {.edges = 2}), std::invalid_argument);
+  EXPECT_THROW(grasp_epsilon(contacts, {}, two_edges), InputError);
+  EXPECT_THROW(grasp_epsilon(contacts, {}, {.edges = 2}), InputError);
   // An exact cone has no edges to count.
   EXPECT_NO_THROW(grasp_epsilon(contacts, {}, {.cone = FrictionCone::exact, .edges = 2}));
   contacts[3].friction = -0.1;
@@ -364,8 +364,8 @@ TEST(GraspEpsilon, RejectsNonsense) {
     try {
       wrench_space(contacts, {}, space);
       FAIL();
-    } catch (const std::invalid_argument& error) {
-      EXPECT_STREQ(error.what(), "contact 3: friction: must be finite and not negative (-0.1)");
+    } catch (const InputError& error) {
+      EXPECT_STREQ(error.what(), "contacts[3].friction: must be finite and not negative (-0.1)");
     }
   }
 }

@@ -84,7 +84,7 @@ TEST(ContactWrenches, NearlyUnitNormalIsNormalised) {
 std::string message(const Contacts& contacts, const WrenchFrame& frame = {}, int edges = 8) {
   try {
     contact_wrenches(contacts, frame, edges);
-  } catch (const std::invalid_argument& error) {
+  } catch (const InputError& error) {
     return error.what();
   }
   return "no error";
@@ -96,16 +96,16 @@ TEST(ContactWrenches, ErrorsNameTheContactAndTheValue) {
   const Contact good;
   Contact bad = good;
   bad.position.y() = nan;
-  EXPECT_EQ(message({good, bad}), "contact 1: position: not finite (0, nan, 0)");
+  EXPECT_EQ(message({good, bad}), "contacts[1].position: not finite (0, nan, 0)");
   bad = good;
   bad.normal.x() = infinity;
-  EXPECT_EQ(message({bad}), "contact 0: normal: not finite (inf, 0, 1)");
+  EXPECT_EQ(message({bad}), "contacts[0].normal: not finite (inf, 0, 1)");
   bad = good;
   bad.normal.z() = 1.002;
-  EXPECT_EQ(message({good, good, bad}), "contact 2: normal: not unit (0, 0, 1.002)");
+  EXPECT_EQ(message({good, good, bad}), "contacts[2].normal: not unit (0, 0, 1.002)");
   bad = good;
   bad.friction = -0.5;
-  EXPECT_EQ(message({bad}), "contact 0: friction: must be finite and not negative (-0.5)");
+  EXPECT_EQ(message({bad}), "contacts[0].friction: must be finite and not negative (-0.5)");
 }
 
 TEST(ContactWrenches, ErrorsNameTheFrame) {

@@ -117,11 +117,26 @@ TEST(SceneFile, AMissingMeshIsNamed) {
 }
 
 TEST(SceneFile, AnUnknownUnitIsNamed) {
+  const std::filesystem::path file = testing::TempDir() + "/some.obj";
+  std::ofstream(file) << "v 0 0 0\n";
   try {
-    (void)load_scene("some.obj", {.hand = "", .unit = "furlong"});
+    (void)load_scene(file, {.hand = "", .unit = "furlong"});
     FAIL() << "no error";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("furlong"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SceneFile, ANameOfTheLibraryIsEnough) {
+  const Scene scene = load_scene("mug");
+  EXPECT_EQ(scene.name, "mug");
+  EXPECT_TRUE(std::holds_alternative<GeneratedSource>(scene.object.source));
+  try {
+    (void)load_scene("no_such_scene");
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.file(), "no_such_scene");
+    EXPECT_NE(error.problem().find("mug_on_table"), std::string::npos) << error.what();
   }
 }
 

@@ -1,5 +1,5 @@
 // Results of an earlier run as a grasp file has them.
-#include "planner/files/asked_result.h"
+#include "planner/files/json_grasp.h"
 
 #include <cmath>
 #include <string>
@@ -46,8 +46,7 @@ class ArmResult : public testing::Test {
 
   static ScoredGrasp read_back(const json& content) {
     const JsonFile file(test::write_scene(content));
-    const AskedGrasp asked = asked_grasps(file, scene()).front();
-    return asked_result(file.root()["grasps"].items().front(), asked, scene());
+    return read_grasps(file, scene()).result.grasps.front();
   }
 
   static std::string complaint(const json& content) {

@@ -1,0 +1,38 @@
+#include "sim/base/input_error.h"
+
+#include <utility>
+
+namespace prehend {
+namespace {
+
+std::string one_line(const InputErrorParts& parts) {
+  std::string line;
+  for (const std::string* part : {&parts.file, &parts.field, &parts.problem}) {
+    if (part->empty()) continue;
+    line += (line.empty() ? "" : ": ") + *part;
+  }
+  if (!parts.value.empty()) line += (line.empty() ? "(" : " (") + parts.value + ")";
+  return line;
+}
+
+}  // namespace
+
+InputError::InputError(InputErrorParts parts)
+    : std::invalid_argument(one_line(parts)), parts_(std::move(parts)) {}
+
+InputError InputError::in_file(const std::string& file) const {
+  if (!parts_.file.empty()) return *this;
+  InputErrorParts parts = parts_;
+  parts.file = file;
+  return InputError(std::move(parts));
+}
+
+InputError InputError::under(const std::string& outer) const {
+  if (outer.empty()) return *this;
+  InputErrorParts parts = parts_;
+  const bool joined = parts.field.empty() || parts.field.front() == '[';
+  parts.field = outer + (joined ? "" : ".") + parts.field;
+  return InputError(std::move(parts));
+}
+
+}  // namespace prehend
