@@ -1,0 +1,35 @@
+"""Judge many grasps at once, without a scene: random triples of fingertips on a ball.
+
+    ./run python docs/examples/quality_batch.py
+"""
+
+import numpy as np
+
+from prehend import quality
+
+# A thousand grasps of three contacts each: arrays (G, N, 3).
+random = np.random.default_rng(1)
+directions = random.normal(size=(1000, 3, 3))
+directions /= np.linalg.norm(directions, axis=2, keepdims=True)
+radius = 0.05  # m
+positions = radius * directions
+normals = -directions  # unit, into the object
+
+# Torques are divided by the radius, so that balls of all sizes compare.
+epsilon = quality.epsilon(positions, normals, friction=0.5, torque_scale=1.0 / radius)
+print(f"{(epsilon > 0.0).mean():.0%} hold; the best has epsilon {epsilon.max():.4f}")
+
+# One grasp alone: the same number.
+best = int(epsilon.argmax())
+alone = quality.epsilon(positions[best], normals[best], 0.5, torque_scale=1.0 / radius)
+print("alone:", alone == epsilon[best])
+
+# How hard must its fingers press to carry 3 N? Wrenches are [force; torque * torque_scale].
+forces = quality.balancing_forces(
+    [0.0, 0.0, -3.0, 0.0, 0.0, 0.0],
+    positions[best],
+    normals[best],
+    0.5,
+    torque_scale=1.0 / radius,
+)
+print(f"{forces.outcome}: no finger presses with more than {forces.largest_normal:.2f} N")

@@ -1,0 +1,189 @@
+#include "planner/python/bindings.h"
+#include "planner/python/options_class.h"
+#include "planner/search/plan.h"
+
+namespace prehend::python {
+namespace {
+
+// Fractions that must leave something; the largest double below 1.
+constexpr Range kPart{.upper = 0.9999999999999999};
+
+void bind_proposal_options(py::module_& core) {
+  OptionsClass<DecomposeOptions>(core, "DecomposeOptions",
+                                 "How a mesh is split into boxes, spheres and cylinders.")
+      .number("tolerance", &DecomposeOptions::tolerance, {0.0, 1.0, true},
+              "A surface point is explained when it lies within this fraction of the bounding-box "
+              "diagonal of some primitive; in (0, 1].")
+      .number("coverage", &DecomposeOptions::coverage, {0.0, 1.0, true},
+              "Pieces are added until this fraction of the area is explained; in (0, 1].")
+      .number("max_primitives", &DecomposeOptions::max_primitives, kAtLeast1,
+              "At most this many primitives (>= 1). Wins over coverage.")
+      .number("seed", &DecomposeOptions::seed, kAtLeast0, "Of the sampled surface points.");
+  OptionsClass<GraspRuleOptions>(core, "GraspRuleOptions", "How densely primitives are aimed at.")
+      .number("cylinder_directions", &GraspRuleOptions::cylinder_directions, kAtLeast1,
+              "Directions around a cylinder's side and around its ends (>= 1).")
+      .number("places", &GraspRuleOptions::places, kAtLeast1,
+              "Places along a cylinder's axis and along a box's side (>= 1).")
+      .number("sphere_directions", &GraspRuleOptions::sphere_directions, kAtLeast1,
+              "Directions over a sphere (>= 1).")
+      .number("sphere_turns", &GraspRuleOptions::sphere_turns, kAtLeast1,
+              "Turns of the hand about each direction of a sphere (>= 1).");
+  OptionsClass<CandidateOptions>(core, "CandidateOptions", "Which grasps are proposed.")
+      .field("rules", &CandidateOptions::rules, "GraspRuleOptions.")
+      .number("duplicate_distance", &CandidateOptions::duplicate_distance, kAtLeast0,
+              "Two candidates closer than this and duplicate_angle, with the same preshape, are "
+              "one [m].")
+      .number("duplicate_angle", &CandidateOptions::duplicate_angle, kAtLeast0,
+              "See duplicate_distance [rad].")
+      .number("max_candidates", &CandidateOptions::max_candidates, kAtLeast1,
+              "At most this many, taken evenly over the list (>= 1).")
+      .number("start_clearance", &CandidateOptions::start_clearance, kAtLeast0,
+              "Added to the way from the pre-grasp to the object [m].");
+}
+
+void bind_trial_options(py::module_& core) {
+  OptionsClass<ContactOptions>(core, "ContactOptions", "What counts as a contact.")
+      .number("threshold", &ContactOptions::threshold, kAbove0,
+              "Surfaces closer than this touch [m].")
+      .number("evenness", &ContactOptions::evenness, kAtLeast0,
+              "Points of a face contact this much farther than its nearest still count [m].")
+      .number("angular_tolerance", &ContactOptions::angular_tolerance, kAtLeast0,
+              "Sine of the angle within which normals count as one.")
+      .number("max_region_corners", &ContactOptions::max_region_corners, {.lower = 3.0},
+              "A region of contact keeps at most this many corners (>= 3).")
+      .number("same_place", &ContactOptions::same_place, kAtLeast0,
+              "Points with one normal nearer than this part of the threshold are one.")
+      .number("flat_corner", &ContactOptions::flat_corner, kAtLeast0,
+              "Corners of a region that stand out by less than this part of the threshold are left "
+              "out.")
+      .number("weakest_patch", &ContactOptions::weakest_patch, kAtLeast0,
+              "Patches that bear less than this part of the strongest's force are left out.");
+  OptionsClass<MotionCheckOptions>(core, "MotionCheckOptions",
+                                   "How motions are proven free of collision.")
+      .number("tightest", &MotionCheckOptions::tightest, kAbove0,
+              "Stretches on which nothing moves more than this are not cut any further [m].")
+      .number("gap_error", &MotionCheckOptions::gap_error, kPart,
+              "Part by which a gap may be underestimated; in [0, 1).");
+  OptionsClass<IkOptions>(core, "IkOptions", "Inverse kinematics.")
+      .number("position_tolerance", &IkOptions::position_tolerance, kAbove0, "[m]")
+      .number("angle_tolerance", &IkOptions::angle_tolerance, kAbove0, "[rad]")
+      .number("max_iterations", &IkOptions::max_iterations, kAtLeast1, "From one start (>= 1).")
+      .number("restarts", &IkOptions::restarts, kAtLeast0, "Random starts, after the given one.")
+      .number("max_solutions", &IkOptions::max_solutions, kAtLeast1,
+              "No more are looked for (>= 1).")
+      .number("seed", &IkOptions::seed, kAtLeast0, "Of the random starts.");
+  OptionsClass<ReachOptions>(core, "ReachOptions", "How an arm follows the hand's approach.")
+      .field("kinematics", &ReachOptions::kinematics, "IkOptions.")
+      .number("line_step", &ReachOptions::line_step, kAbove0,
+              "The approach is followed in steps of this [m].")
+      .number("largest_joint_step", &ReachOptions::largest_joint_step, kAbove0,
+              "More change of a joint in one step is a jump to another branch [rad or m].")
+      .field("motion", &ReachOptions::motion, "MotionCheckOptions.");
+  OptionsClass<SettleOptions>(core, "SettleOptions",
+                              "How an object settles between two self-centering fingers that do "
+                              "not hold it.")
+      .number("angle", &SettleOptions::angle, kAbove0, "Of one turn [rad].")
+      .number("steps", &SettleOptions::steps, kAtLeast0,
+              "Turns that are tried at most; 0: the object keeps its attitude.")
+      .number("loosen", &SettleOptions::loosen, kAtLeast0,
+              "Fingers open by this before the object turns [m].")
+      .number("least_gain", &SettleOptions::least_gain, kAtLeast0,
+              "Turning goes on while the fingers come closer by more than this in a step [m].")
+      .number("least_arm", &SettleOptions::least_arm, kAtLeast0,
+              "Offset of the fingers' forces below which their couple turns nothing [m].");
+  OptionsClass<GapTrackerOptions>(core, "GapTrackerOptions",
+                                  "How the gap between two moving bodies is asked for: all answers "
+                                  "are proven bounds, looser ones cost less.")
+      .number("near", &GapTrackerOptions::near, kAtLeast0,
+              "Triangle pairs are listed within this gap [m].")
+      .number("reach", &GapTrackerOptions::reach, kAtLeast1,
+              "How far the list reaches, as a multiple of the gap (>= 1).")
+      .number("least_reach", &GapTrackerOptions::least_reach, kAtLeast0,
+              "And at least by so much [m].")
+      .number("most_pairs", &GapTrackerOptions::most_pairs, kAtLeast0,
+              "No list longer than this is kept.")
+      .number("looseness", &GapTrackerOptions::looseness, kPart,
+              "Part by which a query may be off that only says how far to go; in [0, 1).");
+  OptionsClass<TrialOptions>(core, "TrialOptions",
+                             "The one dial between speed and accuracy of a trial.")
+      .field("contact", &TrialOptions::contact, "ContactOptions.")
+      .number("contact_gap", &TrialOptions::contact_gap, kAbove0,
+              "Motions end at this gap; below 0.9 contact.threshold [m].")
+      .number("back_off_step", &TrialOptions::back_off_step, kAbove0,
+              "When a grasp does not hold, the hand goes back by this and closes again [m].")
+      .number("back_off_tries", &TrialOptions::back_off_tries, kAtLeast0, "How often it does.")
+      .field("soft_fingers", &TrialOptions::soft_fingers,
+             "Whether soft links bear on patches, with torque about the normal; if not, all "
+             "contacts are hard points.")
+      .field("settle", &TrialOptions::settle, "SettleOptions.")
+      .number("cone_edges", &TrialOptions::cone_edges, {.lower = 3.0},
+              "Edges of the pyramid that stands for a friction cone (>= 3).")
+      .field("reach", &TrialOptions::reach, "ReachOptions, for scenes with an arm.")
+      .number("max_gap_queries", &TrialOptions::max_gap_queries, kAtLeast1,
+              "A pair of bodies is asked for its gap at most this often in one motion.")
+      .field("gaps", &TrialOptions::gaps, "GapTrackerOptions.");
+}
+
+void bind_path_options(py::module_& core) {
+  OptionsClass<TransferOptions>(core, "TransferOptions",
+                                "How an arm's way to the pre-grasp is searched for.")
+      .choice("planner", &TransferOptions::planner,
+              {{"rrt_connect", PathPlanner::rrt_connect},
+               {"roadmap", PathPlanner::roadmap},
+               {"rrt_star", PathPlanner::rrt_star}},
+              "\"rrt_connect\", \"roadmap\" or \"rrt_star\".")
+      .number("max_iterations", &TransferOptions::max_iterations, kAtLeast1, "Of the planner.")
+      .number("simplify_steps", &TransferOptions::simplify_steps, kAtLeast0,
+              "Tries to cut a corner short.")
+      .number("longest_edge", &TransferOptions::longest_edge, kAbove0,
+              "Longest edge that a tree grows at once, as a motion of the arm [m].")
+      .number("seed", &TransferOptions::seed, kAtLeast0, "Of the search.")
+      .field("motion", &TransferOptions::motion, "MotionCheckOptions.");
+  OptionsClass<TimePathOptions>(core, "TimePathOptions", "How a path is timed.")
+      .number("sample_time", &TimePathOptions::sample_time, kAbove0,
+              "Longest time between two samples [s].");
+  OptionsClass<PathCheckOptions>(core, "PathCheckOptions",
+                                 "How a finished path is looked at again.")
+      .number("step", &PathCheckOptions::step, kAbove0,
+              "Longest motion of any point of a link between two postures [m].");
+  OptionsClass<GraspPathOptions>(core, "GraspPathOptions", "The whole way of an arm to a grasp.")
+      .field("reach", &GraspPathOptions::reach, "ReachOptions.")
+      .field("transfer", &GraspPathOptions::transfer, "TransferOptions.")
+      .field("timing", &GraspPathOptions::timing, "TimePathOptions.")
+      .number("alternatives", &GraspPathOptions::alternatives, kAtLeast1,
+              "Postures of the pre-grasp that are tried (>= 1).")
+      .field("check", &GraspPathOptions::check, "PathCheckOptions: of the finished path.");
+}
+
+}  // namespace
+
+void bind_options(py::module_& core) {
+  bind_proposal_options(core);
+  bind_trial_options(core);
+  bind_path_options(core);
+  OptionsClass<RankOptions>(core, "RankOptions", "Which grasps are returned.")
+      .number("top", &RankOptions::top, kAtLeast1, "So many grasps (>= 1).")
+      .number("same_distance", &RankOptions::same_distance, kAtLeast0,
+              "Grasps whose hands are closer than this and same_angle are one [m].")
+      .number("same_angle", &RankOptions::same_angle, kAtLeast0, "See same_distance [rad].")
+      .number("same_contact", &RankOptions::same_contact, kAtLeast0,
+              "So are grasps whose contacts are all closer than this [m].");
+  OptionsClass<PlanOptions>(core, "PlanOptions", "All that a plan depends on besides its scene.")
+      .number("seed", &PlanOptions::seed, kAtLeast0,
+              "Everything random in the plan derives from it; seeds further down are set from it.")
+      .field("primitives", &PlanOptions::primitives, "DecomposeOptions.")
+      .field("candidates", &PlanOptions::candidates, "CandidateOptions.")
+      .field("trial", &PlanOptions::trial, "TrialOptions.")
+      .field("rank", &PlanOptions::rank, "RankOptions.")
+      .field("paths", &PlanOptions::paths,
+             "GraspPathOptions: paths for the grasps that are returned, those without one are left "
+             "out; needs an arm. None: no paths.")
+      .number("sections", &PlanOptions::sections, kAtLeast0,
+              "So many of the grasps get sections of their wrench space, for the report.");
+  OptionsClass<EvaluateOptions>(core, "EvaluateOptions", "All that an evaluation depends on.")
+      .number("seed", &EvaluateOptions::seed, kAtLeast0, "As in PlanOptions.")
+      .field("trial", &EvaluateOptions::trial, "TrialOptions.")
+      .number("sections", &EvaluateOptions::sections, kAtLeast0, "As in PlanOptions.");
+}
+
+}  // namespace prehend::python

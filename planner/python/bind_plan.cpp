@@ -1,0 +1,155 @@
+#include <optional>
+#include <pybind11/stl.h>
+#include <utility>
+
+#include "planner/python/arrays.h"
+#include "planner/python/background.h"
+#include "planner/python/bindings.h"
+#include "planner/python/results.h"
+#include "planner/search/plan.h"
+#include "sim/base/index.h"
+
+namespace prehend::python {
+namespace {
+
+// What every long call takes from Python besides its own arguments.
+CallOptions call_options(int threads, py::object progress, const Cancellation& cancellation) {
+  return {threads, std::move(progress), cancellation};
+}
+
+RunRecord record_of(const SceneOrigin& origin, const PlanOptions& options) {
+  return {origin.file, origin.unit, origin.hand, options};
+}
+
+PlanHandle plan_in_python(const CompiledHandle& scene, const PlanOptions& asked,
+                          const CallOptions& call) {
+  const PlanOptions options = asked;  // as they are now: Python may change them meanwhile
+  PlanResult result;
+  run_in_background(
+      call, [&](const RunContext& context) { result = plan(*scene.scene, options, context); });
+  return {scene.scene, std::make_shared<const PlanResult>(std::move(result)),
+          record_of(scene.origin, options)};
+}
+
+std::vector<Candidate> candidates_from(const CompiledScene& scene, const py::list& list) {
+  std::vector<Candidate> candidates;
+  for (const py::handle& fields : list) {
+    candidates.push_back(candidate_from(fields.cast<py::dict>()));
+    const Candidate& candidate = candidates.back();
+    const Robot& hand = scene.scene.hand;
+    // Python has looked names and sizes up (prehend/_candidates.py).
+    const bool sound =
+        candidate.preshape.has_value()
+            ? index(*candidate.preshape) < hand.hand->preshapes.size()
+            : candidate.dofs.size() == hand.dofs.size() &&
+                  (candidate.joints.empty() || candidate.joints.size() == hand.joints.size());
+    if (!sound) throw std::invalid_argument("candidate: not of this hand");
+  }
+  return candidates;
+}
+
+PlanHandle evaluate_in_python(const CompiledHandle& scene, const py::list& list,
+                              const EvaluateOptions& asked, const CallOptions& call) {
+  const EvaluateOptions options = asked;
+  const std::vector<Candidate> candidates = candidates_from(*scene.scene, list);
+  PlanResult result;
+  run_in_background(call, [&](const RunContext& context) {
+    result = evaluate(*scene.scene, candidates, options, context);
+  });
+  PlanOptions recorded;
+  recorded.seed = options.seed;
+  recorded.trial = options.trial;
+  recorded.sections = options.sections;
+  return {scene.scene, std::make_shared<const PlanResult>(std::move(result)),
+          record_of(scene.origin, recorded)};
+}
+
+py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields,
+                             const TrialOptions& options, const CallOptions& call) {
+  py::list list;
+  list.append(fields);
+  auto grasp = std::make_shared<ScoredGrasp>();
+  grasp->candidate = candidates_from(*scene.scene, list).front();
+  run_in_background(call, [&](const RunContext& context) {
+    grasp->trial = run_trial(*scene.scene, grasp->candidate, options, context);
+  });
+  const TrialHandle handle{scene.scene, grasp};
+  py::dict trial = trial_dict(handle);
+  trial["candidate"] = candidate_dict(*scene.scene, grasp->candidate);
+  trial["_trial"] = handle;
+  return trial;
+}
+
+py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
+                             const DecomposeOptions& options, const CallOptions& call) {
+  const TriangleMesh mesh = mesh_of(vertices, faces);
+  Decomposition found;
+  run_in_background(call,
+                    [&](const RunContext& context) { found = decompose(mesh, options, context); });
+  py::list primitives;
+  for (const Primitive& primitive : found.primitives) primitives.append(primitive_dict(primitive));
+  py::dict fields;
+  fields["primitives"] = primitives;
+  fields["share"] = to_array(found.share);
+  fields["explained"] = found.explained;
+  return fields;
+}
+
+py::dict propose_in_python(const CompiledHandle& scene, const py::list& list,
+                           const CandidateOptions& options, const CallOptions& call) {
+  std::vector<Primitive> primitives;
+  for (const py::handle& fields : list) {
+    primitives.push_back(primitive_from(fields.cast<py::dict>()));
+  }
+  Proposals proposals;
+  run_in_background(call, [&](const RunContext& context) {
+    proposals = propose_grasps(*scene.scene, primitives, options, context);
+  });
+  py::list grasps;
+  for (const ProposedGrasp& proposed : proposals.grasps) {
+    grasps.append(py::make_tuple(candidate_dict(*scene.scene, proposed.candidate),
+                                 proposed.primitive, proposed.rule));
+  }
+  py::dict fields;
+  fields["grasps"] = grasps;
+  fields["smallest_width"] = proposals.smallest_width;
+  fields["largest_opening"] = proposals.largest_opening;
+  return fields;
+}
+
+py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions& options,
+                               const CallOptions& call) {
+  const ScoredGrasp& grasp = *trial.grasp;
+  // plan_grasp_path asserts both; prehend/_plan.py says so in words.
+  if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {
+    throw std::invalid_argument("no stable grasp of an arm");
+  }
+  std::optional<Trajectory> path;
+  run_in_background(call, [&](const RunContext& context) {
+    path = plan_grasp_path(*trial.scene, grasp.candidate, grasp.trial, options, context);
+  });
+  return path ? py::object(path_dict(*path)) : py::none();
+}
+
+}  // namespace
+
+void bind_plan(py::module_& core) {
+  py::class_<CallOptions>(core, "_CallOptions").def(py::init(&call_options));
+  py::class_<TrialHandle>(core, "_Trial");
+  py::class_<PlanHandle>(core, "_PlanResult").def("fields", &result_dict).def("grasp", &grasp_dict);
+  core.def("plan", &plan_in_python);
+  core.def("evaluate", &evaluate_in_python);
+  core.def("run_trial", &run_trial_in_python);
+  core.def("decompose", &decompose_in_python);
+  core.def("propose_grasps", &propose_in_python);
+  core.def("given_primitives", [](const CompiledHandle& scene) {
+    py::list list;
+    for (const Primitive& primitive : scene.scene->scene.primitives) {
+      list.append(primitive_dict(primitive));
+    }
+    return list;
+  });
+  core.def("plan_grasp_path", &plan_path_in_python);
+}
+
+}  // namespace prehend::python

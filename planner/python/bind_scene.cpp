@@ -1,0 +1,227 @@
+#include <map>
+#include <pybind11/stl.h>
+#include <utility>
+
+#include "planner/python/arrays.h"
+#include "planner/python/bindings.h"
+#include "planner/python/scene_handle.h"
+#include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
+#include "sim/geometry/make_mesh.h"
+#include "sim/geometry/mesh_checks.h"
+#include "sim/mesh_files/mesh_file.h"
+#include "sim/scene/make_scene.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_library.h"
+#include "sim/scene/scene_text.h"
+
+namespace prehend::python {
+namespace {
+
+py::tuple mesh_tuple(const TriangleMesh& mesh) {
+  return py::make_tuple(to_array(mesh.vertices), to_array(mesh.triangles));
+}
+
+// As a mesh file's: equal vertices joined, triangles turned outward.
+TriangleMesh cleaned(const Doubles& vertices, const Integers& faces) {
+  TriangleMesh raw = mesh_of(vertices, faces);
+  return make_mesh(std::move(raw.vertices), std::move(raw.triangles));
+}
+
+py::tuple load_mesh_in_python(const std::string& file, const std::string& unit) {
+  TriangleMesh mesh = load_mesh(file, {.metres_per_unit = metres_per_unit(unit)}).mesh;
+  orient_outward(mesh);
+  return mesh_tuple(mesh);
+}
+
+SceneHandle load_scene_in_python(const std::string& name_or_file, const std::string& hand,
+                                 const std::string& unit) {
+  const std::filesystem::path file = find_scene(name_or_file);
+  return {load_scene(file, {hand, unit}), {scene_reference(file), unit, hand}};
+}
+
+SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
+                                 const std::string& hand, const std::string& name,
+                                 const std::string& material, double mass) {
+  if (!(mass > 0.0)) throw InputError("mass: must be positive (" + std::to_string(mass) + ")");
+  GraspableBody object =
+      make_graspable(name, cleaned(vertices, faces), material_named(material), mass);
+  return {make_scene(std::move(object), hand), {}};
+}
+
+// A grasp file says what the program would have to read to get the same scene: after a change, no
+// file says that.
+void add_obstacle_in_python(SceneHandle& self, const std::string& name, const Doubles& vertices,
+                            const Integers& faces, const Doubles& X_WB,
+                            const std::string& material) {
+  add_obstacle(self.scene, name, cleaned(vertices, faces), pose_of(X_WB), material_named(material));
+  self.origin = {};
+}
+
+// Where each degree of freedom starts, those that `asked` names elsewhere than the robots' files
+// say. Throws InputError for an unknown name and a value outside the limits.
+std::vector<double> start_of(const Platform& platform, std::map<std::string, double> asked) {
+  std::vector<double> start;
+  for (const MountedRobot& mounted : platform.robots) {
+    for (const DegreeOfFreedom& dof : mounted.robot.dofs) {
+      const std::string name = mounted.name + "/" + dof.name;
+      const auto given = asked.find(name);
+      start.push_back(given == asked.end() ? dof.initial : given->second);
+      const bool inside = start.back() >= dof.lower && start.back() <= dof.upper;
+      if (!inside) {
+        throw InputError("start: " + name + ": outside the limits " + std::to_string(dof.lower) +
+                         " to " + std::to_string(dof.upper) + " rad or m (" +
+                         std::to_string(start.back()) + ")");
+      }
+      if (given != asked.end()) asked.erase(given);
+    }
+  }
+  if (!asked.empty()) {
+    throw InputError("start: no degree of freedom of " + platform.name + " is called so (" +
+                     asked.begin()->first + ")");
+  }
+  return start;
+}
+
+void mount_in_python(SceneHandle& self, const std::string& platform, const std::string& hand,
+                     const Doubles& X_WB, const std::map<std::string, double>& start) {
+  Scene mounted = self.scene;  // as it was where something is refused
+  mount(mounted, platform, pose_of(X_WB), hand);
+  mounted.carrier->start = start_of(mounted.carrier->platform, start);
+  self = {std::move(mounted), {}};
+}
+
+void save(SceneHandle& self, const std::string& file) {
+  write_file(file, scene_text(self.scene));
+  self.origin = {scene_reference(file), "m", ""};
+}
+
+CompiledHandle compile_in_python(const SceneHandle& handle) {
+  const Scene& scene = handle.scene;
+  const py::gil_scoped_release no_gil;
+  return {std::make_shared<const CompiledScene>(compile(scene)), handle.origin};
+}
+
+void bind_bodies(py::module_& core) {
+  py::class_<GraspableBody>(core, "GraspableBody", "The object to grasp; its frame is O.")
+      .def_readonly("name", &GraspableBody::name)
+      .def_property_readonly(
+          "vertices", [](const GraspableBody& self) { return to_array(self.mesh.vertices); },
+          "(V, 3), frame O [m].")
+      .def_property_readonly(
+          "faces", [](const GraspableBody& self) { return to_array(self.mesh.triangles); },
+          "(F, 3): three vertices each, counter-clockwise seen from outside.")
+      .def_property_readonly(
+          "X_WO", [](const GraspableBody& self) { return to_array(self.X_WO); },
+          "(4, 4): the object's pose in the world.")
+      .def_property_readonly(
+          "material",
+          [](const GraspableBody& self) { return std::string(material_name(self.material)); },
+          "\"glass\", \"metal\", \"plastic\", \"wood\" or \"rubber\".")
+      .def_readonly("mass", &GraspableBody::mass, "[kg]")
+      .def_property_readonly(
+          "center_of_mass", [](const GraspableBody& self) { return to_array(self.center_of_mass); },
+          "(3,), frame O [m].")
+      .def_property_readonly(
+          "inertia",
+          [](const GraspableBody& self) { return to_array(Eigen::MatrixXd(self.inertia)); },
+          "(3, 3), about the centre of mass, axes of O [kg m^2].");
+  py::class_<StaticBody>(core, "StaticBody", "An obstacle.")
+      .def_readonly("name", &StaticBody::name)
+      .def_property_readonly(
+          "vertices", [](const StaticBody& self) { return to_array(self.mesh.vertices); },
+          "(V, 3), its own frame B [m].")
+      .def_property_readonly(
+          "faces", [](const StaticBody& self) { return to_array(self.mesh.triangles); }, "(F, 3).")
+      .def_property_readonly(
+          "X_WB", [](const StaticBody& self) { return to_array(self.X_WB); },
+          "(4, 4): its pose in the world.")
+      .def_property_readonly(
+          "material",
+          [](const StaticBody& self) { return std::string(material_name(self.material)); },
+          "As of the object.");
+}
+
+void bind_scene_class(py::module_& core) {
+  py::class_<SceneHandle>(core, "_Scene")
+      .def_property_readonly("name", [](const SceneHandle& self) { return self.scene.name; })
+      .def_property_readonly("object", [](const SceneHandle& self) { return self.scene.object; })
+      .def_property_readonly("hand", [](const SceneHandle& self) { return self.scene.hand; })
+      .def_property_readonly("obstacles",
+                             [](const SceneHandle& self) { return self.scene.obstacles; })
+      .def_property_readonly("platform",
+                             [](const SceneHandle& self) -> std::optional<std::string> {
+                               if (!self.scene.carrier) return std::nullopt;
+                               return self.scene.carrier->platform.name;
+                             })
+      .def("set_pose",
+           [](SceneHandle& self, const Doubles& X_WO) {
+             self.scene.object.X_WO = pose_of(X_WO);
+             self.origin = {};
+           })
+      .def("set_friction",
+           [](SceneHandle& self, const std::string& a, const std::string& b, double friction) {
+             self.scene.friction.set(material_named(a), material_named(b), friction);
+             self.origin = {};
+           })
+      .def("friction",
+           [](const SceneHandle& self, const std::string& a, const std::string& b) {
+             return self.scene.friction.between(material_named(a), material_named(b));
+           })
+      .def("mount", &mount_in_python)
+      .def("add_obstacle", &add_obstacle_in_python)
+      .def("save", &save)
+      .def("text", [](const SceneHandle& self) { return scene_text(self.scene); });
+  core.def("load_scene", &load_scene_in_python);
+  core.def("make_scene", &make_scene_in_python);
+}
+
+void bind_compiled_scene(py::module_& core) {
+  py::class_<CompiledHandle>(
+      core, "CompiledScene",
+      "A scene made ready for trials. Immutable: it may be used from several "
+      "threads at once. Made by compile().")
+      .def_property_readonly(
+          "name", [](const CompiledHandle& self) { return self.scene->scene.name; },
+          "Of the scene.")
+      .def_property_readonly(
+          "hand", [](const CompiledHandle& self) { return self.scene->scene.hand; },
+          "Robot: the hand that grasps.")
+      .def_property_readonly(
+          "object", [](const CompiledHandle& self) { return self.scene->scene.object; },
+          "GraspableBody: what is grasped.")
+      .def_property_readonly(
+          "robot",
+          [](const CompiledHandle& self) -> std::optional<Robot> {
+            if (!self.scene->arm) return std::nullopt;
+            return self.scene->arm->robot();
+          },
+          "Robot: arm and hand as one, or None where the hand flies free.")
+      .def_property_readonly(
+          "torque_origin",
+          [](const CompiledHandle& self) {
+            return to_array(Vector3(self.scene->wrench_frame.torque_origin));
+          },
+          "(3,): the centre of mass, about which torques are taken, frame O [m].")
+      .def_property_readonly(
+          "torque_scale",
+          [](const CompiledHandle& self) { return self.scene->wrench_frame.torque_scale; },
+          "Torques are multiplied by it, one over the object's largest radius [1/m].")
+      .def("__repr__", [](const CompiledHandle& self) {
+        return "<prehend.CompiledScene " + self.scene->scene.name + ", hand " +
+               self.scene->scene.hand.name + ">";
+      });
+  core.def("compile", &compile_in_python);
+}
+
+}  // namespace
+
+void bind_scene(py::module_& core) {
+  bind_bodies(core);
+  bind_scene_class(core);
+  bind_compiled_scene(core);
+  core.def("load_mesh", &load_mesh_in_python);
+  core.def("library_scene_names", &library_scene_names);
+}
+
+}  // namespace prehend::python

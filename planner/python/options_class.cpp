@@ -1,0 +1,40 @@
+#include "planner/python/options_class.h"
+
+namespace prehend::python {
+
+void set_fields(const py::object& options, const py::kwargs& given) {
+  const py::object type = py::type::of(options);
+  const py::tuple fields = type.attr("_fields");
+  for (const auto& [name, value] : given) {
+    if (!fields.contains(name)) {
+      throw py::type_error(
+          py::str("{} has no field {} (fields: {})")
+              .format(type.attr("__name__"), name, py::str(", ").attr("join")(fields))
+              .cast<std::string>());
+    }
+    py::setattr(options, name, value);
+  }
+}
+
+std::string describe_fields(const py::object& options) {
+  const py::object type = py::type::of(options);
+  std::string text;
+  for (const py::handle name : py::tuple(type.attr("_fields"))) {
+    text += (text.empty() ? "" : ", ") + name.cast<std::string>() + "=" +
+            py::repr(py::getattr(options, name)).cast<std::string>();
+  }
+  return type.attr("__name__").cast<std::string>() + "(" + text + ")";
+}
+
+void check_range(const std::string& field, double value, const Range& range) {
+  // Written so that NaN is outside of every range.
+  const bool above = range.without_lower ? value > range.lower : value >= range.lower;
+  if (above && value <= range.upper) return;
+  std::ostringstream message;
+  message << field << ": must be " << (range.without_lower ? "above " : "at least ") << range.lower;
+  if (std::isfinite(range.upper)) message << " and at most " << range.upper;
+  message << " (" << value << ")";
+  throw InputError(message.str());
+}
+
+}  // namespace prehend::python

@@ -1,0 +1,605 @@
+"""Types of the C++ half of prehend. What its fields mean, help() says: the docstrings are there."""
+
+from typing import Any, Callable, Dict, List, Literal, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+_Floats = npt.NDArray[np.float64]
+_Integers = npt.NDArray[np.intc]
+_Bytes = npt.NDArray[np.uint8]
+
+__version__: str
+most_detailed: int
+
+class Cancellation:
+    def __init__(self) -> None: ...
+    def request(self) -> None: ...
+    @property
+    def requested(self) -> bool: ...
+
+class Progress:
+    @property
+    def stage(self) -> str: ...
+    @property
+    def done(self) -> int: ...
+    @property
+    def total(self) -> int: ...
+    @property
+    def stable(self) -> int: ...
+
+class DecomposeOptions:
+    _fields: Tuple[str, ...]
+    tolerance: float
+    coverage: float
+    max_primitives: int
+    seed: int
+    def __init__(
+        self,
+        *,
+        tolerance: float = ...,
+        coverage: float = ...,
+        max_primitives: int = ...,
+        seed: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> DecomposeOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> DecomposeOptions: ...
+
+class GraspRuleOptions:
+    _fields: Tuple[str, ...]
+    cylinder_directions: int
+    places: int
+    sphere_directions: int
+    sphere_turns: int
+    def __init__(
+        self,
+        *,
+        cylinder_directions: int = ...,
+        places: int = ...,
+        sphere_directions: int = ...,
+        sphere_turns: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> GraspRuleOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> GraspRuleOptions: ...
+
+class CandidateOptions:
+    _fields: Tuple[str, ...]
+    rules: GraspRuleOptions
+    duplicate_distance: float
+    duplicate_angle: float
+    max_candidates: int
+    start_clearance: float
+    def __init__(
+        self,
+        *,
+        rules: GraspRuleOptions = ...,
+        duplicate_distance: float = ...,
+        duplicate_angle: float = ...,
+        max_candidates: int = ...,
+        start_clearance: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> CandidateOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> CandidateOptions: ...
+
+class ContactOptions:
+    _fields: Tuple[str, ...]
+    threshold: float
+    evenness: float
+    angular_tolerance: float
+    max_region_corners: int
+    same_place: float
+    flat_corner: float
+    weakest_patch: float
+    def __init__(
+        self,
+        *,
+        threshold: float = ...,
+        evenness: float = ...,
+        angular_tolerance: float = ...,
+        max_region_corners: int = ...,
+        same_place: float = ...,
+        flat_corner: float = ...,
+        weakest_patch: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> ContactOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> ContactOptions: ...
+
+class MotionCheckOptions:
+    _fields: Tuple[str, ...]
+    tightest: float
+    gap_error: float
+    def __init__(
+        self,
+        *,
+        tightest: float = ...,
+        gap_error: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> MotionCheckOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> MotionCheckOptions: ...
+
+class IkOptions:
+    _fields: Tuple[str, ...]
+    position_tolerance: float
+    angle_tolerance: float
+    max_iterations: int
+    restarts: int
+    max_solutions: int
+    seed: int
+    def __init__(
+        self,
+        *,
+        position_tolerance: float = ...,
+        angle_tolerance: float = ...,
+        max_iterations: int = ...,
+        restarts: int = ...,
+        max_solutions: int = ...,
+        seed: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> IkOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> IkOptions: ...
+
+class ReachOptions:
+    _fields: Tuple[str, ...]
+    kinematics: IkOptions
+    line_step: float
+    largest_joint_step: float
+    motion: MotionCheckOptions
+    def __init__(
+        self,
+        *,
+        kinematics: IkOptions = ...,
+        line_step: float = ...,
+        largest_joint_step: float = ...,
+        motion: MotionCheckOptions = ...,
+    ) -> None: ...
+    def __copy__(self) -> ReachOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> ReachOptions: ...
+
+class SettleOptions:
+    _fields: Tuple[str, ...]
+    angle: float
+    steps: int
+    loosen: float
+    least_gain: float
+    least_arm: float
+    def __init__(
+        self,
+        *,
+        angle: float = ...,
+        steps: int = ...,
+        loosen: float = ...,
+        least_gain: float = ...,
+        least_arm: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> SettleOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> SettleOptions: ...
+
+class GapTrackerOptions:
+    _fields: Tuple[str, ...]
+    near: float
+    reach: float
+    least_reach: float
+    most_pairs: int
+    looseness: float
+    def __init__(
+        self,
+        *,
+        near: float = ...,
+        reach: float = ...,
+        least_reach: float = ...,
+        most_pairs: int = ...,
+        looseness: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> GapTrackerOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> GapTrackerOptions: ...
+
+class TrialOptions:
+    _fields: Tuple[str, ...]
+    contact: ContactOptions
+    contact_gap: float
+    back_off_step: float
+    back_off_tries: int
+    soft_fingers: bool
+    settle: SettleOptions
+    cone_edges: int
+    reach: ReachOptions
+    max_gap_queries: int
+    gaps: GapTrackerOptions
+    def __init__(
+        self,
+        *,
+        contact: ContactOptions = ...,
+        contact_gap: float = ...,
+        back_off_step: float = ...,
+        back_off_tries: int = ...,
+        soft_fingers: bool = ...,
+        settle: SettleOptions = ...,
+        cone_edges: int = ...,
+        reach: ReachOptions = ...,
+        max_gap_queries: int = ...,
+        gaps: GapTrackerOptions = ...,
+    ) -> None: ...
+    def __copy__(self) -> TrialOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> TrialOptions: ...
+
+class TransferOptions:
+    _fields: Tuple[str, ...]
+    planner: Literal["rrt_connect", "roadmap", "rrt_star"]
+    max_iterations: int
+    simplify_steps: int
+    longest_edge: float
+    seed: int
+    motion: MotionCheckOptions
+    def __init__(
+        self,
+        *,
+        planner: Literal["rrt_connect", "roadmap", "rrt_star"] = ...,
+        max_iterations: int = ...,
+        simplify_steps: int = ...,
+        longest_edge: float = ...,
+        seed: int = ...,
+        motion: MotionCheckOptions = ...,
+    ) -> None: ...
+    def __copy__(self) -> TransferOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> TransferOptions: ...
+
+class TimePathOptions:
+    _fields: Tuple[str, ...]
+    sample_time: float
+    def __init__(
+        self,
+        *,
+        sample_time: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> TimePathOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> TimePathOptions: ...
+
+class PathCheckOptions:
+    _fields: Tuple[str, ...]
+    step: float
+    def __init__(
+        self,
+        *,
+        step: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> PathCheckOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> PathCheckOptions: ...
+
+class GraspPathOptions:
+    _fields: Tuple[str, ...]
+    reach: ReachOptions
+    transfer: TransferOptions
+    timing: TimePathOptions
+    alternatives: int
+    check: PathCheckOptions
+    def __init__(
+        self,
+        *,
+        reach: ReachOptions = ...,
+        transfer: TransferOptions = ...,
+        timing: TimePathOptions = ...,
+        alternatives: int = ...,
+        check: PathCheckOptions = ...,
+    ) -> None: ...
+    def __copy__(self) -> GraspPathOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> GraspPathOptions: ...
+
+class RankOptions:
+    _fields: Tuple[str, ...]
+    top: int
+    same_distance: float
+    same_angle: float
+    same_contact: float
+    def __init__(
+        self,
+        *,
+        top: int = ...,
+        same_distance: float = ...,
+        same_angle: float = ...,
+        same_contact: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> RankOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> RankOptions: ...
+
+class PlanOptions:
+    _fields: Tuple[str, ...]
+    seed: int
+    primitives: DecomposeOptions
+    candidates: CandidateOptions
+    trial: TrialOptions
+    rank: RankOptions
+    paths: Optional[GraspPathOptions]
+    sections: int
+    def __init__(
+        self,
+        *,
+        seed: int = ...,
+        primitives: DecomposeOptions = ...,
+        candidates: CandidateOptions = ...,
+        trial: TrialOptions = ...,
+        rank: RankOptions = ...,
+        paths: Optional[GraspPathOptions] = ...,
+        sections: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> PlanOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> PlanOptions: ...
+
+class EvaluateOptions:
+    _fields: Tuple[str, ...]
+    seed: int
+    trial: TrialOptions
+    sections: int
+    def __init__(
+        self,
+        *,
+        seed: int = ...,
+        trial: TrialOptions = ...,
+        sections: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> EvaluateOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> EvaluateOptions: ...
+
+class WrenchSpaceOptions:
+    _fields: Tuple[str, ...]
+    norm: Literal["l1", "linf"]
+    cone: Literal["pyramid", "exact"]
+    edges: int
+    force: Literal["at_most", "exactly"]
+    def __init__(
+        self,
+        *,
+        norm: Literal["l1", "linf"] = ...,
+        cone: Literal["pyramid", "exact"] = ...,
+        edges: int = ...,
+        force: Literal["at_most", "exactly"] = ...,
+    ) -> None: ...
+    def __copy__(self) -> WrenchSpaceOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> WrenchSpaceOptions: ...
+
+class EpsilonOptions:
+    _fields: Tuple[str, ...]
+    relative_tolerance: float
+    cutoff: float
+    max_facets: int
+    descent_steps: int
+    def __init__(
+        self,
+        *,
+        relative_tolerance: float = ...,
+        cutoff: float = ...,
+        max_facets: int = ...,
+        descent_steps: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> EpsilonOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> EpsilonOptions: ...
+
+class SetHullOptions:
+    _fields: Tuple[str, ...]
+    relative_tolerance: float
+    max_points: int
+    def __init__(
+        self,
+        *,
+        relative_tolerance: float = ...,
+        max_points: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> SetHullOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> SetHullOptions: ...
+
+class NoiseOptions:
+    _fields: Tuple[str, ...]
+    pose_position: float
+    pose_angle: float
+    contact_position: float
+    normal_angle: float
+    friction: float
+    samples: int
+    seed: int
+    def __init__(
+        self,
+        *,
+        pose_position: float = ...,
+        pose_angle: float = ...,
+        contact_position: float = ...,
+        normal_angle: float = ...,
+        friction: float = ...,
+        samples: int = ...,
+        seed: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> NoiseOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> NoiseOptions: ...
+
+class ForceOptions:
+    _fields: Tuple[str, ...]
+    measure: Literal["largest_normal", "sum_of_normals"]
+    cone: Literal["pyramid", "exact"]
+    edges: int
+    residual_tolerance: float
+    gap_tolerance: float
+    def __init__(
+        self,
+        *,
+        measure: Literal["largest_normal", "sum_of_normals"] = ...,
+        cone: Literal["pyramid", "exact"] = ...,
+        edges: int = ...,
+        residual_tolerance: float = ...,
+        gap_tolerance: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> ForceOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> ForceOptions: ...
+
+class Robot:
+    @property
+    def name(self) -> str: ...
+    @property
+    def is_hand(self) -> bool: ...
+    @property
+    def joints(self) -> List[str]: ...
+    @property
+    def dofs(self) -> List[str]: ...
+    @property
+    def links(self) -> List[str]: ...
+    @property
+    def dof_limits(self) -> _Floats: ...
+    @property
+    def initial(self) -> _Floats: ...
+    @property
+    def tip_joint(self) -> int: ...
+    @property
+    def _preshapes(self) -> List[Tuple[str, _Floats, float, float]]: ...
+    @property
+    def _approach(self) -> _Floats: ...
+    def _joint_values(self, dofs: _Floats, /) -> _Floats: ...
+    def _link_poses(self, joints: _Floats, /) -> _Floats: ...
+    def _joint_poses(self, joints: _Floats, /) -> _Floats: ...
+    def _link_mesh(self, link: int, /) -> Tuple[_Floats, _Integers]: ...
+
+class GraspableBody:
+    @property
+    def name(self) -> str: ...
+    @property
+    def vertices(self) -> _Floats: ...
+    @property
+    def faces(self) -> _Integers: ...
+    @property
+    def X_WO(self) -> _Floats: ...
+    @property
+    def material(self) -> str: ...
+    @property
+    def mass(self) -> float: ...
+    @property
+    def center_of_mass(self) -> _Floats: ...
+    @property
+    def inertia(self) -> _Floats: ...
+
+class StaticBody:
+    @property
+    def name(self) -> str: ...
+    @property
+    def vertices(self) -> _Floats: ...
+    @property
+    def faces(self) -> _Integers: ...
+    @property
+    def X_WB(self) -> _Floats: ...
+    @property
+    def material(self) -> str: ...
+
+class _Scene:
+    @property
+    def name(self) -> str: ...
+    @property
+    def object(self) -> GraspableBody: ...
+    @property
+    def hand(self) -> Robot: ...
+    @property
+    def obstacles(self) -> List[StaticBody]: ...
+    @property
+    def platform(self) -> Optional[str]: ...
+    def set_pose(self, X_WO: _Floats, /) -> None: ...
+    def set_friction(self, a: str, b: str, friction: float, /) -> None: ...
+    def friction(self, a: str, b: str, /) -> float: ...
+    def mount(
+        self, platform: bytes, hand: bytes, X_WB: _Floats, start: Dict[str, float], /
+    ) -> None: ...
+    def add_obstacle(
+        self,
+        name: str,
+        vertices: _Floats,
+        faces: _Integers,
+        X_WB: _Floats,
+        material: str,
+        /,
+    ) -> None: ...
+    def save(self, file: bytes, /) -> None: ...
+    def text(self) -> str: ...
+
+class CompiledScene:
+    @property
+    def name(self) -> str: ...
+    @property
+    def hand(self) -> Robot: ...
+    @property
+    def object(self) -> GraspableBody: ...
+    @property
+    def robot(self) -> Optional[Robot]: ...
+    @property
+    def torque_origin(self) -> _Floats: ...
+    @property
+    def torque_scale(self) -> float: ...
+
+class _CallOptions:
+    def __init__(
+        self,
+        threads: int,
+        progress: Optional[Callable[[Progress], object]],
+        cancellation: Cancellation,
+        /,
+    ) -> None: ...
+
+class _Trial: ...
+
+class _PlanResult:
+    def fields(self) -> Dict[str, Any]: ...
+    def grasp(self, grasp: int, /) -> Dict[str, Any]: ...
+
+class _ContactSets:
+    def __init__(
+        self,
+        positions: _Floats,
+        normals: _Floats,
+        friction: _Floats,
+        torsion: _Floats,
+        models: List[int],
+        offsets: List[int],
+        origins: _Floats,
+        scales: _Floats,
+        /,
+    ) -> None: ...
+
+class _MeasureOptions:
+    def __init__(
+        self,
+        space: WrenchSpaceOptions,
+        epsilon: Optional[EpsilonOptions],
+        hull: SetHullOptions,
+        noise: NoiseOptions,
+        task: Tuple[str, _Floats],
+        surface: _ContactSets,
+        jacobian: Optional[_Floats],
+        /,
+    ) -> None: ...
+
+def find_robot(name: bytes, /) -> Robot: ...
+def find_platform(name: bytes, /) -> Robot: ...
+def library_robot_names() -> List[str]: ...
+def library_platform_names() -> List[str]: ...
+def solve_near(robot: Robot, joints: List[int], X_JT: _Floats, X_BT: _Floats, start: _Floats, options: IkOptions, /) -> Optional[_Floats]: ...
+def solve_all(robot: Robot, joints: List[int], X_JT: _Floats, X_BT: _Floats, start: _Floats, options: IkOptions, /) -> _Floats: ...
+def load_scene(scene: bytes, hand: bytes, unit: str, /) -> _Scene: ...
+def make_scene(vertices: _Floats, faces: _Integers, hand: bytes, name: str, material: str, mass: float, /) -> _Scene: ...
+def compile(scene: _Scene, /) -> CompiledScene: ...
+def load_mesh(file: bytes, unit: str, /) -> Tuple[_Floats, _Integers]: ...
+def library_scene_names() -> List[str]: ...
+def plan(scene: CompiledScene, options: PlanOptions, call: _CallOptions, /) -> _PlanResult: ...
+def evaluate(scene: CompiledScene, candidates: List[Dict[str, Any]], options: EvaluateOptions, call: _CallOptions, /) -> _PlanResult: ...
+def run_trial(scene: CompiledScene, candidate: Dict[str, Any], options: TrialOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
+def decompose(vertices: _Floats, faces: _Integers, options: DecomposeOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
+def propose_grasps(scene: CompiledScene, primitives: List[Dict[str, Any]], options: CandidateOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
+def given_primitives(scene: CompiledScene, /) -> List[Dict[str, Any]]: ...
+def plan_grasp_path(trial: _Trial, options: GraspPathOptions, call: _CallOptions, /) -> Optional[Dict[str, Any]]: ...
+def grasps_json(plan: _PlanResult, /) -> bytes: ...
+def timings_json(plan: _PlanResult, threads: int, /) -> str: ...
+def report_html(plan: _PlanResult, call: _CallOptions, /) -> str: ...
+def export_formats() -> List[str]: ...
+def export_files(plan: _PlanResult, format: str, /) -> List[Tuple[str, bytes]]: ...
+def grasp_picture(trial: _Trial, title: str, size: Tuple[int, int], direction: Optional[_Floats], /) -> _Bytes: ...
+def arm_picture(trial: _Trial, title: str, size: Tuple[int, int], /) -> _Bytes: ...
+def png_bytes(pixels: _Bytes, /) -> bytes: ...
+def quality_epsilon(sets: _ContactSets, space: WrenchSpaceOptions, options: Optional[EpsilonOptions], call: _CallOptions, /) -> Dict[str, Any]: ...
+def quality_measure(sets: _ContactSets, name: str, options: _MeasureOptions, call: _CallOptions, /) -> Tuple[_Floats, _Floats]: ...
+def quality_robust_epsilon(sets: _ContactSets, space: WrenchSpaceOptions, noise: NoiseOptions, call: _CallOptions, /) -> _Floats: ...
+def quality_balancing_forces(sets: _ContactSets, external: _Floats, options: ForceOptions, call: _CallOptions, /) -> List[Dict[str, Any]]: ...
+def quality_wrench_resistance(sets: _ContactSets, external: _Floats, options: ForceOptions, call: _CallOptions, /) -> Tuple[_Floats, _Floats]: ...
+def quality_grasp_matrix(sets: _ContactSets, grasp: int, /) -> _Floats: ...
+def quality_contact_wrenches(sets: _ContactSets, grasp: int, edges: int, /) -> _Floats: ...
+def quality_measures() -> List[str]: ...

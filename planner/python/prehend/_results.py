@@ -1,0 +1,406 @@
+"""What trials and plans return: plain values with NumPy arrays that own their memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+
+import numpy as np
+
+from . import _core
+from ._arrays import FloatArray, IntArray
+
+
+class Contact(NamedTuple):
+    """A point where a link of the hand touches the object, in the object's frame O."""
+
+    position: FloatArray
+    """(3,) [m]."""
+    normal: FloatArray
+    """(3,): unit, into the object."""
+    friction: float
+    """Coefficient."""
+    torsion: float
+    """Soft fingers: largest torque about the normal over largest friction force [m]; else 0."""
+    gap: float
+    """Between link and object [m]."""
+    model: str
+    """"frictionless", "point" or "soft_finger"."""
+    link: str
+    """Name of the link."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts(Sequence[Contact]):
+    """Contacts of one or several grasps, as arrays; a sequence of Contact as well."""
+
+    positions: FloatArray
+    """(M, 3), object's frame [m]."""
+    normals: FloatArray
+    """(M, 3): unit, into the object."""
+    friction: FloatArray
+    """(M,): coefficients."""
+    torsion: FloatArray
+    """(M,) [m]."""
+    gap: FloatArray
+    """(M,) [m]."""
+    models: List[str]
+    """M names of contact models."""
+    links: List[str]
+    """M names of links."""
+    grasps: IntArray
+    """(M,): the number of the grasp that each contact belongs to."""
+
+    def __len__(self) -> int:
+        return len(self.links)
+
+    def __getitem__(self, i: Any) -> Any:
+        if isinstance(i, slice):
+            return [self[k] for k in range(*i.indices(len(self)))]
+        return Contact(
+            self.positions[i],
+            self.normals[i],
+            float(self.friction[i]),
+            float(self.torsion[i]),
+            float(self.gap[i]),
+            self.models[i],
+            self.links[i],
+        )
+
+    def __iter__(self) -> Iterator[Contact]:
+        return (self[i] for i in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} contacts>"
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Contacts":
+        return Contacts(**fields, grasps=np.zeros(len(fields["links"]), dtype=np.intc))
+
+    @staticmethod
+    def _joined(parts: Sequence["Contacts"]) -> "Contacts":
+        def rows(name: str, columns: Tuple[int, ...]) -> FloatArray:
+            arrays = [getattr(part, name) for part in parts]
+            return np.concatenate(arrays) if arrays else np.zeros((0, *columns))
+
+        return Contacts(
+            rows("positions", (3,)),
+            rows("normals", (3,)),
+            rows("friction", ()),
+            rows("torsion", ()),
+            rows("gap", ()),
+            [model for part in parts for model in part.models],
+            [link for part in parts for link in part.links],
+            np.repeat(np.arange(len(parts), dtype=np.intc), [len(part) for part in parts]),
+        )
+
+
+class Segment(NamedTuple):
+    """A named stretch of a path: samples first .. last, both included."""
+
+    name: str
+    """"preshape", "transfer", "approach" or "close"."""
+    first: int
+    last: int
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A motion of named joints in time: between two samples, the cubic that their positions and
+    velocities determine."""
+
+    joints: List[str]
+    """Names of the J joints."""
+    times: FloatArray
+    """(T,): from 0, increasing [s]."""
+    positions: FloatArray = field(repr=False)
+    """(T, J) [rad or m]."""
+    velocities: FloatArray = field(repr=False)
+    """(T, J) [rad/s or m/s]."""
+    segments: List[Segment]
+    """In order; neighbours share a sample."""
+
+    @property
+    def duration(self) -> float:
+        """[s]."""
+        return float(self.times[-1])
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Path":
+        segments = [Segment(*segment) for segment in fields.pop("segments")]
+        return Path(**fields, segments=segments)
+
+
+@dataclass(frozen=True, eq=False)
+class Primitive:
+    """A box, sphere or cylinder that stands for a piece of an object."""
+
+    shape: str
+    """"box", "sphere" or "cylinder"."""
+    X_OP: FloatArray
+    """(4, 4): its pose in the object's frame; a cylinder's axis is its z."""
+    size: Optional[FloatArray] = None
+    """(3,): of a box [m]."""
+    radius: Optional[float] = None
+    """Of a sphere or cylinder [m]."""
+    height: Optional[float] = None
+    """Of a cylinder [m]."""
+
+
+@dataclass(frozen=True, eq=False)
+class Decomposition:
+    """The primitives that explain an object's surface."""
+
+    primitives: List[Primitive]
+    """The one that explains most area first."""
+    share: FloatArray
+    """For each, the fraction of the area that it explains."""
+    explained: float
+    """Fraction of the area within tolerance of some primitive."""
+
+
+@dataclass(frozen=True, eq=False)
+class Candidate:
+    """Where a hand is tried: a pose, the way it comes, and how far its fingers are open.
+
+    One of `preshape` and `dofs` says how the hand starts. Where both are None, the hand's only
+    preshape is meant, if it has just one.
+    """
+
+    X_OH: FloatArray
+    """(4, 4): the hand's base in the object's frame, where the approach ends if nothing is touched."""
+    approach: Optional[FloatArray] = None
+    """(3,): unit, object's frame: the way the hand moves. None: along the hand's own approach axis."""
+    approach_distance: float = 0.0
+    """From the pre-grasp to X_OH; 0: the hand is there [m]."""
+    preshape: Optional[str] = None
+    """Name of an opening of the hand."""
+    dofs: Optional[FloatArray] = None
+    """(D,): values of the hand's degrees of freedom [rad or m]."""
+    joints: Optional[FloatArray] = None
+    """(J,): of its joints, where they are not as the degrees of freedom say [rad or m]."""
+
+
+class ProposedGrasp(NamedTuple):
+    """A candidate and where it came from."""
+
+    candidate: Candidate
+    primitive: int
+    """Number of the primitive."""
+    rule: str
+    """"box face", "cylinder side, thumb across", ..."""
+
+
+@dataclass(frozen=True, eq=False)
+class Proposals:
+    """The candidates for an object and a hand."""
+
+    grasps: List[ProposedGrasp]
+    smallest_width: float
+    """Smallest size that a rule wanted to close on; infinite without a rule [m]."""
+    largest_opening: float
+    """Largest size that a preshape takes [m]."""
+
+    @property
+    def candidates(self) -> List[Candidate]:
+        """The candidates alone."""
+        return [grasp.candidate for grasp in self.grasps]
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """What became of one candidate."""
+
+    outcome: str
+    """"stable" if the grasp holds, else why it does not; see prehend.OUTCOMES."""
+    epsilon: float
+    """Smallest disturbance that breaks the grasp, a lower bound; 0 unless it holds."""
+    epsilon_upper: float
+    """Upper bound of the same."""
+    epsilon_status: str
+    """"converged", "no_force_closure", "below_cutoff", "limit" or "stalled"."""
+    weakest_wrench: FloatArray = field(repr=False)
+    """(6,): the disturbance that it resists least, [force; torque * torque_scale]."""
+    X_OH: FloatArray = field(repr=False)
+    """(4, 4): the hand's base in the object's frame."""
+    X_WH: FloatArray = field(repr=False)
+    """(4, 4): and in the world's."""
+    approach: FloatArray = field(repr=False)
+    """(3,): unit, object's frame: the hand came this way."""
+    travel: float = field(repr=False)
+    """Length of the approach until the grasp [m]."""
+    back_offs: int = field(repr=False)
+    """How often the hand went back and closed again."""
+    turned: float = field(repr=False)
+    """By this the object turned between the fingers [rad]."""
+    preshape: Optional[str]
+    """The opening that the hand came with; None where it has no name."""
+    dofs: FloatArray = field(repr=False)
+    """(D,): degrees of freedom of the closed hand [rad or m]."""
+    joints: FloatArray = field(repr=False)
+    """(J,): its joints [rad or m]."""
+    arm_dofs: Optional[FloatArray] = field(repr=False)
+    """Degrees of freedom of arm and hand at the grasp, the hand as it starts; None without an arm."""
+    contacts: Contacts
+    """Where the hand touches the object."""
+    blocked_link: Optional[str]
+    """The link that was blocked, for outcomes that end in _blocked."""
+    blocked_by: Optional[str]
+    """The object, obstacle or link that blocked it."""
+    candidate: Candidate = field(repr=False)
+    """What was tried."""
+    _trial: "_core._Trial" = field(repr=False)
+
+    @property
+    def stable(self) -> bool:
+        """Whether the grasp holds."""
+        return self.outcome == "stable"
+
+    @staticmethod
+    def _arguments(fields: Dict[str, Any]) -> Dict[str, Any]:
+        fields["contacts"] = Contacts._of(fields["contacts"])
+        fields["candidate"] = Candidate(**fields["candidate"])
+        return fields
+
+
+@dataclass(frozen=True, eq=False)
+class Grasp(Trial):
+    """A trial as a plan returns it."""
+
+    volume: float
+    """Of the hull of the wrenches that the grasp can exert; 0 without force closure, NaN where the
+    plan was cancelled before."""
+    primitive: Optional[int]
+    """Number of the primitive that it came from; None for a grasp that was given."""
+    rule: str
+    """Which rule of the primitive; "given" for a grasp that was given."""
+    path: Optional[Path] = field(repr=False)
+    """The arm's way to it, where that was asked for."""
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Grasp":
+        path = fields.pop("path")
+        return Grasp(**Trial._arguments(fields), path=None if path is None else Path._of(path))
+
+
+@dataclass(frozen=True)
+class Blocker:
+    """How many candidates ended in `outcome` because `link` met `by`."""
+
+    outcome: str
+    link: str
+    by: str
+    count: int
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A stage of a plan and how many of what it makes came out of it."""
+
+    name: str
+    count: int
+
+
+class Tried(NamedTuple):
+    """All candidates that were tried, in the order they were made."""
+
+    candidates: IntArray
+    """(N,): the place of each among those that were proposed or given."""
+    poses: FloatArray
+    """(N, 4, 4): where the approach was to end, the hand in the object's frame."""
+    approach: FloatArray
+    """(N, 3): unit, object's frame."""
+    outcomes: List[str]
+    """N outcomes."""
+
+
+class PlanResult:
+    """What plan() and evaluate() return. A sequence of its grasps: len(result), result[0], ..."""
+
+    def __init__(self, core: "_core._PlanResult", scene: "_core.CompiledScene") -> None:
+        self._core = core
+        self.scene: "_core.CompiledScene" = scene
+        """What was planned for."""
+        fields = core.fields()
+        self.grasps: List[Grasp] = [Grasp._of(core.grasp(i)) for i in range(fields["count"])]
+        """plan(): best first; evaluate(): as given."""
+        self.status: str = fields["status"]
+        """"complete", "cancelled", "object_too_large" or "no_candidates"."""
+        self.reason: str = fields["words"]
+        """Why nothing could be tried, in one line; "" where something was."""
+        self.untested: int = fields["untested"]
+        """Candidates that a cancelled call left untried."""
+        self.smallest_width: float = fields["smallest_width"]
+        """Of plan(): smallest size that a rule wanted to close on [m]."""
+        self.largest_opening: float = fields["largest_opening"]
+        """Of plan(): largest size that an opening of the hand takes [m]."""
+        self.outcomes: Dict[str, int] = fields["outcomes"]
+        """How many candidates ended how."""
+        self.blockers: List[Blocker] = [Blocker(*blocker) for blocker in fields["blockers"]]
+        """What was in the way, most often first."""
+        self.stages: List[Stage] = [Stage(*stage) for stage in fields["stages"]]
+        """What came out of each stage."""
+        self.seconds: Dict[str, float] = fields["seconds"]
+        """How long each stage took [s]."""
+        self.primitives: List[Primitive] = [Primitive(**one) for one in fields["primitives"]]
+        """The object's, which Grasp.primitive counts."""
+        self.tried: Tried = Tried(**fields["tried"])
+        """All candidates."""
+
+    def __len__(self) -> int:
+        return len(self.grasps)
+
+    def __getitem__(self, i: int) -> Grasp:
+        return self.grasps[i]
+
+    def __iter__(self) -> Iterator[Grasp]:
+        return iter(self.grasps)
+
+    def __repr__(self) -> str:
+        best = f", best epsilon {self.grasps[0].epsilon:.4f}" if self.grasps else ""
+        return f"<prehend.PlanResult, {self.status}: {len(self)} grasps of {sum(self.outcomes.values())} tried{best}>"
+
+    def _array(self, name: str, shape: Tuple[int, ...] = ()) -> FloatArray:
+        rows = [getattr(grasp, name) for grasp in self.grasps]
+        return np.array(rows, dtype=np.float64).reshape((len(rows), *shape))
+
+    @cached_property
+    def poses(self) -> FloatArray:
+        """(N, 4, 4): the hand's base in the object's frame, X_OH, for each grasp."""
+        return self._array("X_OH", (4, 4))
+
+    @cached_property
+    def world_poses(self) -> FloatArray:
+        """(N, 4, 4): and in the world's frame, X_WH."""
+        return self._array("X_WH", (4, 4))
+
+    @cached_property
+    def epsilon(self) -> FloatArray:
+        """(N,): smallest disturbance that breaks each grasp."""
+        return self._array("epsilon")
+
+    @cached_property
+    def volume(self) -> FloatArray:
+        """(N,): volumes of their wrench hulls."""
+        return self._array("volume")
+
+    @cached_property
+    def dofs(self) -> FloatArray:
+        """(N, D): degrees of freedom of the closed hands [rad or m]."""
+        return self._array("dofs", (len(self.scene.hand.dofs),))
+
+    @cached_property
+    def joints(self) -> FloatArray:
+        """(N, J): joints of the closed hands [rad or m]."""
+        return self._array("joints", (len(self.scene.hand.joints),))
+
+    @cached_property
+    def contacts(self) -> List[Contacts]:
+        """The contacts of each grasp."""
+        return [grasp.contacts for grasp in self.grasps]
+
+    @cached_property
+    def flat_contacts(self) -> Contacts:
+        """All of them one after the other, M in all; `grasps` says whose each is."""
+        return Contacts._joined(self.contacts)

@@ -1,0 +1,221 @@
+#include "planner/python/results.h"
+
+#include <limits>
+#include <pybind11/stl.h>
+
+#include "planner/python/arrays.h"
+#include "planner/python/enum_names.h"
+#include "planner/search/grasp_words.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
+
+namespace prehend::python {
+namespace {
+
+std::string text(std::string_view view) { return std::string(view); }
+
+py::object name_or_none(const std::string& name) {
+  return name.empty() ? py::none() : py::object(py::str(name));
+}
+
+py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContact>& contacts) {
+  std::vector<Vector3> positions;
+  std::vector<Vector3> normals;
+  std::vector<double> friction;
+  std::vector<double> torsion;
+  std::vector<double> gap;
+  std::vector<std::string> models;
+  std::vector<std::string> links;
+  for (const GraspContact& contact : contacts) {
+    positions.emplace_back(contact.point.position);
+    normals.emplace_back(contact.point.normal);
+    friction.push_back(contact.point.friction);
+    torsion.push_back(contact.point.torsion);
+    gap.push_back(contact.gap);
+    models.push_back(text(contact_model_name(contact.point.model)));
+    links.push_back(scene.links[index(contact.link)].name);
+  }
+  py::dict fields;
+  fields["positions"] = to_array(positions);
+  fields["normals"] = to_array(normals);
+  fields["friction"] = to_array(friction);
+  fields["torsion"] = to_array(torsion);
+  fields["gap"] = to_array(gap);
+  fields["models"] = models;
+  fields["links"] = links;
+  return fields;
+}
+
+py::list named_counts(const PlanResult& result) {
+  py::list stages;
+  for (const auto& stage : result.stages)
+    stages.append(py::make_tuple(text(plan_count_name(stage.what)), stage.count));
+  return stages;
+}
+
+py::list blockers(const PlanResult& result) {
+  py::list list;
+  for (const Blocker& blocker : result.blockers) {
+    list.append(py::make_tuple(text(outcome_name(blocker.outcome)), blocker.link, blocker.by,
+                               blocker.count));
+  }
+  return list;
+}
+
+py::dict tried_dict(const std::vector<Tried>& tried) {
+  std::vector<Pose> poses;
+  std::vector<Vector3> approaches;
+  std::vector<std::string> outcomes;
+  std::vector<int> candidates;
+  for (const Tried& one : tried) {
+    candidates.push_back(one.candidate);
+    poses.push_back(one.X_OH);
+    approaches.push_back(one.approach_O);
+    outcomes.push_back(text(outcome_name(one.outcome)));
+  }
+  py::dict fields;
+  fields["candidates"] = to_array(candidates);
+  fields["poses"] = to_array(poses);
+  fields["approach"] = to_array(approaches);
+  fields["outcomes"] = outcomes;
+  return fields;
+}
+
+}  // namespace
+
+py::dict trial_dict(const TrialHandle& handle) {
+  const CompiledScene& scene = *handle.scene;
+  const Trial& trial = handle.grasp->trial;
+  const Candidate& candidate = handle.grasp->candidate;
+  const Blame why = blame(scene, trial);
+  py::dict fields;
+  fields["outcome"] = text(outcome_name(trial.outcome));
+  fields["epsilon"] = trial.epsilon.lower;
+  fields["epsilon_upper"] = trial.epsilon.upper;
+  fields["epsilon_status"] = text(status_name(trial.epsilon.status));
+  fields["weakest_wrench"] =
+      to_array(std::vector<double>(trial.epsilon.weakest.begin(), trial.epsilon.weakest.end()));
+  fields["X_OH"] = to_array(trial.X_OH);
+  fields["X_WH"] = to_array(Pose(scene.scene.object.X_WO * trial.X_OH));
+  fields["approach"] = to_array(candidate.approach_O);
+  fields["travel"] = trial.travel;
+  fields["back_offs"] = trial.back_offs;
+  fields["turned"] = trial.turned;
+  fields["preshape"] = name_or_none(preshape_name(scene, candidate));
+  fields["dofs"] = to_array(trial.dofs);
+  fields["joints"] = to_array(trial.joints);
+  fields["arm_dofs"] = trial.arm_dofs.empty() ? py::none() : py::object(to_array(trial.arm_dofs));
+  fields["contacts"] = contacts_dict(scene, trial.contacts);
+  fields["blocked_link"] = name_or_none(why.link);
+  fields["blocked_by"] = name_or_none(why.by);
+  return fields;
+}
+
+py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
+  const ScoredGrasp& scored = plan.result->grasps.at(grasp);
+  const std::shared_ptr<const ScoredGrasp> shared(plan.result, &scored);
+  const TrialHandle handle{plan.scene, shared};
+  py::dict fields = trial_dict(handle);
+  fields["volume"] = scored.volume.value_or(std::numeric_limits<double>::quiet_NaN());
+  fields["primitive"] = scored.primitive;
+  fields["rule"] = scored.rule;
+  fields["path"] = scored.path ? py::object(path_dict(*scored.path)) : py::none();
+  fields["candidate"] = candidate_dict(*plan.scene, scored.candidate);
+  fields["_trial"] = handle;
+  return fields;
+}
+
+py::dict result_dict(const PlanHandle& plan) {
+  const PlanResult& result = *plan.result;
+  py::dict outcomes;
+  for (const Outcome outcome : kOutcomes) {
+    outcomes[py::str(text(outcome_name(outcome)))] =
+        result.outcomes[static_cast<std::size_t>(outcome)];
+  }
+  py::list primitives;
+  for (const Primitive& primitive : result.primitives) primitives.append(primitive_dict(primitive));
+  py::dict times;
+  for (const StageTime& time : result.times)
+    times[py::str(text(stage_name(time.stage)))] = time.seconds;
+  py::dict fields;
+  fields["status"] = text(plan_status_name(result.status));
+  fields["untested"] = result.untested;
+  fields["smallest_width"] = result.smallest_width;
+  fields["largest_opening"] = result.largest_opening;
+  fields["words"] =
+      result.status == PlanStatus::object_too_large || result.status == PlanStatus::no_candidates
+          ? no_candidates_words(*plan.scene, result)
+          : "";
+  fields["outcomes"] = outcomes;
+  fields["blockers"] = blockers(result);
+  fields["stages"] = named_counts(result);
+  fields["seconds"] = times;
+  fields["primitives"] = primitives;
+  fields["tried"] = tried_dict(result.tried);
+  fields["count"] = result.grasps.size();
+  return fields;
+}
+
+py::dict path_dict(const Trajectory& path) {
+  py::list segments;
+  for (const TrajectorySegment& segment : path.segments) {
+    segments.append(py::make_tuple(segment.name, segment.first, segment.last));
+  }
+  py::dict fields;
+  fields["joints"] = path.joints;
+  fields["times"] = to_array(path.times);
+  fields["positions"] = to_array(path.positions, path.joints.size());
+  fields["velocities"] = to_array(path.velocities, path.joints.size());
+  fields["segments"] = segments;
+  return fields;
+}
+
+py::dict candidate_dict(const CompiledScene& scene, const Candidate& candidate) {
+  py::dict fields;
+  fields["X_OH"] = to_array(candidate.X_OH);
+  fields["approach"] = to_array(candidate.approach_O);
+  fields["approach_distance"] = candidate.approach_distance;
+  fields["preshape"] = name_or_none(preshape_name(scene, candidate));
+  fields["dofs"] = !candidate.preshape ? py::object(to_array(candidate.dofs)) : py::none();
+  fields["joints"] = !candidate.preshape && !candidate.joints.empty()
+                         ? py::object(to_array(candidate.joints))
+                         : py::none();
+  return fields;
+}
+
+Candidate candidate_from(const py::dict& fields) {
+  Candidate candidate;
+  candidate.X_OH = pose_of(fields["X_OH"].cast<Doubles>());
+  candidate.approach_O = vector_of(fields["approach"].cast<Doubles>());
+  candidate.approach_distance = fields["approach_distance"].cast<double>();
+  candidate.preshape = fields["preshape"].cast<std::optional<int>>();
+  candidate.dofs = numbers_of(fields["dofs"].cast<Doubles>());
+  candidate.joints = numbers_of(fields["joints"].cast<Doubles>());
+  return candidate;
+}
+
+py::dict primitive_dict(const Primitive& primitive) {
+  py::dict fields;
+  fields["shape"] = text(shape_name(primitive.shape));
+  fields["X_OP"] = to_array(primitive.X_OP);
+  if (const auto* box = std::get_if<Box>(&primitive.shape)) fields["size"] = to_array(box->size);
+  if (const auto* sphere = std::get_if<Sphere>(&primitive.shape)) fields["radius"] = sphere->radius;
+  if (const auto* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
+    fields["radius"] = cylinder->radius;
+    fields["height"] = cylinder->height;
+  }
+  return fields;
+}
+
+Primitive primitive_from(const py::dict& fields) {
+  const auto shape = fields["shape"].cast<std::string>();
+  const Pose X_OP = pose_of(fields["X_OP"].cast<Doubles>());
+  if (shape == "box") return {Box{vector_of(fields["size"].cast<Doubles>())}, X_OP};
+  if (shape == "sphere") return {Sphere{fields["radius"].cast<double>()}, X_OP};
+  if (shape == "cylinder") {
+    return {Cylinder{fields["radius"].cast<double>(), fields["height"].cast<double>()}, X_OP};
+  }
+  throw InputError("shape: not one of box, sphere, cylinder (" + shape + ")");
+}
+
+}  // namespace prehend::python

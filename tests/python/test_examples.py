@@ -1,0 +1,86 @@
+"""Each script in docs/examples runs, and says or writes what it is about; so does the example of
+docs/library.md."""
+
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCE = pathlib.Path(os.environ["PREHEND_SOURCE"])
+EXAMPLES = SOURCE / "docs" / "examples"
+
+
+def run(file, *words, folder):
+    environment = {k: v for k, v in os.environ.items() if "DISPLAY" not in k}
+    environment["MPLCONFIGDIR"] = folder
+    return subprocess.run(
+        [sys.executable, str(file), *words],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
+
+
+class Examples(unittest.TestCase):
+    def example(self, name, *words):
+        with tempfile.TemporaryDirectory() as folder:
+            done = run(EXAMPLES / name, *words, folder=folder)
+            files = {
+                str(file.relative_to(folder)): file.read_bytes()
+                for file in pathlib.Path(folder).rglob("*")
+                if file.is_file() and "fontlist" not in file.name
+            }
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout, files
+
+    def test_plan_scene(self):
+        text, files = self.example("plan_scene.py", "mug", "out")
+        self.assertRegex(text, r"\n   1   0\.\d{4} ")
+        self.assertIn("out/grasps.json", files)
+
+    def test_own_mesh(self):
+        text, _ = self.example("own_mesh.py")
+        self.assertRegex(text, r"complete: [1-9]\d* grasps")
+        self.assertIn("wall at", text)
+
+    def test_own_grasps(self):
+        text, _ = self.example("own_grasps.py")
+        self.assertEqual(text.count("degrees"), 12)
+        self.assertIn("stable", text)
+
+    def test_quality_batch(self):
+        text, _ = self.example("quality_batch.py")
+        self.assertIn("alone: True", text)
+        self.assertIn("balanced", text)
+
+    def test_epsilon_over_friction(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest("there is no matplotlib")
+        _, files = self.example("epsilon_over_friction.py", "plots")
+        self.assertTrue(files["plots/epsilon_over_friction.png"].startswith(b"\x89PNG"))
+
+    def test_all_are_tested(self):
+        here = pathlib.Path(__file__).read_text()
+        for file in EXAMPLES.glob("*.py"):
+            self.assertIn(f'"{file.name}"', here)
+            self.assertLess(len(file.read_text().splitlines()), 60, file.name)
+
+    def test_the_example_of_the_documentation(self):
+        text = (SOURCE / "docs" / "library.md").read_text()
+        code = re.findall(r"```python\n(.*?)```", text.split("## Python")[1], re.S)
+        self.assertTrue(code)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "example.py"
+            file.write_text(code[0])
+            done = run(file, folder=folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

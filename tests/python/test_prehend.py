@@ -1,0 +1,527 @@
+"""Tests of the Python package: the same numbers as the program, arrays, errors, threads, signals."""
+
+import copy
+import gc
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+import weakref
+
+import numpy as np
+
+import prehend
+from prehend import quality
+
+FEW = 40  # candidates, where it does not matter how many
+
+
+def few_options(**fields):
+    return prehend.PlanOptions(
+        candidates=prehend.CandidateOptions(max_candidates=FEW), **fields
+    )
+
+
+def box_mesh(x, y, z):
+    vertices = np.array([[i, j, k] for i in (-x, x) for j in (-y, y) for k in (-z, z)]) / 2.0
+    quads = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    faces = [[q[0], q[i], q[i + 1]] for q in quads for i in (1, 2)]
+    return vertices, np.array(faces)
+
+
+def moved(x, y, z):
+    pose = np.eye(4)
+    pose[:3, 3] = (x, y, z)
+    return pose
+
+
+class LikeTrimesh:
+    """What trimesh.Trimesh has of interest."""
+
+    def __init__(self, vertices, faces):
+        self.vertices = vertices
+        self.faces = faces
+
+
+class Mug(unittest.TestCase):
+    """One small plan, shared by the tests that only look at it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = prehend.compile(prehend.load_scene("mug"))
+        cls.result = prehend.plan(cls.scene, few_options())
+
+    def test_the_program_writes_the_same_bytes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run(
+                [os.environ["PREHEND_PROGRAM"], "plan", "mug", "--no-report", "--out", folder],
+                check=True,
+                capture_output=True,
+            )
+            written = (pathlib.Path(folder) / "grasps.json").read_bytes()
+        result = prehend.plan(prehend.load_scene("mug"))
+        self.assertEqual(prehend.grasps_json(result).encode(), written)
+
+    def test_arrays_have_the_shapes_they_are_said_to_have(self):
+        result, n = self.result, len(self.result)
+        self.assertGreater(n, 0)
+        hand = self.scene.hand
+        for name, shape in {
+            "poses": (n, 4, 4),
+            "world_poses": (n, 4, 4),
+            "epsilon": (n,),
+            "volume": (n,),
+            "dofs": (n, len(hand.dofs)),
+            "joints": (n, len(hand.joints)),
+        }.items():
+            array = getattr(result, name)
+            self.assertEqual((array.shape, array.dtype), (shape, np.float64), name)
+        self.assertEqual(result.tried.poses.shape, (FEW, 4, 4))
+        self.assertEqual(sum(result.outcomes.values()), FEW)
+        self.assertEqual(result.status, "complete")
+        self.assertTrue(np.all(np.diff(result.epsilon) <= 0.0))
+
+    def test_poses_are_those_of_the_grasps_file(self):
+        grasps = json.loads(prehend.grasps_json(self.result))["grasps"]
+        for grasp, written in zip(self.result, grasps):
+            position = written["X_object_hand"]["position"]
+            np.testing.assert_array_equal(grasp.X_OH[:3, 3], position)
+            self.assertEqual(grasp.epsilon, written["epsilon"])
+
+    def test_returned_arrays_own_their_memory(self):
+        scene = prehend.compile(prehend.load_scene("mug"))
+        result = prehend.plan(scene, few_options())
+        pose = result[0].X_OH
+        vertices = scene.object.vertices
+        before = pose.copy(), vertices.copy()
+        self.assertTrue(pose.flags.owndata and vertices.flags.owndata)
+        del result, scene
+        gc.collect()
+        np.testing.assert_array_equal(pose, before[0])
+        np.testing.assert_array_equal(vertices, before[1])
+
+    def test_contacts_are_objects_and_arrays(self):
+        contacts = self.result[0].contacts
+        for i, contact in enumerate(contacts):
+            np.testing.assert_array_equal(contact.position, contacts.positions[i])
+            self.assertIn(contact.link, self.scene.hand.links)
+            self.assertAlmostEqual(float(np.linalg.norm(contact.normal)), 1.0, places=9)
+        flat = self.result.flat_contacts
+        self.assertEqual(len(flat), sum(len(one) for one in self.result.contacts))
+        np.testing.assert_array_equal(flat.positions[flat.grasps == 0], contacts.positions)
+        self.assertEqual(len(contacts[1:3]), 2)
+
+    def test_quality_of_contacts_is_that_of_the_trial(self):
+        frame = {
+            "torque_origin": self.scene.torque_origin,
+            "torque_scale": self.scene.torque_scale,
+        }
+        np.testing.assert_allclose(
+            quality.epsilon(self.result.contacts, **frame), self.result.epsilon, rtol=1e-8
+        )
+
+    def test_threads_and_seed(self):
+        one = prehend.plan(self.scene, few_options(), threads=1)
+        self.assertEqual(prehend.grasps_json(one), prehend.grasps_json(self.result))
+        seeded = prehend.plan(self.scene, few_options(), seed=7)
+        self.assertEqual(json.loads(prehend.grasps_json(seeded))["settings"]["seed"], 7)
+
+    def test_evaluate_and_run_trial_agree_with_plan(self):
+        candidates = [grasp.candidate for grasp in self.result]
+        again = prehend.evaluate(self.scene, candidates)
+        np.testing.assert_array_equal(again.poses, self.result.poses)
+        np.testing.assert_array_equal(again.epsilon, self.result.epsilon)
+        alone = prehend.run_trial(self.scene, candidates[0])
+        np.testing.assert_array_equal(alone.X_OH, self.result[0].X_OH)
+        self.assertEqual(alone.epsilon, self.result[0].epsilon)
+
+    def test_proposals_are_what_plan_tries(self):
+        options = prehend.CandidateOptions(max_candidates=FEW)
+        proposals = prehend.propose_grasps(self.scene, options=options)
+        np.testing.assert_array_equal(
+            [one.X_OH for one in proposals.candidates], self.result.tried.poses
+        )
+
+    def test_pictures_are_pixels(self):
+        picture = prehend.grasp_picture(self.result[0], size=(120, 90))
+        self.assertEqual((picture.shape, picture.dtype), ((90, 120, 3), np.uint8))
+        self.assertGreater(len(np.unique(picture.reshape(-1, 3), axis=0)), 50)
+        self.assertTrue(prehend.png_bytes(picture).startswith(b"\x89PNG"))
+
+    def test_files_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            names = prehend.write(self.result, folder, exports=["csv"])
+            self.assertEqual(sorted(os.listdir(folder)), sorted(names))
+            self.assertIn("report.html", names)
+            text = (pathlib.Path(folder) / "grasps.json").read_text()
+        self.assertEqual(text, prehend.grasps_json(self.result))
+        with self.assertRaisesRegex(prehend.InputError, "csv"):
+            prehend.export_files(self.result, "docx")
+
+    def test_nothing_leaks(self):
+        mesh = box_mesh(0.05, 0.05, 0.1)
+        counts = None
+        for _ in range(20):
+            scene = prehend.make_scene(mesh)
+            compiled = prehend.compile(scene)
+            contacts = quality.epsilon(self.result[0].contacts)
+            trial = prehend.run_trial(compiled, prehend.Candidate(moved(0, 0, -0.3), preshape="spread_0"))
+            gone = weakref.ref(trial)
+            del trial, contacts
+            gc.collect()
+            self.assertIsNone(gone())
+            now = [sys.getrefcount(part) for part in (*mesh, prehend.InputError, prehend.Trial)]
+            counts = counts or now
+            self.assertEqual(now, counts)
+
+
+class Cancelling(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = prehend.compile(prehend.load_scene("mug"))
+
+    def test_progress_is_reported_in_the_thread_that_called(self):
+        seen = []
+        prehend.plan(
+            self.scene, few_options(), progress=lambda p: seen.append((p, threading.get_ident()))
+        )
+        self.assertEqual({thread for _, thread in seen}, {threading.get_ident()})
+        trials = [p for p, _ in seen if p.stage == "trials"]
+        self.assertTrue(trials)
+        self.assertTrue(all(0 <= p.done <= p.total for p, _ in seen))
+
+    def test_an_exception_from_progress_ends_the_plan(self):
+        calls = []
+
+        def refuse(progress):
+            if progress.stage == "trials":
+                calls.append(progress)
+                raise RuntimeError("enough")
+
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            prehend.plan(self.scene, progress=refuse)
+        self.assertEqual(len(calls), 1)
+
+    def test_cancelled_plans_return_what_they_have(self):
+        stop = prehend.Cancellation()
+
+        def stop_soon(progress):
+            if progress.stage == "trials" and progress.done > 0:
+                stop.request()
+
+        result = prehend.plan(self.scene, progress=stop_soon, cancellation=stop, threads=1)
+        self.assertEqual(result.status, "cancelled")
+        self.assertGreater(result.untested, 0)
+        self.assertTrue(stop.requested)
+
+    def test_calls_without_a_partial_result_raise_cancelled(self):
+        stop = prehend.Cancellation()
+        stop.request()
+        with self.assertRaises(prehend.Cancelled):
+            prehend.decompose(self.scene.object, cancellation=stop)
+
+    def test_a_signal_in_the_callback_raises_keyboard_interrupt(self):
+        def interrupt(progress):
+            if progress.stage == "trials":
+                signal.raise_signal(signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt):
+            prehend.plan(self.scene, progress=interrupt)
+
+    def test_a_signal_while_nothing_is_reported_raises_keyboard_interrupt(self):
+        started = threading.Event()
+        main = threading.main_thread().ident
+
+        def interrupt():
+            started.wait()
+            signal.pthread_kill(main, signal.SIGINT)
+
+        sender = threading.Thread(target=interrupt)
+        sender.start()
+        # Only the first report lets the signal go: it arrives while the main thread waits.
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                prehend.plan(self.scene, progress=lambda p: started.set())
+        finally:
+            started.set()
+            sender.join()
+
+    def test_other_threads_run_while_one_plans(self):
+        turns = []
+        done = threading.Event()
+
+        def count():
+            while not done.is_set():
+                turns.append(None)
+
+        counter = threading.Thread(target=count)
+        before = None
+
+        def note(progress):
+            nonlocal before
+            if before is None:
+                before = len(turns)
+
+        counter.start()
+        try:
+            prehend.plan(self.scene, few_options(), progress=note)
+        finally:
+            done.set()
+            counter.join()
+        self.assertGreater(len(turns), before + 1000)
+
+
+class Scenes(unittest.TestCase):
+    def test_a_mesh_of_any_kind(self):
+        vertices, faces = box_mesh(0.05, 0.06, 0.12)
+        texts = set()
+        for mesh in [
+            (vertices, faces),
+            (vertices.tolist(), faces.tolist()),
+            (np.asfortranarray(vertices), faces.astype(np.uint8)),
+            (np.repeat(vertices, 2, axis=0)[::2], faces.astype(np.int64)),
+            LikeTrimesh(vertices, faces),
+            prehend.Mesh(vertices, faces),
+            (vertices, faces[:, ::-1]),
+        ]:
+            scene = prehend.make_scene(mesh, mass=0.2)
+            np.testing.assert_allclose(scene.object.center_of_mass, 0.0, atol=1e-12)
+            inertia = 0.2 / 12 * (0.05**2 + 0.06**2)
+            self.assertAlmostEqual(scene.object.inertia[2, 2], inertia, places=12)
+            texts.add(prehend.grasps_json(prehend.plan(scene, few_options())))
+        # The last one has its triangles turned: the same grasps, not the same bytes of a mesh.
+        self.assertLessEqual(len(texts), 2)
+
+    def test_single_precision_is_close(self):
+        vertices, faces = box_mesh(0.05, 0.06, 0.12)
+        scene = prehend.make_scene((vertices.astype(np.float32), faces))
+        np.testing.assert_allclose(scene.object.vertices, vertices, atol=1e-8)
+
+    def test_obstacles_and_arms(self):
+        scene = prehend.make_scene(box_mesh(0.05, 0.05, 0.1), X_WO=moved(0.6, 0.0, 0.06))
+        scene.add_obstacle("table", box_mesh(0.3, 0.3, 0.02), moved(0.6, 0.0, -0.02))
+        self.assertEqual([body.name for body in scene.obstacles], ["table"])
+        self.assertIsNone(scene.platform)
+        scene.mount("puma560_barrett")
+        self.assertIsNotNone(scene.platform)
+        ready = prehend.compile(scene)
+        self.assertGreater(len(ready.robot.dofs), len(ready.hand.dofs))
+        start = {name: 0.1 for name in ready.robot.dofs[:1]}
+        scene.mount("puma560_barrett", start=start)
+        with self.assertRaisesRegex(prehend.InputError, "nobody"):
+            scene.mount("puma560_barrett", start={"nobody": 0.0})
+
+    def test_saved_scenes_are_read_again(self):
+        scene = prehend.make_scene(box_mesh(0.05, 0.05, 0.1), hand="franka_hand")
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "box.json"
+            scene.save(file)
+            again = prehend.load_scene(file)
+        self.assertEqual(again.hand.name, scene.hand.name)
+        np.testing.assert_array_equal(again.object.vertices, scene.object.vertices)
+        record = json.loads(prehend.grasps_json(prehend.plan(scene, few_options())))["scene"]
+        self.assertEqual(record["file"], str(file))
+
+    def test_too_large_an_object_is_a_status(self):
+        result = prehend.plan(prehend.make_scene(box_mesh(2.0, 2.0, 2.0)))
+        self.assertEqual(result.status, "object_too_large")
+        self.assertGreater(result.smallest_width, result.largest_opening)
+        self.assertIn("the hand opens to", result.reason)
+        self.assertEqual((len(result), result.poses.shape), (0, (0, 4, 4)))
+
+    def test_decompositions_and_primitives(self):
+        found = prehend.decompose(box_mesh(0.05, 0.06, 0.12))
+        self.assertEqual([one.shape for one in found.primitives], ["box"])
+        np.testing.assert_allclose(sorted(found.primitives[0].size), [0.05, 0.06, 0.12], atol=2e-3)
+        sphere = prehend.Primitive("sphere", np.eye(4), radius=0.03)
+        scene = prehend.make_scene(box_mesh(0.05, 0.06, 0.12))
+        self.assertTrue(prehend.propose_grasps(scene, [sphere]).grasps)
+        with self.assertRaisesRegex(prehend.InputError, "height"):
+            prehend.propose_grasps(scene, [prehend.Primitive("cylinder", np.eye(4), radius=0.03)])
+
+
+class Kinematics(unittest.TestCase):
+    def test_solutions_reach_the_target(self):
+        arm = prehend.find_robot("puma560")
+        dofs = np.clip(np.linspace(-0.6, 0.7, len(arm.dofs)), *arm.dof_limits.T)
+        target = prehend.joint_poses(arm, prehend.joint_values(arm, dofs))[arm.tip_joint]
+        solutions = prehend.solve_all(arm, target)
+        self.assertEqual(solutions.shape[1:], (len(arm.dofs),))
+        self.assertGreater(len(solutions), 1)
+        for solution in [*solutions, prehend.solve_near(arm, target, dofs)]:
+            pose = prehend.joint_poses(arm, prehend.joint_values(arm, solution))[arm.tip_joint]
+            np.testing.assert_allclose(pose, target, atol=1e-7)
+        self.assertIsNone(prehend.solve_near("puma560", moved(10.0, 0.0, 0.0)))
+        joint = prehend.IkTarget(target, joint=arm.joints[arm.tip_joint])
+        np.testing.assert_array_equal(prehend.solve_all(arm, [joint]), solutions)
+
+    def test_a_path_to_a_grasp(self):
+        scene = prehend.compile(prehend.load_scene("mug_on_table"))
+        options = few_options(paths=prehend.GraspPathOptions())
+        options.candidates.max_candidates = 150
+        options.rank.top = 1
+        result = prehend.plan(scene, options)
+        path = result[0].path
+        samples = len(path.times)
+        self.assertEqual(path.positions.shape, (samples, len(path.joints)))
+        self.assertEqual(path.velocities.shape, (samples, len(path.joints)))
+        self.assertTrue(np.all(np.diff(path.times) > 0.0))
+        self.assertEqual(path.segments[-1].last, samples - 1)
+        alone = prehend.plan_grasp_path(result[0])
+        np.testing.assert_array_equal(alone.positions[0], path.positions[0])
+
+
+class Quality(unittest.TestCase):
+    def setUp(self):
+        random = np.random.default_rng(3)
+        self.normals = random.normal(size=(30, 4, 3))
+        self.normals /= np.linalg.norm(self.normals, axis=2, keepdims=True)
+        self.positions = -0.1 * self.normals
+        self.friction = random.uniform(0.2, 1.0, size=(30, 4))
+
+    def test_a_batch_is_the_single_calls(self):
+        arguments = self.positions, self.normals, self.friction
+        for call in [
+            quality.epsilon,
+            quality.volume,
+            quality.force_closure,
+            quality.isotropy,
+            quality.smallest_singular_value,
+            lambda *a, **k: quality.robust_epsilon(
+                *a, noise=quality.NoiseOptions(samples=5), **k
+            ).mean,
+            lambda *a, **k: quality.wrench_resistance([0, 0, 1, 0, 0, 0], *a, **k).lower,
+            lambda *a, **k: quality.epsilon_bracket(*a, **k).weakest,
+        ]:
+            batch = call(*arguments, torque_scale=10.0)
+            single = [call(*one, torque_scale=10.0) for one in zip(*arguments)]
+            np.testing.assert_array_equal(batch, single)
+            ragged = call(*(list(one) for one in arguments), torque_scale=10.0, threads=3)
+            np.testing.assert_array_equal(batch, ragged)
+
+    def test_a_cube_between_soft_fingers(self):
+        # Two soft fingers on a line through the centre: the torque about that line is what they
+        # resist least of all, by twice the friction times the torsion times the scale.
+        positions, normals = [[-1.0, 0, 0], [1.0, 0, 0]], [[1.0, 0, 0], [-1.0, 0, 0]]
+        self.assertEqual(quality.epsilon(positions, normals, 0.5), 0.0)
+        self.assertFalse(quality.force_closure(positions, normals, 0.5))
+        self.assertTrue(quality.force_closure(positions, normals, 0.5, torsion=0.3))
+        held = quality.balancing_forces([0, 0, -1.0, 0, 0, 0], positions, normals, 0.5)
+        self.assertEqual(held.outcome, "balanced")
+        self.assertAlmostEqual(held.largest_normal, 1.0, places=5)
+        np.testing.assert_allclose(held.forces.sum(axis=0), [0, 0, 1.0], atol=1e-6)
+
+    def test_any_array_will_do(self):
+        p, n = np.round(self.positions[0], 3), self.normals[0]
+        expected = quality.epsilon(p, n, 1)
+        for one in [p.tolist(), np.asfortranarray(p), np.repeat(p, 2, axis=0)[::2]]:
+            self.assertEqual(quality.epsilon(one, n, 1), expected)
+        whole = quality.epsilon(np.array([[1, 0, 0], [-1, 0, 0]]), [[-1, 0, 0], [1, 0, 0]], 1)
+        self.assertEqual(whole, 0.0)
+        single = quality.epsilon(p.astype(np.float32), n.astype(np.float32), np.float32(1.0))
+        self.assertAlmostEqual(single, expected, places=5)
+
+    def test_measures_by_name(self):
+        self.assertIn("epsilon", quality.measures())
+        found = quality.measure("epsilon", self.positions, self.normals, 0.8)
+        np.testing.assert_array_equal(
+            found.lower, quality.epsilon(self.positions, self.normals, 0.8)
+        )
+        task = quality.Task.gravity(weight=0.1)
+        resisted = quality.task_resistance(task, self.positions[0], self.normals[0], 0.8)
+        self.assertLessEqual(resisted.lower, resisted.upper)
+
+    def test_empty(self):
+        self.assertEqual(quality.epsilon([], [], 0.5), 0.0)
+        self.assertEqual(quality.epsilon(np.zeros((0, 3, 3)), np.zeros((0, 3, 3)), 0.5).shape, (0,))
+
+
+class Errors(unittest.TestCase):
+    def refused(self, words, call, *arguments, **keywords):
+        with self.assertRaisesRegex(prehend.InputError, words) as caught:
+            call(*arguments, **keywords)
+        self.assertIsInstance(caught.exception, ValueError)
+        self.assertNotIn("\n", str(caught.exception))
+        return caught.exception
+
+    def test_shapes_name_the_argument(self):
+        vertices, faces = box_mesh(1, 1, 1)
+        error = self.refused(
+            r"vertices: must have the shape \(V, 3\), not \(8, 2\)",
+            prehend.make_scene,
+            (vertices[:, :2], faces),
+        )
+        self.assertEqual(error.field, "vertices")
+        self.refused(r"faces: .*\(F, 3\), not \(12,\)", prehend.make_scene, (vertices, faces[:, 0]))
+        self.refused("faces: refers to a vertex", prehend.make_scene, (vertices, faces + 3))
+        self.refused("faces: must be whole", prehend.make_scene, (vertices, faces * 1.0))
+        self.refused("mesh: must be", prehend.make_scene, 5)
+        self.refused(r"normals: .*\(2, 3\)", quality.epsilon, np.zeros((2, 3)), np.zeros((3, 3)), 1)
+        self.refused("friction", quality.epsilon, np.zeros((2, 3)), np.zeros((2, 3)), [1, 2, 3])
+        self.refused("positions: not an array", quality.epsilon, [[1, "a", 2]], [[1, 0, 0]], 1)
+
+    def test_the_core_refuses_what_is_not_a_number(self):
+        points, normals = np.array([[np.nan, 0, 0]]), np.array([[0.0, 0, 1]])
+        self.refused("contact 0.*finite|finite", quality.epsilon, points, normals, 0.5)
+        self.refused("normal", quality.epsilon, np.zeros((1, 3)), 2.0 * normals, 0.5)
+        batch = np.zeros((3, 1, 3)), np.array([normals, normals, 2.0 * normals])
+        self.refused("grasp 2.*normal", quality.epsilon, *batch, 0.5)
+        vertices, faces = box_mesh(1, 1, 1)
+        vertices[0, 0] = np.inf
+        self.refused("finite", prehend.make_scene, (vertices, faces))
+
+    def test_names(self):
+        self.refused("barrett", prehend.find_robot, "no_such_hand")
+        self.refused("mug", prehend.load_scene, "no_such_scene")
+        self.refused("wood", prehend.make_scene, box_mesh(1, 1, 1), material="cheese")
+        self.refused("mass", prehend.make_scene, box_mesh(1, 1, 1), mass=0.0)
+        self.refused("epsilon", quality.measure, "nothing", [[0, 0, 0]], [[0, 0, 1]], 1)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "broken.json"
+            file.write_text('{"object": {"generate": "mug", "mass": -1}}')
+            self.refused("broken.json.*mass", prehend.load_scene, file)
+
+    def test_candidates(self):
+        scene = prehend.compile(prehend.make_scene(box_mesh(0.05, 0.05, 0.1)))
+        poses = np.array([np.eye(4), 2.0 * np.eye(4)])
+        self.refused(r"poses\[1\]: not a rigid", prehend.evaluate, scene, poses, preshape="spread_0")
+        self.refused(r"poses: .*\(N, 4, 4\)", prehend.evaluate, scene, np.eye(4))
+        self.refused("preshape: say one of", prehend.evaluate, scene, poses[:1])
+        self.refused("preshape: not one", prehend.evaluate, scene, poses[:1], preshape="fist")
+        limits = scene.hand.dof_limits
+        self.refused("outside its limits", prehend.evaluate, scene, poses[:1], dofs=limits[:, 1] + 1)
+        result = prehend.evaluate(scene, np.zeros((0, 4, 4)), preshape="spread_0")
+        self.assertEqual(result.status, "no_candidates")
+
+    def test_options(self):
+        with self.assertRaisesRegex(TypeError, "no field tops.*same_angle"):
+            prehend.RankOptions(tops=3)
+        self.refused("RankOptions.top: must be at least 1", prehend.RankOptions, top=0)
+        self.refused("NaN|nan|at least", prehend.RankOptions, same_angle=float("nan"))
+        self.refused("rrt_star", prehend.TransferOptions, planner="walk")
+        self.refused("seed", prehend.plan, prehend.load_scene("mug"), seed=-1)
+        self.refused("threads", prehend.plan, prehend.load_scene("mug"), threads=-1)
+        self.refused(
+            "no arm", prehend.plan, prehend.load_scene("mug"), few_options(paths=prehend.GraspPathOptions())
+        )
+
+    def test_options_are_values(self):
+        options = few_options()
+        twin = copy.deepcopy(options)
+        twin.trial.soft_fingers = False
+        twin.rank.top = 3
+        self.assertTrue(options.trial.soft_fingers)
+        self.assertEqual(options.rank.top, 10)
+        self.assertIsNone(options.paths)
+        twin.paths = prehend.GraspPathOptions(alternatives=2)
+        self.assertEqual(twin.paths.alternatives, 2)
+        self.assertIn("RankOptions(top=3, same_distance=0.01", repr(twin))
+
+
+if __name__ == "__main__":
+    unittest.main()
