@@ -75,10 +75,10 @@ struct Progress {
 // A value: copies share the cancellation.
 struct RunContext {
   int threads = 0;  // to use, 0: as many as there are processors
-  Cancellation cancellation;
+  Cancellation cancellation = {};
   // Called after each piece of a stage (a trial, a path), never by two threads at once; may be
   // empty. It may request the cancellation. An exception from it ends the call and is thrown on.
-  std::function<void(const Progress&)> progress;
+  std::function<void(const Progress&)> progress = {};
 };
 
 }  // namespace prehend

@@ -200,7 +200,8 @@ TEST(PlanReport, OfAThousandGraspsIsNotTooLarge) {
   const CompiledScene scene = compile(block_on_table());
   PlanResult result;
   result.grasps.assign(1000, long_grasp(scene));
-  result.tried.assign(1000, {Pose::Identity(),
+  result.tried.assign(1000, {0,
+                             Pose::Identity(),
                              Vector3(0.6, 0.0, 0.8),
                              Outcome::hand_blocked,
                              {"finger_1/distal", "a table"}});
@@ -223,7 +224,8 @@ TEST(PlanReport, OfMoreGraspsAndCandidatesSomeAreShown) {
   scored.candidate = test::from_above();
   result.grasps.assign(1500, scored);
   for (int i = 0; i < 10001; ++i) {
-    result.tried.push_back({translation(Vector3(i, 0, 0)), -Vector3::UnitZ(), Outcome::stable, {}});
+    result.tried.push_back(
+        {i, translation(Vector3(i, 0, 0)), -Vector3::UnitZ(), Outcome::stable, {}});
   }
   const Report report = plan_report(held.scene, result, {}, kBrief);
   EXPECT_EQ(report.grasps.size(), 1000U);

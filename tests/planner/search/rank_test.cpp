@@ -47,7 +47,7 @@ TEST(Rank, GraspsThatTouchAtTheSamePointsAreOne) {
   std::vector<Trial> trials = {stable_at({0, 0, 0}, 0.2), stable_at({0, 0, 0}, 0.2)};
   trials[1].X_OH.rotate(Eigen::AngleAxisd(3.0, Vector3::UnitZ()));
   const auto touch = [](Trial& trial, const Vector3& p) {
-    trial.contacts.push_back({0, {p, Vector3::UnitX(), 1.0}});
+    trial.contacts.push_back({link_id(0), {p, Vector3::UnitX(), 1.0}});
   };
   touch(trials[0], {0.03, 0, 0});
   touch(trials[0], {-0.03, 0, 0});

@@ -33,13 +33,13 @@ function(prehend_install_headers component umbrella)
     set(umbrella ${umbrella})
     set(written [[${PROJECT_BINARY_DIR}/installed_headers/${component}]])
     set(destination [[include]])" COMPONENT ${component})
-  install(SCRIPT package/install_headers.cmake COMPONENT ${component})
+  install(SCRIPT planner/package/install_headers.cmake COMPONENT ${component})
 endfunction()
 
 function(prehend_install_component component)
   install(EXPORT prehend_${component} NAMESPACE prehend:: FILE prehend-${component}.cmake
     DESTINATION ${package_folder} COMPONENT ${component})
-  install(FILES package/prehendConfig.cmake ${PROJECT_BINARY_DIR}/prehendConfigVersion.cmake
+  install(FILES planner/package/prehendConfig.cmake ${PROJECT_BINARY_DIR}/prehendConfigVersion.cmake
     DESTINATION ${package_folder} COMPONENT ${component})
   install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT ${component})
 endfunction()
