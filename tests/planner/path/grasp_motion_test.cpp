@@ -175,7 +175,9 @@ TEST_F(ArmMotion, APathEndsInThePostureOfTheTrial) {
   Trial trial = grasp().trial;
   trial.arm_line = find_reaches(*scene().arm, line, 2, {}).at(1).line;
   trial.arm_dofs = trial.arm_line.back();
-  const auto path = plan_grasp_path(scene(), grasp().candidate, trial, {.alternatives = 1});
+  GraspPathOptions options;
+  options.alternatives = 1;
+  const auto path = plan_grasp_path(scene(), grasp().candidate, trial, options);
   ASSERT_TRUE(path.has_value());
   EXPECT_EQ(path->positions.back(), arm_joints(*scene().arm, trial.arm_dofs, trial.joints));
 }
