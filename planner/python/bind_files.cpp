@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "planner/exports/export_files.h"
+#include "planner/files/timings_file.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/bindings.h"

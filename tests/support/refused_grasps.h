@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/epsilon.h"
 #include "tests/support/extreme_grasps.h"
 

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/epsilon.h"
 #include "tests/sim/quality/force_checks.h"
 #include "tests/support/grasp_families.h"

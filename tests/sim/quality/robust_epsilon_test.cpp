@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "tests/support/grasp_families.h"
 
 namespace prehend::test {

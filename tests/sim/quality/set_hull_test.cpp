@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
 #include "tests/sim/quality/known_sets.h"

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "tests/sim/quality/known_sets.h"
 #include "tests/support/grasp_families.h"
 

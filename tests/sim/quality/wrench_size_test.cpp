@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench_hull.h"
 #include "tests/support/grasp_families.h"

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/wrench_hull.h"
 #include "tests/support/grasp_families.h"
 
