@@ -7,6 +7,7 @@
 #include "planner/files/json_grasp.h"
 #include "planner/files/json_settings.h"
 #include "sim/base/index.h"
+#include "sim/json/json_field.h"
 #include "sim/json/json_fields.h"
 #include "sim/scene/json_primitive.h"
 
@@ -120,7 +121,8 @@ void scene_field(auto& fields, auto& record) {
     if (!reference.unit.empty()) record.unit = reference.unit;
   } else {
     fields.object("scene", [&](auto& inner) {
-      inner("file", record.scene);
+      // A scene that a program made has no file.
+      if (!record.scene.empty()) inner("file", record.scene);
       inner("unit", record.unit);
       if (!record.hand.empty()) inner("hand", record.hand);
     });

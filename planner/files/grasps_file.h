@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "planner/search/plan.h"
-#include "sim/json/json_field.h"
 
 namespace prehend {
+
+class JsonFile;  // sim/json/json_field.h
 
 // What a run was asked, as the file's "scene" and "settings" say it.
 struct RunRecord {

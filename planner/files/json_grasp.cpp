@@ -212,10 +212,8 @@ void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
     read_arm(field, *scene.arm, approach_line(scene, grasp.candidate, grasp.trial), grasp.trial);
     if (field.has("path")) grasp.path = read_trajectory(field["path"], scene.arm->robot());
   } else {
-    if (!grasp.trial.arm_dofs.empty()) {
-      fields("arm_dofs", grasp.trial.arm_dofs);
-      fields("arm_line", grasp.trial.arm_line);
-    }
+    if (!grasp.trial.arm_dofs.empty()) fields("arm_dofs", grasp.trial.arm_dofs);
+    if (!grasp.trial.arm_line.empty()) fields("arm_line", grasp.trial.arm_line);
     if (grasp.path) fields.derived("path", [&] { return trajectory_to_json(*grasp.path); });
   }
 }

@@ -3,6 +3,7 @@
 #include "sim/base/input_error.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
+#include "sim/json/json_field.h"
 
 namespace prehend {
 

@@ -8,6 +8,7 @@
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
 #include "sim/base/output_file.h"
+#include "sim/json/json_field.h"
 
 namespace prehend {
 

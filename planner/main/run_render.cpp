@@ -10,6 +10,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/parallel/parallel.h"
+#include "sim/json/json_field.h"
 
 namespace prehend {
 namespace {

@@ -17,7 +17,7 @@ void bind_context(py::module_& core) {
   py::class_<Progress>(core, "Progress", "How far a stage of a long call is.")
       .def_property_readonly(
           "stage", [](const Progress& self) { return std::string(stage_name(self.stage)); },
-          "\"primitives\", \"candidates\", \"trials\", \"paths\", ...")
+          R"("primitives", "candidates", "trials", "paths", ...)")
       .def_readonly("done", &Progress::done, "Pieces that are done: trials, paths, ...")
       .def_readonly("total", &Progress::total, "Of so many.")
       .def_readonly("stable", &Progress::stable, "Of the trials done, those whose grasp holds.")

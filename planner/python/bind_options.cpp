@@ -41,7 +41,7 @@ void bind_proposal_options(py::module_& core) {
               "Added to the way from the pre-grasp to the object [m].");
 }
 
-void bind_trial_options(py::module_& core) {
+void bind_contact_options(py::module_& core) {
   OptionsClass<ContactOptions>(core, "ContactOptions", "What counts as a contact.")
       .number("threshold", &ContactOptions::threshold, kAbove0,
               "Surfaces closer than this touch [m].")
@@ -58,6 +58,9 @@ void bind_trial_options(py::module_& core) {
               "out.")
       .number("weakest_patch", &ContactOptions::weakest_patch, kAtLeast0,
               "Patches that bear less than this part of the strongest's force are left out.");
+}
+
+void bind_reach_options(py::module_& core) {
   OptionsClass<MotionCheckOptions>(core, "MotionCheckOptions",
                                    "How motions are proven free of collision.")
       .number("tightest", &MotionCheckOptions::tightest, kAbove0,
@@ -79,6 +82,9 @@ void bind_trial_options(py::module_& core) {
       .number("largest_joint_step", &ReachOptions::largest_joint_step, kAbove0,
               "More change of a joint in one step is a jump to another branch [rad or m].")
       .field("motion", &ReachOptions::motion, "MotionCheckOptions.");
+}
+
+void bind_trial_options(py::module_& core) {
   OptionsClass<SettleOptions>(core, "SettleOptions",
                               "How an object settles between two self-centering fingers that do "
                               "not hold it.")
@@ -131,7 +137,7 @@ void bind_path_options(py::module_& core) {
               {{"rrt_connect", PathPlanner::rrt_connect},
                {"roadmap", PathPlanner::roadmap},
                {"rrt_star", PathPlanner::rrt_star}},
-              "\"rrt_connect\", \"roadmap\" or \"rrt_star\".")
+              R"("rrt_connect", "roadmap" or "rrt_star".)")
       .number("max_iterations", &TransferOptions::max_iterations, kAtLeast1, "Of the planner.")
       .number("simplify_steps", &TransferOptions::simplify_steps, kAtLeast0,
               "Tries to cut a corner short.")
@@ -159,6 +165,8 @@ void bind_path_options(py::module_& core) {
 
 void bind_options(py::module_& core) {
   bind_proposal_options(core);
+  bind_contact_options(core);
+  bind_reach_options(core);
   bind_trial_options(core);
   bind_path_options(core);
   OptionsClass<RankOptions>(core, "RankOptions", "Which grasps are returned.")

@@ -135,7 +135,7 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
 
 void bind_plan(py::module_& core) {
   py::class_<CallOptions>(core, "_CallOptions").def(py::init(&call_options));
-  py::class_<TrialHandle>(core, "_Trial");
+  const py::class_<TrialHandle> trial(core, "_Trial");
   py::class_<PlanHandle>(core, "_PlanResult").def("fields", &result_dict).def("grasp", &grasp_dict);
   core.def("plan", &plan_in_python);
   core.def("evaluate", &evaluate_in_python);

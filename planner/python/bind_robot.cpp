@@ -94,12 +94,12 @@ Doubles solve_all_in_python(const Robot& robot, const std::vector<int>& joints, 
   return to_array(found, robot.dofs.size());
 }
 
-}  // namespace
-
-void bind_robot(py::module_& core) {
-  py::class_<Robot>(core, "Robot",
-                    "A hand, an arm, or several robots as one, as data. Made by find_robot() and "
-                    "find_platform().")
+// What a user of the class sees.
+py::class_<Robot> bind_robot_class(py::module_& core) {
+  return py::class_<Robot>(
+             core, "Robot",
+             "A hand, an arm, or several robots as one, as data. Made by find_robot() and "
+             "find_platform().")
       .def_readonly("name", &Robot::name, "What its file calls it.")
       .def_property_readonly(
           "is_hand", [](const Robot& self) { return self.hand.has_value(); },
@@ -120,6 +120,16 @@ void bind_robot(py::module_& core) {
           "(D,): where the degrees of freedom start [rad or m].")
       .def_property_readonly("tip_joint", &tip_joint,
                              "Number of the last joint of the first chain, which carries the tip.")
+      .def("__repr__", [](const Robot& self) {
+        return "<prehend.Robot " + self.name + ": " + std::to_string(self.dofs.size()) +
+               " degrees of freedom>";
+      });
+}
+
+}  // namespace
+
+void bind_robot(py::module_& core) {
+  bind_robot_class(core)
       .def_property_readonly("_preshapes", &preshapes)
       .def_property_readonly(
           "_approach",
@@ -142,14 +152,9 @@ void bind_robot(py::module_& core) {
              joint_poses(self, sized(joints, self.joints.size()), poses);
              return to_array(poses);
            })
-      .def("_link_mesh",
-           [](const Robot& self, std::size_t link) {
-             const TriangleMesh& mesh = self.links.at(link).mesh;
-             return py::make_tuple(to_array(mesh.vertices), to_array(mesh.triangles));
-           })
-      .def("__repr__", [](const Robot& self) {
-        return "<prehend.Robot " + self.name + ": " + std::to_string(self.dofs.size()) +
-               " degrees of freedom>";
+      .def("_link_mesh", [](const Robot& self, std::size_t link) {
+        const TriangleMesh& mesh = self.links.at(link).mesh;
+        return py::make_tuple(to_array(mesh.vertices), to_array(mesh.triangles));
       });
   core.def("find_robot", &find_robot);
   core.def("find_platform",

@@ -117,7 +117,7 @@ void bind_bodies(py::module_& core) {
       .def_property_readonly(
           "material",
           [](const GraspableBody& self) { return std::string(material_name(self.material)); },
-          "\"glass\", \"metal\", \"plastic\", \"wood\" or \"rubber\".")
+          R"("glass", "metal", "plastic", "wood" or "rubber".)")
       .def_readonly("mass", &GraspableBody::mass, "[kg]")
       .def_property_readonly(
           "center_of_mass", [](const GraspableBody& self) { return to_array(self.center_of_mass); },

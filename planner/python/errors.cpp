@@ -34,6 +34,8 @@ void raise_input_error(const Error& error) {
 }  // namespace
 
 void translate_errors() {
+  // pybind11 hands the pointer over by value.
+  // NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

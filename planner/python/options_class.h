@@ -59,6 +59,8 @@ class OptionsClass {
   OptionsClass(const OptionsClass&) = delete;
   OptionsClass& operator=(const OptionsClass&) = delete;
 
+  // Nothing can be done where Python has no memory left for this.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
   ~OptionsClass() { class_.attr("_fields") = py::tuple(fields_); }
 
   // Anything but a number: another options struct, an optional one, a flag.

@@ -180,23 +180,23 @@ SphericalWrist::Solutions SphericalWrist::solve(const Pose& X_CT, const Joints& 
 }
 
 // The wrist turns like Rz(q4) Ry(tilt) Rz(q6).
-void SphericalWrist::add_wrists(const Matrix3& R_36, const Joints& arm, const Joints& near,
+void SphericalWrist::add_wrists(const Matrix3& R_3T, const Joints& arm, const Joints& near,
                                 Solutions& all) const {
-  const double sine = std::hypot(R_36(0, 2), R_36(1, 2));
+  const double sine = std::hypot(R_3T(0, 2), R_3T(1, 2));
   Joints angles = arm;
   if (sine < kStraight) {
     angles[3] = sense_[3] * near[3] + theta_[3];
-    const Matrix3 rest = turn(angles[3], 0.0).transpose() * R_36;
-    angles[4] = R_36(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
+    const Matrix3 rest = turn(angles[3], 0.0).transpose() * R_3T;
+    angles[4] = R_3T(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
     angles[5] = std::atan2(rest(1, 0), rest(1, 1));
     add_if_inside(angles, near, all);
     return;
   }
-  const double tilt = std::atan2(sine, R_36(2, 2));
+  const double tilt = std::atan2(sine, R_3T(2, 2));
   for (const double flip : {1.0, -1.0}) {
-    angles[3] = std::atan2(flip * R_36(1, 2), flip * R_36(0, 2));
+    angles[3] = std::atan2(flip * R_3T(1, 2), flip * R_3T(0, 2));
     angles[4] = -wrist_sign_ * flip * tilt;
-    angles[5] = std::atan2(flip * R_36(2, 1), -flip * R_36(2, 0));
+    angles[5] = std::atan2(flip * R_3T(2, 1), -flip * R_3T(2, 0));
     add_if_inside(angles, near, all);
   }
 }

@@ -38,7 +38,7 @@ class SphericalWrist {
   Solutions solve(const Pose& X_CT, const Joints& near) const;
 
  private:
-  void add_wrists(const Matrix3& R_36, const Joints& arm, const Joints& near, Solutions& all) const;
+  void add_wrists(const Matrix3& R_3T, const Joints& arm, const Joints& near, Solutions& all) const;
   void add_if_inside(Joints angles, const Joints& near, Solutions& all) const;
 
   Pose X_PC_;

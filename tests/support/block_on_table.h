@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +20,17 @@ inline Scene block_on_table() {
   scene.object = make_graspable("block", make_box({0.05, 0.05, 0.12}), Material::plastic);
   scene.object.X_WO = translation(Vector3(0.58, 0.05, 0.7801));
   return scene;
+}
+
+// The same block to the arm's right and without the table: the arm can come to it in two postures.
+inline const CompiledScene& block_in_the_air() {
+  static const CompiledScene kScene = [] {
+    Scene scene = block_on_table();
+    scene.obstacles.clear();
+    scene.object.X_WO = translation(Vector3(0.58, -0.3, 0.7801));
+    return compile(std::move(scene));
+  }();
+  return kScene;
 }
 
 // From above onto the block's middle, the hand turned by `yaw`.
@@ -50,6 +64,25 @@ inline Grasp stable_grasp(const CompiledScene& scene) {
     if (trial.outcome == Outcome::stable) return {candidate, trial};
   }
   ADD_FAILURE() << "no stable grasp from above";
+  return {};
+}
+
+// A stable grasp that the arm can come to in two postures, held in the one that is farther from its
+// start.
+inline Grasp grasp_in_the_farther_posture(const CompiledScene& scene) {
+  constexpr int kTurns = 72;
+  for (int i = 0; i < kTurns; ++i) {
+    Grasp grasp{from_above(scene.scene.hand, 2.0 * std::numbers::pi * i / kTurns), {}};
+    grasp.trial = run_trial(scene, grasp.candidate);
+    if (grasp.trial.outcome != Outcome::stable) continue;
+    const HandLine line = approach_line(scene, grasp.candidate, grasp.trial);
+    std::vector<Reach> ways = find_reaches(*scene.arm, line, 2, {});
+    if (ways.size() < 2) continue;
+    grasp.trial.arm_line = std::move(ways[1].line);
+    grasp.trial.arm_dofs = grasp.trial.arm_line.back();
+    return grasp;
+  }
+  ADD_FAILURE() << "no grasp from above that is reached in two postures";
   return {};
 }
 

@@ -30,7 +30,7 @@ inline std::vector<RefusedGrasp> refused_contacts() {
   std::vector<RefusedGrasp> refused;
   const auto add = [&](const std::string& name, const Contact& contact,
                        const std::string& message) {
-    RefusedGrasp grasp{name, "contact 1: " + message, tetrahedron(), {}};
+    RefusedGrasp grasp{name, "contacts[1]." + message, tetrahedron(), {}};
     grasp.contacts[1] = contact;
     refused.push_back(grasp);
   };

@@ -110,9 +110,9 @@ void measure_scene(const std::string& name) {
   if (!scene.arm) return;
   std::printf(
       "%s: %zu links, %zu fixed bodies, %zu pairs of %zu may meet\n", name.c_str(),
-      scene.arm->links.size(), scene.arm->fixed.size(),
+      scene.arm->links.size(), scene.arm->bodies.size(),
       scene.arm->arm_pairs.size() + scene.arm->hand_pairs.size(),
-      separate_pairs(scene.arm->links).size() + scene.arm->links.size() * scene.arm->fixed.size());
+      separate_pairs(scene.arm->links).size() + scene.arm->links.size() * scene.arm->bodies.size());
   PlanOptions options;
   options.rank.top = 1000;
   Clock::time_point begin = Clock::now();

@@ -19,7 +19,7 @@ Source of the definitions: Ferrari and Canny, ICRA 1992; docs/contacts-file.md h
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union, cast
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -68,8 +68,9 @@ __all__ = [
 #: Names of contact models. Contacts with torsion are soft fingers, all others points, unless said.
 MODELS = ("frictionless", "point", "soft_finger")
 
-#: A number for one grasp, an array (G,) for G grasps.
-Number = Union[float, FloatArray]
+#: A number for one grasp, an array (G,) for G grasps: the arguments decide which, in a way that types
+#: cannot say.
+Number = Any
 #: Contacts of one grasp (N, 3) or of several: (G, N, 3), or a list of (N, 3).
 ContactsLike = Union[ArrayLike, Contacts, Sequence[Contacts]]
 
@@ -308,7 +309,7 @@ def epsilon(
     **options: Any,
 ) -> Number:
     """Epsilon, from below: epsilon_bracket().lower, with the same arguments."""
-    return cast(Number, epsilon_bracket(positions, normals, friction, **options).lower)
+    return epsilon_bracket(positions, normals, friction, **options).lower
 
 
 def measures() -> List[str]:
@@ -379,7 +380,7 @@ def volume(
     **options: Any,
 ) -> Number:
     """Volume of the set of wrenches, from below; arguments as of measure()."""
-    return cast(Number, measure("volume", positions, normals, friction, **options).lower)
+    return measure("volume", positions, normals, friction, **options).lower
 
 
 def force_closure(
@@ -402,7 +403,7 @@ def smallest_singular_value(
 ) -> Number:
     """Of the grasp matrix (Li and Sastry 1988); arguments as of measure()."""
     name = "smallest_singular_value"
-    return cast(Number, measure(name, positions, normals, friction, **options).lower)
+    return measure(name, positions, normals, friction, **options).lower
 
 
 def isotropy(
@@ -412,7 +413,7 @@ def isotropy(
     **options: Any,
 ) -> Number:
     """Smallest over largest singular value of the grasp matrix, 0 to 1; arguments as of measure()."""
-    return cast(Number, measure("isotropy", positions, normals, friction, **options).lower)
+    return measure("isotropy", positions, normals, friction, **options).lower
 
 
 def task_resistance(
@@ -480,7 +481,7 @@ def balancing_forces(
     torque_scale: ArrayLike = 1.0,
     options: Optional[ForceOptions] = None,
     threads: int = 0,
-) -> Union[ContactForces, List[ContactForces]]:
+) -> Any:
     """The smallest contact forces that add up to zero with an external wrench.
 
     Args:

@@ -20,19 +20,12 @@ using nlohmann::json;
 // A grasp that the arm holds in another posture than the nearest to its start.
 class ArmResult : public testing::Test {
  protected:
-  static const CompiledScene& scene() {
-    static const CompiledScene kScene = compile(test::block_on_table());
-    return kScene;
-  }
+  static const CompiledScene& scene() { return test::block_in_the_air(); }
 
   static const ScoredGrasp& scored() {
     static const ScoredGrasp kScored = [] {
-      const test::Grasp grasp = test::stable_grasp(scene());
-      ScoredGrasp scored{grasp.trial, grasp.candidate, 0.0, std::nullopt, "given", {}, {}};
-      const HandLine line = approach_line(scene(), grasp.candidate, grasp.trial);
-      scored.trial.arm_line = find_reaches(*scene().arm, line, 2, {}).at(1).line;
-      scored.trial.arm_dofs = scored.trial.arm_line.back();
-      return scored;
+      const test::Grasp grasp = test::grasp_in_the_farther_posture(scene());
+      return ScoredGrasp{grasp.trial, grasp.candidate, 0.0, std::nullopt, "given", {}, {}};
     }();
     return kScored;
   }

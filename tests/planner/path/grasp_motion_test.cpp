@@ -139,24 +139,18 @@ TEST_F(ArmMotion, WithoutAPathTheArmCarriesTheHandAlongItsApproach) {
 
 // An arm that reached in another posture than the nearest to its start is shown in that posture.
 TEST_F(ArmMotion, ShowsTheBranchOfTheTrialNotTheNearest) {
-  const HandLine line = approach_line(scene(), grasp().candidate, grasp().trial);
-  const std::vector<Reach> ways = find_reaches(*scene().arm, line, 2, {});
-  ASSERT_EQ(ways.size(), 2U);
-  const std::vector<DofValues>& other = ways[1].line;
-  ASSERT_NE(other.back(), grasp().trial.arm_dofs);
-  Trial trial = grasp().trial;
-  trial.arm_line = other;
-  trial.arm_dofs = other.back();
-  const GraspMotion found = grasp_motion(scene(), grasp().candidate, trial, nullptr);
+  const CompiledScene& scene = test::block_in_the_air();
+  const auto [candidate, trial] = test::grasp_in_the_farther_posture(scene);
+  const HandLine line = approach_line(scene, candidate, trial);
+  const std::vector<DofValues>& other = trial.arm_line;
+  ASSERT_FALSE(other.empty());
+  ASSERT_NE(other, find_reach(*scene.arm, line, {}).line);
+  const GraspMotion found = grasp_motion(scene, candidate, trial, nullptr);
   expect_sound(found);
-  expect_approach(found);
-  const auto joints = [&](const DofValues& dofs, const std::vector<double>& hand) {
-    return arm_joints(*scene().arm, dofs, hand);
-  };
   for (std::size_t i = 0; i < other.size(); ++i) {
-    EXPECT_EQ(found.frames[i].arm_joints, joints(other[i], line.hand_joints)) << i;
+    EXPECT_EQ(found.frames[i].arm_joints, arm_joints(*scene.arm, other[i], line.hand_joints)) << i;
   }
-  EXPECT_EQ(found.frames.back().arm_joints, joints(trial.arm_dofs, trial.joints));
+  EXPECT_EQ(found.frames.back().arm_joints, arm_joints(*scene.arm, trial.arm_dofs, trial.joints));
 }
 
 TEST_F(ArmMotion, WhereOnlyTheLastPostureIsKnownTheArmStandsThere) {
@@ -171,15 +165,13 @@ TEST_F(ArmMotion, WhereOnlyTheLastPostureIsKnownTheArmStandsThere) {
 
 // Where the trial reached in another posture than the nearest to the start, the path ends there.
 TEST_F(ArmMotion, APathEndsInThePostureOfTheTrial) {
-  const HandLine line = approach_line(scene(), grasp().candidate, grasp().trial);
-  Trial trial = grasp().trial;
-  trial.arm_line = find_reaches(*scene().arm, line, 2, {}).at(1).line;
-  trial.arm_dofs = trial.arm_line.back();
+  const CompiledScene& scene = test::block_in_the_air();
+  const auto [candidate, trial] = test::grasp_in_the_farther_posture(scene);
   GraspPathOptions options;
   options.alternatives = 1;
-  const auto path = plan_grasp_path(scene(), grasp().candidate, trial, options);
+  const auto path = plan_grasp_path(scene, candidate, trial, options);
   ASSERT_TRUE(path.has_value());
-  EXPECT_EQ(path->positions.back(), arm_joints(*scene().arm, trial.arm_dofs, trial.joints));
+  EXPECT_EQ(path->positions.back(), arm_joints(*scene.arm, trial.arm_dofs, trial.joints));
 }
 
 TEST_F(ArmMotion, WhereTheArmDidNotReachTheHandFlies) {

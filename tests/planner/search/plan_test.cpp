@@ -10,6 +10,7 @@
 #include "sim/robot/robot_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
+#include "sim/json/json_field.h"
 
 namespace prehend {
 namespace {
