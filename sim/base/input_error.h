@@ -23,8 +23,8 @@ struct InputErrorParts {
 // catch (const InputError& error) { throw error.under("contacts[3]").in_file(path); }
 class InputError : public std::invalid_argument {
  public:
-  // An error that states only the problem. A template, because an overload for std::string would
-  // make InputError({...}) ambiguous: a list in braces must always mean InputErrorParts.
+  // An error that states only the problem. A template, because a parameter of type std::string
+  // could be made from a list in braces: InputError({...}) must always mean InputErrorParts.
   template <std::convertible_to<std::string> Text>
   explicit InputError(const Text& problem) : InputError(InputErrorParts{.problem = problem}) {}
   explicit InputError(InputErrorParts parts);
