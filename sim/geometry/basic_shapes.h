@@ -8,7 +8,8 @@
 
 namespace prehend {
 
-// All lengths are in metres, finite and > 0; all counts are >= 1. Otherwise InputError.
+// All lengths are in metres. Every function throws InputError when a size is not positive and
+// finite or a count is out of its range.
 
 // A box centred at the origin with edges of lengths size.x, size.y and size.z along the axes: 12
 // n^2 triangles for n cells per edge.
