@@ -24,6 +24,8 @@ namespace {
 
 // A triangle of the current hull, counter-clockwise seen from outside. Faces are never erased from
 // the list but marked dead, so that indices stay valid.
+// A triangle of the hull, counter-clockwise seen from outside. Replaced faces are marked dead and
+// stay in the list, so that indices remain valid.
 struct Face {
   Triangle corner{};
   Triangle neighbour{};  // across the side from corner k to corner k + 1
@@ -150,6 +152,7 @@ class Quickhull {
     }
   }
 
+  // A directed edge of the horizon, in the direction of the visible face.
   // A directed edge of the horizon, in the direction of the visible face.
   struct Side {
     int from = 0;
