@@ -146,8 +146,8 @@ bool plausible(const Moments& solid, const TriangleMesh& mesh) {
 // Mass properties of the solid that the mesh bounds with its present winding, after closing holes.
 // nullopt when they are implausible.
 std::optional<MassProperties> enclosed(const TriangleMesh& mesh) {
-  // Above this share of caps the shape would be mostly invented; the convex hull is the better
-  // guess.
+  // Largest share of cap area. Beyond it the volume depends mostly on the guessed caps; the convex
+  // hull is the better guess.
   constexpr double kMostCapped = 0.25;
   const TriangleMesh closing = caps(mesh);
   if (surface_area(closing) > kMostCapped * surface_area(mesh)) return std::nullopt;

@@ -38,7 +38,8 @@ void add_arc(std::vector<Vector2d>& points, const Vector2d& direction, double ra
   const Vector2d center = points.back() + side * radius * left_of(direction);
   const Vector2d spoke = points.back() - center;
   const double turned = std::abs(angle);
-  // An arc that is short beside the edges gets one cell a quarter turn, not two.
+  // Largest angle of a segment: 60 degrees, so that a quarter circle has two segments; 108 degrees
+  // for arcs shorter than half an edge, so that it has one.
   const double step =
       radius * turned < 0.5 * edge ? 0.6 * std::numbers::pi : std::numbers::pi / 3.0;
   const int shortest = static_cast<int>(std::ceil(turned / step));
