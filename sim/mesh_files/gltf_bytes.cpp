@@ -31,8 +31,8 @@ Json list_in(const Json& document, const char* name) {
   return *found;
 }
 
-// A non-negative integer, `otherwise` where it is missing. At most 2^40, so that sums and products
-// of two of them with small factors cannot overflow.
+// A non-negative integer, `otherwise` where it is missing. At most 2^40, so that sums of two of
+// them, and products with a valid stride (at most 252), cannot overflow.
 std::uint64_t count_in(const Json& object, const char* name, std::uint64_t otherwise) {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
   const auto found = object.find(name);
