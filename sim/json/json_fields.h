@@ -59,8 +59,8 @@ auto value_names(const Values& values, const Name& name) {
   return names;
 }
 
-// Writes fields to a JSON object in the order in which they are visited. It has the same functions
-// as FieldReader; the checks (needs, require) do nothing here.
+// Writes fields to a JSON object in the order in which they are visited. It has the functions of
+// FieldReader that visitors call; the checks (needs, require) do nothing here.
 class FieldWriter {
  public:
   // A field with a plain value (value_to_json).
