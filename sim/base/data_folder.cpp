@@ -21,9 +21,10 @@ bool has_robots(const fs::path& folder) {
   return fs::is_directory(folder / "robots", unreadable);
 }
 
-// The file that the loader took this code from. The loader has no name for the program itself (and
-// dladdr would answer with argv[0], which need not be a path); the kernel has. Symbolic links are
-// followed: a link to an installed program finds the data of that installation.
+// The binary that contains this code. For a shared library the dynamic loader knows its path. For
+// the program itself it does not (dladdr would return argv[0], which need not be a path), so the
+// kernel is asked (/proc/self/exe). Symbolic links are resolved: a link to an installed program
+// finds the data of that installation.
 fs::path this_binary() {
   Dl_info info;
   link_map* loaded = nullptr;

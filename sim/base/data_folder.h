@@ -1,4 +1,4 @@
-// Where the robots and scenes that come with prehend are.
+// Location of the robot and scene files that are installed with prehend.
 #pragma once
 
 #include <filesystem>
@@ -6,16 +6,18 @@
 
 namespace prehend {
 
-// The folder that holds `robots` and `scenes`. It is looked for when the program runs, so that an
-// installed package or a build folder can be moved:
-// 1. the folder that the environment variable PREHEND_DATA names, if it is set and not empty;
-// 2. else share/prehend beside or above the file that holds this function's code, the program or
-//    the shared library: in its own folder and in the five folders above that, the nearest first.
-// Throws InputError where PREHEND_DATA names a folder without `robots`. Nothing where neither rule
-// finds one.
+// The folder that contains the folders `robots` and `scenes`. It is searched at run time, so that
+// an installed package or a build folder can be moved:
+// 1. the folder named by the environment variable PREHEND_DATA, if that is set and not empty;
+// 2. otherwise the folder share/prehend next to or above the binary that contains this function
+//    (the program or the shared library): the binary's own folder is searched first, then up to
+//    five of its parent folders.
+// Returns nullopt when neither rule finds a folder. Throws InputError when PREHEND_DATA names a
+// folder without a subfolder `robots`.
 std::optional<std::filesystem::path> find_data_folder();
 
-// The same. Throws InputError that says where it looked when there is none.
+// Like find_data_folder, but throws InputError with the searched places when there is no such
+// folder.
 std::filesystem::path data_folder();
 
 }  // namespace prehend

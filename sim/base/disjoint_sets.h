@@ -7,18 +7,23 @@
 
 namespace prehend {
 
+// Disjoint sets with path halving (Tarjan and van Leeuwen 1984). The root of each tree is the
+// smallest member of its set, so that representatives do not depend on the order of the merges.
 class DisjointSets {
  public:
+  // Starts with the n sets {0}, {1}, ... {n-1}.
   explicit DisjointSets(std::size_t n) : parent_(n) {
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 
-  // The smallest member of the set that holds the element: its representative.
+  // The representative of the set that contains element i: its smallest member. Shortens the
+  // searched path by half.
   std::size_t find(std::size_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
 
+  // Unites the sets that contain i and j.
   void merge(std::size_t i, std::size_t j) {
     i = find(i);
     j = find(j);

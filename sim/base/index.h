@@ -6,8 +6,8 @@
 
 namespace prehend {
 
-// `i` (>= 0) as an index. Ids and counts are signed in this project, so that their differences are
-// signed, too; standard containers take unsigned indices.
+// Converts `i` (>= 0) to the unsigned index type of standard containers. Ids and counts are signed
+// in this project, so that their differences are signed, too.
 constexpr std::size_t index(int i) {
   assert(i >= 0);
   return static_cast<std::size_t>(i);

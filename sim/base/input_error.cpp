@@ -5,6 +5,7 @@
 namespace prehend {
 namespace {
 
+// "FILE: FIELD: problem (VALUE)" without the empty parts.
 std::string one_line(const InputErrorParts& parts) {
   std::string line;
   for (const std::string* part : {&parts.file, &parts.field, &parts.problem}) {
@@ -30,6 +31,7 @@ InputError InputError::in_file(const std::string& file) const {
 InputError InputError::under(const std::string& outer) const {
   if (outer.empty()) return *this;
   InputErrorParts parts = parts_;
+  // "[3]" follows its list directly, a name follows after a dot.
   const bool joined = parts.field.empty() || parts.field.front() == '[';
   parts.field = outer + (joined ? "" : ".") + parts.field;
   return InputError(std::move(parts));

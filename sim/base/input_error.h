@@ -1,4 +1,4 @@
-// The exception for a caller's mistake: a file, a field and a value that cannot be used.
+// The exception for invalid input: a file, a field or an argument that cannot be used.
 #pragma once
 
 #include <concepts>
@@ -7,23 +7,24 @@
 
 namespace prehend {
 
-// The parts of the message; each may be empty.
+// The parts of the message of an InputError; each may be empty.
 struct InputErrorParts {
   std::string file = {};
-  // Path of the field from the outermost object that the thrower knows:
-  // "grasps[3].contacts[0].link". In calls from C++ and not from a file, the argument or the member
-  // of the options.
+  // Path of the field from the outermost object known where the error is thrown, such as
+  // "grasps[3].contacts[0].link". For calls from C++, the name of the argument or of the member of
+  // the options.
   std::string field = {};
   std::string problem = {};
-  std::string value = {};  // as it was given
+  std::string value = {};  // the rejected value as text
 };
 
-// what() is one line, ready to print: "FILE: FIELD: problem (VALUE)", without the parts that are
-// empty. Who calls a function that knows less of the place adds what he knows:
-//   catch (const InputError& error) { throw error.under("contacts[3]").in_file(path); }
+// Input that cannot be used. what() is one line for the user: "FILE: FIELD: problem (VALUE)",
+// without the parts that are empty. Callers that know more of the place add it:
+// catch (const InputError& error) { throw error.under("contacts[3]").in_file(path); }
 class InputError : public std::invalid_argument {
  public:
-  // A template so that a list in braces is never taken for a text: only InputErrorParts has lists.
+  // An error that states only the problem. A template, because a parameter of type std::string
+  // could be made from a list in braces: InputError({...}) must always mean InputErrorParts.
   template <std::convertible_to<std::string> Text>
   explicit InputError(const Text& problem) : InputError(InputErrorParts{.problem = problem}) {}
   explicit InputError(InputErrorParts parts);
@@ -33,9 +34,10 @@ class InputError : public std::invalid_argument {
   const std::string& problem() const { return parts_.problem; }
   const std::string& value() const { return parts_.value; }
 
-  // The same error in a file; an error that names one already stays as it is.
+  // This error with the file set. An error that already names a file is returned unchanged.
   InputError in_file(const std::string& file) const;
-  // The same error with its field inside `outer`: "link" under "contacts[3]" is "contacts[3].link".
+  // This error with its field placed inside `outer`: "link" under "contacts[3]" becomes
+  // "contacts[3].link".
   InputError under(const std::string& outer) const;
 
  private:

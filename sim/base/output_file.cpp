@@ -18,13 +18,14 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void write_file(const std::filesystem::path& file, const std::string& content) {
-  // Beside the target, because a rename is atomic only within one file system.
+  // In the same folder as the target, because a rename is atomic only within one file system; with
+  // the process id, because two programs may write the same file.
   std::filesystem::path part = file;
   part += ".part" + std::to_string(::getpid());
   errno = 0;
   std::ofstream stream(part, std::ios::binary);
   stream << content;
-  stream.close();  // a full disk may show only when the last bytes leave the buffer
+  stream.close();  // errors such as a full disk may appear only when the buffer is flushed
   std::error_code error;
   if (!stream) error.assign(errno != 0 ? errno : EIO, std::generic_category());
   if (stream) std::filesystem::rename(part, file, error);

@@ -1,4 +1,4 @@
-// Files that are written whole or not at all.
+// Output files and folders; files are written atomically.
 #pragma once
 
 #include <filesystem>
@@ -6,14 +6,17 @@
 
 namespace prehend {
 
-// Makes the folder if it is missing. Throws InputError that names it when that fails.
+// Creates the folder and its parents if they are missing. Throws InputError that names the folder
+// when that fails.
 void make_folder(const std::filesystem::path& folder);
 
-// Writes to a temporary file in the same folder and renames that, so that readers see the old file
-// or the new one, never a part. Throws InputError that names the file.
+// Writes `content` to a temporary file in the same folder, then renames that to `file`, so that
+// other processes see either the old or the complete new file. Throws InputError that names the
+// file.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
-// Removes what an earlier run left under this name; fine where there is no such file.
+// Removes the file, for instance one that an earlier run left. Does nothing where there is none;
+// other errors are ignored.
 void remove_file(const std::filesystem::path& file);
 
 }  // namespace prehend

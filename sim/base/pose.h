@@ -9,8 +9,10 @@ namespace prehend {
 
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
+// A rigid transform: rotation and translation [m].
 using Pose = Eigen::Isometry3d;
 
+// Pose without rotation, at p [m].
 inline Pose translation(const Vector3& p) { return Pose(Eigen::Translation3d(p)); }
 
 // Pose with the rotation whose columns are the given axes (right-handed, orthonormal).
@@ -21,7 +23,8 @@ inline Pose pose_from(const Matrix3& rotation, const Vector3& p) {
   return pose;
 }
 
-// A unit vector orthogonal to `v` (not zero); a pure function of `v`, so that results repeat.
+// A unit vector orthogonal to `v`, which must not be zero. Equal arguments give equal results, so
+// that runs repeat.
 inline Vector3 any_orthogonal(const Vector3& v) { return v.unitOrthogonal(); }
 
 }  // namespace prehend

@@ -1,12 +1,13 @@
-// Rotations as all files write them.
+// Rotations as unit quaternions, in the form in which all files state them.
 #pragma once
 
 #include "sim/base/pose.h"
 
 namespace prehend {
 
-// Of the two quaternions that mean a pose's rotation the one with w >= 0. Its length is 1 up to
-// rounding; writers whose readers insist on 1 normalise it.
+// The rotation of `pose` as a quaternion. Two quaternions, q and -q, stand for one rotation; this
+// is the one with w >= 0. Its length is 1 up to rounding; writers of formats that need exact unit
+// length normalise it.
 inline Eigen::Quaterniond quaternion_of(const Pose& pose) {
   Eigen::Quaterniond q(pose.linear());
   if (q.w() < 0.0) q.coeffs() *= -1.0;

@@ -1,4 +1,4 @@
-// Random numbers that are the same on every machine.
+// Pseudorandom numbers that are the same on every machine and with every standard library.
 #pragma once
 
 #include <cmath>
@@ -11,33 +11,37 @@
 
 namespace prehend {
 
-// A seeded generator: the standard's mersenne twister, whose output the standard fixes, with
-// mappings of our own, because the standard's distributions differ between libraries.
+// A seeded generator: std::mt19937_64, whose output the C++ standard prescribes, with its own
+// mappings to distributions, because those of the standard (std::uniform_real_distribution and
+// others) differ between libraries.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  // Uniform in [0, 1): the 53 bits that a double holds.
+  // Uniform in [0, 1), with the 53 bits of precision of a double.
   double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
 
   // Uniform in [lower, upper).
   double uniform(double lower, double upper) { return lower + (upper - lower) * uniform(); }
 
-  // 0 .. count - 1 (count > 0). The remainder favours small values by less than count / 2^64.
+  // Uniform in 0 .. count - 1 (count > 0). Taking the remainder favours small values by a relative
+  // error below count / 2^64, which is negligible here.
   std::size_t index(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
 
-  // low .. high, both included.
+  // Uniform in low .. high, both included.
   int integer(int low, int high) {
     return low + static_cast<int>(index(static_cast<std::size_t>(high - low + 1)));
   }
 
-  // Standard normal (Box and Muller 1958).
+  // Standard normal distribution (Box and Muller 1958). 1 - uniform() is never 0, so that the
+  // logarithm is finite.
   double normal() {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
     return radius * std::cos(2.0 * std::numbers::pi * uniform());
   }
 
-  // A unit vector, uniform over the sphere.
+  // A unit vector, uniform over the sphere: its z coordinate is uniform (Archimedes), and so is its
+  // angle about z.
   Vector3 direction() {
     const double z = uniform(-1.0, 1.0);
     const double angle = uniform(0.0, 2.0 * std::numbers::pi);
@@ -45,7 +49,8 @@ class Random {
     return Vector3(ring * std::cos(angle), ring * std::sin(angle), z).normalized();
   }
 
-  // A rotation by a uniform angle about a uniform axis; this is not uniform over all rotations.
+  // A rotation by a uniform angle about a uniform axis. This is not the uniform distribution over
+  // all rotations (the Haar measure).
   Matrix3 rotation() {
     const Vector3 axis = direction();
     return Eigen::AngleAxisd(uniform(0.0, 2.0 * std::numbers::pi), axis).toRotationMatrix();
@@ -59,7 +64,7 @@ class Random {
     return {x, y, z};
   }
 
-  // rotation() at in_box(half).
+  // A pose with a rotation() and a position in_box(half).
   Pose pose(double half) {
     const Matrix3 turn = rotation();
     return pose_from(turn, in_box(half));

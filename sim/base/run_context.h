@@ -1,5 +1,5 @@
-// What every long call takes besides its arguments: how many threads it may use, how it is told to
-// stop, and whom it tells how far it is. Nothing in it changes a result that is complete.
+// Common parameter of all long calls: number of threads, cancellation and progress report. None of
+// it changes the result of a call that completes.
 #pragma once
 
 #include <array>
@@ -12,51 +12,56 @@
 
 namespace prehend {
 
-// Thrown by calls that were told to stop and have nothing to return.
+// Thrown by a call that was cancelled before it had a result to return.
 class Cancelled : public std::exception {
  public:
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-// A flag that is raised once and stays up. Copies share it: keep one, hand another to the call, and
-// request() from any thread. Long calls look at it at least every 50 ms of work.
+// A flag by which another thread or a signal handler stops a long call. It is set once and never
+// cleared. Copies share the flag: keep one, pass another to the call, and call request() from any
+// thread. Long calls check it at least every 50 ms of work.
 class Cancellation {
  public:
-  // Also allowed in a signal handler (on a Cancellation that outlives the handler).
+  // Asks all calls that share this flag to stop. May be called in a signal handler, if the
+  // Cancellation outlives the handler.
   void request() const noexcept { requested_->store(true, std::memory_order_relaxed); }
 
+  // True once request() was called on this object or on a copy of it.
   bool requested() const noexcept { return requested_->load(std::memory_order_relaxed); }
 
-  // Throws Cancelled once that was requested. One load of an atomic: cheap enough for inner loops.
+  // Throws Cancelled if a stop was requested. Costs one relaxed atomic load, so inner loops can
+  // afford it.
   void check() const {
     if (requested()) throw Cancelled();
   }
 
  private:
-  // Signal handlers may touch only atomics that need no lock.
+  // Only lock-free atomics may be accessed in a signal handler.
   static_assert(std::atomic<bool>::is_always_lock_free);
   std::shared_ptr<std::atomic<bool>> requested_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-// What a run is busy with.
+// The steps of a run, as they are reported in Progress.
 enum class Stage {
-  load,        // files are read
-  compile,     // search structures of the scene are built
-  primitives,  // the object is decomposed
-  candidates,  // grasps are proposed
-  trials,      // and tried
-  rank,
-  paths,    // of the arm, to the best grasps
-  volumes,  // of the wrench hulls of what is returned, and sections of them
-  report,
-  picture
+  load,        // scene, robot and mesh files are read
+  compile,     // the collision structures of the scene are built
+  primitives,  // the object is decomposed into shape primitives
+  candidates,  // candidate grasps are generated
+  trials,      // every candidate grasp is tried
+  rank,        // stable grasps are sorted
+  paths,       // arm paths to the best grasps are planned
+  volumes,     // volumes and sections of the wrench hulls of the returned grasps
+  report,      // the report is written
+  picture      // pictures are rendered
 };
 
+// All stages, in the order of the enum.
 inline constexpr std::array<Stage, 10> kStages = {
     Stage::load, Stage::compile, Stage::primitives, Stage::candidates, Stage::trials,
     Stage::rank, Stage::paths,   Stage::volumes,    Stage::report,     Stage::picture};
 
-// "load", ...: the word of the files and the progress lines.
+// Name of a stage in files and progress lines: "load", "compile" and so on.
 constexpr std::string_view stage_name(Stage stage) {
   constexpr std::array<std::string_view, kStages.size()> kNames = {
       "load", "compile", "primitives", "candidates", "trials",
@@ -64,20 +69,21 @@ constexpr std::string_view stage_name(Stage stage) {
   return kNames[static_cast<std::size_t>(stage)];
 }
 
-// How far a stage is.
+// How far a stage is: `done` of `total` pieces of work (trials, paths).
 struct Progress {
   Stage stage = Stage::trials;
   int done = 0;
   int total = 0;
-  int stable = 0;  // of the trials done, those whose grasp holds
+  int stable = 0;  // number of finished trials with a stable grasp
 };
 
-// A value: copies share the cancellation.
+// Passed to long calls by reference or value; copies share the cancellation flag.
 struct RunContext {
-  int threads = 0;  // to use, 0: as many as there are processors
+  int threads = 0;  // number of worker threads; 0: one per processor
   Cancellation cancellation = {};
-  // Called after each piece of a stage (a trial, a path), never by two threads at once; may be
-  // empty. It may request the cancellation. An exception from it ends the call and is thrown on.
+  // Called after each finished piece of a stage (a trial, a path), never by two threads at once;
+  // may be empty. It may request cancellation. An exception thrown by it ends the call and reaches
+  // the caller.
   std::function<void(const Progress&)> progress = {};
 };
 

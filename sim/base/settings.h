@@ -1,4 +1,4 @@
-// Every setting of a struct of options, by name: what a file records of a run.
+// Visits every setting of a struct of options by name, for the record of a run's settings in files.
 #pragma once
 
 #include <concepts>
@@ -8,7 +8,7 @@
 
 namespace prehend {
 
-// Beside each struct of options whose values the result depends on stands
+// Each struct of options that influences a result has a function beside it that visits its fields:
 //
 //   template <SettingsOf<SomeOptions> Options, typename Visit>
 //   void for_each_setting(Options& options, const Visit& visit) {
@@ -18,23 +18,27 @@ namespace prehend {
 //     visit("inner", inner);                   // has settings of its own: visit_settings goes on
 //   }
 //
-// with all its fields, but for seeds, which derive from the seed of the run (run_seed.h).
+// It visits all fields except seeds, which derive from the seed of the run (run_seed.h). SettingsOf
+// accepts the struct both const (for writing a file) and mutable (for reading one).
 template <typename T, typename Options>
 concept SettingsOf = std::same_as<std::remove_const_t<T>, Options>;
 
 namespace detail {
+// A visitor that accepts every value; for the concept below only.
 struct AnySetting {
   void operator()(std::string_view, auto&) const {}
 };
 }  // namespace detail
 
+// True for structs of options with a function for_each_setting.
 template <typename T>
 concept HasSettings = requires(T& options) {
   for_each_setting(options, detail::AnySetting{});
 };
 
-// Calls leaf(name, value) for every value in `options` and in the options inside it. Names of inner
-// values are OUTER_INNER, or just INNER where the outer one visits them with an empty name.
+// Calls leaf(name, value) for every value in `options` and, recursively, in nested structs of
+// options. The name of a nested value is OUTER_INNER, or INNER alone where the outer struct visits
+// the nested one with an empty name.
 template <HasSettings Options, typename Leaf>
 void visit_settings(Options& options, const Leaf& leaf, const std::string& prefix = "") {
   for_each_setting(options, [&](std::string_view name, auto& value) {

@@ -26,12 +26,14 @@ void need_range(const char* name, int value, int lowest, int highest) {
   }
 }
 
+// Two triangles for the quadrilateral a b c d, counter-clockwise seen from outside.
 void add_quad(TriangleMesh& mesh, int a, int b, int c, int d) {
   mesh.triangles.push_back({a, b, c});
   mesh.triangles.push_back({a, c, d});
 }
 
-// Vertices of an integer lattice, each made once.
+// Vertices of a box by their integer lattice coordinates. Each is made once, so that the six faces
+// share the vertices of their common edges.
 class LatticePoints {
  public:
   LatticePoints(TriangleMesh& mesh, const Vector3& size, const std::array<int, 3>& cells)
@@ -57,6 +59,7 @@ class LatticePoints {
   std::map<std::array<int, 3>, int> index_;
 };
 
+// Twelve vertices: the corners of three perpendicular golden rectangles.
 TriangleMesh icosahedron() {
   const double g = std::numbers::phi;
   TriangleMesh mesh;
@@ -89,6 +92,8 @@ TriangleMesh make_box_grid(const Vector3& size, const std::array<int, 3>& cells)
       };
       for (int i = 0; i < cells[u]; ++i) {
         for (int j = 0; j < cells[v]; ++j) {
+          // (axis, u, v) is right-handed, so that u before v is counter-clockwise seen from +axis;
+          // the face on the other side is wound the other way.
           const int a = corner(i, j);
           const int b = top ? corner(i + 1, j) : corner(i, j + 1);
           const int c = corner(i + 1, j + 1);
@@ -138,8 +143,9 @@ TriangleMesh make_geodesic_sphere(double radius, int frequency) {
   need_range("sphere frequency", frequency, 1, 2000);
   const TriangleMesh base = icosahedron();
   TriangleMesh mesh;
-  // A point of the cut icosahedron is named by its integer weights at base vertices (at most
-  // three), which neighbours share: zero weights carry no vertex.
+  // A point on a triangle of the icosahedron is identified by its integer barycentric coordinates,
+  // as pairs of vertex and weight without zero weights. A point on an edge then has the same key in
+  // both triangles, and the mesh is closed without welding.
   std::map<std::array<int, 6>, int> index;
   const auto point = [&](const Triangle& t, std::array<int, 3> weight) {
     std::map<int, int> weight_at;
@@ -166,6 +172,7 @@ TriangleMesh make_geodesic_sphere(double radius, int frequency) {
         const int b = point(t, {k - 1, i + 1, j});
         const int c = point(t, {k - 1, i, j + 1});
         mesh.triangles.push_back({a, b, c});
+        // The triangle that points the other way, where there is room for one.
         if (k >= 2) mesh.triangles.push_back({b, point(t, {k - 2, i + 1, j + 1}), c});
       }
     }

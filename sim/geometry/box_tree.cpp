@@ -1,3 +1,5 @@
+// Top-down construction of the tree by median splits, which makes it balanced: depth log2 of the
+// number of triangles, 2 n - 1 nodes.
 #include "sim/geometry/box_tree.h"
 
 #include <algorithm>
@@ -31,6 +33,8 @@ class Builder {
  private:
   const Vector3& vertex(int v) const { return mesh_.vertices[index(v)]; }
 
+  // Fills node `node` with the given triangles (a part of order_, which is permuted) and makes its
+  // subtree.
   void fill(std::size_t node, std::span<int> triangles) {
     context_.cancellation.check();
     Bounds box;
@@ -55,6 +59,8 @@ class Builder {
     std::nth_element(triangles.begin(), middle, triangles.end(), [&](int s, int t) {
       const double a = centers_[index(s)][axis];
       const double b = centers_[index(t)][axis];
+      // Equal centroids are ordered by index, so that the tree is the same with every standard
+      // library.
       return a != b ? a < b : s < t;
     });
     const std::size_t left = nodes_.size();

@@ -1,4 +1,5 @@
-// A binary tree of boxes around the triangles of a mesh.
+// Bounding-volume hierarchy of axis-aligned boxes over the triangles of a mesh, and a lower bound
+// of the distance between two boxes.
 #pragma once
 
 #include <algorithm>
@@ -9,29 +10,32 @@
 
 namespace prehend {
 
-// The set |p - center| <= half, axis by axis, in the mesh's frame.
+// The box |p - center| <= half, component by component, in the frame of the mesh [m].
 struct BoxNode {
   Vector3 center = Vector3::Zero();
   Vector3 half = Vector3::Zero();
-  int left = -1;      // children left and left + 1; -1 for a leaf
-  int triangle = -1;  // of a leaf
+  int left = -1;      // index of the first child, the second follows it; -1: a leaf
+  int triangle = -1;  // the only triangle of a leaf
 
   bool is_leaf() const { return left < 0; }
 };
 
-// Node 0 is the root. Splits at the median along the longest side of the triangles' centres.
+// Builds the tree, one triangle per leaf; node 0 is the root. A node is split at the median of the
+// centroids of its triangles along the longest side of their bounds. Empty for an empty mesh.
 // Throws Cancelled.
 std::vector<BoxNode> build_box_tree(const TriangleMesh& mesh, const RunContext& context = {});
 
-// Lower bound of the distance between boxes of two meshes at one relative pose.
+// Lower bound of the distance between boxes of two meshes a and b at a fixed relative pose.
 class BoxDistance {
  public:
   // X_AB: the pose of mesh b's frame in mesh a's frame.
   explicit BoxDistance(const Pose& X_AB)
       : rotation_(X_AB.linear()), sizes_(X_AB.linear().cwiseAbs()), shift_(X_AB.translation()) {}
 
-  // Squared distance between each box and the axis-aligned box, in its frame, around the other; the
-  // larger of the two.
+  // Squared lower bound [m^2]. Each box is enclosed in a box aligned with the axes of the other;
+  // both distances between aligned boxes are lower bounds, and the larger one is returned. These
+  // are 6 of the 15 axes of the separating-axis test (Gottschalk, Lin and Manocha 1996): the bound
+  // may be 0 for boxes that are apart, which costs only time.
   double squared(const BoxNode& a, const BoxNode& b) const {
     const Vector3 between = rotation_ * b.center + shift_ - a.center;
     const Vector3 in_a = (between.cwiseAbs() - a.half - sizes_ * b.half).cwiseMax(Vector3::Zero());

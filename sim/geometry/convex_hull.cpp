@@ -1,3 +1,15 @@
+// Quickhull in three dimensions (Barber, Dobkin and Huhdanpaa 1996).
+//
+// The hull starts as a tetrahedron of points far from each other. Every face keeps the list of
+// points above its plane that no earlier face has taken; a point in no list is inside. One step
+// takes the point of a list that is farthest above its face, finds all faces that this point sees,
+// and replaces them by a cone of triangles from the border of the visible region (the horizon) to
+// the point. The lists of the removed faces are distributed over the new faces. The hull is
+// complete when all lists are empty.
+//
+// Distances below the tolerance count as 0, so that nearly coplanar points do not produce faces
+// whose orientation is decided by rounding. A point that would still break the topology is left
+// out: the hull is then too small by about the tolerance, but always closed.
 #include "sim/geometry/convex_hull.h"
 
 #include <algorithm>
@@ -10,10 +22,15 @@
 namespace prehend {
 namespace {
 
+// A triangle of the current hull, counter-clockwise seen from outside. Faces are never erased from
+// the list but marked dead, so that indices stay valid.
+// A triangle of the hull, counter-clockwise seen from outside. Replaced faces are marked dead and
+// stay in the list, so that indices remain valid.
 struct Face {
   Triangle corner{};
   Triangle neighbour{};  // across the side from corner k to corner k + 1
   Vector3 normal = Vector3::Zero();
+  // Plane: normal . p = offset.
   double offset = 0.0;
   std::vector<int> outside;  // points above this face and no earlier one
   bool alive = true;
@@ -62,7 +79,9 @@ class Quickhull {
     return best;
   }
 
-  // Four points far from each other, from a line from a plane; false when there are none.
+  // The corners of the first tetrahedron: two points far apart, the point farthest from their line,
+  // and the point farthest from the plane of these three. False when the points are (nearly)
+  // coplanar or not finite.
   bool find_simplex(std::array<int, 4>& s) {
     if (points_.size() < 4) return false;
     for (const Vector3& p : points_) {
@@ -85,11 +104,12 @@ class Quickhull {
     if (!(std::abs(height) > flat)) return false;
     const double volume =
         (point(s[1]) - point(s[0])).cross(point(s[2]) - point(s[0])).dot(point(s[3]) - point(s[0]));
+    // Negative volume: face s[0], s[1], s[2] has its normal away from s[3], as start() needs it.
     if (volume > 0.0) std::swap(s[0], s[1]);
     return true;
   }
 
-  // Adds a face; false when its corners are in a line.
+  // Computes the plane of a face from its corners. False when they are collinear.
   bool set_plane(Face& made) const {
     const Vector3& a = point(made.corner[0]);
     const Vector3 normal = (point(made.corner[1]) - a).cross(point(made.corner[2]) - a);
@@ -100,8 +120,10 @@ class Quickhull {
     return true;
   }
 
+  // Signed distance of point i from the plane of a face, positive outside.
   double height(const Face& over, int i) const { return over.normal.dot(point(i)) - over.offset; }
 
+  // Makes the four faces of the tetrahedron and distributes all points over them.
   void start(const std::array<int, 4>& s) {
     const std::array<Triangle, 4> corners{
         {{s[0], s[1], s[2]}, {s[0], s[3], s[1]}, {s[1], s[3], s[2]}, {s[2], s[3], s[0]}}};
@@ -118,7 +140,8 @@ class Quickhull {
     assign(all, 0);
   }
 
-  // Gives each point to the first face from `first` on that it is above; drops points inside.
+  // Adds each candidate to the list of the first face, from index `first` on, that it lies above.
+  // Candidates above none of them are inside the hull and are dropped.
   void assign(const std::vector<int>& candidates, std::size_t first) {
     for (const int i : candidates) {
       for (std::size_t f = first; f < faces_.size(); ++f) {
@@ -129,14 +152,18 @@ class Quickhull {
     }
   }
 
+  // A directed edge of the horizon, in the direction of the visible face.
+  // A directed edge of the horizon, in the direction of the visible face.
   struct Side {
     int from = 0;
     int to = 0;
-    int beyond = 0;  // the hidden face across it
+    int beyond = 0;  // the face across it, which is not visible
   };
 
-  // Faces that `eye` sees, from face `seed` on, and the sides where they end, by first corner.
-  // False when these sides do not form one ring (rounding).
+  // Finds the faces that point `eye` sees by a search across neighbours that starts at face `seed`,
+  // and the horizon: the edges between visible and hidden faces, by their first corner. The visible
+  // region of a convex polyhedron is a disc, so the horizon is one closed loop; returns false when
+  // rounding makes it anything else.
   bool look(int eye, int seed, std::vector<int>& visible, std::map<int, Side>& ring) {
     std::map<int, bool> sees{{seed, true}};
     visible = {seed};
@@ -155,6 +182,8 @@ class Quickhull {
         ++sides;
       }
     }
+    // Follow the loop from corner to corner. It has to return to its start after all edges, and no
+    // corner may start two edges (then `ring` holds fewer entries than there are sides).
     std::size_t walked = 0;
     const int first = ring.begin()->first;
     int at = first;
@@ -167,7 +196,8 @@ class Quickhull {
     return walked == sides && sides == ring.size();
   }
 
-  // Replaces what the farthest point above a face sees by a cone of new faces to that point.
+  // One step: takes the farthest point above face `seed` into the hull and replaces the faces it
+  // sees by a cone. When that fails, the point is left out and the hull is unchanged.
   void grow(int seed) {
     std::vector<int>& above = face(seed).outside;
     const auto top = std::max_element(above.begin(), above.end(), [&](int a, int b) {
@@ -188,23 +218,29 @@ class Quickhull {
       Face made;
       made.corner = {side.from, side.to, eye};
       made.neighbour = {side.beyond, -1, -1};
-      // A point in line with a side adds next to nothing: leave it out.
+      // Collinear with an edge of the horizon: the face would have no area and no normal, and the
+      // point adds next to nothing to the hull.
       if (!set_plane(made)) return;
       face_from[at] = first + static_cast<int>(k);
       cone.push_back(std::move(made));
       at = side.to;
     }
+    // Side 1 of a cone face (to, eye) borders on the next face around the loop, side 2 (eye, from)
+    // on the one before.
     const int n = static_cast<int>(cone.size());
     for (int k = 0; k < n; ++k) {
       cone[static_cast<std::size_t>(k)].neighbour[1] = first + (k + 1) % n;
       cone[static_cast<std::size_t>(k)].neighbour[2] = first + (k + n - 1) % n;
     }
+    // Points above the removed faces are either inside the grown hull or above a face of the cone.
     std::vector<int> orphans;
     for (const int f : visible) {
       face(f).alive = false;
       orphans.insert(orphans.end(), face(f).outside.begin(), face(f).outside.end());
       face(f).outside = {};
     }
+    // The hidden faces along the horizon get the faces of the cone as neighbours. They run along
+    // the common edge in the opposite direction.
     for (const auto& [from, side] : ring) {
       for (std::size_t k = 0; k < 3; ++k) {
         Face& hidden = face(side.beyond);

@@ -7,9 +7,10 @@
 
 namespace prehend {
 
-// Closed, outward-oriented mesh around all points (quickhull: Barber, Dobkin, Huhdanpaa 1996).
-// Points within 1e-9 of the points' extent of a face count as inside. Empty when the points are
-// flat to within 1e-6 of their extent, or not finite. Same points, same mesh.
+// The convex hull as a closed mesh with outward-facing triangles (quickhull: Barber, Dobkin and
+// Huhdanpaa 1996). A point that is less than 1e-9 of the extent of the set above a face counts as
+// inside. Returns an empty mesh for fewer than four points, for points within 1e-6 of their extent
+// of a plane, and when a point is not finite. Equal points give equal meshes.
 TriangleMesh convex_hull(const std::vector<Vector3>& points);
 
 }  // namespace prehend

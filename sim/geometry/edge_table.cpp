@@ -10,6 +10,7 @@ std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh) {
   uses.reserve(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& v = mesh.triangles[t];
+    // A triangle with a repeated vertex would use an edge twice, or one from a vertex to itself.
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) continue;
     for (std::size_t k = 0; k < 3; ++k) {
       const int from = v[k];

@@ -1,4 +1,4 @@
-// The edges of a mesh and the triangles at each of them.
+// The edges of a mesh and the triangles that meet at each of them.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,9 @@
 
 namespace prehend {
 
-// One side of a triangle. `forward`: the triangle runs from `low` to `high`, the smaller to the
-// greater vertex index.
+// One of the three sides of a triangle. The edge joins vertices `low` < `high`; `forward` tells
+// whether the triangle, in its winding order, traverses it from `low` to `high`. At a consistently
+// wound manifold edge one triangle traverses it forward, the other backward.
 struct EdgeUse {
   int low = 0;
   int high = 0;
@@ -18,11 +19,12 @@ struct EdgeUse {
   bool forward = true;
 };
 
-// All sides of all triangles with three distinct vertices, sorted by (low, high, triangle): the
-// uses of an edge are neighbours.
+// The sides of all triangles with three distinct vertices, sorted by (low, high, triangle), so that
+// the uses of one edge are consecutive.
 std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh);
 
-// Calls visit(std::span<const EdgeUse>) once for each edge, in order.
+// Calls visit(std::span<const EdgeUse>) once for each edge with all its uses, in sorted order.
+// `uses` comes from edge_uses.
 template <typename Visit>
 void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
   for (std::size_t first = 0; first < uses.size();) {
@@ -36,7 +38,8 @@ void for_each_edge(const std::vector<EdgeUse>& uses, Visit visit) {
   }
 }
 
-// How often the edge is run through forward less how often backward; 0 where surfaces close up.
+// Number of forward uses minus number of backward uses of one edge. 0 at every edge means that the
+// surface is the boundary of a solid in the sense of signed volume.
 int net_direction(std::span<const EdgeUse> edge);
 
 }  // namespace prehend

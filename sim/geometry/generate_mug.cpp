@@ -1,3 +1,7 @@
+// The mug is a cup (surface of revolution) with two rectangular patches of cells cut out of its
+// wall, one above the other, and a tube (the handle) whose ends are joined to the borders of the
+// patches vertex by vertex. So handle and body are one closed manifold surface instead of two that
+// intersect.
 #include "sim/geometry/generate_mug.h"
 
 #include <algorithm>
@@ -13,18 +17,20 @@
 namespace prehend {
 namespace {
 
+// All dimensions in metres.
 constexpr double kRadius = 0.052;
 constexpr double kHeight = 0.105;
 constexpr double kWall = 0.0045;
 constexpr double kFootFillet = 0.005;
 constexpr double kInnerFillet = 0.008;
-// The handle's centre line is about half an ellipse about this height.
+// The handle's centre line is about half an ellipse whose centre is at this height.
 constexpr double kHandleMiddle = 0.054;
 constexpr double kHandleHalfHeight = 0.028;
 constexpr double kHandleReach = 0.0285;
 constexpr double kHandleWidth = 0.014;
 constexpr double kHandleThickness = 0.009;
-// Where the handle meets the wall it is this much thicker, fading out over kFlareLength.
+// Relative increase of the cross section at the wall; it decays exponentially with the distance
+// from the wall over kFlareLength.
 constexpr double kFlare = 0.35;
 constexpr double kFlareLength = 0.006;
 
@@ -37,7 +43,8 @@ std::vector<ProfileCorner> body_profile() {
   return outer;
 }
 
-// The wall as a grid: rings first_ring to last_ring, `columns` vertices each.
+// The cylindrical part of the outer wall as a grid: rings first_ring to last_ring with `columns`
+// vertices each.
 struct Wall {
   std::size_t first_ring = 0;
   std::size_t last_ring = 0;
@@ -70,6 +77,8 @@ struct Patch {
   int columns = 1;
 };
 
+// The patch of the given size whose middle is nearest to `height`, moved so that it fits on the
+// wall.
 Patch patch_at(const Wall& wall, double height, int rows, int columns) {
   const double row = (height - kFootFillet) / wall.row_height - 0.5 * rows;
   const long last = static_cast<long>(wall.last_ring - wall.first_ring) - rows;
@@ -77,15 +86,18 @@ Patch patch_at(const Wall& wall, double height, int rows, int columns) {
   return {wall.first_ring + static_cast<std::size_t>(first), rows, columns};
 }
 
-// Vertex of column `column` counted from the patch's lowest y; `row` from its lowest ring.
+// Index of a vertex of the patch; row 0 is its lowest ring, column 0 its side of lowest y. Odd
+// numbers of columns are symmetric about y = 0 because the body then has its vertices at half
+// steps.
 int patch_vertex(const Revolved& body, const Patch& patch, int row, int column) {
   const Ring& ring = body.rings[patch.first_ring + static_cast<std::size_t>(row)];
   const int first = -(patch.columns / 2) - (patch.columns % 2);
   return ring.first + (first + column + ring.count) % ring.count;
 }
 
-// The patch's border, counter-clockwise seen from +x, from its lower corner of lowest y; with
-// `mirrored`, the same walk with up and down exchanged.
+// Vertices of the border, counter-clockwise seen from +x, starting at the lower corner of lowest y.
+// `mirrored` exchanges up and down: the tube turns over between its upper and its lower end, so
+// that its vertices meet the lower patch in mirrored order.
 std::vector<int> border(const Revolved& body, const Patch& patch, bool mirrored) {
   std::vector<int> loop;
   const auto add = [&](int row, int column) {
@@ -98,6 +110,7 @@ std::vector<int> border(const Revolved& body, const Patch& patch, bool mirrored)
   return loop;
 }
 
+// Removes the two triangles of every cell of the patches.
 void remove_cells(Revolved& body, const std::vector<Patch>& patches) {
   std::set<int> removed;
   for (const Patch& patch : patches) {
@@ -117,6 +130,7 @@ void remove_cells(Revolved& body, const std::vector<Patch>& patches) {
   body.mesh.triangles = std::move(kept);
 }
 
+// Joins two loops of equal length by a band of triangles.
 void join(TriangleMesh& mesh, const std::vector<int>& from, const std::vector<int>& to) {
   for (std::size_t k = 0; k < from.size(); ++k) {
     const std::size_t next = (k + 1) % from.size();
@@ -131,6 +145,7 @@ struct Bow {
   double half_height = 0.0;
 };
 
+// Height of the middle of a patch [m].
 double center_height(const Revolved& body, const Patch& patch) {
   const int low = patch_vertex(body, patch, 0, 0);
   const int high = patch_vertex(body, patch, patch.rows, 0);
@@ -138,8 +153,8 @@ double center_height(const Revolved& body, const Patch& patch) {
                 body.mesh.vertices[static_cast<std::size_t>(high)].z());
 }
 
-// Adds the elliptic section `progress` of the way along the bow (0 at the upper end, 1 at the
-// lower), one vertex at each angle from +y; at the upper end angle pi / 2 is up.
+// Adds the elliptic cross section at `progress` along the bow (0: upper end, 1: lower end), with
+// one vertex at each of `angles`, measured from +y; at the upper end the angle pi / 2 points up.
 std::vector<int> add_section(TriangleMesh& mesh, const Bow& bow, double progress,
                              const std::vector<double>& angles) {
   const double t = std::numbers::pi * (0.5 - progress);
@@ -166,7 +181,8 @@ void add_handle(Revolved& body, const Patch& upper, const Patch& lower, double e
   const Bow bow{0.5 * (high + low), 0.5 * (high - low)};
   std::vector<int> previous = border(body, upper, false);
   const std::vector<int> end = border(body, lower, true);
-  // Even steps from the corner of the patch where its border starts, below and left of the middle.
+  // Equal angles, starting at the direction of the corner where the border of the patch starts
+  // (lower corner of lowest y), so that the tube is not twisted against the border.
   const double corner = std::numbers::pi + std::atan2(upper.rows, upper.columns);
   std::vector<double> angles;
   for (std::size_t k = 0; k < previous.size(); ++k) {
@@ -186,8 +202,9 @@ void add_handle(Revolved& body, const Patch& upper, const Patch& lower, double e
 }  // namespace
 
 TriangleMesh generate_mug(double edge) {
-  // Five rows of wall leave room for two patches and a row between them.
+  // The wall then has at least five rows: room for two patches and a row between them.
   edge = std::min(edge, 0.018);
+  // The holes are slightly larger than the cross section of the handle, like the foot of its flare.
   const int columns = std::max(1, static_cast<int>(std::lround(kHandleWidth * 1.1 / edge)));
   Revolved body =
       revolve(profile_points(body_profile(), edge), {.edge = edge, .half_step = columns % 2 == 1});

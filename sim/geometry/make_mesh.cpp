@@ -45,7 +45,7 @@ TriangleMesh make_mesh(std::vector<Vector3> vertices, std::vector<Triangle> tria
   check_vertices(mesh);
   drop_unused_vertices(mesh);
   const double diagonal = mesh.empty() ? 0.0 : bounds(mesh).diagonal();
-  // Welding needs a tolerance above 0.
+  // weld() needs a tolerance above 0; a mesh with all vertices at one point has no area anyway.
   if (diagonal > 0.0) mesh = weld(mesh, weld_fraction * diagonal).mesh;
   if (!(diagonal > 0.0) || mesh.empty()) throw InputError("triangles: none of them has an area");
   orient_outward(mesh);

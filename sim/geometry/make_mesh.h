@@ -1,4 +1,4 @@
-// A mesh from arrays of a program, made sound in the way that mesh files are.
+// Makes a cleaned mesh from arrays, in the way in which mesh files are cleaned.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,13 @@
 
 namespace prehend {
 
-// `vertices` in metres in the body's frame, `triangles` as indices into them. Vertices of no
-// triangle are left out, those closer than `weld_fraction` (> 0, < 0.01) of the bounding-box
-// diagonal become one, triangles without area or given twice are left out, and the surface is
-// turned to face outward (orient_outward in mesh_checks.h). Holes stay. Throws InputError for an
-// index out of range, a vertex that is not finite or farther out than 1e30 m, and a mesh without a
-// triangle of positive area.
+// `vertices` [m] are in the body's frame; `triangles` are indices into them.
+// - Vertices that no triangle uses are removed.
+// - Vertices closer than `weld_fraction` (> 0, < 0.01) of the bounding-box diagonal are merged.
+// - Triangles without area and duplicates are removed (weld.h).
+// - Triangles are turned to face outward (orient_outward in mesh_checks.h).
+// Holes are kept. Throws InputError for an index out of range, a vertex that is not finite or has a
+// coordinate beyond 1e30 m, and a mesh without a triangle of positive area.
 TriangleMesh make_mesh(std::vector<Vector3> vertices, std::vector<Triangle> triangles,
                        double weld_fraction = 1e-6);
 

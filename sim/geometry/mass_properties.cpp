@@ -1,3 +1,6 @@
+// Moments of a solid as sums over signed tetrahedra from the origin to each triangle: tetrahedra
+// outside the solid cancel. Each attempt (as it is, holes closed, convex hull, surface) is used if
+// its result is plausible.
 #include "sim/geometry/mass_properties.h"
 
 #include <cmath>
@@ -21,14 +24,15 @@
 namespace prehend {
 namespace {
 
-// Integrals over a body of 1, x and x x^T.
+// Integrals of 1, x and x x^T over a body (volume or surface).
 struct Moments {
   double zeroth = 0.0;
   Vector3 first = Vector3::Zero();
   Matrix3 second = Matrix3::Zero();
 
   Vector3 center() const { return first / zeroth; }
-  // About the centre, for a mass of 1.
+  // Inertia about the centre for a mass of 1. `spread` is the second central moment; the inertia is
+  // its trace times the identity minus `spread`.
   Matrix3 unit_inertia() const {
     const Matrix3 spread = second / zeroth - center() * center().transpose();
     return spread.trace() * Matrix3::Identity() - spread;
@@ -39,9 +43,12 @@ const Vector3& corner(const TriangleMesh& mesh, std::size_t t, std::size_t k) {
   return mesh.vertices[static_cast<std::size_t>(mesh.triangles[t][k])];
 }
 
+// Outer product v v^T.
 Matrix3 square(const Vector3& v) { return v * v.transpose(); }
 
-// Adds the tetrahedron from the origin to the triangle a b c, negative when it is seen from behind.
+// Adds the tetrahedron with the corners 0, a, b and c, with negative sign when a, b, c are
+// clockwise seen from outside. The factors are the exact integrals of polynomials over a
+// tetrahedron.
 void add_tetrahedron(Moments& sum, const Vector3& a, const Vector3& b, const Vector3& c) {
   const double sextuple = a.cross(b).dot(c);
   sum.zeroth += sextuple / 6.0;
@@ -57,6 +64,7 @@ Moments solid_moments(const TriangleMesh& mesh) {
   return sum;
 }
 
+// The same for mass on the triangles themselves (exact integrals over a triangle).
 Moments surface_moments(const TriangleMesh& mesh) {
   Moments sum;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -71,8 +79,10 @@ Moments surface_moments(const TriangleMesh& mesh) {
   return sum;
 }
 
-// The triangles that close the surface: from every edge run through more often one way than the
-// other to the mean of the vertices of all such edges connected with it.
+// The triangles that close the holes. Edges that are not traversed equally often in both directions
+// form the rims; rim edges connected by vertices are one hole. Each rim edge is joined to the mean
+// of the vertices of its hole, as often as one direction is missing. The result bounds a solid in
+// the sense of signed volume for any mesh.
 TriangleMesh caps(const TriangleMesh& mesh) {
   struct Rim {
     int from;
@@ -84,7 +94,7 @@ TriangleMesh caps(const TriangleMesh& mesh) {
   for_each_edge(edge_uses(mesh), [&](std::span<const EdgeUse> edge) {
     const int net = net_direction(edge);
     if (net == 0) return;
-    // A cap runs through the edge against the surface.
+    // The cap traverses the edge in the direction that is missing.
     rims.push_back(net > 0 ? Rim{edge[0].high, edge[0].low, net}
                            : Rim{edge[0].low, edge[0].high, -net});
     holes.merge(static_cast<std::size_t>(edge[0].low), static_cast<std::size_t>(edge[0].high));
@@ -113,9 +123,12 @@ TriangleMesh caps(const TriangleMesh& mesh) {
   return closing;
 }
 
+// Whether the moments can be those of a solid within the bounds of the mesh. Wrongly wound or
+// overlapping parts make volume, centre or inertia impossible.
 bool plausible(const Moments& solid, const TriangleMesh& mesh) {
   const Bounds box = bounds(mesh);
   const double box_volume = box.size().prod();
+  // A box fills its bounds exactly, up to rounding.
   constexpr double kRounding = 1e-9;
   if (!(solid.zeroth > 1e-6 * box_volume)) return false;
   if (!(solid.zeroth <= (1.0 + kRounding) * box_volume)) return false;
@@ -123,14 +136,18 @@ bool plausible(const Moments& solid, const TriangleMesh& mesh) {
   if (((center - box.lower).array() < 0.0).any() || ((box.upper - center).array() < 0.0).any()) {
     return false;
   }
-  // A body has mass spread in every direction: x x^T about the centre is positive.
+  // The second central moment of a solid is positive definite, and at most the squared diagonal of
+  // its bounds.
   const Matrix3 spread = solid.second / solid.zeroth - square(center);
   const Vector3 eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvalues();
   return eigenvalues.minCoeff() > 0.0 && spread.trace() <= box.size().squaredNorm();
 }
 
-// Of the solid that the mesh bounds as it is wound, holes closed; none when implausible.
+// Mass properties of the solid that the mesh bounds with its present winding, after closing holes.
+// nullopt when they are implausible.
 std::optional<MassProperties> enclosed(const TriangleMesh& mesh) {
+  // Largest share of cap area. Beyond it the volume depends mostly on the guessed caps; the convex
+  // hull is the better guess.
   constexpr double kMostCapped = 0.25;
   const TriangleMesh closing = caps(mesh);
   if (surface_area(closing) > kMostCapped * surface_area(mesh)) return std::nullopt;
@@ -142,6 +159,8 @@ std::optional<MassProperties> enclosed(const TriangleMesh& mesh) {
   return MassProperties{source, solid.zeroth, solid.center(), solid.unit_inertia()};
 }
 
+// For a mesh with a bounding-box diagonal of 1 about the origin: the attempts in the order of
+// MassSource.
 MassProperties of_unit_size(TriangleMesh mesh) {
   orient_outward(mesh);
   if (const std::optional<MassProperties> found = enclosed(mesh)) return *found;
@@ -165,7 +184,9 @@ MassProperties mass_properties(const TriangleMesh& mesh) {
     throw InputError("mesh: has no triangle of positive area (" + std::to_string(checks.triangles) +
                      " triangles)");
   }
-  // About the middle and at unit size, so that neither far nor tiny meshes lose digits.
+  // Computed about the centre of the bounds and at unit size: the volumes of tetrahedra from a
+  // distant origin would cancel most digits, and those of tiny meshes would fall below absolute
+  // thresholds.
   TriangleMesh unit = mesh;
   drop_unused_vertices(unit);
   const Bounds box = bounds(unit);

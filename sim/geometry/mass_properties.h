@@ -9,24 +9,24 @@
 
 namespace prehend {
 
-// What the mass was taken to fill. The first that gives a plausible solid is used: volume between
-// 1e-6 and 1 of the bounding box's, centre of mass inside that box, and an inertia that some solid
-// can have.
+// The solid over which the mass is assumed to be spread. mass_properties uses the first that is
+// plausible: its volume is between 1e-6 and 1 of that of the bounding box, its centre of mass lies
+// inside that box, and its inertia is one that a solid can have (positive second moments).
 enum class MassSource {
-  // Exact integral over the solid that the surface bounds (Mirtich 1996; Eberly 2002), turned by
-  // orient_outward. Every edge is run through as often one way as the other; parts may touch,
-  // share edges or have hollows. Where parts overlap the mass counts twice.
+  // Exact integral over the solid that the surface bounds (Mirtich 1996; Eberly 2002), after
+  // orient_outward. Every edge is traversed equally often in both directions; components may touch,
+  // share edges or be cavities. Where components overlap, the mass counts twice.
   signed_volume,
-  // The same after each hole was closed by triangles from its rim to the rim's mean point; the area
-  // of these triangles is at most a quarter of the surface's.
+  // The same after every hole was closed by triangles from its rim to the mean of the rim's
+  // vertices. Used only while the area of these triangles is at most a quarter of the surface's.
   closed_holes,
-  // The convex hull of the vertices: for scraps and soups of triangles.
+  // The convex hull of the vertices: for meshes with large holes and unconnected triangles.
   convex_hull,
-  // Flat, without a hull: mass spread evenly over the triangles. Volume 0.
+  // The mass is spread evenly over the triangles: for flat meshes, which have no hull. Volume 0.
   surface,
 };
 
-// For people: "convex hull, the mesh is not closed".
+// A phrase for reports, such as "convex hull, the mesh is not closed".
 constexpr std::string_view mass_source_name(MassSource source) {
   constexpr std::array<std::string_view, 4> kNames = {
       "signed volume", "signed volume, holes closed", "convex hull, the mesh is not closed",
@@ -34,7 +34,8 @@ constexpr std::string_view mass_source_name(MassSource source) {
   return kNames[static_cast<std::size_t>(source)];
 }
 
-// For the uniform density that fills the volume.
+// Mass properties at uniform density, without the density itself: multiply `volume` by a density
+// [kg/m^3] for the mass [kg], and `unit_inertia` by the mass for the inertia [kg m^2].
 struct MassProperties {
   MassSource source = MassSource::signed_volume;
   double volume = 0.0;                       // m^3
@@ -42,8 +43,8 @@ struct MassProperties {
   Matrix3 unit_inertia = Matrix3::Zero();    // about the centre of mass, for a mass of 1 kg [m^2]
 };
 
-// Throws InputError for a mesh without a triangle of positive area, with a vertex that is not
-// finite or a triangle that refers to no vertex.
+// Integrates over the mesh (see MassSource). Throws InputError when the mesh has no triangle of
+// positive area, a vertex that is not finite or an index out of range.
 MassProperties mass_properties(const TriangleMesh& mesh);
 
 }  // namespace prehend

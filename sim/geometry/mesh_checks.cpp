@@ -13,6 +13,7 @@
 namespace prehend {
 namespace {
 
+// Number of sets of triangles connected by shared vertices; vertices of no triangle do not count.
 int count_components(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
@@ -49,6 +50,7 @@ MeshChecks check_mesh(const TriangleMesh& mesh) {
   checks.triangles = static_cast<int>(mesh.triangles.size());
   for (const Vector3& p : mesh.vertices) checks.nonfinite_vertices += p.allFinite() ? 0 : 1;
 
+  // Degenerate triangles would hide defects: they add uses to edges without closing any surface.
   TriangleMesh sound{mesh.vertices, {}};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (is_degenerate(mesh, t)) {
@@ -69,6 +71,7 @@ MeshChecks check_mesh(const TriangleMesh& mesh) {
 
 double signed_volume(const TriangleMesh& mesh) {
   if (mesh.empty()) return 0.0;
+  // About the centre of the bounds: far from the origin large terms would cancel.
   const Vector3 center = bounds(mesh).center();
   double sextuple = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -1,33 +1,34 @@
-// What is right and wrong with a mesh: counts that decide what can be trusted.
+// Diagnosis and repair of the orientation of a mesh: whether it is closed, manifold and
+// consistently wound, and which way it faces.
 #pragma once
 
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
 
-// Counts of what a mesh is made of, and of what keeps it from bounding a solid.
+// Counts of the parts of a mesh and of the defects that keep it from bounding a solid.
 struct MeshChecks {
   int vertices = 0;
   int triangles = 0;
   int nonfinite_vertices = 0;    // with a coordinate that is infinite or not a number
-  int degenerate_triangles = 0;  // of no area (is_degenerate in weld.h); not counted below
+  int degenerate_triangles = 0;  // without area (is_degenerate in weld.h); left out below
   int components = 0;            // sets of triangles connected by shared vertices
   int boundary_edges = 0;        // edges of exactly one triangle
   int nonmanifold_edges = 0;     // edges of three or more triangles
-  int misoriented_edges = 0;     // edges of two triangles that run through it in the same direction
+  int misoriented_edges = 0;     // edges of two triangles that are wound against each other
   bool inward = false;           // solid, but the signed volume is negative
 
-  // Every edge in exactly two triangles.
+  // Every edge belongs to exactly two triangles.
   bool closed() const { return triangles > 0 && boundary_edges == 0 && nonmanifold_edges == 0; }
-  // Closed, finite, and neighbours agree on outside: the signed volume means something.
+  // Closed, finite and consistently wound, so that the signed volume is that of a solid.
   bool solid() const { return closed() && misoriented_edges == 0 && nonfinite_vertices == 0; }
 };
 
-// Throws InputError when a triangle refers to a vertex that is not there.
+// Counts the parts and defects of `mesh`. Throws InputError when a vertex index is out of range.
 MeshChecks check_mesh(const TriangleMesh& mesh);
 
-// Sum of the signed volumes of the tetrahedra between the centre of the bounds and each triangle
-// [m^3]: the volume enclosed by a solid mesh, negative when it is inside out.
+// Sum of the signed volumes of the tetrahedra between the centre of the bounding box and each
+// triangle [m^3]: the enclosed volume of a solid mesh, negative when its triangles face inward.
 double signed_volume(const TriangleMesh& mesh);
 
 // Turns triangles so that the surface faces outward. Returns the number of triangles turned.

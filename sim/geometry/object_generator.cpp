@@ -1,3 +1,6 @@
+// Most objects are surfaces of revolution, given by the corners of their profile (distance from the
+// axis, height) in metres with a fillet radius each. Dimensions are those of common products or of
+// the YCB object set (Calli et al. 2015).
 #include "sim/geometry/object_generator.h"
 
 #include <algorithm>
@@ -14,12 +17,15 @@
 namespace prehend {
 namespace {
 
+// A solid of revolution with edges about `edge` long [m].
 TriangleMesh turned(const std::vector<ProfileCorner>& corners, double edge) {
   // Coarser than this, the profiles lose their form.
   edge = std::min(edge, 0.03);
   return revolve(profile_points(corners, edge), {.edge = edge}).mesh;
 }
 
+// A vessel from its outer profile: the inner profile is parallel to it at distance `wall`, and the
+// lip between them is rounded to a half circle.
 TriangleMesh vessel(std::vector<ProfileCorner> outer, double wall, double edge) {
   outer.back().fillet = 0.5 * wall;
   const std::vector<ProfileCorner> inner = inner_side(outer, wall);
@@ -27,6 +33,7 @@ TriangleMesh vessel(std::vector<ProfileCorner> outer, double wall, double edge) 
   return turned(outer, edge);
 }
 
+// Number of cells of about `edge` along a length.
 int cells(double length, double edge) {
   return std::clamp(static_cast<int>(std::lround(length / edge)), 1, 10000);
 }
@@ -91,14 +98,15 @@ TriangleMesh carton(double edge) {
 // A tennis ball: 67 mm (ITF rules: 65.4 to 68.6 mm).
 TriangleMesh ball(double edge) {
   const double radius = 0.0335;
-  // The sphere's area over that of 20 f^2 triangles of edge^2 / 2.
+  // From equal areas: that of the sphere, and that of 20 frequency^2 triangles of about edge^2 / 2.
   const double frequency = std::sqrt(4.0 * std::numbers::pi / 10.0) * radius / edge;
   return standing(
       make_geodesic_sphere(radius, std::clamp(static_cast<int>(std::lround(frequency)), 1, 2000)),
       radius);
 }
 
-// A point of a sharp box moved to the box of the same size with edges of radius `radius`.
+// Projects a point on the surface of a box to the box of the same size whose edges are rounded with
+// `radius`: towards the nearest point of the inner box, which is smaller by `radius` on every side.
 Vector3 rounded(const Vector3& p, const Vector3& half, double radius) {
   const Vector3 inner =
       p.cwiseMax(radius * Vector3::Ones() - half).cwiseMin(half - radius * Vector3::Ones());
@@ -121,7 +129,9 @@ TriangleMesh phone(double edge) {
   TriangleMesh mesh = make_box_grid(lattice, count);
   for (Vector3& p : mesh.vertices) {
     for (Eigen::Index k = 0; k < 3; ++k) {
-      // Lattice steps beyond the flat part are equal angles of the rounded edge.
+      // Lattice steps on the flat part have equal lengths. The `arc` steps beyond it are spaced as
+      // the tangent of equal angles up to 45 degrees, so that the projection (rounded) turns them
+      // into equal angles of the rounded edge.
       const double step = p[k];
       const double flat_steps = 0.5 * flat[static_cast<std::size_t>(k)];
       const double beyond = std::max(0.0, std::abs(step) - flat_steps) / arc;
@@ -149,8 +159,11 @@ constexpr std::array<NamedObject, 9> kObjects{{{"mug", generate_mug},
                                                {"ball", ball},
                                                {"cylinder", can}}};
 
-// Triangles go with the inverse square of the edge; a few corrections find the edge.
+// The number of triangles is about proportional to 1 / edge^2. A few corrections of the edge length
+// by the square root of the ratio of counts come close; counts change in jumps, so the best attempt
+// is kept.
 TriangleMesh with_count(TriangleMesh (*make)(double), int triangles) {
+  // 3 % (logarithm of the ratio) is close enough.
   constexpr double kClose = 0.03;
   double edge = 0.01;
   double best_error = std::numeric_limits<double>::infinity();

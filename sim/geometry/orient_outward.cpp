@@ -1,3 +1,6 @@
+// The three steps of orient_outward (mesh_checks.h): make neighbours agree within each sheet, turn
+// sheets by the sign of their volume, and find cavities. All decisions are collected in flip_; the
+// triangles are changed at the end.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,23 +16,25 @@
 namespace prehend {
 namespace {
 
-// Triangles joined over edges of two triangles.
+// Triangles connected over edges of exactly two triangles. Edges of three and more triangles end a
+// sheet, because they do not tell which of the triangles continue each other.
 struct Sheet {
   std::vector<int> triangles;
-  bool as_wound = true;  // neighbours agreed already in the file
+  bool as_wound = true;  // no triangle was turned in step 1
   bool closed = true;
   double volume = 0.0;  // signed, after step 1
   Bounds box;
   bool cavity = false;
 };
 
-// Across one side of a triangle; `triangle` is -1 for none.
+// The triangle across one side of a triangle; `agrees` when both traverse the common edge in
+// opposite directions, as the triangles of a consistently wound surface do.
 struct Neighbour {
   int triangle = -1;
   bool agrees = true;
 };
 
-// At most one for each side.
+// The neighbours of one triangle, at most one for each side.
 struct Neighbours {
   std::array<Neighbour, 3> across;
   std::size_t count = 0;
@@ -58,6 +63,7 @@ class Orienter {
   }
 
  private:
+  // Neighbours across all edges of exactly two triangles.
   void find_neighbours() {
     neighbours_.resize(mesh_.triangles.size());
     for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
@@ -68,6 +74,8 @@ class Orienter {
     });
   }
 
+  // Step 1: a breadth-first search from each triangle that has no sheet yet. A triangle is turned
+  // relative to the one it was reached from unless the two agree.
   void find_sheets() {
     const std::size_t n = mesh_.triangles.size();
     flip_.assign(n, false);
@@ -94,7 +102,7 @@ class Orienter {
     }
   }
 
-  // A sheet closes up when every edge is run through as often forward as backward.
+  // A sheet is closed when its triangles traverse every edge as often forward as backward.
   void find_open_sheets() {
     for_each_edge(uses_, [&](std::span<const EdgeUse> edge) {
       const auto direction_of = [&](const EdgeUse& use) {
@@ -105,6 +113,8 @@ class Orienter {
       };
       // Nearly all edges join two triangles of one sheet.
       if (edge.size() == 2 && direction_of(edge[0]) + direction_of(edge[1]) == 0) return;
+      // Edges of other numbers of triangles, and those where a one-sided sheet disagrees with
+      // itself: count for each sheet.
       std::map<int, int> net;
       for (const EdgeUse& use : edge) net[sheet_of(use)] += direction_of(use);
       for (const auto& [name, direction] : net) {
@@ -118,6 +128,8 @@ class Orienter {
     return mesh_.vertices[static_cast<std::size_t>(t[k])];
   }
 
+  // Bounds and signed volume of a sheet. For an open sheet the volume about its own centroid
+  // (weighted by area) is positive when most of its area faces away from the centroid.
   void measure(Sheet& sheet) const {
     Vector3 weighted = Vector3::Zero();
     double area = 0.0;
@@ -137,12 +149,15 @@ class Orienter {
       const double part = (corner(t, 0) - center).dot(doubled_area_vector(mesh_, i)) / 6.0;
       sheet.volume += flip_[i] ? -part : part;
     }
-    // Rounding of a flat sheet is no volume.
+    // A flat sheet has a volume of about zero, whose sign is rounding error.
     if (std::abs(sheet.volume) < 1e-9 * area * sheet.box.diagonal()) sheet.volume = 0.0;
   }
 
-  // Whether a ray from `p` along +z leaves the closed sheet an odd number of times. Each side of a
-  // triangle is judged from its lower to its higher vertex index, so neighbours judge it alike.
+  // Whether point p is inside a closed sheet: a ray from p along +z crosses it an odd number of
+  // times. Whether the ray meets a triangle is decided in the xy plane, by the sides that a ray
+  // along +x from p crosses. Each side is evaluated from its lower to its higher vertex index, so
+  // that two triangles with a common side come to the same decision and no crossing is lost or
+  // counted twice.
   bool contains(const Sheet& sheet, const Vector3& p) const {
     bool odd = false;
     for (const int t : sheet.triangles) {
@@ -160,11 +175,15 @@ class Orienter {
       if (!inside) continue;
       const Vector3 normal = doubled_area_vector(mesh_, static_cast<std::size_t>(t));
       if (normal.z() == 0.0) continue;
+      // The quotient is the height of the crossing above p.
       if (normal.dot(corner(t, 0) - p) / normal.z() > 0.0) odd = !odd;
     }
     return odd;
   }
 
+  // Step 3. Only closed sheets count whose winding the file made consistent: where the winding is
+  // unreliable it cannot tell a cavity from a solid part. When all of them have volumes of one
+  // sign, there is no cavity.
   void find_cavities() {
     std::vector<std::size_t> solids;
     bool positive = false;
@@ -176,6 +195,7 @@ class Orienter {
       (sheet.volume > 0.0 ? positive : negative) = true;
     }
     if (!positive || !negative) return;
+    // Largest volume first, so that a sheet comes after every sheet that contains it.
     std::stable_sort(solids.begin(), solids.end(), [&](std::size_t a, std::size_t b) {
       return std::abs(sheets_[a].volume) > std::abs(sheets_[b].volume);
     });
@@ -193,6 +213,7 @@ class Orienter {
     }
   }
 
+  // Step 2: outward for solids, inward for cavities.
   void turn_outward(const Sheet& sheet) {
     const bool wrong = sheet.cavity ? sheet.volume > 0.0 : sheet.volume < 0.0;
     if (!wrong) return;

@@ -1,3 +1,7 @@
+// Ear clipping. An ear is a convex corner whose triangle with its two neighbours contains no other
+// part of the polygon; every simple polygon with more than three corners has two (Meisters 1975).
+// Ears are cut off one by one until nothing is left. Of several ears the one with the best shape is
+// taken, which avoids slivers where the polygon allows it.
 #include "sim/geometry/polygon.h"
 
 #include <algorithm>
@@ -15,7 +19,8 @@ double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-// The ring of corners not yet clipped, with the quality of the ear at each (0: no ear).
+// The polygon that remains: corners not yet clipped, in order, and the quality of the ear at each
+// of them (0: not an ear).
 struct Ring {
   const std::vector<Vector2d>& corners;
   std::vector<int> left;
@@ -27,7 +32,10 @@ struct Ring {
 
   bool convex(std::size_t i) const { return turn(at(before(i)), at(i), at(after(i))) > 0.0; }
 
-  // Doubled area over squared longest side, or 0 when clipping corner i would leave the polygon.
+  // Height over longest side of the ear at corner i; 0 when the corner is no ear. Only reflex and
+  // straight corners inside the ear are searched: if any part of the polygon is inside, such a
+  // corner is. Corners at the position of one of the three vertices touch the ear without entering
+  // it.
   double ear_quality(std::size_t i) const {
     const Vector2d& a = at(before(i));
     const Vector2d& b = at(i);
@@ -45,6 +53,8 @@ struct Ring {
     return area / longest;
   }
 
+  // Removes corner i. The qualities of its two neighbours change. No other corner can become an ear
+  // or cease to be one.
   void clip(std::size_t i) {
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     quality.erase(quality.begin() + static_cast<std::ptrdiff_t>(i));
@@ -84,6 +94,8 @@ std::vector<Triangle> triangulate_polygon(const std::vector<Vector2d>& corners) 
 std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners) {
   const int n = static_cast<int>(corners.size());
   if (n > 3) {
+    // Newell's method: the sum of the normals of the fan about corner 0 does not depend on which
+    // corner is chosen and is an average for a bent face.
     Vector3 normal = Vector3::Zero();
     for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
       normal += (corners[k] - corners[0]).cross(corners[k + 1] - corners[0]);
@@ -101,6 +113,7 @@ std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners) {
       if (!ears.empty()) return ears;
     }
   }
+  // No triangulation in the plane: a fan keeps the border of the face, although it may fold.
   std::vector<Triangle> fan;
   for (int k = 1; k + 1 < n; ++k) fan.push_back({0, k, k + 1});
   return fan;

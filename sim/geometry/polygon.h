@@ -1,4 +1,4 @@
-// Splits simple polygons into triangles.
+// Triangulation of simple polygons in the plane and of polygonal faces in space.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,19 @@
 
 namespace prehend {
 
-// Twice the signed area of the polygon, positive when counter-clockwise.
+// Twice the signed area [m^2] of the polygon, positive when its corners are counter-clockwise.
 double doubled_area(const std::vector<Eigen::Vector2d>& corners);
 
-// Ear clipping (Meisters 1975), the best-shaped ear first: n - 2 triangles of indices into
-// `corners`, counter-clockwise, every corner used. O(n^2). Straight corners are allowed.
-// Empty when the polygon has no such split: fewer than three corners, not counter-clockwise, or
-// crossing itself.
+// Ear clipping (Meisters 1975), the best-shaped ear first: n - 2 counter-clockwise triangles of
+// indices into `corners`, which use every corner. O(n^2). Corners with an angle of 180 degrees are
+// allowed. Returns nothing when there is no such triangulation: fewer than three corners, not
+// counter-clockwise, or intersecting itself.
 std::vector<Triangle> triangulate_polygon(const std::vector<Eigen::Vector2d>& corners);
 
-// The same for a face in space, in the plane of its mean normal (Newell): indices into `corners`,
-// wound like the face. A face that has no such split (bent or crossing itself) becomes a fan about
-// its first corner; fewer than three corners give nothing.
+// The same for a polygon in space, projected to the plane of its mean normal (Newell's method):
+// indices into `corners`, wound like the face. Where the projection has no triangulation (strongly
+// bent or self-intersecting faces) the result is a fan about the first corner. Returns nothing for
+// fewer than three corners.
 std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners);
 
 }  // namespace prehend

@@ -9,6 +9,9 @@ namespace {
 
 using std::numbers::pi;
 
+// Outside, the length of the part of p beyond the faces; inside, minus the distance to the nearest
+// face. One of the two terms is always zero. The cylinder works alike in the half plane (distance
+// from the axis, |z|).
 double distance_to(const Box& box, const Vector3& p) {
   const Vector3 beyond = p.cwiseAbs() - 0.5 * box.size;
   const double inside = std::min(beyond.maxCoeff(), 0.0);
@@ -46,7 +49,7 @@ std::string_view shape_name(const Shape& shape) {
 }
 
 double signed_distance(const Primitive& primitive, const Vector3& p_O) {
-  // A rigid inverse: the rotation's transpose.
+  // Inverse of a rigid transform: the transposed rotation.
   const Vector3 p_P = primitive.X_OP.linear().transpose() * (p_O - primitive.X_OP.translation());
   return std::visit([&p_P](const auto& s) { return distance_to(s, p_P); }, primitive.shape);
 }

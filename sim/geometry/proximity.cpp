@@ -1,3 +1,9 @@
+// Queries on two bounding-volume hierarchies.
+//
+// All queries walk pairs of nodes, one of each tree (PairWalk), and leave out pairs of boxes whose
+// lower bound of the distance shows that no wanted pair of triangles is inside. They differ in what
+// a visitor wants. Distances of triangle pairs come from FCL's implementation of the PQP triangle
+// distance (Larsen, Gottschalk, Lin and Manocha 1999).
 #include "sim/geometry/proximity.h"
 
 #include <algorithm>
@@ -17,7 +23,8 @@
 namespace prehend {
 namespace {
 
-// FCL's triangle distance has absolute thresholds that suit millimetres.
+// FCL's triangle distance compares with absolute thresholds that are too coarse for small triangles
+// in metres; all its arguments are therefore in millimetres.
 constexpr double kMillimetres = 1000.0;
 
 }  // namespace
@@ -46,6 +53,8 @@ std::vector<std::array<Vector3, 3>> corners_in_mm(const TriangleMesh& mesh) {
   return corners;
 }
 
+// The triangles at every vertex in one array (compressed rows): counting, prefix sums, then filling
+// in.
 void build_incidence(ProximityMesh::Data& data) {
   const std::size_t n = data.mesh.vertices.size();
   data.first_triangle_at.assign(n + 1, 0);
@@ -62,11 +71,14 @@ void build_incidence(ProximityMesh::Data& data) {
   }
 }
 
-// A surface with more components than this is bounded by one hull.
+// A surface with more connected components than this gets a single hull: testing every pair of
+// parts would cost more than the tighter bounds save.
 constexpr std::size_t kMostParts = 4;
-// Sets of at most this many points are kept as they are: all of them are looked at anyway.
+// Up to this many points no hull is computed: the support function goes through all points anyway,
+// and is fast enough for these.
 constexpr std::size_t kFewPoints = 64;
 
+// The corners of the convex hull of `points`; all of them where there are few or the hull fails.
 ConvexPoints corners_of(const std::vector<Vector3>& points) {
   if (points.size() <= kFewPoints) return {points};
   const TriangleMesh hull = convex_hull(points);
@@ -82,6 +94,7 @@ ConvexPoints corners_of(const std::vector<Vector3>& points) {
   return corners;
 }
 
+// One convex set per connected component, see ProximityMesh::parts.
 std::vector<ConvexPoints> convex_parts(const TriangleMesh& mesh) {
   DisjointSets sets(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
@@ -98,9 +111,10 @@ std::vector<ConvexPoints> convex_parts(const TriangleMesh& mesh) {
   return parts;
 }
 
-// Walks both trees, nearer children first. `Visitor` has:
-//   bool prune(double squared)   nothing at this squared distance [m^2] or beyond is wanted
-//   void visit(int a, int b)     a pair of triangles that could be wanted
+// Traverses both trees at once, nearer pair first, so that small distances are found early and
+// prune the rest. `Visitor` has:
+// bool prune(double squared)   whether pairs at this squared distance [m^2] or more are unwanted
+// void visit(int a, int b)     called for pairs of triangles that were not pruned
 template <typename Visitor>
 class PairWalk {
  public:
@@ -123,6 +137,7 @@ class PairWalk {
       visitor_.visit(a.triangle, b.triangle);
       return;
     }
+    // Descend into the larger box: its children improve the bound the most.
     const bool split_a =
         b.is_leaf() || (!a.is_leaf() && a.half.squaredNorm() > b.half.squaredNorm());
     int near_a = split_a ? a.left : node_a;
@@ -146,7 +161,7 @@ class PairWalk {
   Visitor& visitor_;
 };
 
-// Distance between a triangle of each mesh [m].
+// Distance between a triangle of mesh a and a triangle of mesh b at a fixed relative pose [m].
 class PairDistance {
  public:
   PairDistance(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB)
@@ -161,7 +176,7 @@ class PairDistance {
     return (*this)(ta, tb, p_A, p_B);
   }
 
-  // Nearest points both in a's frame [m].
+  // The nearest points on the two triangles are both in a's frame [m].
   double operator()(int ta, int tb, Vector3& p_A, Vector3& q_A) const {
     const auto& u = a_[index(ta)];
     const auto& v = b_[index(tb)];
@@ -179,6 +194,9 @@ class PairDistance {
   Vector3 shift_;
 };
 
+// Finds the smallest triangle distance. A pair of boxes is pruned when it cannot improve the best
+// distance by more than the permitted relative error, or lies beyond the cap. The smallest pruned
+// bound is kept: together with the best distance it is a lower bound of the true distance.
 struct NearestVisitor {
   const PairDistance& distance;
   double cap;
@@ -203,6 +221,7 @@ struct NearestVisitor {
   }
 };
 
+// Looks for one intersecting pair. Once it is found, everything else is pruned.
 struct CrossVisitor {
   const PairDistance& distance;
   bool crossed = false;
@@ -211,6 +230,7 @@ struct CrossVisitor {
   void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
 };
 
+// Collects all pairs within `limit` [m].
 struct CollectVisitor {
   const PairDistance& distance;
   double limit;
@@ -254,6 +274,8 @@ Gap find_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
              const GapOptions& options) {
   const PairDistance distance(a, b, X_AB);
   NearestVisitor visitor{distance, options.cap, 1.0 / (1.0 + options.relative_error)};
+  // Measuring the hinted pair first gives a small best distance at once, which prunes most of the
+  // tree.
   if (options.hint.a >= 0 && options.hint.b >= 0) visitor.visit(options.hint.a, options.hint.b);
   PairWalk(a, b, X_AB, visitor).run();
   return {std::min(visitor.best, std::sqrt(visitor.pruned)), visitor.best, visitor.pair};
@@ -295,6 +317,8 @@ TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const P
 }
 
 bool is_inside(const ProximityMesh& mesh, const Vector3& p_M) {
+  // The winding number is the sum of the signed solid angles of all triangles seen from p_M,
+  // divided by 4 pi. Outside the bounding sphere it is not needed.
   const TriangleMesh& m = mesh.mesh();
   if ((p_M - mesh.ball_center()).norm() > mesh.ball_radius()) return false;
   double solid_angle = 0.0;
@@ -305,10 +329,11 @@ bool is_inside(const ProximityMesh& mesh, const Vector3& p_M) {
     const double la = a.norm();
     const double lb = b.norm();
     const double lc = c.norm();
-    // Van Oosterom and Strackee 1983.
+    // Solid angle of a triangle (Van Oosterom and Strackee 1983).
     const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
     solid_angle += 2.0 * std::atan2(a.dot(b.cross(c)), denominator);
   }
+  // Winding number of at least one half.
   return solid_angle >= 2.0 * std::numbers::pi;
 }
 

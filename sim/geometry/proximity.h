@@ -1,5 +1,5 @@
-// How close two triangle meshes are: gaps, intersection, and the triangle pairs that make contact.
-// The only place that knows FCL.
+// Distance and intersection queries between two triangle meshes, and the pairs of triangles in
+// contact. FCL is used behind this header only.
 #pragma once
 
 #include <limits>
@@ -13,23 +13,26 @@
 
 namespace prehend {
 
-// A mesh with its bounding-volume tree. Immutable and shared by threads; cheap to copy.
+// A triangle mesh prepared for distance queries: with a bounding-volume hierarchy and other search
+// structures. Immutable, so threads may share it; copies share their data and are cheap.
 class ProximityMesh {
  public:
-  // Throws InputError for a mesh without triangles, and Cancelled.
+  // Builds the search structures. Throws InputError for a mesh without triangles, and Cancelled.
   explicit ProximityMesh(TriangleMesh mesh, const RunContext& context = {});
 
-  // As it was given.
+  // The mesh, unchanged.
   const TriangleMesh& mesh() const;
-  // Indices of the triangles around vertex `v`, ascending.
+  // Indices of the triangles that use vertex `v`, ascending.
   std::span<const int> triangles_at(int v) const;
-  // Centre and radius of a ball that holds all vertices, mesh frame [m].
+  // Centre (mesh frame) and radius [m] of a sphere that contains all vertices: a bounding sphere,
+  // not the smallest one.
   const Vector3& ball_center() const;
   double ball_radius() const;
-  // Convex sets that together hold the surface: one for each component while they are few.
+  // Convex sets whose union contains the surface: the hulls of the connected components, or one
+  // hull of all vertices when there are many components. For quick separation tests (separation.h).
   const std::vector<ConvexPoints>& parts() const;
 
-  // For the functions of this room.
+  // Internal data, for the functions of this folder.
   struct Data;
   const Data& data() const { return *data_; }
 
@@ -37,59 +40,64 @@ class ProximityMesh {
   std::shared_ptr<const Data> data_;
 };
 
-// Triangle `a` of the first mesh, triangle `b` of the second.
+// Triangle `a` of the first mesh and triangle `b` of the second; -1: none.
 struct TrianglePair {
   int a = -1;
   int b = -1;
 };
 
-// How exact an answer of find_gap has to be: what need not be known costs no time.
+// Accuracy of find_gap. A coarser answer takes less time.
 struct GapOptions {
-  // Gaps beyond this need not be told apart [m].
+  // Distances beyond this value [m] need not be determined.
   double cap = std::numeric_limits<double>::infinity();
-  // The answer may be off by this fraction: lower >= upper / (1 + relative_error).
+  // Permitted relative error: lower >= upper / (1 + relative_error).
   double relative_error = 0.0;
-  // A pair that is probably close, for instance the one of the last query; {-1, -1} for none.
+  // A pair that is probably close, for instance the one found by the previous query; {-1, -1} for
+  // none. It speeds up the search and does not change the result beyond its error.
   TrianglePair hint;
 };
 
-// lower <= true distance between the surfaces <= upper. 0 where they meet or cross. A surface
-// inside the other without crossing has a positive gap: ask `is_inside`.
+// Bounds of the distance between two surfaces [m]: lower <= distance <= upper, both 0 where they
+// touch or intersect. A surface that lies inside the other without intersecting it has a positive
+// distance: test for that with is_inside.
 struct Gap {
   double lower = 0.0;
-  double upper = std::numeric_limits<double>::infinity();  // infinity when beyond the cap
-  TrianglePair pair;                                       // where upper was found
+  double upper = std::numeric_limits<double>::infinity();  // may be infinite beyond the cap
+  TrianglePair pair;                                       // the pair with distance upper
 };
 
-// X_AB: the pose of mesh b's frame in mesh a's frame.
+// The distance between the surfaces of a and b. X_AB: pose of mesh b's frame in mesh a's frame.
 Gap find_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
              const GapOptions& options = {});
 
-// True as soon as any two triangles meet.
+// Whether any two triangles touch or intersect. Stops at the first such pair.
 bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB);
 
-// All pairs of triangles at most `distance` [m] apart, in the order of the trees; `pairs` is
-// reused.
+// Collects all pairs of triangles whose distance is at most `distance` [m], in the order of the
+// traversal. The content of `pairs` is replaced; passing the same vector again saves allocations.
 void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                        double distance, std::vector<TrianglePair>& pairs);
 
-// The smallest distance among `pairs` and the pair that has it: what find_gap gives when every pair
-// that matters is listed.
+// The smallest distance among `pairs` and the pair that has it; lower and upper are infinite when
+// there are no pairs. The same as find_gap when `pairs` contains the nearest pair.
 Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                  std::span<const TrianglePair> pairs);
 
-// Distance between triangles pair.a and pair.b [m], 0 where they meet, and the nearest points in
-// their own frames (meaningless at 0).
+// Distance between two triangles [m], 0 where they intersect, and the nearest points: p_A on the
+// first in a's frame, p_B on the second in b's frame. The points are not meaningful when the
+// distance is 0.
 struct TriangleGap {
   double distance = 0.0;
   Vector3 p_A = Vector3::Zero();
   Vector3 p_B = Vector3::Zero();
 };
+// The distance between triangles pair.a of a and pair.b of b.
 TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                          TrianglePair pair);
 
-// True when point p_M is inside the solid that the mesh bounds: generalized winding number of at
-// least one half (Jacobson, Kavan and Sorkine-Hornung 2013), so that small holes do not matter.
+// Whether point p_M (mesh frame) is inside the solid that the mesh bounds: its generalized winding
+// number is at least one half (Jacobson, Kavan and Sorkine-Hornung 2013), which tolerates small
+// holes. O(number of triangles). The mesh must face outward.
 bool is_inside(const ProximityMesh& mesh, const Vector3& p_M);
 
 }  // namespace prehend

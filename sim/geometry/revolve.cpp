@@ -1,3 +1,5 @@
+// Profiles are polygons with rounded corners, sampled to points; turning every point about the z
+// axis gives rings, and bands of triangles join neighbouring rings.
 #include "sim/geometry/revolve.h"
 
 #include <algorithm>
@@ -10,6 +12,7 @@ namespace {
 
 using Eigen::Vector2d;
 
+// The direction turned by 90 degrees to the left.
 Vector2d left_of(const Vector2d& direction) { return {-direction.y(), direction.x()}; }
 
 // Signed angle from direction a to b, left positive.
@@ -17,6 +20,7 @@ double turn_angle(const Vector2d& a, const Vector2d& b) {
   return std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
 }
 
+// Appends points from points.back() to `to`, about `edge` apart.
 void add_line(std::vector<Vector2d>& points, const Vector2d& to, double edge) {
   const Vector2d from = points.back();
   const double length = (to - from).norm();
@@ -26,14 +30,16 @@ void add_line(std::vector<Vector2d>& points, const Vector2d& to, double edge) {
   points.push_back(to);
 }
 
-// The arc that leaves points.back() along `direction` and turns by `angle`.
+// Appends the arc of the given radius that starts at points.back() along `direction` and turns by
+// `angle` (positive to the left).
 void add_arc(std::vector<Vector2d>& points, const Vector2d& direction, double radius, double angle,
              double edge) {
   const double side = angle > 0.0 ? 1.0 : -1.0;
   const Vector2d center = points.back() + side * radius * left_of(direction);
   const Vector2d spoke = points.back() - center;
   const double turned = std::abs(angle);
-  // An arc that is short beside the edges gets one cell a quarter turn, not two.
+  // Largest angle of a segment: 60 degrees, so that a quarter circle has two segments; 108 degrees
+  // for arcs shorter than half an edge, so that it has one.
   const double step =
       radius * turned < 0.5 * edge ? 0.6 * std::numbers::pi : std::numbers::pi / 3.0;
   const int shortest = static_cast<int>(std::ceil(turned / step));
@@ -43,6 +49,7 @@ void add_arc(std::vector<Vector2d>& points, const Vector2d& direction, double ra
   }
 }
 
+// Joins two rings, which may have different numbers of vertices, or be a single vertex on the axis.
 void add_band(Revolved& made, const Ring& low, const Ring& high, bool half_step) {
   const int phase = half_step ? 1 : 0;
   const auto add = [&](int a, int b, int c) { made.mesh.triangles.push_back({a, b, c}); };
@@ -51,7 +58,9 @@ void add_band(Revolved& made, const Ring& low, const Ring& high, bool half_step)
   if (n == 1 && m == 1) return;
   int i = 0;
   int j = 0;
-  // Goes around once, each time along the ring whose next edge has its middle first.
+  // Goes around both rings at once. Each step adds a triangle on the next edge of one ring, the
+  // edge whose middle comes first in angle; this keeps the triangles upright. The angles are
+  // compared as integers (multiplied by 2 n m), so that rings of equal count alternate exactly.
   while (i < (n > 1 ? n : 0) || j < (m > 1 ? m : 0)) {
     const bool low_left = n > 1 && i < n;
     const bool high_left = m > 1 && j < m;
@@ -77,10 +86,13 @@ std::vector<ProfileCorner> inner_side(const std::vector<ProfileCorner>& outer, d
     const Vector2d in =
         (first ? outer[1].at - outer[0].at : outer[i].at - outer[i - 1].at).normalized();
     const Vector2d out = last ? in : Vector2d((outer[i + 1].at - outer[i].at).normalized());
+    // Offset corner (miter): both adjacent sides move by `wall`, so the corner moves along the
+    // bisector by wall / cos(half of the turn).
     const Vector2d middle = (left_of(in) + left_of(out)).normalized();
     const double miter = wall / middle.dot(left_of(in));
     const double turned = turn_angle(in, out);
-    // A left turn is tighter on its left side, a right turn wider.
+    // The offset of an arc has the same centre: its radius shrinks by the wall on the inner side of
+    // the turn and grows on the outer side.
     const double fillet = outer[i].fillet > 0.0
                               ? std::max(0.0, outer[i].fillet + (turned > 0.0 ? -wall : wall))
                               : 0.0;
@@ -93,8 +105,9 @@ std::vector<Vector2d> profile_points(const std::vector<ProfileCorner>& corners, 
   const std::size_t n = corners.size();
   std::vector<Vector2d> side(n, Vector2d::Zero());  // from corner i to i + 1
   for (std::size_t i = 0; i + 1 < n; ++i) side[i] = corners[i + 1].at - corners[i].at;
-  // Length that each fillet takes of both sides at its corner; where two want more than their side
-  // has, they share it in proportion.
+  // An arc of radius r that replaces a corner with turning angle t shortens both sides by r tan(t /
+  // 2). Where the fillets at the two ends of a side want more than its length, both are reduced by
+  // the same factor.
   std::vector<double> half_tangent(n, 0.0);
   std::vector<double> wanted(n, 0.0);
   for (std::size_t i = 1; i + 1 < n; ++i) {
@@ -110,7 +123,7 @@ std::vector<Vector2d> profile_points(const std::vector<ProfileCorner>& corners, 
   }
   std::vector<Vector2d> points{corners.front().at};
   for (std::size_t i = 1; i + 1 < n; ++i) {
-    // A fillet far smaller than the edges would only make slivers.
+    // A fillet much smaller than the edges would only produce sliver triangles.
     if (cut[i] < std::max(1e-9, edge / 12.0)) {
       add_line(points, corners[i].at, edge);
       continue;
@@ -132,7 +145,8 @@ Revolved revolve(const std::vector<Vector2d>& profile, const RevolveOptions& opt
   for (const Vector2d& p : profile) {
     Ring ring{static_cast<int>(made.mesh.vertices.size()), 1};
     if (p.x() > 1e-9) {
-      // Rounded through a grid of 1e-9 so that equal radii get equal counts.
+      // Rounded to a multiple of 1e-9 first: radii that are equal up to rounding error get the same
+      // count even where `wanted` is halfway between two integers.
       const double wanted = 2.0 * std::numbers::pi * p.x() / edge;
       ring.count = std::max(6, static_cast<int>(std::lround(std::round(wanted * 1e9) * 1e-9)));
     }

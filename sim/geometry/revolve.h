@@ -1,4 +1,4 @@
-// Surfaces of revolution: a profile with rounded corners, turned about the z axis.
+// Surfaces of revolution: a profile curve with rounded corners, turned about the z axis.
 #pragma once
 
 #include <vector>
@@ -7,45 +7,50 @@
 
 namespace prehend {
 
-// A corner of a profile in the half plane x = distance from the axis (>= 0), y = height, cut by an
-// arc of radius `fillet` (0: sharp). An arc too large for its neighbours is made smaller.
+// A corner of a profile polygon in the half plane x = distance from the axis (>= 0) [m], y = height
+// [m]. The corner is rounded by an arc of radius `fillet` [m] (0: sharp), which is made smaller
+// where the adjacent sides are too short for it.
 struct ProfileCorner {
   Eigen::Vector2d at;
   double fillet = 0.0;
 };
 
-// The inner side of a vessel: corners parallel to `outer` (from the axis at the bottom to the lip)
-// at distance `wall` to its left, listed from the lip back to the axis.
+// The inner profile of a vessel with a wall of constant thickness: the profile `outer`, which leads
+// from the axis at the bottom to the lip, offset by `wall` [m] to its left. It is listed in the
+// opposite direction, from the lip to the axis, so that it continues `outer`.
 std::vector<ProfileCorner> inner_side(const std::vector<ProfileCorner>& outer, double wall);
 
-// Points along the rounded profile, at most about `edge` apart; ends of straight pieces are kept.
-// An arc of 90 degrees gets two cells or more, one when it is shorter than half an edge; a fillet
-// that takes less than a twelfth of an edge from its sides is left sharp.
+// Points along the rounded profile, about `edge` [m] apart; the ends of straight pieces are kept.
+// An arc of 90 degrees is divided into at least two segments, or one when it is shorter than half
+// of `edge`; a fillet that shortens its sides by less than a twelfth of `edge` is left sharp.
 std::vector<Eigen::Vector2d> profile_points(const std::vector<ProfileCorner>& corners, double edge);
 
-// Ring i holds the vertices first to first + count - 1, evenly spread about the axis.
+// The vertices of a revolved mesh that come from one profile point: `first` to first + count - 1,
+// at equal angles about the axis.
 struct Ring {
   int first = 0;
   int count = 1;
 };
 
+// A mesh of revolution and the place of its vertices and triangles in the mesh.
 struct Revolved {
   TriangleMesh mesh;
-  std::vector<Ring> rings;          // one for each profile point, a single vertex on the axis
-  std::vector<int> first_triangle;  // of the band between ring i and i + 1
+  std::vector<Ring> rings;          // per profile point; a point on the axis is one vertex
+  std::vector<int> first_triangle;  // per band between ring i and i + 1
 };
 
+// Density and phase of the vertices along the rings.
 struct RevolveOptions {
-  // Wanted length of an edge along a ring [m]; a ring has 2 pi r / edge vertices, and the widest at
-  // least 16.
+  // Wanted length of an edge along a ring [m]: a ring of radius r gets about 2 pi r / edge
+  // vertices, at least 6; `edge` is reduced so that the widest ring gets at least 16.
   double edge = 0.005;
-  // Vertex j of n lies at angle 2 pi (j + 1/2) / n instead of 2 pi j / n.
+  // Whether vertex j of n lies at angle 2 pi (j + 1/2) / n instead of 2 pi j / n.
   bool half_step = false;
 };
 
-// Turns a profile that starts and ends on the axis, outside on its right, into a closed mesh. In a
-// band between rings of equal count n, the cell between vertices j and j + 1 is the triangles
-// first_triangle + 2 j and the next one.
+// Turns a profile into a closed mesh. The profile starts and ends on the axis and has the outside
+// on its right. In a band between two rings of equal count, the cell between vertices j and j + 1
+// consists of triangles first_triangle + 2 j and first_triangle + 2 j + 1.
 Revolved revolve(const std::vector<Eigen::Vector2d>& profile, const RevolveOptions& options);
 
 }  // namespace prehend

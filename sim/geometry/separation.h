@@ -1,4 +1,4 @@
-// A cheap, certain lower bound of the distance between two convex sets of points.
+// A fast and reliable lower bound of the distance between two convex sets of points.
 #pragma once
 
 #include <span>
@@ -8,17 +8,20 @@
 
 namespace prehend {
 
-// The convex hull of `points`, known by its support function.
+// The convex hull of `points` (not empty) [m], represented by its support function: the point that
+// lies farthest along a direction.
 struct ConvexPoints {
   std::vector<Vector3> points;
 };
 
-// The largest value found of  min_b n.b - max_a n.a  over unit directions n: a lower bound of the
-// distance between the hulls whatever n is, so that rounding cannot make it wrong; <= 0 when the
-// hulls meet or no separating direction was found. Directions come from a few steps of GJK
-// (Gilbert, Johnson and Keerthi 1988), which reach the distance itself to 10 %. `direction` (in a's
-// frame, any vector) is where to start; it is left at the best direction found, the start for the
-// next query. X_AB: the pose of b's frame in a's frame.
+// A lower bound of the distance [m] between the hulls of a and b: the largest value found of min_b
+// n.b - max_a n.a over unit directions n. This is a lower bound for every n, so that rounding
+// errors of the search cannot invalidate it. <= 0 when the hulls intersect or no separating
+// direction was found.
+// The directions come from GJK (Gilbert, Johnson and Keerthi 1988), stopped when the bound reaches
+// 90 % of the distance. `direction` (in a's frame, of any length) is the direction to start with;
+// on return it is the best one found, a good start for a similar query. X_AB: pose of b's frame in
+// a's frame.
 double separation(const ConvexPoints& a, const ConvexPoints& b, const Pose& X_AB,
                   Vector3& direction);
 

@@ -1,4 +1,4 @@
-// A triangle mesh as a value: points and index triples, nothing else.
+// A triangle mesh as a plain value: vertices and index triples.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace prehend {
 
-// Indices of its three vertices.
+// Indices of the three vertices of a triangle.
 using Triangle = std::array<int, 3>;
 
-// Vertices in metres in the body's frame; triangles counter-clockwise seen from outside.
+// Vertices [m] in the body's frame; triangles are counter-clockwise seen from outside.
 struct TriangleMesh {
   std::vector<Vector3> vertices;
   std::vector<Triangle> triangles;
@@ -20,33 +20,34 @@ struct TriangleMesh {
   bool empty() const { return triangles.empty(); }
 };
 
-// A box along the axes, from its lower to its upper corner [m].
+// An axis-aligned box [m]. The default is empty (lower > upper).
 struct Bounds {
   Vector3 lower = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 upper = Vector3::Constant(-std::numeric_limits<double>::infinity());
 
   Vector3 size() const { return upper - lower; }
   Vector3 center() const { return 0.5 * (lower + upper); }
-  // Its length.
+  // Length of the diagonal.
   double diagonal() const { return size().norm(); }
 };
 
 // Axis-aligned bounds of the vertices; lower > upper for a mesh without vertices.
 Bounds bounds(const TriangleMesh& mesh);
 
-// Twice the area of triangle `t`, along its outward normal (right-hand rule) [m^2].
+// The normal of triangle `t` by the right-hand rule, with twice the area of the triangle as length
+// [m^2]. It points outward.
 Vector3 doubled_area_vector(const TriangleMesh& mesh, std::size_t t);
 
-// Sum of the areas of its triangles [m^2].
+// Sum of the areas of all triangles [m^2].
 double surface_area(const TriangleMesh& mesh);
 
-// The mesh with every vertex moved by `X_AB` (from frame B to frame A).
+// The mesh, given in frame B, expressed in frame A.
 TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB);
 
-// Appends `part` to `mesh`; the parts stay separate components.
+// Appends the vertices and triangles of `part` to `mesh` without joining them.
 void append(TriangleMesh& mesh, const TriangleMesh& part);
 
-// Largest distance of a vertex from `point` (mesh frame); 0 without vertices [m].
+// Largest distance of a vertex from `point` (mesh frame) [m]; 0 without vertices.
 double max_distance(const TriangleMesh& mesh, const Vector3& point);
 
 }  // namespace prehend

@@ -1,3 +1,7 @@
+// Vertices are merged with a hash grid of kept vertices, so that only nearby ones are compared.
+// Removing duplicate triangles needs care with windings: two triangles on the same three vertices
+// that are wound against each other enclose nothing. One of them is kept as a two-sided triangle,
+// except where it is a fin.
 #include "sim/geometry/weld.h"
 
 #include <algorithm>
@@ -14,11 +18,13 @@
 namespace prehend {
 namespace {
 
-// Cells much wider than the tolerance: a point seldom has to look beyond its own.
+// Edge length of a grid cell in tolerances. The wider the cell, the rarer a search ball extends
+// into a neighbouring cell; the narrower, the fewer points there are to compare.
 constexpr double kCellInTolerances = 32.0;
 
 using Cell = std::array<std::int64_t, 3>;
 
+// Multiplicative hashing with the 64-bit golden ratio; the shift mixes high bits into low ones.
 struct CellHash {
   std::size_t operator()(const Cell& cell) const {
     std::uint64_t h = 0;
@@ -30,11 +36,13 @@ struct CellHash {
   }
 };
 
-// Kept points by cell; answers "the first kept point within the tolerance".
+// Kept vertices by grid cell.
 class PointGrid {
  public:
   PointGrid(const Vector3& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
 
+  // Index of the first kept vertex within the tolerance of p; -1: none. Looks at the cells that the
+  // cube of half size `tolerance_` about p touches: one to eight.
   int find(const Vector3& p, const std::vector<Vector3>& kept) const {
     const Cell low = cell(p - Vector3::Constant(tolerance_));
     const Cell high = cell(p + Vector3::Constant(tolerance_));
@@ -73,14 +81,17 @@ class PointGrid {
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
 
-// Smallest vertex first, winding kept.
+// The triangle with its smallest vertex first and the same winding: equal for triangles that differ
+// only in which vertex is named first.
 Triangle rotated(const Triangle& t) {
   const std::size_t k = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
   return {t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
 }
 
-// Removes the two-sided triangles that are all of their sheet and meet the rest along just one
-// side.
+// A fin is a two-sided triangle that stands out from a surface: one of its sides is on the surface,
+// the other two are free, and no other two-sided triangle is attached to it. It bounds nothing and
+// makes the edge at its foot non-manifold, so it is removed. Two-sided triangles that form a larger
+// sheet (a leaf, a label) are kept.
 void mark_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided,
                std::vector<bool>& removed) {
   struct Uses {
@@ -110,7 +121,8 @@ void mark_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided,
   }
 }
 
-// Returns the number of triangles removed.
+// Of all triangles with the same three vertices the first is kept. Returns the number of triangles
+// removed, fins included. Sorting by sorted vertices brings duplicates together.
 int remove_duplicates(TriangleMesh& mesh) {
   struct Named {
     Triangle corners;  // sorted
@@ -130,13 +142,14 @@ int remove_duplicates(TriangleMesh& mesh) {
   bool any = false;
   for (std::size_t first = 0; first < named.size();) {
     const Triangle kept = rotated(mesh.triangles[named[first].triangle]);
-    int net = 1;  // copies wound like the first less those wound against it
+    int net = 1;  // copies wound like the first minus those wound against it
     std::size_t next = first + 1;
     for (; next < named.size() && named[next].corners == named[first].corners; ++next) {
       net += rotated(mesh.triangles[named[next].triangle]) == kept ? 1 : -1;
       removed[named[next].triangle] = true;
       any = true;
     }
+    // As many copies one way as the other: the triangle has two sides.
     two_sided[named[first].triangle] = net == 0;
     first = next;
   }
@@ -154,6 +167,7 @@ int remove_duplicates(TriangleMesh& mesh) {
 }  // namespace
 
 bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle) {
+  // Doubled area over squared longest side is the height over the longest side.
   constexpr double kFlattest = 1e-7;
   const Triangle& t = mesh.triangles[triangle];
   if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return true;
@@ -171,6 +185,8 @@ WeldedMesh weld(const TriangleMesh& mesh, double tolerance) {
   std::vector<int> kept_as;
   kept_as.reserve(mesh.vertices.size());
   for (const Vector3& p : mesh.vertices) {
+    // A merged vertex is not added to the grid: vertices are compared with kept ones only, so that
+    // chains of close vertices do not collapse into one point.
     int index = grid.find(p, result.mesh.vertices);
     if (index < 0) {
       index = static_cast<int>(result.mesh.vertices.size());

@@ -1,10 +1,11 @@
-// Joins equal vertices and leaves out what bounds no surface.
+// Merging of coincident vertices and removal of degenerate and duplicate triangles.
 #pragma once
 
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
 
+// A mesh after welding, and what was merged and removed.
 struct WeldedMesh {
   TriangleMesh mesh;           // every vertex used by a triangle
   int vertices_merged = 0;     // vertices replaced by an earlier one
@@ -12,17 +13,18 @@ struct WeldedMesh {
   int duplicates_removed = 0;  // triangles with the same three vertices as an earlier one
 };
 
-// Three distinct corners are needed, and more area than rounding leaves to a straight line: the
-// height over the longest side must exceed 1e-7 of that side (single precision, which mesh files
-// use, cannot tell less from zero).
+// Whether a triangle has a repeated vertex or no area: its height over its longest side is at most
+// 1e-7 of that side. Mesh files store coordinates in single precision, whose rounding makes
+// collinear points deviate about that much.
 bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle);
 
-// Goes through the vertices in order: one within `tolerance` (> 0) of an earlier one that was kept
-// becomes that vertex (of several, the first). Kept vertices and triangles stay in order, positions
-// are not averaged; a second weld with the same tolerance changes nothing.
+// Merges vertices and removes degenerate and duplicate triangles. Vertices are visited in order;
+// each one within `tolerance` (> 0) [m] of earlier kept vertices is replaced by the first of those.
+// Kept vertices and triangles stay in order, and positions are not averaged. A second weld with the
+// same tolerance changes nothing.
 WeldedMesh weld(const TriangleMesh& mesh, double tolerance);
 
-// Leaves out vertices of no triangle; the others and the triangles stay in order.
+// Removes vertices that no triangle uses; the others and the triangles stay in order.
 void drop_unused_vertices(TriangleMesh& mesh);
 
 }  // namespace prehend

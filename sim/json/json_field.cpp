@@ -17,6 +17,7 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLongestValue = 60;  // characters of a value shown in a message
 
+// A value as text for an error message, shortened; invalid UTF-8 is replaced.
 std::string shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (text.size() > kLongestValue) text = text.substr(0, kLongestValue) + "...";
@@ -53,7 +54,8 @@ std::string line_of(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-// The library keeps the last of two fields of one name, silently.
+// Callback of the parser that rejects repeated names in one object: nlohmann::json silently keeps
+// the last of them. The stack holds the names seen in each open object.
 class RepeatedKeys {
  public:
   explicit RepeatedKeys(const std::filesystem::path& file) : file_(file) {}

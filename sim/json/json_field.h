@@ -1,5 +1,4 @@
-// A value in a JSON file that remembers where it stands, so that every complaint names file and
-// field.
+// A value in a JSON file together with its place, so that every error names the file and the field.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +18,16 @@ namespace prehend {
 
 class JsonField;
 
-// A parsed file; fields refer to it, so it must outlive them.
+// A parsed JSON file. JsonFields refer to it, so it must outlive them.
 class JsonFile {
  public:
-  // Throws InputError that names the file, and for bad syntax or a repeated key the line.
+  // Reads and parses `file`. Throws InputError that names the file: when it cannot be read, has a
+  // syntax error (with the line), or has an object with two fields of the same name (with the
+  // name).
   explicit JsonFile(const std::filesystem::path& file);
 
   const std::filesystem::path& path() const { return path_; }
+  // The outermost value.
   JsonField root() const;
 
  private:
@@ -33,45 +35,53 @@ class JsonFile {
   nlohmann::json value_;
 };
 
-// Every reader throws InputError "FILE: FIELD: what is wrong (VALUE)" when the value does not fit.
+// A value in a JSON file. Every function that reads it throws InputError "FILE: FIELD: problem
+// (VALUE)" when its type or value does not fit.
 class JsonField {
  public:
+  // `value` and `file` must outlive the field. `name` is the path of the field from the root, such
+  // as "grasps[3].contacts"; empty for the root.
   JsonField(const nlohmann::json& value, const std::filesystem::path& file, std::string name)
       : value_(&value), file_(&file), name_(std::move(name)) {}
 
-  // An object may only have these fields: a misspelt one must not pass unnoticed.
+  // Throws InputError when the object has a field of another name, so that a misspelt field is not
+  // silently ignored.
   void allow_only(std::span<const std::string_view> names) const;
   void allow_only(std::initializer_list<std::string_view> names) const {
     allow_only(std::span(names.begin(), names.size()));
   }
 
+  // Whether the object has this field.
   bool has(std::string_view key) const;
   JsonField operator[](std::string_view key) const;  // of an object; missing is an error
   std::vector<JsonField> items() const;              // of an array
   std::vector<std::string> keys() const;             // of an object, sorted
 
+  // The value, checked for its type. Numbers must be finite, integers in the range of the type.
   double number() const;
   int integer() const;
   bool boolean() const;
   std::uint64_t unsigned_integer() const;
   std::string text() const;  // not empty
   Vector3 vector3() const;
-  // `count` numbers.
+  // A list of exactly `count` finite numbers.
   std::vector<double> numbers(std::size_t count) const;
 
+  // Field `key` of an object, or `otherwise` when it is missing.
   double number_or(std::string_view key, double otherwise) const;
   std::string text_or(std::string_view key, const std::string& otherwise) const;
 
   bool is_null() const { return value_->is_null(); }
   bool is_text() const { return value_->is_string(); }
-  std::string json() const { return value_->dump(); }  // as it stands in the file, on one line
+  std::string json() const { return value_->dump(); }  // the value as JSON text on one line
 
   const std::filesystem::path& file() const { return *file_; }
   const std::string& name() const { return name_; }
 
-  // "FILE: FIELD: what (VALUE)"
+  // Throws InputError "FILE: FIELD: what (VALUE)".
   [[noreturn]] void fail(const std::string& what) const;
-  // What a function that takes the read value refused it for: its field is one inside this field.
+  // Throws `error` with the place of this field added: for errors of a function that was given the
+  // read value, whose own field name lies inside this field.
   [[noreturn]] void fail(const InputError& error) const;
 
  private:

@@ -1,7 +1,7 @@
-// The fields of an object in a JSON file, named once for both directions: a function template that
-// visits them writes the object when it is given a FieldWriter, and reads it when given a
-// FieldReader. What is written and what is read cannot drift apart, and the reader knows every name
-// that is allowed.
+// Reading and writing the fields of a JSON object with one function. The fields are named once, in
+// a function template that visits them: given a FieldWriter it writes the object, given a
+// FieldReader it reads it. So the written and the read fields cannot differ, and the reader knows
+// all permitted names.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,8 @@
 
 namespace prehend {
 
-// A value as JSON and back. Reading throws InputError that names file and field.
+// Conversion of a value to JSON and back. read_value throws InputError that names the file and the
+// field when the type does not fit.
 inline nlohmann::ordered_json value_to_json(const Vector3& value) { return vector_to_json(value); }
 inline nlohmann::ordered_json value_to_json(const Pose& value) { return pose_to_json(value); }
 template <typename T>
@@ -45,12 +46,12 @@ void read_value(const JsonField& field, std::vector<T>& values) {
   for (const JsonField& item : field.items()) read_value(item, values.emplace_back());
 }
 
-// The names of the values of an enum, or of the entries of a list (then T is int): the first of
-// each pair is what the file says.
+// Pairs of a name in the file and its meaning: the value of an enum, or the index of an entry of a
+// list (T is int).
 template <typename T>
 using ValueNames = std::vector<std::pair<std::string, T>>;
 
-// `name(value)` for each of the values of an enum.
+// The ValueNames of an enum: each of `values` with the name that name(value) gives.
 template <typename Values, typename Name>
 auto value_names(const Values& values, const Name& name) {
   ValueNames<typename Values::value_type> names;
@@ -58,33 +59,36 @@ auto value_names(const Values& values, const Name& name) {
   return names;
 }
 
-// Writes the fields in the order in which they are visited.
+// Writes fields to a JSON object in the order in which they are visited. It has the functions of
+// FieldReader that visitors call; the checks (needs, require) do nothing here.
 class FieldWriter {
  public:
+  // A field with a plain value (value_to_json).
   template <typename T>
   void operator()(std::string_view name, const T& value) {
     json_[std::string(name)] = value_to_json(value);
   }
+  // A field that is left out when it has no value.
   template <typename T>
   void operator()(std::string_view name, const std::optional<T>& value) {
     if (value) (*this)(name, *value);
   }
   void needs(std::string_view /*name*/) {}
-  // A value that has a name.
+  // A field that holds the name of `value` (an enum, say); left out when `names` has none for it.
   template <typename T>
   void named(std::string_view name, const T& value, const ValueNames<T>& names) {
     for (const auto& [word, meaning] : names) {
       if (meaning == value) json_[std::string(name)] = word;
     }
   }
-  // An object inside this one; `visit(fields)` names its fields.
+  // A nested object; visit(fields) visits its fields.
   template <typename Visit>
   void object(std::string_view name, const Visit& visit) {
     FieldWriter inner;
     visit(inner);
     json_[std::string(name)] = std::move(inner).json();
   }
-  // A list of objects; `visit(fields, value)` names the fields of one.
+  // A list of objects; visit(fields, value) visits the fields of one entry.
   template <typename T, typename Visit>
   void objects(std::string_view name, const std::vector<T>& values, const Visit& visit) {
     json_[std::string(name)] = nlohmann::ordered_json::array();
@@ -94,38 +98,41 @@ class FieldWriter {
       json_[std::string(name)].push_back(std::move(inner).json());
     }
   }
-  // Written for whoever reads the file, and not read back: it follows from other fields or from the
-  // scene. `make()` gives its JSON.
+  // A field that is written for the reader's information only, because it follows from other fields
+  // or from the scene; reading ignores it. make() returns its JSON.
   template <typename Make>
   void derived(std::string_view name, const Make& make) {
     json_[std::string(name)] = make();
   }
   void require(std::string_view /*name*/, bool /*fits*/, const char* /*what*/) {}
 
+  // The finished object.
   nlohmann::ordered_json json() && { return std::move(json_); }
 
  private:
   nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
 };
 
-// Reads the fields that are there and leaves the values of others as they are. Every function
-// throws InputError that names file and field.
+// Reads the fields that are present; the values of absent fields keep what they were. Every
+// function throws InputError that names the file and the field.
 class FieldReader {
  public:
   explicit FieldReader(const JsonField& object) : object_(object) {}
 
-  // True where the field is there, and then it may be.
+  // Registers `name` as permitted. True when the field is present.
   bool knows(std::string_view name) {
     known_.emplace_back(name);
     return object_.has(name);
   }
 
+  // A field with a plain value (read_value).
   template <typename T>
   void operator()(std::string_view name, T& value) {
     if (knows(name)) read_value(object_[name], value);
   }
-  // Complains where the field is missing.
+  // Throws InputError when the field is missing.
   void needs(std::string_view name) { (void)object_[name]; }
+  // A field that holds one of `names`. Throws InputError that lists them for any other text.
   template <typename T>
   void named(std::string_view name, T& value, const ValueNames<T>& names) {
     if (!knows(name)) return;
@@ -140,6 +147,7 @@ class FieldReader {
     }
     object_[name].fail("must be one of " + known);
   }
+  // A nested object; unknown fields in it are errors.
   template <typename Visit>
   void object(std::string_view name, const Visit& visit) {
     if (!knows(name)) return;
@@ -147,6 +155,7 @@ class FieldReader {
     visit(inner);
     inner.finish();
   }
+  // A list of objects, which replaces `values`; unknown fields in them are errors.
   template <typename T, typename Visit>
   void objects(std::string_view name, std::vector<T>& values, const Visit& visit) {
     if (!knows(name)) return;
@@ -157,21 +166,25 @@ class FieldReader {
       inner.finish();
     }
   }
+  // Permitted, but not read.
   template <typename Make>
   void derived(std::string_view name, const Make& /*make*/) {
     knows(name);
   }
-  // Complains of a field that was read where it does not fit.
+  // Throws InputError with the text `what` at the field when `fits` is false: the value was read
+  // but is not valid here.
   void require(std::string_view name, bool fits, const char* what) {
     if (!fits) object_[name].fail(what);
   }
 
-  // Call when all fields have been visited: others are complained of.
+  // To be called after all fields have been visited: throws InputError at the first field whose
+  // name was not visited.
   void finish() const {
     const std::vector<std::string_view> names(known_.begin(), known_.end());
     object_.allow_only(names);
   }
 
+  // The object that is read.
   const JsonField& field() const { return object_; }
 
  private:
@@ -179,8 +192,8 @@ class FieldReader {
   std::vector<std::string> known_;
 };
 
-// Whether a visitor's fields (`kReads<decltype(fields)>`) are being read: for the few that are not
-// the same in both directions.
+// True when a visitor's argument `fields` is a FieldReader (kReads<decltype(fields)>), for the few
+// fields that differ between reading and writing.
 template <typename Fields>
 inline constexpr bool kReads = std::is_same_v<std::remove_cvref_t<Fields>, FieldReader>;
 

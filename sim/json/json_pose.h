@@ -8,12 +8,15 @@
 
 namespace prehend {
 
-// Position in metres (default 0) and a rotation (default none). The quaternion is normalised; one
-// that is not of length 1 within 1e-3 is an error.
+// Reads "position" [m] (default: the origin) and "quaternion_wxyz" (default: no rotation). The
+// quaternion is normalised. Throws InputError when its length differs from 1 by more than 1e-3, and
+// for unknown fields.
 Pose read_pose(const JsonField& field);
 
+// The pose in the same form, with w >= 0.
 nlohmann::ordered_json pose_to_json(const Pose& pose);
 
+// The list [x, y, z].
 nlohmann::ordered_json vector_to_json(const Vector3& v);
 
 }  // namespace prehend

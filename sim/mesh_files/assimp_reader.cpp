@@ -24,7 +24,8 @@
 namespace prehend {
 namespace {
 
-// A file that is already in memory.
+// A read-only stream over bytes in memory. assimp gets the validated bytes of a file, not the file
+// itself.
 class BytesStream final : public Assimp::IOStream {
  public:
   explicit BytesStream(const std::string& bytes) : bytes_(bytes) {}
@@ -52,7 +53,9 @@ class BytesStream final : public Assimp::IOStream {
   size_t at_ = 0;
 };
 
-// Shows assimp the mesh file's bytes and, for glTF, regular *.bin files; nothing else exists.
+// The file system that assimp sees: the bytes of the mesh file and, for glTF (`buffers`), regular
+// files named *.bin. Materials, textures and everything else do not exist, so a mesh file cannot
+// make assimp open other files.
 class ClosedFileSystem final : public Assimp::DefaultIOSystem {
  public:
   ClosedFileSystem(std::string file, const std::string& bytes, bool buffers)
@@ -76,7 +79,8 @@ class ClosedFileSystem final : public Assimp::DefaultIOSystem {
   bool buffers_;
 };
 
-// Leaves only the importers of one extension, so that no file is taken for another format.
+// Removes all importers that do not read this extension. assimp otherwise guesses the format from
+// the content when the extension fails.
 void keep_importers(Assimp::Importer& importer, const std::string& extension) {
   std::vector<Assimp::BaseImporter*> others;
   for (size_t i = 0; i < importer.GetImporterCount(); ++i) {
@@ -87,10 +91,11 @@ void keep_importers(Assimp::Importer& importer, const std::string& extension) {
   }
   for (Assimp::BaseImporter* other : others) {
     importer.UnregisterLoader(other);
-    delete other;  // unregistering hands the importer over
+    delete other;  // unregistering passes ownership to the caller
   }
 }
 
+// A message of assimp without line breaks and control characters, cut to a length that fits a line.
 std::string one_line(const std::string& text) {
   constexpr size_t kLongest = 200;
   std::string line;
@@ -107,6 +112,8 @@ Vector3 vertex_of(const aiMesh& part, unsigned i) {
   return {v.x, v.y, v.z};
 }
 
+// Triangulates a face of a part whose vertices start at index `first` of the mesh. Triangulation
+// takes O(n^2) time, hence the limit of corners.
 void add_face(TriangleMesh& mesh, const aiMesh& part, const aiFace& face, int first) {
   constexpr unsigned kMostCorners = 10'000;
   const unsigned n = face.mNumIndices;
@@ -135,7 +142,8 @@ Eigen::Affine3d transform_of(const aiMatrix4x4& m) {
   return X;
 }
 
-// Appends the meshes of a node and of all nodes below it.
+// Appends the meshes of all nodes, depth first. A mesh may be referenced by several nodes: the
+// limit of vertices keeps a small file from expanding to more than the memory holds.
 void add_nodes(TriangleMesh& mesh, const aiScene& scene) {
   constexpr std::size_t kMostVertices = 50'000'000;
   std::vector<std::pair<const aiNode*, Eigen::Affine3d>> open{
@@ -144,7 +152,8 @@ void add_nodes(TriangleMesh& mesh, const aiScene& scene) {
     const auto [node, X_FileParent] = open.back();
     open.pop_back();
     const Eigen::Affine3d X_FileNode = X_FileParent * transform_of(node->mTransformation);
-    // A mirroring transform would turn the surface inside out.
+    // A transform with a negative determinant mirrors the surface, which reverses the winding: the
+    // triangles are turned back.
     const bool mirrored = X_FileNode.linear().determinant() < 0.0;
     for (unsigned i = 0; i < node->mNumMeshes; ++i) {
       const aiMesh& part = *scene.mMeshes[node->mMeshes[i]];
@@ -173,10 +182,10 @@ TriangleMesh read_with_assimp(const std::filesystem::path& file, const std::stri
   try {
     Assimp::Importer importer;
     keep_importers(importer, extension);
-    // Robot and object files are used as written; turning Z_UP into Y_UP would lay them down.
+    // Axes are used as written: converting Z_UP to Y_UP would lay the objects down.
     importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
     const bool is_gltf = extension == "gltf" || extension == "glb";
-    // The importer owns its file system.
+    // The importer takes ownership of its file system.
     importer.SetIOHandler(new ClosedFileSystem(file.string(), bytes, is_gltf));
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     TriangleMesh mesh;
@@ -187,6 +196,7 @@ TriangleMesh read_with_assimp(const std::filesystem::path& file, const std::stri
     return mesh;
   } catch (const InputError&) {
     throw;
+    // assimp reports errors by a null scene, but allocation failures and some parsers throw.
   } catch (const std::bad_alloc&) {
     throw InputError("cannot be read as " + extension + ": too large for the memory");
   } catch (const std::exception& error) {

@@ -1,4 +1,4 @@
-// The one place that knows assimp: bytes of a mesh file to triangles as they stand in the file.
+// Reads a mesh file with assimp. assimp is used behind this header only.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace prehend {
 
-// All triangles of all nodes of the scene, each node's transforms applied, polygons cut into
-// triangles (triangulate_face), points and lines left out, vertices not joined. COLLADA lengths are
-// multiplied by the file's own metres per unit; axes are never turned, whatever the file calls up.
-// `extension` chooses the format ("obj", "stl", "ply", "gltf", "glb", "dae"). Nothing but
-// `bytes` and, for glTF, *.bin files beside `file` is read: no materials, no textures.
-// Throws InputError with a one-line message that does not yet name the file.
+// All triangles of all nodes of the file, with the transforms of the nodes applied, polygons
+// triangulated (triangulate_face), points and lines left out and vertices not merged. COLLADA
+// lengths are multiplied by the file's own metres per unit; axes are never turned, whatever the
+// file declares as up. `extension` selects the format ("obj", "stl", "ply", "gltf", "glb", "dae").
+// `bytes` is the content of `file`; apart from it only *.bin files of glTF are opened: no
+// materials, no textures. Throws InputError with a one-line message that does not name the file.
 TriangleMesh read_with_assimp(const std::filesystem::path& file, const std::string& extension,
                               const std::string& bytes);
 

@@ -1,4 +1,6 @@
-// Checks of COLLADA files.
+// Validation of COLLADA files (XML). A minimal scanner goes through the tags once and checks
+// nesting, counts, units, lists of numbers, accessors and the graph of nodes. It does not replace
+// assimp's parser; it only rejects what that parser cannot handle.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,6 +16,7 @@
 namespace prehend {
 namespace {
 
+// <name attributes>: opens; </name>: closes; <name attributes/>: both.
 struct Tag {
   std::string_view name;
   std::string_view attributes;
@@ -21,7 +24,7 @@ struct Tag {
   bool closes = false;
 };
 
-// Tags of an XML text one by one; comments, declarations and CDATA are passed over.
+// Iterates over the tags of an XML text; skips comments, declarations and CDATA.
 class Tags {
  public:
   explicit Tags(std::string_view text) : text_(text) {}
@@ -53,6 +56,7 @@ class Tags {
   }
 
  private:
+  // Moves behind the next `end`.
   void pass(std::string_view end) {
     const std::size_t found = text_.find(end, at_);
     if (found == text_.npos) throw InputError("the XML ends inside a comment or declaration");
@@ -103,10 +107,12 @@ std::optional<std::string> attribute(std::string_view text, std::string_view nam
   }
 }
 
-// Nodes by what they contain: nodes inside them and nodes they refer to.
+// For each node its child nodes and the nodes it refers to (instance_node), by id.
 using NodeGraph = std::map<std::string, std::vector<std::string>>;
 
-// How many nodes `name` stands for once every reference is followed; cycles are refused.
+// Number of nodes that `name` expands to when all references are followed. References nested in
+// references multiply, so that a small file can expand to billions of nodes. Computed by
+// depth-first search with memory; a node met again while it is still open contains itself.
 double expanded(const NodeGraph& graph, const std::string& name,
                 std::map<std::string, double>& known) {
   constexpr double kOpen = -1.0;
@@ -115,6 +121,7 @@ double expanded(const NodeGraph& graph, const std::string& name,
     if (place->second == kOpen) throw InputError("node " + in_quotes(name) + " contains itself");
     return place->second;
   }
+  // A double: it cannot overflow like an integer.
   double total = 1.0;
   const auto node = graph.find(name);
   if (node != graph.end()) {
@@ -134,7 +141,7 @@ void check_nodes(const NodeGraph& graph) {
   }
 }
 
-// Follows the tags: nesting, counts, units, lists of numbers, accessors and the graph of nodes.
+// Checks the tags in order; open elements and open nodes are kept on stacks.
 class DaeCheck {
  public:
   explicit DaeCheck(std::string_view bytes) : size_(bytes.size()), tags_(bytes) {}
@@ -150,6 +157,7 @@ class DaeCheck {
   }
 
  private:
+  // A view of an array: `count` groups of `stride` values from `offset` on.
   struct Accessor {
     std::string source;
     long long end = 0;  // values reached in the source
@@ -158,6 +166,7 @@ class DaeCheck {
   };
 
   void open(const Tag& tag) {
+    // assimp parses nested elements recursively; the limit protects its stack.
     constexpr std::size_t kDeepest = 200;
     check_unit(tag);
     check_list(tag);
@@ -214,7 +223,8 @@ class DaeCheck {
            name == "scale" || name == "lookat" || name == "skew";
   }
 
-  // Nothing in a file counts more than its bytes.
+  // A count or offset attribute, `otherwise` where it is missing. No entry takes less than a byte,
+  // so a count beyond the size of the file is wrong.
   long long count_of(const Tag& tag, std::string_view name,
                      std::optional<long long> otherwise) const {
     const std::optional<std::string> text = attribute(tag.attributes, name);
@@ -226,6 +236,7 @@ class DaeCheck {
     return *value;
   }
 
+  // The id in an attribute "#id".
   static std::string reference(const Tag& tag, std::string_view name) {
     std::string target = attribute(tag.attributes, name).value_or("");
     if (target.starts_with('#')) target.erase(0, 1);
@@ -241,8 +252,9 @@ class DaeCheck {
     }
   }
 
-  // assimp never comes to the end of a list with a word it cannot read, and reads on when a list is
-  // shorter than its count.
+  // assimp loops forever on a list with a word that it cannot parse, and reads past the end of a
+  // list that is shorter than its count. So every word is checked here, and the number of words for
+  // float_array.
   void check_list(const Tag& tag) {
     const bool indices = is_index_list(tag.name);
     if (!indices && !is_number_list(tag.name)) return;
@@ -267,6 +279,7 @@ class DaeCheck {
     arrays_[attribute(tag.attributes, "id").value_or("")] = words;
   }
 
+  // Accessors must not reach beyond their array. Checked at the end, when all arrays are known.
   void check_accessors() const {
     for (const Accessor& accessor : accessors_) {
       const auto array = arrays_.find(accessor.source);

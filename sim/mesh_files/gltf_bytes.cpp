@@ -1,5 +1,7 @@
-// Checks of glTF 2 files (text and GLB), and their reduction to geometry: materials, textures,
-// skins, animations, cameras and extensions never reach the reader.
+// Validation of glTF 2 files (JSON text and binary GLB) and their reduction to geometry. A new
+// document is built from the checked parts of the old one: buffers, views, accessors, meshes, nodes
+// and one scene. Materials, textures, skins, animations, cameras and extensions are not copied, so
+// assimp never parses them.
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -18,9 +20,10 @@ namespace {
 
 using Json = nlohmann::json;
 
+// The default mode of a primitive.
 constexpr int kTriangles = 4;
 
-// A list of objects, empty when the document has none of that name.
+// A list of the document; empty when the document has none of that name.
 Json list_in(const Json& document, const char* name) {
   const auto found = document.find(name);
   if (found == document.end()) return Json::array();
@@ -28,6 +31,8 @@ Json list_in(const Json& document, const char* name) {
   return *found;
 }
 
+// A non-negative integer, `otherwise` where it is missing. At most 2^40, so that sums of two of
+// them, and products with a valid stride (at most 252), cannot overflow.
 std::uint64_t count_in(const Json& object, const char* name, std::uint64_t otherwise) {
   constexpr std::uint64_t kMost = std::uint64_t{1} << 40;
   const auto found = object.find(name);
@@ -38,7 +43,7 @@ std::uint64_t count_in(const Json& object, const char* name, std::uint64_t other
   return found->get<std::uint64_t>();
 }
 
-// An index into a list of `size` entries that must be there.
+// A required index into a list of `size` entries.
 std::uint64_t index_in(const Json& object, const char* name, std::size_t size) {
   constexpr std::uint64_t kMissing = ~std::uint64_t{0};
   const std::uint64_t index = count_in(object, name, kMissing);
@@ -50,7 +55,7 @@ std::uint64_t index_in(const Json& object, const char* name, std::size_t size) {
   return index;
 }
 
-// The named members of an object, where it has them.
+// A copy of the object with the named members only.
 Json members(const Json& object, std::initializer_list<const char*> names) {
   if (!object.is_object()) throw InputError("an entry is not an object");
   Json kept = Json::object();
@@ -60,6 +65,7 @@ Json members(const Json& object, std::initializer_list<const char*> names) {
   return kept;
 }
 
+// Member `name`, which must be a list of `size` numbers.
 Json numbers(const Json& node, const char* name, std::size_t size) {
   const Json& list = node[name];
   bool fits = list.is_array() && list.size() == size;
@@ -68,6 +74,8 @@ Json numbers(const Json& node, const char* name, std::size_t size) {
   return list;
 }
 
+// Builds the reduced document. The functions run in the order of references (buffers first), so
+// that each can check its indices against lists that are complete.
 class Reducer {
  public:
   Reducer(const Json& document, std::uint64_t chunk_bytes, const std::filesystem::path& folder)
@@ -90,6 +98,7 @@ class Reducer {
   }
 
  private:
+  // Buffers must not be longer than the bytes that are there.
   void buffers() {
     Json& kept = result_["buffers"] = Json::array();
     for (const Json& buffer : list_in(document_, "buffers")) {
@@ -105,7 +114,9 @@ class Reducer {
     }
   }
 
-  // Bytes of a buffer that are there, at most: embedded text counts whole.
+  // Upper bound of the available bytes of a buffer: the GLB chunk, the length of a data URI (its
+  // text is longer than the decoded bytes), or the size of the file. Only the first buffer may be
+  // the GLB chunk, which has no uri.
   std::uint64_t buffer_bytes(const Json& buffer, bool first) const {
     if (!buffer.contains("uri")) {
       if (!first) throw InputError("buffers: one has no uri");
@@ -120,6 +131,7 @@ class Reducer {
     return size;
   }
 
+  // Views must lie within their buffer.
   void views() {
     Json& kept = result_["bufferViews"] = Json::array();
     for (const Json& view : list_in(document_, "bufferViews")) {
@@ -134,6 +146,8 @@ class Reducer {
     }
   }
 
+  // Bytes of one element: size of the component (5120 to 5126 are the codes of byte, unsigned byte,
+  // short, unsigned short, unsigned int and float) times number of components.
   static std::uint64_t element_bytes(const Json& accessor) {
     const std::uint64_t type = count_in(accessor, "componentType", 0);
     const std::uint64_t size = type == 5120 || type == 5121   ? 1
@@ -152,6 +166,8 @@ class Reducer {
     return size * width;
   }
 
+  // Accessors must lie within their view. The last element needs only its own bytes, not a whole
+  // stride.
   void accessors() {
     Json& kept = result_["accessors"] = Json::array();
     const Json& views = result_["bufferViews"];
@@ -168,6 +184,7 @@ class Reducer {
       const std::uint64_t step = stride == 0 ? bytes : stride;
       const std::uint64_t end =
           count_in(entry, "byteOffset", 0) + (count == 0 ? 0 : step * (count - 1) + bytes);
+      // glTF permits strides up to 252 bytes.
       if (stride > 252 || (stride != 0 && stride < bytes) ||
           end > count_in(view, "byteLength", 0)) {
         throw InputError("accessors: reach to byte " + std::to_string(end) + " of " +
@@ -177,6 +194,7 @@ class Reducer {
     }
   }
 
+  // Keeps positions and indices of a primitive.
   Json primitive(const Json& given) const {
     const Json& accessors = result_["accessors"];
     Json entry = members(given, {"indices", "mode"});
@@ -209,6 +227,7 @@ class Reducer {
     }
   }
 
+  // Keeps mesh, children and transform of the nodes. Every node has at most one parent.
   void nodes() {
     Json& kept = result_["nodes"] = Json::array();
     const Json given = list_in(document_, "nodes");
@@ -233,7 +252,8 @@ class Reducer {
     need_shallow_trees();
   }
 
-  // With one parent each, nodes that lead to no root within the depth are in a cycle or too deep.
+  // Rejects cycles and deep nesting. As every node has at most one parent, following the parents
+  // ends at a root, unless there is a cycle.
   void need_shallow_trees() const {
     constexpr int kDeepest = 200;
     for (std::size_t i = 0; i < parents_.size(); ++i) {
@@ -245,7 +265,8 @@ class Reducer {
     }
   }
 
-  // One scene with the roots of the chosen scene, or of all nodes.
+  // Makes one scene with the roots of the default scene, or, in a file without scenes, with all
+  // nodes that have no parent.
   void scenes() {
     const Json given = list_in(document_, "scenes");
     Json roots = Json::array();
@@ -276,6 +297,7 @@ class Reducer {
   std::vector<long> parents_;
 };
 
+// Parses, checks and reduces the JSON text. `chunk_bytes`: size of the binary chunk of a GLB.
 Json reduced(std::string_view text, std::uint64_t chunk_bytes,
              const std::filesystem::path& folder) {
   const Json document = Json::parse(text, nullptr, false);
@@ -306,8 +328,8 @@ std::string checked_gltf(std::string_view bytes, const std::filesystem::path& fo
   return reduced(bytes, 0, folder).dump();
 }
 
-// Header (magic, version, length), a chunk of JSON, a chunk of bytes; a chunk is length, type,
-// data.
+// GLB: a header (magic, version, total length), a JSON chunk and an optional binary chunk. A chunk
+// is its length, its type and its data. The file is written again around the reduced JSON.
 std::string checked_glb(std::string_view bytes, const std::filesystem::path& folder) {
   constexpr std::size_t kHeader = 12;
   constexpr std::size_t kChunkHeader = 8;
@@ -332,6 +354,7 @@ std::string checked_glb(std::string_view bytes, const std::filesystem::path& fol
   }
   std::string json =
       reduced(bytes.substr(kHeader + kChunkHeader, json_bytes), data.size(), folder).dump();
+  // Chunks are padded to multiples of 4 bytes, JSON with spaces.
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string result = "glTF";
   append_word(result, 2);

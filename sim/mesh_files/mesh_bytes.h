@@ -1,4 +1,4 @@
-// Looks at the bytes of a mesh file before assimp gets them.
+// Validates the bytes of a mesh file before assimp parses them.
 #pragma once
 
 #include <filesystem>
@@ -7,20 +7,22 @@
 
 namespace prehend {
 
-// Refuses what assimp is known to crash on, hang on or silently misread: counts that the file is
-// too short for, text that is not text, coordinates that are not numbers, faces that refer to
-// vertices that are not there, scene graphs with cycles. Passing it does not make a file valid.
-// Returns the bytes to read instead: for OBJ and glTF only the parts that make up geometry, for
-// binary STL without what follows the last triangle, else the same. glTF buffers outside the file
-// are looked for in `folder`. Throws InputError, one line with the line number where there is one,
-// not naming the file.
+// Rejects input on which assimp is known to crash, hang or return wrong data: counts that exceed
+// the file, binary data in text, coordinates that are not numbers, faces with vertex indices out of
+// range, cyclic scene graphs. A file that passes may still be invalid.
+// Returns the bytes for assimp: for OBJ and glTF only the parts that define geometry, for binary
+// STL without bytes after the last triangle, otherwise all. glTF buffers outside the file are
+// searched in `folder`. Throws InputError, one line with the line number where there is one,
+// without the name of the file.
 std::string checked_mesh_bytes(std::string_view extension, const std::string& bytes,
                                const std::filesystem::path& folder);
 
-// Text must be UTF-8 or another superset of ASCII: no zero bytes, no UTF-16.
+// Throws InputError unless the text may be UTF-8 or another superset of ASCII: no zero bytes, no
+// byte order mark of UTF-16.
 void need_text(std::string_view bytes);
 
-// One for each format (in FORMAT_bytes.cpp).
+// The checks of each format (in FORMAT_bytes.cpp). Functions named checked_ return the bytes to
+// read.
 std::string checked_obj(std::string_view bytes);
 std::string checked_stl(std::string_view bytes);
 void check_ply(std::string_view bytes);

@@ -85,7 +85,8 @@ LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& option
   const std::string extension = extension_of(file);
   TriangleMesh raw = read_raw(file, extension);
   if (raw.empty()) throw InputError("no triangles");
-  // Vertices that no triangle uses say nothing about the shape, finite or not.
+  // Unused vertices are removed first: they may be invalid, and they must not enlarge the bounding
+  // box that sets the weld tolerance.
   drop_unused_vertices(raw);
   scale_to_metres(raw, options.metres_per_unit);
 

@@ -1,5 +1,6 @@
-// Checks of Wavefront OBJ files, and their reduction to vertices and faces: assimp takes ".5" for
-// no number and leaves the vertex out, and would look for materials.
+// Validation of Wavefront OBJ files and their reduction to vertices (v) and faces (f). Numbers are
+// written again in a plain form, because assimp does not read ".5" as a number and drops the
+// vertex; materials, normals and texture coordinates are left out.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -14,13 +15,15 @@
 namespace prehend {
 namespace {
 
-// The next word of a statement, which a backslash at the end of a line continues.
+// The next word of a statement; empty at its end or at a comment. A backslash at the end of a line
+// continues the statement on the next one.
 std::string_view next_word(TextScan& scan) {
   std::string_view word = scan.next_word();
   while (word == "\\" && scan.next_line()) word = scan.next_word();
   return word.starts_with('#') ? std::string_view() : word;
 }
 
+// The shortest decimal form that reads back as the same number.
 void append_number(std::string& text, double value) {
   std::array<char, 32> digits;
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
@@ -28,7 +31,8 @@ void append_number(std::string& text, double value) {
   text.append(digits.data(), end);
 }
 
-// Vertex numbers of a face, from 1; those counted from the end are resolved.
+// Vertex indices of a face, from 1. Negative indices count back from the last vertex read so far.
+// In "v/vt/vn" only v is used.
 std::vector<long long> face_vertices(TextScan& scan, long long vertices) {
   std::vector<long long> face;
   for (auto word = next_word(scan); !word.empty(); word = next_word(scan)) {
@@ -51,7 +55,8 @@ std::string checked_obj(std::string_view bytes) {
   std::string reduced;
   reduced.reserve(bytes.size());
   long long vertices = 0;
-  // Faces may come before their vertices.
+  // A face may precede its vertices, so its indices are checked at the end: the highest one and its
+  // line are kept.
   long long highest = 0;
   int highest_line = 0;
   while (scan.next_line()) {

@@ -12,7 +12,7 @@
 namespace prehend {
 namespace {
 
-// Words of the lines that are not blank or comment.
+// Lines split into words; blank lines and comments are skipped.
 class OffLines {
  public:
   explicit OffLines(std::string_view text) : scan_(text) {}
@@ -50,7 +50,8 @@ class OffLines {
   std::vector<std::string_view> words_;
 };
 
-// Takes the keyword away, so that the counts are what is left of the line, if they are on it.
+// Reads the header keyword (OFF with a prefix, or nothing) and removes it, so that the words that
+// remain are the counts, which may be on the same or the next line.
 void read_keyword(OffLines& lines) {
   if (!lines.next_line()) throw InputError("no OFF header");
   std::string_view& first = lines.words().front();
@@ -69,6 +70,7 @@ void read_keyword(OffLines& lines) {
   if (lines.words().empty()) lines.need_line("the counts");
 }
 
+// Reads "n v1 ... vn"; further words on the line are colours and are ignored.
 void read_face(OffLines& lines, TriangleMesh& mesh) {
   constexpr long long kMostCorners = 10'000;
   const long long corners = lines.integer(0, "the number of corners of a face");
@@ -100,7 +102,7 @@ TriangleMesh read_off(std::string_view text) {
   read_keyword(lines);
   const long long vertices = lines.integer(0, "the number of vertices");
   const long long faces = lines.integer(1, "the number of faces");
-  // A vertex or a face takes a line, so two bytes or more.
+  // Every vertex and every face takes a line of at least two bytes.
   const long long most = static_cast<long long>(text.size() / 2) + 1;
   if (vertices < 0 || faces < 0 || vertices > most || faces > most) {
     lines.scan().fail("promises " + std::to_string(vertices) + " vertices and " +

@@ -7,12 +7,13 @@
 
 namespace prehend {
 
-// Read here and not through assimp, which takes blank lines and comments between the lists for
-// vertices and faces, leaves out faces of ten and more corners and moves indices that are out of
-// range. Text OFF with any of the prefixes ST, C, N (whose extra columns are skipped); a vertex or
-// a face a line; comments from # on; the count of edges may be missing. Faces are cut into
-// triangles (triangulate_face); faces of one or two corners are left out. Not the 4, n and BINARY
-// flavours. Throws InputError with the line number.
+// Parses text OFF with any of the prefixes ST, C, N (whose extra columns are skipped); one vertex
+// or face per line; comments from # to the end of the line; the count of edges may be missing.
+// Faces are triangulated (triangulate_face); faces with one or two corners are left out. The
+// variants 4OFF, nOFF and BINARY are not supported. Throws InputError with the line number.
+// assimp is not used for this format: it reads blank lines and comments between the lists as
+// vertices and faces, drops faces with ten or more corners and changes indices that are out of
+// range.
 TriangleMesh read_off(std::string_view text);
 
 }  // namespace prehend

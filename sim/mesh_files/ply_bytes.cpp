@@ -1,4 +1,6 @@
-// Checks of PLY files, text and binary: walks all elements as the header describes them.
+// Validation of PLY files, text and binary. The header declares elements (vertex, face, others)
+// with typed properties; the body is traversed as declared, and lengths, indices and coordinates
+// are checked.
 #include <array>
 #include <bit>
 #include <cmath>
@@ -24,8 +26,10 @@ struct Scalar {
   std::size_t bytes = 4;
 };
 
+// One property of an element: a scalar, or a list with a count of type `count` and entries of type
+// `value`.
 struct Property {
-  std::optional<Scalar> count;  // of a list
+  std::optional<Scalar> count;  // type of the count of a list
   Scalar value;
   bool coordinate = false;    // x, y or z
   bool vertex_index = false;  // the list of a face
@@ -39,6 +43,8 @@ struct Element {
 
 enum class Encoding { text, little_endian, big_endian };
 
+// `end`: offset of the body; `lines`: number of lines of the header; `vertices`: count of element
+// vertex.
 struct Header {
   Encoding encoding = Encoding::text;
   std::vector<Element> elements;
@@ -72,6 +78,8 @@ Scalar scalar_named(const TextScan& scan, std::string_view name) {
   scan.fail("unknown PLY type " + in_quotes(name));
 }
 
+// "element NAME COUNT". Each takes at least a byte, so a count beyond the size of the file is
+// wrong.
 void read_element(TextScan& scan, Header& header, std::size_t file_size) {
   Element element;
   element.name = scan.next_word();
@@ -87,6 +95,7 @@ void read_element(TextScan& scan, Header& header, std::size_t file_size) {
   header.elements.push_back(std::move(element));
 }
 
+// "property TYPE NAME" or "property list COUNT_TYPE TYPE NAME", of the last element.
 void read_property(TextScan& scan, Header& header) {
   if (header.elements.empty()) scan.fail("a PLY property of no element");
   Element& element = header.elements.back();
@@ -136,7 +145,7 @@ Header read_header(std::string_view bytes) {
   throw InputError("the PLY header does not end");
 }
 
-// The scalars of the body in order.
+// Reads the scalars of the body one after another, in any encoding.
 class Body {
  public:
   Body(std::string_view bytes, const Header& header)
@@ -172,6 +181,7 @@ class Body {
     return *value;
   }
 
+  // Copies the bytes in native order: reversed when the file has the other byte order.
   template <typename Value>
   double decoded(const char* data) const {
     std::array<char, sizeof(Value)> raw;
@@ -203,6 +213,7 @@ class Body {
   std::size_t at_;
 };
 
+// Reads a list; the entries of a face must be valid vertex indices.
 void check_list(Body& body, const Property& property, const Element& element, long long vertices) {
   constexpr double kLongest = 1e6;
   const double count = body.next(*property.count, element);
@@ -232,6 +243,7 @@ void check_ply(std::string_view bytes) {
           continue;
         }
         const double value = body.next(property.value, element);
+        // assimp stores coordinates as float, so a double beyond its range counts as infinite.
         if (property.coordinate && !std::isfinite(static_cast<float>(value))) {
           body.fail("vertex " + std::to_string(i) + " is not finite");
         }

@@ -1,4 +1,4 @@
-// Checks of STL files, text and binary.
+// Validation of STL files, text and binary.
 #include <cctype>
 #include <cstdint>
 #include <cstring>
@@ -11,8 +11,8 @@
 namespace prehend {
 namespace {
 
-constexpr std::size_t kHeader = 84;  // 80 bytes of comment, 4 of the count
-constexpr std::size_t kFacet = 50;
+constexpr std::size_t kHeader = 84;  // 80 bytes of comment, 4 bytes of count
+constexpr std::size_t kFacet = 50;   // normal and three vertices as floats, 2 bytes of attribute
 
 std::uint64_t facet_count(std::string_view bytes) {
   std::uint32_t count = 0;
@@ -21,7 +21,8 @@ std::uint64_t facet_count(std::string_view bytes) {
 }
 
 bool is_text(std::string_view bytes) {
-  // Binary files, too, may start with "solid"; their size gives them away.
+  // The header of a binary file may start with "solid", too. A size that fits the count exactly
+  // shows that the file is binary.
   if (bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * facet_count(bytes))
     return false;
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -31,6 +32,7 @@ bool is_text(std::string_view bytes) {
   return word == "solid";
 }
 
+// Facets must not be nested and must have three vertices with valid coordinates.
 void check_text(std::string_view bytes) {
   need_text(bytes);
   TextScan scan(bytes);
@@ -57,6 +59,8 @@ void check_text(std::string_view bytes) {
   if (in_facet) scan.fail("the file ends inside a facet");
 }
 
+// The file must be long enough for its count of facets. Bytes after the last facet are permitted;
+// checked_stl removes them.
 void check_binary(std::string_view bytes) {
   if (bytes.size() < kHeader) {
     throw InputError("neither text nor binary STL: " + std::to_string(bytes.size()) + " bytes");

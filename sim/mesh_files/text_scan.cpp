@@ -12,7 +12,7 @@
 namespace prehend {
 namespace {
 
-// from_chars knows no leading plus.
+// std::from_chars does not accept a leading plus.
 std::string_view without_plus(std::string_view word) {
   const bool signed_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
   return signed_plus ? word.substr(1) : word;
@@ -60,7 +60,8 @@ void TextScan::fail(const std::string& what) const {
 std::optional<double> number_in(std::string_view word) {
   const std::optional<double> value = parse<double>(word);
   if (value) return value;
-  // Too small or too large for a double is still a number.
+  // Out of range for a double: from_chars leaves the value unset for both overflow and underflow; a
+  // negative exponent tells them apart.
   const std::string_view digits = without_plus(word);
   double ignored = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), ignored);

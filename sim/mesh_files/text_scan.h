@@ -1,4 +1,5 @@
-// Goes through text by lines and words, keeping the line number for messages.
+// Splits text into lines and words and keeps the line number for error messages; converts words to
+// numbers.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +9,22 @@
 
 namespace prehend {
 
+// A cursor over text. The text must outlive it.
 class TextScan {
  public:
   explicit TextScan(std::string_view text) : text_(text) {}
 
-  // Moves to the next line (ended by LF, CR or CR LF); false at the end of the text.
+  // Moves to the next line (lines end with LF, CR or CR LF). False at the end of the text.
   bool next_line();
-  // The next word of the line, empty at its end. Words are separated by spaces and tabs.
+  // The next word of the current line; empty when there is none left. Words are separated by white
+  // space (space, tab, vertical tab, form feed).
   std::string_view next_word();
-  // From 1; 0 before the first line.
+  // Number of the current line, from 1; 0 before the first line.
   int line_number() const { return line_number_; }
-  // Where the line after this one starts.
+  // Offset in bytes of the start of the next line.
   std::size_t position() const { return next_; }
 
-  // Ends with InputError "line N: WHAT".
+  // Throws InputError "line N: WHAT".
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -31,15 +34,18 @@ class TextScan {
   int line_number_ = 0;
 };
 
-// The whole word as a decimal number ("1", "-2.", "+.5e3"), infinite and NaN included; none when it
-// is anything else.
+// The word as a decimal number ("1", "-2.", "+.5e3", also infinity and NaN), or nullopt unless the
+// whole word is one. Numbers too large for a double become infinity, too small ones 0.
 std::optional<double> number_in(std::string_view word);
+// The word as a decimal integer, or nullopt unless the whole word is one that fits.
 std::optional<long long> integer_in(std::string_view word);
 
-// The word in quotes, fit for a message: printable and not long.
+// The word in quotes for an error message: at most 40 characters, others than printable ones
+// replaced by ?.
 std::string in_quotes(std::string_view word);
 
-// A coordinate: InputError with the line unless it is a finite number within the range of float.
+// The word as a coordinate. Throws InputError with the line number unless it is a finite number
+// within the range of float.
 double coordinate_in(const TextScan& scan, std::string_view word);
 
 }  // namespace prehend

@@ -1,4 +1,5 @@
-// The one place that knows oneTBB.
+// The loop runs in its own oneTBB arena, which limits its threads. oneTBB is used in this file
+// only.
 #include "sim/parallel/parallel.h"
 
 #include <tbb/blocked_range.h>
@@ -12,7 +13,8 @@ void for_each_in_parallel(std::size_t count, int threads,
                           const std::function<void(std::size_t)>& work) {
   tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
   arena.execute([&] {
-    // One at a time: trials differ in length a hundredfold.
+    // Chunks of one index: calls can differ in duration by a factor of a hundred (trials of grasps
+    // do), and larger chunks would leave threads idle at the end.
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {

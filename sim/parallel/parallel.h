@@ -1,4 +1,4 @@
-// Loops on several threads.
+// A loop over indices, spread over several threads.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,9 @@
 
 namespace prehend {
 
-// Calls work(0) ... work(count - 1), in any order, on `threads` threads (0: all processors). An
-// exception of one call ends the loop and is thrown on.
+// Calls work(0) ... work(count - 1), in any order, on `threads` threads (0: one per processor), and
+// returns when all calls have returned. When a call throws, no further calls are started and one of
+// the exceptions is thrown to the caller.
 void for_each_in_parallel(std::size_t count, int threads,
                           const std::function<void(std::size_t)>& work);
 
