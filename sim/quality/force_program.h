@@ -1,4 +1,5 @@
-// The conic program of the contact forces that balance a unit wrench.
+// The second-order cone program of the smallest contact forces that balance a unit wrench
+// (see forces.h), and the checks of its solution that do not rely on the solver.
 #pragma once
 
 #include <span>
@@ -11,11 +12,13 @@
 
 namespace prehend {
 
-// Forces are in units of the external wrench. The program's variables are the coordinates of all
-// contacts' cones and, for the measure largest_normal, that largest normal.
+// The program for n contacts. Forces are in units of the external wrench. The variables are the
+// coordinates v of all contacts' friction cones (friction_cone.h), one contact after the other,
+// and, for the measure largest_normal, one more: the upper bound t of all normal forces.
 class ForceProgram {
  public:
-  // `wrench` is unit, `size` what it was before. `hand` may be null; what is given is checked.
+  // `wrench` is the external wrench divided by its norm `size`. `hand` may be null: no joint
+  // limits. The arguments must have been checked already (forces.cpp does so).
   ForceProgram(std::span<const Contact> contacts, const WrenchFrame& frame, const Wrench& wrench,
                double size, const HandTorques* hand, const ForceOptions& options);
 
@@ -60,15 +63,15 @@ class ForceProgram {
   ForceOptions options_;
   Wrench wrench_;
   std::vector<ContactCone> cones_;
-  std::vector<Eigen::Index> first_;  // of each contact, its first coordinate
+  std::vector<Eigen::Index> first_;  // index of each contact's first coordinate
   Eigen::Index coordinates_ = 0;
-  std::vector<Eigen::Index> slack_;   // row of each contact's first slack in the cone
-  Eigen::MatrixXd basis_;             // 6 x k: the orthonormal directions in which to balance
-  Eigen::MatrixXd maps_;              // 6 x 4n: wrenches of components
-  Eigen::MatrixXd loads_;             // joints x 4n: joint torques of components
-  Eigen::VectorXd limits_;            // joints, for the unit wrench
-  std::vector<Eigen::Index> locked_;  // joints that bear nothing
-  std::vector<Eigen::Index> limited_;
+  std::vector<Eigen::Index> slack_;    // row of each contact's first slack in the cone
+  Eigen::MatrixXd basis_;              // 6 x k: the orthonormal directions in which to balance
+  Eigen::MatrixXd maps_;               // 6 x 4n: maps components to wrenches
+  Eigen::MatrixXd loads_;              // joints x 4n: maps components to joint torques
+  Eigen::VectorXd limits_;             // joints: torque limits, divided by the wrench's norm
+  std::vector<Eigen::Index> locked_;   // joints with limit 0, which bear no torque
+  std::vector<Eigen::Index> limited_;  // joints with a positive, finite limit
   ConicProgram program_;
 };
 
