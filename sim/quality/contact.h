@@ -16,9 +16,11 @@ enum class ContactModel {
                  // the ellipsoidal limit surface (Howe and Cutkosky 1996)
 };
 
+// All contact models, in the order of the enum.
 inline constexpr std::array<ContactModel, 3> kContactModels = {
     ContactModel::frictionless, ContactModel::point, ContactModel::soft_finger};
 
+// The enumerator's name, as it is written in files.
 constexpr std::string_view contact_model_name(ContactModel model) {
   constexpr std::array<std::string_view, 3> kNames = {"frictionless", "point", "soft_finger"};
   return kNames[static_cast<std::size_t>(model)];

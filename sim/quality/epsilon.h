@@ -21,6 +21,7 @@ enum class EpsilonStatus {
                      // where qhull fails on the same wrenches
 };
 
+// The enumerator's name, as it is written in files.
 constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
   constexpr std::array<std::string_view, 5> kNames = {"converged", "no_force_closure",
                                                       "below_cutoff", "limit", "stalled"};

@@ -43,11 +43,12 @@ class ExpandingPolytope {
   // The facet with the smallest (signed) offset.
   Nearest nearest();
 
-  // Replaces the facets that `point` sees, `facet` among them, by the cone from `point` over their
-  // border. Returns false, unchanged, where rounding leaves no border, or where the point is
-  // already a corner of the polytope.
+  // Adds a point: the facets that it sees, `facet` among them, are replaced by new facets that join
+  // the point to each ridge on the border of the seen region. Returns false and changes nothing
+  // where rounding leaves that region without a border, or where the point is already a corner.
   bool expand(int facet, const Wrench& point);
 
+  // How many facets were made so far, those replaced since included.
   int facets_made() const { return facets_made_; }
 
  private:

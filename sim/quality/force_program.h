@@ -24,27 +24,33 @@ class ForceProgram {
 
   const ConicProgram& program() const { return program_; }
 
-  // What each contact transmits (as ContactForces::components): the solution, inside the cones
-  // whatever the rounding, moved by the smallest step in the metric of their barrier that meets the
-  // equations; not moved where that would leave the cones.
+  // What each contact transmits, 4 x n as ContactForces::components: the solver's solution, put
+  // inside the friction cones in spite of rounding, and then corrected towards the equations by the
+  // smallest step in the metric of the cones' barrier. A correction that would leave the cones, or
+  // raise the measure, is not made.
   Eigen::Matrix4Xd components(const ConicSolution& solution) const;
 
+  // The measure that is minimised (ForceOptions::measure): sum or largest of the normal forces.
   double measure(const Eigen::Matrix4Xd& components) const;
+  // Norm of the sum of the contact wrenches and the unit external wrench: 0 is perfect balance.
   double residual(const Eigen::Matrix4Xd& components) const;
-  // By how much the worst joint torque exceeds its limit, relative to the limit; where that
+  // By how much the worst joint torque exceeds its limit, relative to the limit; where the limit
   // is zero, relative to the torque of the largest force.
   double torque_excess(const Eigen::Matrix4Xd& components) const;
 
-  // Multipliers of the balance and of the joint torques, of any length.
+  // Lagrange multipliers of the balance of wrenches and of the joint torques, in any common scale:
+  // a hyperplane that separates what the contacts can do from what they should do.
   struct Separation {
     Wrench wrench = Wrench::Zero();
-    Eigen::VectorXd torques;
+    Eigen::VectorXd torques;  // one for each joint; 0 for a joint without a limit
   };
+  // The multipliers of the solver's dual solution.
   Separation separation(const ConicSolution& solution) const;
 
-  // No forces within the limits that leave no more than `residual` of the wrench have a smaller
-  // measure; any separation proves a bound. Its rounding is accounted for. Infinite where even that
-  // is zero.
+  // A lower bound, by weak duality, of the measure of all forces that keep the joint limits and
+  // balance the unit wrench up to a remainder of norm `residual`. Valid for any separation, exact
+  // or not, since rounding of the bound itself is accounted for; 0 where it proves nothing, and
+  // infinite where it proves that no forces balance the wrench.
   double lower_bound(const Separation& separation, ForceMeasure measure,
                      double residual = 0.0) const;
 

@@ -50,6 +50,7 @@ enum class ForceOutcome {
   limit,       // rounding allows neither; the best forces found stand
 };
 
+// The enumerator's name, as it is written in files.
 constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
   constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
   return kNames[static_cast<std::size_t>(outcome)];
