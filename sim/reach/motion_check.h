@@ -18,7 +18,7 @@ using JointPath = std::vector<std::vector<double>>;
 struct MotionCheckOptions {
   // A stretch of the motion on which the bodies of a pair move by no more than this relative to
   // each other is not divided further: a pair not yet proved free there counts as blocked. Motions
-  // with gaps below about half of this are therefore refused [m].
+  // with gaps below about half of this may therefore be refused [m].
   double tightest = 2e-4;
   // Relative error by which the gap of a pair may be underestimated. A larger one makes each
   // distance query faster, but divides the motion into more stretches.
@@ -32,12 +32,13 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("gap_error", gap_error);
 }
 
-// Continuous collision check: the first pair along the path that could not be proved to stay apart,
-// or none if the whole motion is free, between the waypoints too. If the gap of a pair in the
-// middle of a stretch is larger than any point can move from there to its ends, the pair is free on
-// the whole stretch; else the stretch is halved (Schwarzer, Saha and Latombe 2005, "Adaptive
-// dynamic collision checking"). Only surfaces are compared here: that no body lies entirely inside
-// another must be checked beforehand, at one posture of the path (first_meeting). Throws Cancelled.
+// Continuous collision check: a pair that could not be proved to stay apart along the path (the
+// first one found), or none if the whole motion is free, between the waypoints too. If the gap of a
+// pair in the middle of a stretch is larger than any point can move from there to its ends, the
+// pair is free on the whole stretch; else the stretch is halved (Schwarzer, Saha and Latombe 2005,
+// "Adaptive dynamic collision checking"). Only surfaces are compared here: that no body lies
+// entirely inside another must be checked beforehand, at one posture of the path (first_meeting).
+// Throws Cancelled.
 std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
                                      const JointPath& path, const MotionCheckOptions& options = {},
                                      const RunContext& context = {});
