@@ -31,6 +31,8 @@ Eigen::VectorXd cone_product(const ConeSizes& cone, const Eigen::VectorXd& u,
   return product;
 }
 
+// In a second-order cone u o v = d reads u0 v0 + u1'v1 = d0 and u0 v1 + v0 u1 = d1. Put v1 from the
+// second into the first, and v0 (u0^2 - |u1|^2) = u0 d0 - u1'd1 remains.
 Eigen::VectorXd cone_quotient(const ConeSizes& cone, const Eigen::VectorXd& u,
                               const Eigen::VectorXd& d) {
   Eigen::VectorXd quotient = d.cwiseQuotient(u);
@@ -54,8 +56,10 @@ double cone_margin(const ConeSizes& cone, const Eigen::VectorXd& v) {
   return margin;
 }
 
-// In a second-order cone the step ends where the smallest eigenvalue of e + a rho is zero, rho
-// being d in coordinates in which u is e.
+// In a second-order cone the step is found in coordinates in which u is the identity e (a
+// hyperbolic rotation and scaling that maps the cone to itself), and d becomes rho. e + a rho is in
+// the cone while 1 + a rho0 >= a |rho1|, that is up to a = 1 / (|rho1| - rho0). `shrink` is the
+// largest of the inverse steps of all cones; the step is infinite where none is positive.
 double cone_step(const ConeSizes& cone, const Eigen::VectorXd& u, const Eigen::VectorXd& d) {
   double shrink = 0.0;
   for (Eigen::Index i = 0; i < cone.orthant; ++i) shrink = std::max(shrink, -d[i] / u[i]);

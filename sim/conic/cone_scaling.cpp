@@ -15,6 +15,10 @@ ConeScaling::ConeScaling(const ConeSizes& cone, const Eigen::VectorXd& s, const 
   valid_ = lambda_.allFinite() && point_.allFinite() && cone_margin(cone_, lambda_) > 0.0;
 }
 
+// For second-order cones W is a hyperbolic rotation times a size. s and z are scaled to the unit
+// hyperboloid v0^2 - |v1|^2 = 1; the vector w that defines the rotation is the normalised sum of
+// s_unit and the reflection (z0, -z1) of z_unit, and the size is the fourth root of the ratio of
+// the two determinants v0^2 - |v1|^2.
 void ConeScaling::scale_second_order(const Eigen::VectorXd& s, const Eigen::VectorXd& z,
                                      Eigen::Index first, Eigen::Index rows) {
   const double s_root = cone_root(s.segment(first, rows));
@@ -33,7 +37,10 @@ void ConeScaling::scale_second_order(const Eigen::VectorXd& s, const Eigen::Vect
       ((gamma + z_unit[0]) * s_unit.tail(rows - 1) + (gamma + s_unit[0]) * z_unit.tail(rows - 1));
 }
 
-// W and its inverse have the same form, with the sign of w1 changed and the size inverted.
+// W m, or W^-1 m with `sign` -1. With w = (w0, w1) on the unit hyperboloid, the rotation is
+//   [ w0  w1'                   ]
+//   [ w1  I + w1 w1' / (1 + w0) ],
+// and its inverse has the same form with the sign of w1 changed. It is applied without being made.
 Eigen::MatrixXd ConeScaling::product(const Eigen::MatrixXd& m, double sign) const {
   Eigen::MatrixXd result(m.rows(), m.cols());
   const Eigen::Index n = cone_.orthant;

@@ -9,18 +9,22 @@
 
 namespace prehend {
 
-// The symmetric W that takes z and s to one point, lambda = W z = W^-1 s.
+// The symmetric matrix W, block-diagonal over the cones, that maps the dual point z and the slack s
+// to the same scaled point lambda = W z = W^-1 s. An interior point method takes its steps in these
+// coordinates, in which primal and dual are treated alike.
 //
 // Source: Nesterov and Todd 1997; the formulas are those of Vandenberghe, "The CVXOPT linear and
 // quadratic cone program solvers", 2010, section 4.
 class ConeScaling {
  public:
-  // s and z (ConeSizes::rows() rows each) must be inside the cone; see valid().
+  // s and z (ConeSizes::rows() rows each) should be in the interior of the cone; where rounding
+  // has put them on its border, valid() is false.
   ConeScaling(const ConeSizes& cone, const Eigen::VectorXd& s, const Eigen::VectorXd& z);
 
-  // Whether the scaling is finite: not where s or z touch the border of the cone.
+  // Whether the scaling is finite and can be used.
   bool valid() const { return valid_; }
 
+  // The scaled point.
   const Eigen::VectorXd& lambda() const { return lambda_; }
 
   // W m and W^-1 m for a matrix of any number of columns.

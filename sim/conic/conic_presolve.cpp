@@ -8,9 +8,12 @@
 namespace prehend {
 namespace {
 
+// Ruiz' iteration halves the logarithm of the largest entries in each round, so that few suffice.
 constexpr int kRuizRounds = 8;
-constexpr double kDependent = 1e-13;     // of the largest pivot: rounding of a dependent row
-constexpr double kInconsistent = 1e-10;  // of b: what a dependent equation may be off
+// A pivot of the QR factors below this part of the largest is rounding: its row is dependent.
+constexpr double kDependent = 1e-13;
+// A dependent equation is consistent if its error is at most this part of b.
+constexpr double kInconsistent = 1e-10;
 
 double largest(const Eigen::MatrixXd& m) { return m.size() > 0 ? m.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -19,6 +22,7 @@ double inverse_root(double size) {
   return size > 0.0 ? std::exp2(-std::round(std::log2(size) / 2.0)) : 1.0;
 }
 
+// The power of two nearest to size; 1 for 0.
 double power_of_two(double size) {
   return size > 0.0 ? std::exp2(std::round(std::log2(size))) : 1.0;
 }
@@ -32,7 +36,8 @@ PivotedQr factors_of(const Eigen::MatrixXd& m) {
   return qr;
 }
 
-// The first columns of Q span the range, the others its complement.
+// The square Q. Its first `rank` columns span the range of the matrix, the others its orthogonal
+// complement.
 Eigen::MatrixXd full_q(const PivotedQr& qr) {
   return qr.householderQ() * Eigen::MatrixXd::Identity(qr.rows(), qr.rows());
 }
@@ -55,6 +60,8 @@ Equilibration::Equilibration(const ConicProgram& program)
   scaled_.c /= objective_;
 }
 
+// One round: divides each row and column by the square root of its largest entry. Row and column
+// share the correction of an entry, hence the root.
 void Equilibration::scale_once() {
   Eigen::VectorXd column(scaled_.c.size());
   Eigen::VectorXd row_of_A(scaled_.b.size());
@@ -89,7 +96,9 @@ Reduction::Reduction(const ConicProgram& program) : reduced_(program), rows_(pro
   if (!decided_) drop_directions(program);
 }
 
-// b less its projection on the range of A is a y with A'y = 0 and b'y > 0, if it is not zero.
+// Leaves out dependent rows of A if b agrees with them. Let e be b less its projection on the range
+// of A: A'e = 0 and b'e = |e|^2. If e is not zero, A x = b has no solution, and y = -e / |e|^2 is
+// the certificate (A'y = 0, b'y = -1). The projection is subtracted twice to remove its rounding.
 void Reduction::drop_rows(const ConicProgram& program) {
   kept_ = Eigen::VectorXi::LinSpaced(rows_, 0, static_cast<int>(rows_) - 1);
   if (rows_ == 0) return;
@@ -108,6 +117,7 @@ void Reduction::drop_rows(const ConicProgram& program) {
   }
   kept_.conservativeResize(rank);
   if (rank > 0) {
+    // The pivots of the QR factors of A' choose a set of independent rows.
     kept_ = factors_of(program.A.transpose()).colsPermutation().indices().head(rank);
     std::sort(kept_.begin(), kept_.end());
   }
@@ -115,6 +125,9 @@ void Reduction::drop_rows(const ConicProgram& program) {
   reduced_.b = program.b(kept_).eval();
 }
 
+// Leaves out directions of x that change neither A x nor G x. If c has a component along one of
+// them, c'x has no lower bound. Else the program is written in coordinates of the row space of
+// [A; G], the orthogonal complement of these directions.
 void Reduction::drop_directions(const ConicProgram& program) {
   const Eigen::Index n = program.c.size();
   Eigen::MatrixXd all(n, reduced_.A.rows() + reduced_.G.rows());

@@ -7,16 +7,17 @@
 
 namespace prehend {
 
-// Rows, columns, right-hand side and objective are scaled to entries of the order of one, by powers
-// of two (no rounding). All rows of a second-order cone share a factor. Source: Ruiz, "A scaling
-// algorithm to equilibrate both rows and columns norms in matrices", 2001.
+// Equilibration: rows, columns, right-hand side and objective are scaled until their largest
+// entries are of the order of one. The factors are powers of two, so that nothing is rounded. All
+// rows of one second-order cone share a factor, since only a common one maps the cone to itself.
+// Source: Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices", 2001.
 class Equilibration {
  public:
   explicit Equilibration(const ConicProgram& program);
 
   const ConicProgram& scaled() const { return scaled_; }
 
-  // The solution of the unscaled program: x, y, z, s only.
+  // Turns the solution of the scaled program into that of the given one: x, y, z and s only.
   void restore(ConicSolution& solution) const;
 
  private:
@@ -30,11 +31,13 @@ class Equilibration {
   double objective_ = 1.0;  // and c by this
 };
 
-// Leaves out rows of A that depend on others, and directions of x in the null spaces of both A
-// and G.
+// Makes the rows of A and the columns of [A; G] linearly independent, as interior_point needs them:
+// leaves out rows of A that depend on others, and directions of x that neither A nor G sees (their
+// common null space).
 //
-// Either may prove the program infeasible: b outside the range of A, or c along such a direction.
-// decided() is then true and solution() holds the certificate.
+// Either step may already decide the program: it is primal infeasible where b is outside the range
+// of A, and dual infeasible where c has a component along a direction that is not seen. decided()
+// is then true and solution() holds the certificate.
 class Reduction {
  public:
   explicit Reduction(const ConicProgram& program);
@@ -44,7 +47,7 @@ class Reduction {
 
   const ConicProgram& reduced() const { return reduced_; }
 
-  // The solution of the program before the reduction: x and y only.
+  // Turns the solution of the reduced program into that of the given one: changes x and y only.
   void restore(ConicSolution& solution) const;
 
  private:
@@ -57,7 +60,7 @@ class Reduction {
   ConicProgram reduced_;
   Eigen::Index rows_ = 0;  // of A before
   Eigen::VectorXi kept_;   // the rows of A that remain
-  Eigen::MatrixXd seen_;   // orthonormal basis of what [A; G] sees; no columns: all of it
+  Eigen::MatrixXd seen_;   // orthonormal basis of the row space of [A; G]; empty: all of R^n
 };
 
 }  // namespace prehend

@@ -1,4 +1,4 @@
-// Linear and second-order cone programs, small and dense.
+// Linear and second-order cone programs, for small dense problems.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,8 @@
 
 namespace prehend {
 
-// Minimise c'x subject to A x = b and h - G x in the cone. A may have no rows, and so may G.
+// Minimise c'x over x in R^n subject to A x = b and h - G x in the cone. A may have no rows, and so
+// may G.
 struct ConicProgram {
   Eigen::VectorXd c;  // n
   Eigen::MatrixXd A;  // p x n
@@ -17,6 +18,7 @@ struct ConicProgram {
   ConeSizes cone;     // of m rows
 };
 
+// How the solver ended.
 enum class ConicStatus {
   optimal,
   primal_infeasible,  // proved: no x meets the constraints
@@ -25,19 +27,23 @@ enum class ConicStatus {
                       // solution or y and z of a certificate that is not good enough
 };
 
-// Tolerances are relative to the largest of c and of b and h, with rows and columns equilibrated.
+// When the iteration stops. Tolerances apply to the equilibrated program: dual residuals relative
+// to the largest entry of c, primal ones to that of b and h.
 struct ConicOptions {
   double tolerance = 1e-10;  // of residuals and gap
   // Largest residuals and gap of a solution that is accepted where rounding stops the progress.
   double acceptable = 1e-7;
-  // Of a certificate's equations. No solution smaller than its inverse exists then.
+  // Largest error of a certificate of infeasibility in its equations. With an error of that size it
+  // still proves that no solution smaller than the inverse of this number exists.
   double infeasible_tolerance = 1e-10;
   int max_iterations = 100;
 };
 
-// Optimal: s = h - G x, the dual maximises -b'y - h'z with A'y + G'z + c = 0 and z in the cone,
-// which is its own dual. Primal infeasible: z in the cone, A'y + G'z = 0, b'y + h'z = -1; x and s
-// are zero. Dual infeasible: A x = 0, s = -G x in the cone, c'x = -1; y and z are zero.
+// The solution, or a certificate that there is none, depending on `status`.
+// Optimal: x with the slack s = h - G x, and the solution y, z of the dual program, which maximises
+// -b'y - h'z subject to A'y + G'z + c = 0 and z in the cone (the cone is its own dual).
+// Primal infeasible: z in the cone with A'y + G'z = 0 and b'y + h'z = -1; x and s are zero.
+// Dual infeasible: A x = 0, s = -G x in the cone and c'x = -1; y and z are zero.
 struct ConicSolution {
   ConicStatus status = ConicStatus::limit;
   Eigen::VectorXd x;          // n
@@ -53,14 +59,14 @@ struct ConicSolution {
   int iterations = 0;
 };
 
-// Primal-dual interior point method on the homogeneous self-dual embedding, with Nesterov-Todd
-// scaling and Mehrotra's corrector. Rows of A and columns of [A; G] may depend on each other. No
-// randomness. Source: Domahidi, Chu and Boyd, "ECOS: An SOCP solver for embedded systems", 2013,
-// sections II and III; Andersen, Dahl and Vandenberghe, "Interior-point methods for large-scale
-// cone programming", 2011.
+// Solves the program by a primal-dual interior point method on the homogeneous self-dual embedding,
+// with Nesterov-Todd scaling and Mehrotra's predictor-corrector steps. Rows of A may be linearly
+// dependent, and so may columns of [A; G]. Deterministic. Source: Domahidi, Chu and Boyd, "ECOS: An
+// SOCP solver for embedded systems", 2013, sections II and III; Andersen, Dahl and Vandenberghe,
+// "Interior-point methods for large-scale cone programming", 2011.
 //
-// Throws InputError for shapes that do not fit, a value that is not finite, a
-// second-order cone without rows, or an option that is not positive.
+// Throws InputError for shapes that do not fit, a value that is not finite, a second-order cone
+// without rows, or an option that is not positive. Infeasibility is a status, not an error.
 ConicSolution solve(const ConicProgram& program, const ConicOptions& options = {});
 
 }  // namespace prehend

@@ -7,12 +7,29 @@
 #include "sim/conic/cone_scaling.h"
 #include "sim/conic/kkt_system.h"
 
+// The homogeneous self-dual embedding puts a program and its dual into one system with two more
+// variables tau, kappa >= 0, which always has a solution:
+//
+//   0     =  A'y + G'z + c tau
+//   0     =  A x - b tau
+//   s     = -G x + h tau
+//   kappa = -c'x - b'y - h'z       with s, z in the cone, s'z + kappa tau = 0
+//
+// A solution with tau > 0 gives an optimum of the program, (x, y, z, s) / tau. One with kappa > 0
+// is a certificate that the primal or the dual is infeasible. So neither needs a first phase of its
+// own, and any point inside the cones will do as a start.
+//
+// Each iteration is Mehrotra's predictor-corrector step along the central path, on which
+// s o z = mu e and kappa tau = mu, mu going to zero: an affine step aims at mu = 0 at once; how far
+// it gets tells how much centring the real step needs; that step corrects for the second-order term
+// that the first has left out.
 namespace prehend {
 namespace {
 
-constexpr double kStepBack = 0.99;      // of the step to the border of the cone
-constexpr double kSmallestStep = 1e-7;  // shorter ones are rounding
-constexpr int kPatience = 12;           // iterations without a better iterate
+// Part of the step to the border of the cone that is taken: a point on the border has no scaling.
+constexpr double kStepBack = 0.99;
+constexpr double kSmallestStep = 1e-7;  // shorter steps make no progress beyond rounding
+constexpr int kPatience = 12;           // iterations without a better iterate before giving up
 
 double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -24,7 +41,7 @@ struct Point {
   double kappa = 1.0;
 };
 
-// How far a point is from the embedding's equations.
+// By how much a point misses the embedding's equations: v the first three, t the last.
 struct Residual {
   KktSystem::Vector v;
   double t = 0.0;
@@ -58,7 +75,9 @@ class InteriorPoint {
   }
 
  private:
-  // The points nearest to the equations of primal and dual, moved into the cone.
+  // Starting point: x with the smallest slack s, and y with the smallest z, that meet the equations
+  // of primal and dual (least squares: the KKT system with W = I), with s and z then moved into the
+  // interior of the cone.
   void start() {
     const ConeScaling unit(p_.cone, identity_, identity_);
     kkt_.factor(unit);
@@ -71,6 +90,7 @@ class InteriorPoint {
     best_ = point_;
   }
 
+  // v if it is well inside the cone, else v moved along the identity until its margin is 1.
   Eigen::VectorXd inside(const Eigen::VectorXd& v) const {
     const double margin = cone_margin(p_.cone, v);
     if (margin > 1e-3 * largest(v)) return v;
@@ -91,13 +111,16 @@ class InteriorPoint {
     last_better_ = iterations_;
   }
 
-  // What is wrong with y and z as a certificate of value -1.
+  // Largest error of A'y + G'z = 0 when y and z are scaled to a certificate of primal infeasibility
+  // with b'y + h'z = -1; infinite where that value is not negative. The residual contains c tau,
+  // which the certificate's equation does not.
   double proof_error() const {
     const double value = -p_.b.dot(point_.v.y) - p_.h.dot(point_.v.z);
     if (!(value > 0.0)) return std::numeric_limits<double>::infinity();
     return largest(residual_.v.x + p_.c * point_.tau) / value;
   }
 
+  // Whether x and s are a certificate of dual infeasibility within the tolerance.
   bool dual_infeasible() const {
     const double value = -p_.c.dot(point_.v.x);
     if (value <= 0.0) return false;
@@ -106,7 +129,8 @@ class InteriorPoint {
     return error <= options_.infeasible_tolerance * value;
   }
 
-  // The largest of residuals and gap, relative to the program's size.
+  // The error of the solution (x, y, z, s) / tau: the largest of its residuals and gap, relative to
+  // the program's size. Infinite where it is not a number.
   double measure() const {
     const double tau = point_.tau;
     const double primal = std::max(largest(residual_.v.y), largest(residual_.v.z)) / tau / b_size_;
@@ -120,8 +144,11 @@ class InteriorPoint {
     return std::isfinite(error) ? error : std::numeric_limits<double>::infinity();
   }
 
-  // Newton's step towards residuals of (1 - centring) times theirs and the complementarity
-  // products `ds` and `dk` less than theirs.
+  // Newton's direction that reduces the residuals to `centring` times what they are, and the
+  // products lambda o lambda and kappa tau by `ds` and `dk`. The unknown d.tau couples all
+  // equations: the system is solved once without it, and `constant`, the solution for the
+  // right-hand side (-c, b, h) that belongs to tau, is added d.tau times; the last equation of the
+  // embedding then gives d.tau.
   Point direction(const ConeScaling& scaling, const KktSystem::Vector& constant, double centring,
                   const Eigen::VectorXd& ds, double dk) const {
     const double rest = 1.0 - centring;
@@ -132,14 +159,16 @@ class InteriorPoint {
     d.tau = rest * residual_.t - dk / point_.tau + p_.c.dot(v.x) + p_.b.dot(v.y) + p_.h.dot(v.z);
     d.tau /= point_.kappa / point_.tau + scaling.apply(constant.z).squaredNorm();
     d.v = {v.x + d.tau * constant.x, v.y + d.tau * constant.y, v.z + d.tau * constant.z};
-    // From the equation of the cone, not from W: its rounding would not go away again.
+    // From the linear equation s = h tau - G x, not by W from d.v.z: the rounding of W, which is
+    // ill-conditioned near the end, would stay in the residual for good.
     d.s = d.tau * p_.h - rest * residual_.v.z - p_.G * d.v.x;
     d.kappa = -(dk + point_.kappa * d.tau) / point_.tau;
     return d;
   }
 
-  // How far one can go along the direction inside the cone, at most 1. In scaled coordinates, in
-  // which the point is well inside.
+  // Length of the step along the direction: `back` times the step to the border of the cone, at
+  // most 1. Computed in scaled coordinates, in which s and z are the same point lambda, farther
+  // from the border and with less rounding than either.
   double longest(const ConeScaling& scaling, const Point& d, double back) const {
     const Eigen::VectorXd ds = scaling.apply_inverse(d.s);
     const Eigen::VectorXd dz = scaling.apply(d.v.z);
@@ -161,8 +190,10 @@ class InteriorPoint {
     const double product = point_.kappa * point_.tau;
     const double mu = (lambda.squaredNorm() + product) / (p_.cone.degree() + 1);
 
+    // Predictor: the affine step to mu = 0. The farther it gets, the less centring is needed.
     const Point affine = direction(scaling, constant, 0.0, square, product);
     const double centring = std::pow(1.0 - longest(scaling, affine, 1.0), 3);
+    // Corrector: the products of the affine step with itself are what its linearisation misses.
     const Eigen::VectorXd second =
         cone_product(p_.cone, scaling.apply_inverse(affine.s), scaling.apply(affine.v.z));
     const Point d =
@@ -183,6 +214,7 @@ class InteriorPoint {
     point_.kappa += length * d.kappa;
   }
 
+  // The certificate scaled to the value -1.
   ConicSolution certificate(ConicStatus status, const Point& point) const {
     const KktSystem::Vector& v = point.v;
     ConicSolution solution;
@@ -197,6 +229,8 @@ class InteriorPoint {
     return solution;
   }
 
+  // The best iterate, for when rounding or the limit of iterations ended the search: a solution if
+  // it is acceptable, else whichever is less wrong of a solution and a certificate.
   ConicSolution best() const {
     const bool good = best_error_ <= std::max(options_.tolerance, options_.acceptable);
     if (!good && best_proof_error_ < best_error_) {

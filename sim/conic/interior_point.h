@@ -1,12 +1,13 @@
-// The iteration that solves a conic program.
+// The interior point iteration that solves a conic program, without scaling and reduction.
 #pragma once
 
 #include "sim/conic/conic_program.h"
 
 namespace prehend {
 
-// As solve(), for a program with independent rows of A and independent columns of [A; G], whose
-// data are of the order of one. Fills in status, x, y, z, s and iterations only.
+// As solve() (conic_program.h), for a program whose rows of A and columns of [A; G] are linearly
+// independent and whose entries are of the order of one. Fills in status, x, y, z, s and iterations
+// only.
 ConicSolution interior_point(const ConicProgram& program, const ConicOptions& options);
 
 }  // namespace prehend

@@ -2,6 +2,8 @@
 
 namespace prehend {
 
+// What does not depend on W is computed once: the full QR factors of A', whose Q = [Q1 Q2] has the
+// range of A' and the null space of A, and G Q2.
 KktSystem::KktSystem(const Eigen::MatrixXd& A, const Eigen::MatrixXd& G)
     : matrix_A_(A), matrix_G_(G) {
   const Eigen::Index p = A.rows();
@@ -22,6 +24,8 @@ void KktSystem::factor(const ConeScaling& scaling) {
   if (null_.cols() > 0) scaled_.compute(scaling.apply_inverse(null_of_G_));
 }
 
+// One step of iterative refinement: the solution's residual is solved for again and the result
+// added. It takes back most of the rounding that an ill-conditioned W causes.
 KktSystem::Vector KktSystem::solve(const Vector& right) const {
   Vector solution = solve_once(right);
   const Vector left = {
@@ -35,8 +39,11 @@ KktSystem::Vector KktSystem::solve(const Vector& right) const {
   return solution;
 }
 
-// With x = Q1 a + Q2 d, W^-1 G Q2 = Q R and e = W^-1 (bz - G Q1 a):
+// Write x = Q1 a + Q2 d. The second equation, A x = by, gives a by R1' a = by. With the QR factors
+// W^-1 G Q2 = Q R and e = W^-1 (bz - G Q1 a), the third equation is W z = Q R d - e; put into the
+// first one, multiplied by Q2' (which removes y), it gives
 //   R d = R'^-1 Q2' bx + Q' e,   W z = Q R'^-1 Q2' bx - (I - Q Q') e.
+// The first equation multiplied by Q1' then gives y by R1 y = Q1' (bx - G' z).
 KktSystem::Vector KktSystem::solve_once(const Vector& right) const {
   Vector solution;
   const Eigen::Index k = null_.cols();

@@ -45,8 +45,9 @@ std::vector<Corner> hull(std::vector<Corner> points) {
 }
 
 // Leaves out corners that stand out by less than `width` from the line between their neighbours,
-// the flattest first. Not a tolerance of the hull's own test: points on one line up to rounding
-// would then hide the corners at its ends.
+// the flattest first. This is a step after the hull, not a tolerance of the hull's own turn test:
+// in a row of points that are on one line up to rounding, that test compares near neighbours only
+// and could drop the corners at the ends of the row.
 void drop_flat_corners(std::vector<Corner>& polygon, double width) {
   while (polygon.size() > 3) {
     const std::size_t n = polygon.size();
@@ -84,7 +85,9 @@ void drop_least_corners(std::vector<Corner>& polygon, std::size_t keep) {
   }
 }
 
-// Indices of the two points farthest apart along the longest direction of the group.
+// Indices of two points about as far apart as any two of the group: the point farthest from the
+// first one, and the point farthest from that. If the points are on a line, these are its ends. It
+// takes linear time.
 std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
   const auto farthest_from = [&](const Point2& p) {
     std::size_t far = 0;
@@ -103,6 +106,7 @@ std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
 void reduce_group(const std::vector<SurfaceContact>& contacts,
                   const std::vector<std::size_t>& group, const ContactOptions& options,
                   std::vector<SurfaceContact>& reduced) {
+  // Groups hold their contacts nearest first.
   const Vector3& nearest = contacts[group.front()].position;
   const bool is_a_point = std::all_of(group.begin(), group.end(), [&](std::size_t i) {
     return (contacts[i].position - nearest).norm() <= options.threshold;
@@ -116,6 +120,7 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
     return;
   }
   const Vector3& normal = contacts[group.front()].normal;
+  // Axes x, y, normal are right-handed, so that counter-clockwise in (x, y) is so about the normal.
   const Vector3 x = any_orthogonal(normal);
   const Vector3 y = normal.cross(x);
   std::vector<Corner> points;
@@ -148,7 +153,8 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
 
 std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,
                                             const ContactOptions& options) {
-  // Contacts come nearest first, so each group is named after its nearest contact's normal.
+  // Contacts come nearest first, and each is compared with the first of a group: its nearest
+  // contact's normal decides, so that the normals of a group cannot drift from one to the next.
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto same_normal = [&](const std::vector<std::size_t>& group) {

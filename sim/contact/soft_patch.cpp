@@ -9,6 +9,11 @@
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/weld.h"
 
+// The pressure is integrated triangle pair by triangle pair: the springs of one triangle
+// of the link stand on it along its normal; the part of an object's triangle that is above it and
+// nearer than the depth is a convex polygon, on which the compression is a linear function. Cut
+// into triangles, it is summed up by a quadrature rule. No grid of springs is made: force and
+// centre of pressure are exact for the two meshes, and only the torsion is approximate.
 namespace prehend {
 namespace {
 
@@ -16,7 +21,7 @@ namespace {
 struct PressedPart {
   Corners corners;
   Vector3 normal;               // into the object
-  std::array<double, 3> force;  // at the middle of the edge from corner i
+  std::array<double, 3> force;  // share at the middle of the edge from corner i [m^3]
   std::array<double, 3> gap;    // there
   int triangle = 0;             // of the object
 
@@ -28,6 +33,8 @@ void add_pressed(const Corners& on_object, const Corners& on_link, int triangle,
                  std::vector<PressedPart>& parts) {
   const Vector3 up = unit_normal(on_link);
   const Vector3 outward = unit_normal(on_object);
+  // Cosine of the angle between the surfaces: springs are counted by the link's area, onto which
+  // the object's area is projected. Surfaces that face the same way do not press on each other.
   const double facing = -outward.dot(up);
   if (facing <= 0.0) return;
   Polygon pressed = cut(over_face(on_link, up, on_object), on_link[0], up);
@@ -40,7 +47,8 @@ void add_pressed(const Corners& on_object, const Corners& on_link, int triangle,
     if (area <= 0.0) continue;
     part.normal = -outward;
     part.triangle = triangle;
-    // The midpoints of the edges integrate a linear pressure, and its moments, exactly.
+    // The rule of the edges' midpoints, each with a third of the area, is exact for quadratic
+    // functions: for the linear pressure and for its moments, hence for the centre of pressure.
     for (std::size_t i = 0; i < 3; ++i) {
       part.gap[i] = (part.middle(i) - on_link[0]).dot(up);
       part.force[i] = area / 3.0 * (depth - part.gap[i]);
@@ -49,7 +57,10 @@ void add_pressed(const Corners& on_object, const Corners& on_link, int triangle,
   }
 }
 
-// For each part, the smallest vertex of the object that its patch is connected to.
+// For each part a number that is the same for the parts of one patch. Parts whose triangles share a
+// vertex of the object are connected. Numbers run over the vertices met, in the mesh's order; a
+// patch has that of its first vertex, so that patches come in an order that depends on the mesh
+// alone.
 std::vector<std::size_t> patch_of_each(const TriangleMesh& object,
                                        const std::vector<PressedPart>& parts) {
   std::map<int, std::size_t> number;  // of the vertices met
@@ -104,6 +115,8 @@ Vector3 nearest_on_patch(const Vector3& p, const std::vector<PressedPart>& parts
   return nearest;
 }
 
+// Sums up the forces of one patch. Their centre may lie off a curved surface: the contact is put at
+// the point of the patch nearest to it.
 SoftPatch resultant(const std::vector<PressedPart>& parts) {
   SoftPatch patch;
   Vector3 normal = Vector3::Zero();
@@ -121,6 +134,7 @@ SoftPatch resultant(const std::vector<PressedPart>& parts) {
   patch.normal = normal.normalized();
   for (const PressedPart& part : parts) {
     for (std::size_t i = 0; i < 3; ++i) {
+      // |arm x normal| is the distance from the normal through the centre.
       const Vector3 arm = part.middle(i) - center;
       patch.torsion += part.force[i] * arm.cross(patch.normal).norm() / patch.force;
     }

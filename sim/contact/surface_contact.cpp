@@ -26,12 +26,18 @@ double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b)
 // point inside, half of them from one on an edge, those between two edges from a corner.
 bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
   const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+  // If the sine of the angle between the plane and the triangle is at most `slope`, no direction in
+  // the triangle rises more. Compared as squares, since this early exit takes no root and is the
+  // usual case. A triangle that faces the other way counts as parallel too.
   const double along_normal = n.dot(area);
   const bool nearly_parallel =
       along_normal * along_normal >= (1.0 - slope * slope) * area.squaredNorm();
   if (nearly_parallel) return false;
   const Vector3 face_normal = area.normalized();
   const Vector3 uphill = n - n.dot(face_normal) * face_normal;
+  // `uphill` is the steepest direction in the triangle's plane, its length the sine of the angle by
+  // which it rises. If it stays in the triangle from p on, it is the answer; if it leaves across an
+  // edge that p is on, the steepest directions that stay are along the edges at p.
   bool leaves = false;
   double along_edges = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -40,6 +46,7 @@ bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
     if (distance_to_segment(p, a, b) > kOnFeature) continue;
     const Vector3 edge = (b - a).normalized();
     if (uphill.dot(face_normal.cross(edge)) < 0.0) leaves = true;
+    // Along the edge one can go forward unless p is at its end b, and back unless p is at a.
     const double forward = uphill.dot(edge);
     if ((p - b).norm() > kOnFeature) along_edges = std::max(along_edges, forward);
     if ((p - a).norm() > kOnFeature) along_edges = std::max(along_edges, -forward);
@@ -77,6 +84,7 @@ bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3&
   return true;
 }
 
+// Collects the contacts of pairs of triangles, one of the object and one of the link.
 class PairContacts {
  public:
   PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
@@ -105,12 +113,14 @@ class PairContacts {
   // Contacts with the normal of `face`, which belongs to the object or to the link.
   void add_face_points(TrianglePair pair, const Corners& face, const Vector3& face_normal,
                        const Corners& other, bool face_is_objects) {
+    // The part of the other triangle above the face is a polygon, and its distance from the face is
+    // linear, so that the nearest points are among its corners.
     const Polygon polygon = over_face(face, face_normal, other);
     double lowest = options_.threshold;
     for (std::size_t i = 0; i < polygon.size; ++i) {
       lowest = std::min(lowest, (polygon.corner[i] - face[0]).dot(face_normal));
     }
-    if (lowest < 0.0) return;  // the face's back
+    if (lowest < 0.0) return;  // the other triangle reaches behind the face
     const double limit = std::min(options_.threshold, lowest + options_.evenness);
     for (std::size_t i = 0; i < polygon.size; ++i) {
       const Vector3& p = polygon.corner[i];
@@ -128,7 +138,7 @@ class PairContacts {
   // Edge and vertex contacts: the nearest points and the direction between them.
   void add_nearest_point(TrianglePair pair) {
     const TriangleGap gap = triangle_gap(object_, link_, X_OL_, pair);
-    if (gap.distance <= kOnFeature) return;  // no direction
+    if (gap.distance <= kOnFeature) return;  // too near for a reliable direction
     const Vector3 p_link = X_OL_ * gap.p_B;
     const Vector3 normal = (gap.p_A - p_link) / gap.distance;
     add_if_supported(pair, gap.p_A, p_link, normal, gap.distance);

@@ -1,4 +1,4 @@
-// Where a link touches an object, as points with normals.
+// The points and normals at which a link touches an object.
 #pragma once
 
 #include <vector>
@@ -8,26 +8,29 @@
 
 namespace prehend {
 
-// In the object's frame O. `normal` is unit and points from the link into the object.
+// A point contact, in the object's frame O. `normal` is unit and points from the link into the
+// object.
 struct SurfaceContact {
   Vector3 position = Vector3::Zero();  // on the object's surface [m]
   Vector3 normal = Vector3::UnitZ();
   double gap = 0.0;  // between the surfaces along the normal [m]
 };
 
+// When surfaces touch, and how the contacts of an area are reduced to a few points.
 struct ContactOptions {
   // Surfaces closer than this touch [m].
   double threshold = 1e-4;
-  // Of a face contact, the points this much farther than its nearest still count: parallel faces
-  // are never parallel to the last bit [m].
+  // Points of a face contact whose gap exceeds the smallest one by at most this belong to it: two
+  // faces that should be parallel are not exactly so in floating point [m].
   double evenness = 1e-5;
-  // Sine of the angle by which a surface may rise above its tangent plane and still be supported by
-  // it, and within which normals count as one.
+  // Sine of an angle. A surface may rise above the tangent plane of a contact by up to this angle,
+  // and normals that differ by no more count as equal.
   double angular_tolerance = 0.02;
-  // A region keeps at most this many corners; those that matter least to its area go first (>= 3).
+  // A region keeps at most this many corners (>= 3); those whose removal costs the least area are
+  // dropped first.
   int max_region_corners = 8;
-  // Points with one normal that are nearer to each other than this part of the threshold are one:
-  // far less than what regions are told apart by, so that the corners of a region stay in place.
+  // Contacts with the same normal that are nearer to each other than this part of the threshold are
+  // merged. Small, so that merging does not move the corners of a region noticeably.
   double same_place = 0.01;
   // Corners of a region that stand out from the line between their neighbours by less than this
   // part of the threshold are left out.
@@ -50,17 +53,19 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("weakest_patch", weakest_patch);
 }
 
-// Reused between calls so that a trial allocates little.
+// Buffers that calls may share, to allocate less; one for each thread.
 struct ContactWorkspace {
   std::vector<TrianglePair> pairs;
   std::vector<SurfaceContact> points;
 };
 
-// Every contact between two bodies at rest, before regions are formed: for each pair of triangles
-// within the threshold, the points of face contacts (the other triangle projected on the face and
-// cut by it, nearest points only), and the one point of edge and vertex contacts. Points that the
-// surfaces around them do not support are left out, points at the same place with the same normal
-// are given once, nearest first. `X_OL` is the link's pose in O. Source: Miller and Allen 2004,
+// All point contacts between an object and a link that do not intersect, before they are reduced to
+// regions; replaces `points`. Each pair of triangles within the threshold gives the points of its
+// face contacts (one triangle projected on the other's plane and clipped to it, nearest points
+// only), and the nearest points of the pair for edge and vertex contacts. A point is left out where
+// the surface around it rises above the contact's tangent plane, since there is then a nearer
+// contact beside it. Points at the same place with the same normal are given once. Sorted by gap,
+// nearest first. `X_OL` is the link's pose in O. Source: Miller and Allen 2004,
 // "Contact Determination", figures 6 and 7.
 void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                          const ContactOptions& options, ContactWorkspace& workspace,

@@ -16,6 +16,8 @@ Vector3 unit_normal(const Corners& corners) {
   return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
 }
 
+// Sutherland and Hodgman's polygon clipping against one plane. Corners on the plane are kept; an
+// edge that crosses it from one side to the other adds the crossing point.
 Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward) {
   Polygon rest;
   for (std::size_t i = 0; i < polygon.size; ++i) {
@@ -29,6 +31,7 @@ Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward) {
   return rest;
 }
 
+// Clips the triangle to the prism over the face: by the planes through its edges along its normal.
 Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other) {
   Polygon polygon;
   for (const Vector3& p : other) polygon.push(p);

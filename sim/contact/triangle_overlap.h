@@ -10,12 +10,16 @@ namespace prehend {
 
 using Corners = std::array<Vector3, 3>;
 
+// The corners of a mesh's triangle, in the mesh's frame.
 Corners corners_of(const TriangleMesh& mesh, int triangle);
+// The corners with the pose X applied to each.
 Corners moved(const Corners& corners, const Pose& X);
-// By the right-hand rule; NaN for a triangle without area.
+// The triangle's unit normal by the right-hand rule, outward for the triangles of a closed mesh. Of
+// no meaning for a triangle without area.
 Vector3 unit_normal(const Corners& corners);
 
-// A triangle cut by up to five half-spaces.
+// A planar convex polygon: a triangle cut by up to five half-spaces, each of which adds at most one
+// corner to its three.
 struct Polygon {
   std::array<Vector3, 8> corner;
   std::size_t size = 0;
@@ -24,7 +28,7 @@ struct Polygon {
   }
 };
 
-// What of the polygon is on the side of the plane through `a` that `inward` points to.
+// The part of the polygon on the side of the plane through `a` that `inward` points to.
 Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward);
 
 // The part of `other` whose projection along the face's unit normal falls on the face.

@@ -1,4 +1,4 @@
-// A contact between a finger and an object, as the wrench space sees it.
+// A contact between a finger and an object: all that the measures of grasp quality know of it.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace prehend {
 
-// Which forces and torques a contact passes on for a normal force f_n >= 0.
+// The forces and torques that a contact can transmit with a normal force f_n >= 0.
 enum class ContactModel {
   frictionless,  // the normal force alone
   point,         // Coulomb friction: tangential force |f_t| <= friction f_n
@@ -16,20 +16,22 @@ enum class ContactModel {
                  // the ellipsoidal limit surface (Howe and Cutkosky 1996)
 };
 
+// All contact models, in the order of the enum.
 inline constexpr std::array<ContactModel, 3> kContactModels = {
     ContactModel::frictionless, ContactModel::point, ContactModel::soft_finger};
 
+// The enumerator's name, as it is written in files.
 constexpr std::string_view contact_model_name(ContactModel model) {
   constexpr std::array<std::string_view, 3> kNames = {"frictionless", "point", "soft_finger"};
   return kNames[static_cast<std::size_t>(model)];
 }
 
-// `normal` is unit and points into the object; `position` and `normal` are in one frame, usually
-// the object's. A patch of a face is several contacts.
+// A point contact. `position` and `normal` are given in one frame, usually the object's. Contact
+// over an area is described by several contacts, at the corners of the area.
 struct Contact {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-  double friction = 0.0;  // coefficient, >= 0; a frictionless contact ignores it
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();   // unit, from the finger into the object
+  double friction = 0.0;  // Coulomb coefficient, >= 0; a frictionless contact ignores it
   ContactModel model = ContactModel::point;
   double torsion = 0.0;  // soft finger: largest torque over largest friction force, >= 0 [m]
 };

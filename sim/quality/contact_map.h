@@ -9,8 +9,9 @@
 
 namespace prehend {
 
-using Wrench = Eigen::Matrix<double, 6, 1>;  // [force; torque * scale]
+using Wrench = Eigen::Matrix<double, 6, 1>;  // [force; torque * torque_scale]
 
+// The point about which torques are taken, and the factor that makes them comparable with forces.
 struct WrenchFrame {
   Eigen::Vector3d torque_origin = Eigen::Vector3d::Zero();  // m, frame of the contacts
   double torque_scale = 1.0;  // 1 / r, r the object's largest distance from the origin [1/m]
@@ -25,8 +26,9 @@ struct Tangents {
 };
 Tangents contact_tangents(const Eigen::Vector3d& normal);
 
-// What a contact transmits, [normal force, force along the first and second tangent, torque about
-// the normal], is turned into a wrench by this matrix. Torques are those of the frame.
+// The 6 x 4 matrix that turns what a contact transmits, [normal force, force along the first and
+// second tangent (contact_tangents), torque about the normal], into a wrench on the object, in the
+// given frame.
 using ContactMap = Eigen::Matrix<double, 6, 4>;
 ContactMap contact_map(const Contact& contact, const WrenchFrame& frame);
 

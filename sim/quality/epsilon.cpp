@@ -10,6 +10,17 @@
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_size.h"
 
+// The set is known by its support function h(n) = max n . x over the set, n a unit vector. A ball
+// of radius r around the origin is inside the set exactly if h(n) >= r for all n, so that epsilon
+// is the minimum of h over all unit vectors. Two facts enclose it. Any value h(n) is an upper
+// bound. And the hull of any points of the set is inside the set, so that the smallest offset of
+// the hull's facets is a lower bound.
+//
+// The search takes the facet with the smallest offset, which sets the lower bound, and asks for the
+// support point along its normal. If the set reaches no farther than the facet, both bounds meet
+// there. Else the value lowers the upper bound, perhaps, and the point is added to the hull, which
+// removes that facet. Only facets near the origin are refined, which is why this needs a small part
+// of the facets of the full hull.
 namespace prehend {
 namespace {
 
@@ -21,7 +32,7 @@ void check(const EpsilonOptions& options) {
   }
 }
 
-// The bracket of a set in growth.
+// The search for the epsilon of one set, from a simplex inside it.
 class Growth {
  public:
   Growth(const SupportMap& set, const StartSimplex& start, const EpsilonOptions& options)
@@ -39,9 +50,12 @@ class Growth {
       if (upper_ <= zero_) return {};
       polytope_.set_bound(upper_);
       const ExpandingPolytope::Nearest nearest = polytope_.nearest();
+      // If every facet is at least as far away as the upper bound, the lower bound equals it.
       const double offset = nearest.facet < 0 ? upper_ : std::min(nearest.plane.offset, upper_);
-      // Offsets that fall from above zero again are rounding: the surface is not to be trusted. Up
-      // to `rounding_` they were zero all along: symmetric sets start with the origin on an edge.
+      // A growing hull that has enclosed the origin keeps it inside. Offsets that fall to zero or
+      // below after that show that rounding has spoiled the surface. A lower bound within rounding
+      // of zero does not count as enclosed: in symmetric sets the start simplex often has the
+      // origin on its border, at an offset that is zero up to rounding.
       if (offset <= 0.0 && lower_ > rounding_) return bracket(EpsilonStatus::stalled);
       lower_ = std::max(lower_, offset);
       if (upper_ - lower_ <= slack()) return bracket(EpsilonStatus::converged);
@@ -52,8 +66,10 @@ class Growth {
   }
 
  private:
-  // Grows the polytope beyond its nearest facet; where that facet is final, lowers the upper bound
-  // to it instead.
+  // Adds the support point along the normal of the nearest facet to the polytope, and lowers the
+  // upper bound if its value is smaller. A facet beyond which the set does not reach is final and
+  // needs no point: the next test for convergence ends the search. False where rounding prevents
+  // the point from being added.
   bool expand(const ExpandingPolytope::Nearest& nearest) {
     const Wrench point = set_.support(nearest.plane.normal);
     const double value = nearest.plane.normal.dot(point);
@@ -66,9 +82,10 @@ class Growth {
     return final || upper_ <= zero_ || polytope_.expand(nearest.facet, point);
   }
 
-  // Lowers the upper bound by descent over unit normals. The gradient of the support function h at
-  // n is the support point p, along the sphere p - h n. Over h it has no unit; the step grows where
-  // it succeeds and shrinks where it does not.
+  // Lowers the upper bound by gradient descent over unit normals n. The gradient of the support
+  // function h at n is the support point p; its part along the unit sphere is p - h n. Divided by h
+  // it is without unit, so that one initial step length suits sets of any size. The step grows by
+  // half after a success and shrinks to 0.4 of itself after a failure.
   void descend() {
     if (options_.descent_steps <= 0) return;
     Wrench point = set_.support(upper_normal_);
@@ -86,6 +103,7 @@ class Growth {
     }
   }
 
+  // The difference of the bounds at which the search has converged.
   double slack() const { return std::max(options_.relative_tolerance * upper_, rounding_); }
 
   EpsilonBracket bracket(EpsilonStatus status) const {
@@ -94,15 +112,16 @@ class Growth {
 
   const SupportMap& set_;
   const EpsilonOptions& options_;
-  double zero_;
-  double rounding_;
+  double zero_;      // support values up to this count as zero: the set is flat there
+  double rounding_;  // difference of two heights that may be rounding alone
   double lower_ = 0.0;
   double upper_;
   Wrench upper_normal_;
   ExpandingPolytope polytope_;
 };
 
-// What the full hull says about a set on which growth stalled at `bracket`.
+// The result of the full hull by qhull, for wrenches on which the search stalled at `bracket`. If
+// qhull fails too, the bracket remains the answer.
 EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options,
                          const EpsilonBracket& bracket) {
   WrenchHull hull;
@@ -118,8 +137,8 @@ EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options
           hull.weakest};
 }
 
-// The bracket of wrenches whose squares are not in the range of doubles, from that of the same
-// wrenches times 2^-exponent.
+// The bracket of wrenches whose squares would leave the range of doubles, computed from the same
+// wrenches times 2^-exponent. Powers of two scale without rounding.
 EpsilonBracket from_scaled(const Wrenches& wrenches, EpsilonOptions options, int exponent) {
   options.cutoff = std::ldexp(options.cutoff, -exponent);
   EpsilonBracket bracket = epsilon_l1(times_power_of_two(wrenches, -exponent), options);

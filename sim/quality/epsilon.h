@@ -1,4 +1,5 @@
-// The largest ball around the origin inside a convex set of wrenches, without its hull.
+// Epsilon, the radius of the largest ball around the origin inside a convex set of wrenches: the
+// smallest disturbance that the grasp cannot resist. Computed without the set's full convex hull.
 #pragma once
 
 #include <array>
@@ -10,6 +11,7 @@
 
 namespace prehend {
 
+// How the search for epsilon ended.
 enum class EpsilonStatus {
   converged,         // force closure; upper - lower <= tolerance * upper, or is rounding
   no_force_closure,  // proved: some direction has no support above zero, or the set is flat
@@ -19,50 +21,60 @@ enum class EpsilonStatus {
                      // where qhull fails on the same wrenches
 };
 
+// The enumerator's name, as it is written in files.
 constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
   constexpr std::array<std::string_view, 5> kNames = {"converged", "no_force_closure",
                                                       "below_cutoff", "limit", "stalled"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
+// When the search for epsilon stops.
 struct EpsilonOptions {
-  // Of upper - lower, >= 0. Differences of 2e-14 of the set's size are rounding, whatever is asked.
+  // The search has converged when upper - lower is at most this part of upper (>= 0). A difference
+  // of 2e-14 of the set's largest coordinate counts as rounding and is accepted in any case.
   double relative_tolerance = 1e-9;
   // Stop as soon as the upper bound is below this: for callers who rank and know a better grasp.
   double cutoff = 0.0;
-  // Most facets; checked before each expansion.
+  // Largest number of facets made in all; checked before each expansion, which may exceed it.
   int max_facets = 200000;
-  // Steps of descent on the support function from each new upper bound. They save facets on smooth
-  // sets, where the normal of the nearest facet is only near the minimum; on a polytope the last
-  // facet has the minimum as its normal, and they are not needed.
+  // Steps of gradient descent on the support function from each new upper bound. They save facets
+  // on smooth sets, where the normal of the nearest facet only approximates the direction of the
+  // smallest support value. On a polytope that direction is the normal of one of its facets, which
+  // the search finds exactly, and 0 steps are best.
   int descent_steps = 0;
 };
 
-// lower <= epsilon <= upper. Without force closure both are 0.
+// Bounds of epsilon: lower <= epsilon <= upper, in the units of the set (for a grasp wrench space,
+// those of the unit normal force). Without force closure both are 0.
 struct EpsilonBracket {
   double lower = 0.0;
   double upper = 0.0;
   EpsilonStatus status = EpsilonStatus::no_force_closure;
-  // The disturbance that the grasp resists least: -upper * (unit normal of the nearest facet).
+  // The disturbance that the grasp resists least: -upper times the unit direction in which the
+  // support value `upper` was found.
   Wrench weakest = Wrench::Zero();
 
-  // Whether force closure was proved: also before convergence.
+  // Whether force closure was proved, which a search stopped early can have done already.
   bool force_closure() const { return lower > 0.0; }
 };
 
-// Grows a polytope from an inner simplex and expands the facet nearest to the origin until it is
-// final: the expanding polytope algorithm (van den Bergen 2001), in six dimensions. The smallest
-// support value seen is the upper bound, the smallest facet offset the lower one. Deterministic.
+// Epsilon of a set given by its support function. Grows a polytope inside the set from an inner
+// simplex, and repeatedly expands the facet nearest to the origin until the set does not reach
+// beyond it: the expanding polytope algorithm (van den Bergen 2001), in six dimensions. The
+// smallest support value seen is the upper bound, the smallest facet offset the lower one.
+// Deterministic.
 //
-// A set whose smallest support value is below kFlatness (1e-9) of its size has no force closure.
-// The squares of its coordinates must neither overflow nor vanish: sizes from 1e-150 to 1e150.
-// epsilon_l1 takes any size.
+// A set whose smallest support value is below kFlatness (1e-9) of its size counts as one without
+// force closure. The squares of the coordinates must neither overflow nor underflow: sizes from
+// 1e-150 to 1e150. epsilon_l1 accepts any size.
 // Throws InputError for a tolerance that is negative or not a number.
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {});
 
-// Ferrari and Canny's L1 measure of the hull of the columns of `wrenches` (ICRA 1992): their hull's
-// smallest facet offset. Where rounding stalls the growth, wrench_hull decides.
-// No columns: no force closure. Throws InputError where a column is not finite.
+// Epsilon of the convex hull of the columns of `wrenches` (6 x n), which is the hull's smallest
+// facet offset: Ferrari and Canny's L1 measure (ICRA 1992) when the columns are those of
+// contact_wrenches. Where rounding stalls the growth, the full hull (wrench_hull) decides. No
+// columns: no force closure. Throws InputError for a column that is not finite, and for a
+// tolerance as epsilon does.
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
 
 }  // namespace prehend

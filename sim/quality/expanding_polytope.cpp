@@ -4,6 +4,13 @@
 #include <cmath>
 #include <functional>
 
+// The facets lie in one array and refer to each other by index; each knows its neighbour across
+// every ridge. Adding a point goes in three steps: a flood fill from the facet that is expanded
+// finds the connected region of facets that see the point, and the ridges on its border; each of
+// these ridges and the point make a new facet ("child"); the children are linked to each other by
+// walking through the facets that are about to go. Searching the border instead of testing every
+// facet makes the surface closed whatever rounding does to the single tests. Slots of replaced
+// facets are used again.
 namespace prehend {
 namespace {
 
@@ -15,8 +22,9 @@ constexpr double kCancellation = 1e-4;
 // Below this nothing is left of them, and one of the two serves as a guess.
 constexpr double kOpposite = 1e-14;
 
-// Where `corner` is among a facet's corners (it is one of them). Without branches: which of the six
-// it is cannot be predicted, and this is the innermost step of linking.
+// The position of `corner` among a facet's corners (it must be one of them). A sum without branches
+// is faster than a search: which of the six it is cannot be predicted, and this is the innermost
+// step of linking.
 int position(const std::array<int, 6>& corners, int corner) {
   int at = 0;
   for (int i = 1; i < 6; ++i)
@@ -28,6 +36,7 @@ int position(const std::array<int, 6>& corners, int corner) {
 
 ExpandingPolytope::ExpandingPolytope(const std::array<Wrench, 7>& corners, double scale)
     : rounding_(kRounding * scale), points_(corners.begin(), corners.end()) {
+  // Facet i of the simplex is the one opposite corner i.
   facets_.reserve(512);
   points_.reserve(64);
   for (int without = 0; without < 7; ++without) {
@@ -41,6 +50,7 @@ ExpandingPolytope::ExpandingPolytope(const std::array<Wrench, 7>& corners, doubl
       facet.corners[index(slot++)] = corner;
       centre += corners[index(corner)] / 6.0;
     }
+    // The direction from the opposite corner to the facet's centre points outward.
     facet.plane = fit_plane(centre - corners[index(without)], corners_of(facet)).plane;
   }
   for (int facet = 0; facet < 7; ++facet) offer(facet);
@@ -65,6 +75,8 @@ int ExpandingPolytope::make_facet() {
   return facet;
 }
 
+// The heap has the smallest offset on top. An entry whose facet has been replaced since stays in it
+// until it comes to the top (lazy deletion), where nearest() recognises it by its offset.
 void ExpandingPolytope::offer(int facet) {
   const double offset = facets_[index(facet)].plane.offset;
   if (offset >= bound_) return;
@@ -75,7 +87,8 @@ void ExpandingPolytope::offer(int facet) {
 ExpandingPolytope::Nearest ExpandingPolytope::nearest() {
   while (!heap_.empty()) {
     const auto [offset, facet] = heap_.front();
-    // A reused slot with the same offset is a facet all the same.
+    // The offset of a replaced facet is NaN, which equals nothing. If the slot was used again for a
+    // facet with the same offset, that facet is as good an answer.
     if (offset == facets_[index(facet)].plane.offset) return {facet, facets_[index(facet)].plane};
     std::pop_heap(heap_.begin(), heap_.end(), std::greater<>());
     heap_.pop_back();
@@ -87,6 +100,7 @@ bool ExpandingPolytope::is_corner(const Wrench& point) const {
   return std::find(points_.begin(), points_.end(), point) != points_.end();
 }
 
+// Also stores the height above the facet's plane, from which make_child weighs the planes.
 bool ExpandingPolytope::sees(int facet, const Wrench& point) {
   Facet& f = facets_[index(facet)];
   f.visit = visit_;
@@ -95,8 +109,9 @@ bool ExpandingPolytope::sees(int facet, const Wrench& point) {
   return f.visible;
 }
 
-// Finds the facets that `point` sees, from `facet` on, and the sides of them across which lies one
-// that it does not see.
+// Flood fill from `facet`: fills visible_ with the connected facets that `point` sees, and border_
+// with those of their sides across which lies a facet that it does not see. Each facet is tested
+// once for a point, so that all its neighbours are told the same.
 void ExpandingPolytope::collect_visible(int facet, const Wrench& point) {
   ++visit_;
   visible_.clear();
@@ -116,9 +131,15 @@ void ExpandingPolytope::collect_visible(int facet, const Wrench& point) {
   }
 }
 
-// The plane of a child contains the ridge and the point: a combination of the planes of the two
-// facets that share the ridge. The weights are not negative, so that its offset is at least the
-// smaller of theirs.
+// Makes the facet that joins the point to one ridge of the border, and links it to the neighbour
+// across that ridge.
+//
+// Its plane contains the ridge and the point. All planes through the ridge are combinations of
+// those of the two facets that share it; the point lies at height h_s > 0 above the seen facet's
+// plane and h_h <= 0 below the hidden one's, so h_s (hidden plane) - h_h (seen plane) has it at
+// height 0. That costs a few products, where a fit to six corners would need an orthogonalisation.
+// No weight is negative, so the child's offset is at least the smaller of the two: the lower bound
+// of epsilon does not fall.
 int ExpandingPolytope::make_child(Side border, int point) {
   const int made = make_facet();
   const int side = corner_of(border);
@@ -133,6 +154,7 @@ int ExpandingPolytope::make_child(Side border, int point) {
   hidden.beyond[index(corner_of(across))] = side_of(made, side);
   seen.beyond[index(side)] = -1 - made;
 
+  // A hidden facet may be below the point by no more than rounding, hence the maximum with 0.
   const double hidden_weight = seen.height;
   const double seen_weight = std::max(-hidden.height, 0.0);
   Wrench normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
@@ -148,8 +170,12 @@ int ExpandingPolytope::make_child(Side border, int point) {
   return made;
 }
 
-// Joins the child over a ridge of the border to its neighbours: around each edge of the ridge, the
-// facets that see the point form a fan, at whose other end is the next ridge of the border.
+// Links the child over a ridge of the border to the children next to it. The ridge has five
+// corners; leave out one, and the four that remain are shared by a fan of seen facets that turn
+// around them, from this ridge to another one of the border. The child over that other ridge has
+// these four corners and the point in common with this child, and is its neighbour. The walk goes
+// through the fan, across one ridge after the other, until it meets a side that already has its
+// child.
 void ExpandingPolytope::link_child(Side border) {
   const int side = corner_of(border);
   const int parent = facet_of(border);
@@ -157,7 +183,7 @@ void ExpandingPolytope::link_child(Side border) {
   for (int k = 0; k < 6; ++k) {
     if (facets_[index(child)].beyond[index(k)] != kUnlinked) continue;
     const Facet* at = &facets_[index(parent)];
-    int swinging = side;  // the corner that completes the edge to the ridge of the fan crossed last
+    int swinging = side;  // corner of `at` that is opposite the ridge crossed last
     int leave = k;
     while (at->beyond[index(leave)] >= 0) {
       const Side next = at->beyond[index(leave)];
@@ -175,6 +201,7 @@ void ExpandingPolytope::link_child(Side border) {
 bool ExpandingPolytope::expand(int facet, const Wrench& point) {
   if (is_corner(point)) return false;
   collect_visible(facet, point);
+  // Either no facet sees the point, or by rounding all of them do, and nothing is left to join.
   if (border_.empty()) {
     for (const int seen : visible_) facets_[index(seen)].visible = false;
     return false;

@@ -1,4 +1,5 @@
-// A polytope in wrench space that grows, point by point, inside a convex set.
+// A polytope in wrench space that grows, point by point, inside a convex set: the data structure of
+// the expanding polytope algorithm in epsilon.cpp.
 #pragma once
 
 #include <array>
@@ -12,41 +13,48 @@
 
 namespace prehend {
 
-// A closed surface of 5-simplices (facets), the hull of the points added so far up to rounding.
+// A closed surface of 5-simplices (facets, with six corners each) in six dimensions: up to
+// rounding, the boundary of the convex hull of the points added so far. Two neighbouring facets
+// share a ridge, the 4-simplex of five common corners.
 //
-// What holds whatever the rounding: every ridge is shared by exactly two facets; no point of a
-// facet is nearer to the origin than the facet's offset, if that is positive; and a surface around
-// the origin, all offsets positive, stays around it: what is added lies beyond facets that have the
-// origin behind them. So the smallest offset is then the radius of a ball inside the hull of the
-// points, even where rounding has dented the surface.
+// Whatever the rounding, the following holds. Every ridge is shared by exactly two facets. No point
+// of a facet is nearer to the origin than the facet's offset, if that is positive. A surface that
+// encloses the origin, with all offsets positive, keeps enclosing it, because points are added only
+// beyond facets that have the origin behind them. The smallest offset is therefore the radius of a
+// ball inside the hull of the points, even where rounding has made the surface slightly non-convex.
 class ExpandingPolytope {
  public:
-  // Rounding of heights, relative to the scale: points within it of a facet's plane do not see it.
+  // Rounding error of a point's height above a plane, relative to the scale: a point no higher than
+  // this above a facet's plane counts as one that does not see the facet.
   static constexpr double kRounding = 1e-14;
 
   // `corners` are affinely independent; `scale` is the set's largest coordinate.
   ExpandingPolytope(const std::array<Wrench, 7>& corners, double scale);
 
-  // Facets with an offset from `bound` on need not be offered by nearest() any more.
+  // Lets nearest() ignore facets with an offset of `bound` or more. The bound must only decrease:
+  // facets ignored once are not kept for later.
   void set_bound(double bound) { bound_ = bound; }
 
+  // A facet and its plane.
   struct Nearest {
-    int facet = -1;  // none has an offset below the bound: -1
+    int facet = -1;  // -1: no facet has an offset below the bound
     Hyperplane plane;
   };
   // The facet with the smallest (signed) offset.
   Nearest nearest();
 
-  // Replaces the facets that `point` sees, `facet` among them, by the cone from `point` over their
-  // border. Returns false, unchanged, where rounding leaves no border, or where the point is
-  // already a corner of the polytope.
+  // Adds a point: the facets that it sees, `facet` among them, are replaced by new facets that join
+  // the point to each ridge on the border of the seen region. Returns false and changes nothing
+  // where rounding leaves that region without a border, or where the point is already a corner.
   bool expand(int facet, const Wrench& point);
 
+  // How many facets were made so far, those replaced since included.
   int facets_made() const { return facets_made_; }
 
  private:
-  // A side of a facet, the ridge opposite one of its six corners, as one number: 8 facet + corner.
-  // Negative while a facet is being replaced: -1 - the new facet over that ridge.
+  // A side of a facet is the ridge opposite one of its six corners, stored as one number,
+  // 8 facet + corner. While a facet is being replaced, a negative number stands for a side that
+  // already has its new facet: -1 - (index of the new facet over that ridge).
   using Side = int;
   static Side side_of(int facet, int corner) { return 8 * facet + corner; }
   static int facet_of(Side side) { return side >> 3; }
@@ -54,9 +62,9 @@ class ExpandingPolytope {
   static constexpr Side kUnlinked = -1;
 
   struct Facet {
-    Hyperplane plane;         // an offset that is not a number: the facet was replaced
-    double height = 0.0;      // of the point being added above the plane
-    std::uint32_t visit = 0;  // the addition for which `height` was computed
+    Hyperplane plane;         // offset NaN: the facet was replaced, and its slot is free
+    double height = 0.0;      // height above the plane of the point that is being added
+    std::uint32_t visit = 0;  // number of the addition for which `height` was computed
     bool visible = false;     // whether that point sees the facet
     std::array<int, 6> corners = {};
     std::array<Side, 6> beyond = {};  // the neighbour's side of the ridge opposite corner i

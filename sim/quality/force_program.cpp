@@ -7,18 +7,33 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+// The program, with the cone coordinates v of all contacts (a contact transmits f = transmits v):
+//
+//   minimise    t, the largest normal force      or  the sum of the normal forces
+//   subject to  sum of contact wrenches = -wrench    (A x = b)
+//               torques of locked joints = 0         (A x = b)
+//               normal force of contact i <= t       (first rows of G; not for the sum)
+//               -1 <= joint torque / limit <= 1      (next rows of G)
+//               v in its contact's cone              (last rows of G)
+//
+// The solver's result is not taken on trust. components() makes forces that are in the cones
+// exactly, so that only their residual has to be looked at; lower_bound() computes from the
+// multipliers what no forces can do better than. What these two show holds for any input.
 namespace prehend {
 namespace {
 
-// Of a sum of the products of a separation and a contact's map, relative to them.
+// Bounds the rounding error of the products of a separation with a contact's maps, relative to the
+// sum of their magnitudes.
 constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-// Relative to their largest wrenches, contacts that do less in some direction do nothing there.
+// A direction in which the contacts' wrenches are smaller than this part of their largest is one in
+// which they can do nothing.
 constexpr double kNothing = 1e-12;
-// Of the residual allowed, what may be left in directions that are not looked at.
+// Part of the residual tolerance that may be left over in directions that are left out of the
+// balance.
 constexpr double kShare = 0.1;
 constexpr int kPolishRounds = 3;
-constexpr double kPolishCost = 1e-8;  // what polishing may add to the measure, relative
+constexpr double kPolishCost = 1e-8;  // relative increase of the measure that polishing may cost
 
 std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
@@ -45,6 +60,8 @@ void ForceProgram::add_contacts(std::span<const Contact> contacts, const WrenchF
   }
 }
 
+// The Jacobian is in the axes of the contacts, but components are along the normal and the
+// tangents: each contact's three rows are turned into those axes.
 void ForceProgram::add_joints(std::span<const Contact> contacts, const HandTorques& hand,
                               double size) {
   loads_ = Eigen::MatrixXd::Zero(hand.limits.size(), maps_.cols());
@@ -63,8 +80,11 @@ void ForceProgram::add_joints(std::span<const Contact> contacts, const HandTorqu
   }
 }
 
-// Where the contacts do next to nothing and need not, rounding would decide whether they can: such
-// directions are not looked at. Where they do nothing but had to, the equation has no solution.
+// Chooses the directions of wrench space in which balance is required. Contacts that lie in a plane
+// or on a line, or that have no friction, cannot act in some directions. Where the external wrench
+// does not act there either, the equation reads 0 = 0 up to rounding, and rounding would decide
+// whether it can be met: such directions are left out. Where the wrench does act there, the
+// direction is kept, so that the equation has no solution and the grasp is found impossible.
 void ForceProgram::find_basis(const Eigen::MatrixXd& wrenches) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(wrenches, Eigen::ComputeFullU);
   const double allowed = kShare * options_.residual_tolerance;
@@ -76,7 +96,9 @@ void ForceProgram::find_basis(const Eigen::MatrixXd& wrenches) {
     const bool idle = std::abs(svd.matrixU().col(i).dot(wrench_)) <= allowed;
     if (!idle || relative > std::max(allowed, kNothing)) kept.push_back(i);
   }
-  // The axes as far as possible: rows along singular vectors would be scaled apart.
+  // The kept directions span a subspace, of which another basis is taken, as close to the axes of
+  // forces and torques as possible (the pivoted QR factors of its projector): the equations along
+  // singular vectors would have rows as different in size as the singular values.
   const Eigen::MatrixXd looked_at = svd.matrixU()(Eigen::all, kept);
   const Eigen::MatrixXd projector = looked_at * looked_at.transpose();
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> axes(projector);
@@ -84,7 +106,7 @@ void ForceProgram::find_basis(const Eigen::MatrixXd& wrenches) {
   if (kept.size() < 6) basis_.applyOnTheLeft(axes.householderQ());
 }
 
-// Balance, and no torque at the joints that bear none.
+// Objective c and equations A x = b: balance, and no torque at joints with limit 0.
 void ForceProgram::fill_equations() {
   const bool shared = options_.measure == ForceMeasure::sum_of_normals;
   const Eigen::Index n = coordinates_ + (shared ? 0 : 1);
@@ -105,6 +127,8 @@ void ForceProgram::fill_equations() {
   program_.A = Eigen::MatrixXd::Zero(k + torques.rows(), n);
   program_.A.topLeftCorner(k, coordinates_) = basis_.transpose() * wrenches;
   program_.A.bottomLeftCorner(torques.rows(), coordinates_) = torques;
+  // Rows that are only rounding become exact zeros: the presolve then proves 0 = b inconsistent,
+  // where the solver would look for huge forces.
   const double nothing = kNothing * std::max(1.0, wrenches.cwiseAbs().maxCoeff());
   for (Eigen::Index i = 0; i < k; ++i) {
     if (program_.A.row(i).norm() <= nothing) program_.A.row(i).setZero();
@@ -113,12 +137,14 @@ void ForceProgram::fill_equations() {
   program_.b.head(k) = -basis_.transpose() * wrench_;
 }
 
+// Rows of G that hold the normal forces below the largest; the sum of normals needs none.
 Eigen::Index ForceProgram::normal_rows() const {
   return options_.measure == ForceMeasure::sum_of_normals ? 0 : std::ssize(cones_);
 }
 
-// Rows: normals below the largest, joint torques below and above their limits, coordinates of
-// orthants, then the second-order cones.
+// G and h. Rows: normal forces below the largest, joint torques below and above their limits, the
+// coordinates of pyramids (>= 0), then those of second-order cones, as ConeSizes orders them.
+// Torques are divided by their limits, so that these rows are of the order of one.
 void ForceProgram::fill_cones() {
   const Eigen::Index normals = normal_rows();
   const Eigen::Index torques = std::ssize(limited_);
@@ -154,8 +180,9 @@ void ForceProgram::fill_cones() {
   }
 }
 
-// The slacks differ from the coordinates by rounding; where a coordinate is not as far inside its
-// cone as its slack, it is moved there.
+// By the equations of the program the slacks of the cones equal the coordinates, but rounding makes
+// them differ. The solver keeps the slacks strictly inside the cones, not the coordinates; a
+// coordinate that is less far inside its cone than its slack is moved as far inside.
 Eigen::Matrix4Xd ForceProgram::components(const ConicSolution& solution) const {
   Eigen::VectorXd v = solution.x.head(coordinates_);
   for (std::size_t i = 0; i < cones_.size(); ++i) {
@@ -181,6 +208,7 @@ Eigen::Matrix4Xd ForceProgram::transmitted(const Eigen::VectorXd& v) const {
   return result;
 }
 
+// Whether all coordinates are in their cones.
 bool ForceProgram::inside(const Eigen::VectorXd& v) const {
   for (std::size_t i = 0; i < cones_.size(); ++i) {
     const auto part = v.segment(first_[i], cones_[i].size());
@@ -212,6 +240,12 @@ Eigen::MatrixXd ForceProgram::barrier_metric(const Eigen::VectorXd& v) const {
   return metric;
 }
 
+// Corrects v towards A v = b by steps d of least length in the metric M of the cones' barrier at v:
+// minimise d' M^-1 d subject to A d = b - A v, with the solution d = M A' (A M A')^+ (b - A v). The
+// metric keeps a coordinate near the border of its cone almost where it is, so that the step stays
+// inside, where one of least Euclidean length would often leave. Rounds repeat because one solution
+// is only as accurate as the conditioning allows; a round counts only if the residual falls, v
+// stays in the cones, and the measure stays near its optimum.
 Eigen::VectorXd ForceProgram::polish(Eigen::VectorXd v) const {
   const Eigen::MatrixXd A = program_.A.leftCols(coordinates_);
   const Eigen::MatrixXd weighted = barrier_metric(v) * A.transpose();
@@ -267,9 +301,14 @@ ForceProgram::Separation ForceProgram::separation(const ConicSolution& solution)
   return result;
 }
 
-// With u the wrench and l the torques of the separation: balanced forces f within the limits have
-// u . external - sum |l_j| L_j <= -sum over contacts of (u'W + l'J) f <= sum of f_n times what the
-// cone's lowest value lies below zero.
+// Weak duality. Let u be the separation's wrench and l its torques, W the map of forces to wrenches
+// and J' that to joint torques. Balanced forces f (W f = -external) within the limits L have
+//   u . external - sum |l_j| L_j <= -sum over contacts of (u'W + l'J') f <= sum of f_n d_i,
+// where d_i >= 0 is how far the lowest value of (u'W + l'J') f lies below zero over the forces of
+// contact i with unit normal force. The right-hand side is at most (sum of f_n) max d_i, and at
+// most (largest f_n) sum d_i: dividing by either of these d gives the bound. A residual r of the
+// balance lowers the left-hand side by at most |u| r. Rounding makes each d_i larger, never
+// smaller.
 double ForceProgram::lower_bound(const Separation& separation, ForceMeasure measure,
                                  double residual) const {
   double value = separation.wrench.dot(wrench_) - residual * separation.wrench.norm();

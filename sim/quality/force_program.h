@@ -1,4 +1,5 @@
-// The conic program of the contact forces that balance a unit wrench.
+// The second-order cone program of the smallest contact forces that balance a unit wrench
+// (see forces.h), and the checks of its solution that do not rely on the solver.
 #pragma once
 
 #include <span>
@@ -11,37 +12,45 @@
 
 namespace prehend {
 
-// Forces are in units of the external wrench. The program's variables are the coordinates of all
-// contacts' cones and, for the measure largest_normal, that largest normal.
+// The program for n contacts. Forces are in units of the external wrench. The variables are the
+// coordinates v of all contacts' friction cones (friction_cone.h), one contact after the other,
+// and, for the measure largest_normal, one more: the upper bound t of all normal forces.
 class ForceProgram {
  public:
-  // `wrench` is unit, `size` what it was before. `hand` may be null; what is given is checked.
+  // `wrench` is the external wrench divided by its norm `size`. `hand` may be null: no joint
+  // limits. The arguments must have been checked already (forces.cpp does so).
   ForceProgram(std::span<const Contact> contacts, const WrenchFrame& frame, const Wrench& wrench,
                double size, const HandTorques* hand, const ForceOptions& options);
 
   const ConicProgram& program() const { return program_; }
 
-  // What each contact transmits (as ContactForces::components): the solution, inside the cones
-  // whatever the rounding, moved by the smallest step in the metric of their barrier that meets the
-  // equations; not moved where that would leave the cones.
+  // What each contact transmits, 4 x n as ContactForces::components: the solver's solution, put
+  // inside the friction cones in spite of rounding, and then corrected towards the equations by the
+  // smallest step in the metric of the cones' barrier. A correction that would leave the cones, or
+  // raise the measure, is not made.
   Eigen::Matrix4Xd components(const ConicSolution& solution) const;
 
+  // The measure that is minimised (ForceOptions::measure): sum or largest of the normal forces.
   double measure(const Eigen::Matrix4Xd& components) const;
+  // Norm of the sum of the contact wrenches and the unit external wrench: 0 is perfect balance.
   double residual(const Eigen::Matrix4Xd& components) const;
-  // By how much the worst joint torque exceeds its limit, relative to the limit; where that
+  // By how much the worst joint torque exceeds its limit, relative to the limit; where the limit
   // is zero, relative to the torque of the largest force.
   double torque_excess(const Eigen::Matrix4Xd& components) const;
 
-  // Multipliers of the balance and of the joint torques, of any length.
+  // Lagrange multipliers of the balance of wrenches and of the joint torques, in any common scale:
+  // a hyperplane that separates what the contacts can do from what they should do.
   struct Separation {
     Wrench wrench = Wrench::Zero();
-    Eigen::VectorXd torques;
+    Eigen::VectorXd torques;  // one for each joint; 0 for a joint without a limit
   };
+  // The multipliers of the solver's dual solution.
   Separation separation(const ConicSolution& solution) const;
 
-  // No forces within the limits that leave no more than `residual` of the wrench have a smaller
-  // measure; any separation proves a bound. Its rounding is accounted for. Infinite where even that
-  // is zero.
+  // A lower bound, by weak duality, of the measure of all forces that keep the joint limits and
+  // balance the unit wrench up to a remainder of norm `residual`. Valid for any separation, exact
+  // or not, since rounding of the bound itself is accounted for; 0 where it proves nothing, and
+  // infinite where it proves that no forces balance the wrench.
   double lower_bound(const Separation& separation, ForceMeasure measure,
                      double residual = 0.0) const;
 
@@ -60,15 +69,15 @@ class ForceProgram {
   ForceOptions options_;
   Wrench wrench_;
   std::vector<ContactCone> cones_;
-  std::vector<Eigen::Index> first_;  // of each contact, its first coordinate
+  std::vector<Eigen::Index> first_;  // index of each contact's first coordinate
   Eigen::Index coordinates_ = 0;
-  std::vector<Eigen::Index> slack_;   // row of each contact's first slack in the cone
-  Eigen::MatrixXd basis_;             // 6 x k: the orthonormal directions in which to balance
-  Eigen::MatrixXd maps_;              // 6 x 4n: wrenches of components
-  Eigen::MatrixXd loads_;             // joints x 4n: joint torques of components
-  Eigen::VectorXd limits_;            // joints, for the unit wrench
-  std::vector<Eigen::Index> locked_;  // joints that bear nothing
-  std::vector<Eigen::Index> limited_;
+  std::vector<Eigen::Index> slack_;    // row of each contact's first slack in the cone
+  Eigen::MatrixXd basis_;              // 6 x k: the orthonormal directions in which to balance
+  Eigen::MatrixXd maps_;               // 6 x 4n: maps components to wrenches
+  Eigen::MatrixXd loads_;              // joints x 4n: maps components to joint torques
+  Eigen::VectorXd limits_;             // joints: torque limits, divided by the wrench's norm
+  std::vector<Eigen::Index> locked_;   // joints with limit 0, which bear no torque
+  std::vector<Eigen::Index> limited_;  // joints with a positive, finite limit
   ConicProgram program_;
 };
 

@@ -20,19 +20,21 @@ enum class ForceMeasure {
   sum_of_normals,  // L1: all contacts share one
 };
 
+// What is minimised, under which friction model, and how exactly.
 struct ForceOptions {
   ForceMeasure measure = ForceMeasure::largest_normal;
   FrictionCone cone = FrictionCone::exact;
-  int edges = 8;  // >= 3, of the pyramid
-  // What is called balanced: of the wrench left over, relative to the wrench, and of joint torques
-  // beyond their limits, relative to the limits.
+  int edges = 8;  // of the pyramid, >= 3; unused by the exact cone
+  // Forces count as balanced when they leave at most this part of the wrench over, and exceed no
+  // joint torque's limit by more than this part of the limit.
   double residual_tolerance = 1e-8;
-  double gap_tolerance = 1e-6;  // of the measure, relative
+  // ... and when their measure is within this part of the proved lower bound.
+  double gap_tolerance = 1e-6;
 };
 
-// The hand's joint torques that the contact forces cause, and their limits: |J'f| <= limits, f the
-// forces of the contacts on the object one after the other. `spin` is for the torques of soft
-// fingers, which load no joint without it.
+// The joint torques that the contact forces cause in the hand, and their limits: |J' f| <= limits,
+// with f the stacked forces of the contacts on the object. The torques of soft fingers about their
+// normals load the joints through `spin`; where it is empty they load none.
 struct HandTorques {
   Eigen::MatrixXd jacobian;  // 3n x joints: velocities of the contact points in the axes of the
                              // contacts [m/s per rad/s]
@@ -41,18 +43,21 @@ struct HandTorques {
                              // or empty
 };
 
+// What is known about the balancing forces.
 enum class ForceOutcome {
   balanced,    // within both tolerances
   impossible,  // proved: see ContactForces::separating
   limit,       // rounding allows neither; the best forces found stand
 };
 
+// The enumerator's name, as it is written in files.
 constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
   constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
-// Forces are in the unit of the wrench's force, torques in that unit times a metre.
+// The contact forces found, n contacts. Forces are in the unit of the external wrench's force,
+// torques in that unit times a metre.
 struct ContactForces {
   ForceOutcome outcome = ForceOutcome::limit;
   Eigen::Matrix4Xd components;  // per contact: [normal force, along the first and second tangent,
@@ -61,44 +66,47 @@ struct ContactForces {
   double largest_normal = 0.0;
   double sum_of_normals = 0.0;
   double residual = 0.0;  // |sum of contact wrenches + external| / |external|
-  double lowest = 0.0;    // no forces have a smaller measure than this: proved by the dual
+  double lowest = 0.0;    // lower bound of the measure, proved by the dual solution
   double gap = 0.0;       // (measure - lowest) / measure
-  // Impossible: a unit wrench u that every contact's forces have a power u . w >= 0 with, and the
-  // external wrench too, above 0, so that their sum cannot vanish. With joint limits L there is a
-  // torque multiplier l for each joint: u . (wrench of f) + l . J'f >= 0 for all f of the cones,
-  // and u . external > sum of |l_j| L_j. Up to rounding: what is proved is that the normal forces
-  // would add up to more than 1e10 times the wrench (kLargestForce).
+  // Only if impossible: the proof. A unit wrench u with u . w >= 0 for the wrench w of any forces
+  // in the friction cones, and u . external > 0: their sum cannot vanish. With joint limits L there
+  // is also a multiplier l_j for each joint: u . w + l . J'f >= 0 for all forces f in the cones,
+  // and u . external > sum of |l_j| L_j. This holds up to rounding: what is proved strictly is that
+  // the normal forces would add up to more than 1e10 times the wrench (kLargestForce).
   Wrench separating = Wrench::Zero();
   Eigen::VectorXd torque_multipliers;  // joints, with a hand; for the unit wrench above
 };
 
-// Normal forces that add up to more than this times the wrench are taken for rounding errors of a
-// grasp that cannot balance it.
+// Where balance would take normal forces that add up to more than this times the wrench, it counts
+// as impossible: solutions so large are rounding errors of a grasp that cannot balance the wrench.
 inline constexpr double kLargestForce = 1e10;
 
-// The forces inside the friction cones whose wrenches and `external` add up to zero, smallest in
-// the measure. A zero wrench needs no force; without contacts any other is impossible. One
-// second-order cone program. Source: Boyd and Wegbreit, "Fast computation of optimal contact
-// forces", 2007; Lobo et al., "Applications of second-order cone programming", 1998, section 3.7;
-// joint torques as in Buss, Hashimoto and Moore 1996.
+// The forces inside the friction cones whose wrenches and `external` add up to zero, with the
+// smallest measure; with a `hand`, within its joint torque limits too. `external` is
+// [force; torque * torque_scale] in `frame`. A zero wrench needs no force; without contacts any
+// other is impossible. Solved as one second-order cone program. Source: Boyd and Wegbreit, "Fast
+// computation of optimal contact forces", 2007; Lobo et al., "Applications of second-order cone
+// programming", 1998, section 3.7; joint torques as in Buss, Hashimoto and Moore 1996.
 //
-// Throws InputError as check_contacts, for a wrench that is not finite, for options out
-// of range, and for matrices of the wrong shape or that are not finite, or negative limits.
+// Throws InputError as check_contacts does, for a wrench that is not finite, for options out of
+// range, and for matrices of the wrong shape or that are not finite, or negative limits.
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const ForceOptions& options = {});
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const HandTorques& hand,
                                const ForceOptions& options = {});
 
-// lower <= k <= upper. Impossible: both 0. Zero wrench: both infinite.
+// Bounds lower <= k <= upper of the multiple k of a wrench that contacts can resist. Where it
+// cannot be balanced, both are 0; for a zero wrench both are infinite.
 struct Resistance {
   double lower = 0.0;
   double upper = 0.0;
   ForceOutcome outcome = ForceOutcome::limit;
 };
 
-// The largest k for which forces of measure at most 1 balance k times `external`: one over the
-// smallest measure that balances it. Throws as balancing_forces.
+// The largest k for which forces of measure at most 1 balance k times `external`. Since forces
+// scale with the wrench, that is one over the smallest measure that balances `external` itself.
+// Throws as balancing_forces.
 Resistance wrench_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,
                              const Wrench& external, const ForceOptions& options = {});
 

@@ -7,17 +7,20 @@
 
 namespace prehend {
 
+// The shape of the set of allowed forces.
 enum class FrictionCone {
   exact,    // the quadratic cone of the contact's model
   pyramid,  // the hull of the corners of contact_wrenches
 };
 
-// What a contact transmits, [normal force, force along the first and second tangent, torque about
-// the normal], is `transmits` v, where v0 >= |v1| if `second_order`, and v >= 0 otherwise.
+// The allowed forces of one contact. What it transmits, [normal force, force along the first and
+// second tangent, torque about the normal], is `transmits` v, where the coordinates v are in a
+// second-order cone (v0 >= |(v1, v2, ...)|) if `second_order`, and each >= 0 otherwise.
 struct ContactCone {
   Eigen::Matrix<double, 4, Eigen::Dynamic> transmits;
   bool second_order = false;
 
+  // Number of coordinates.
   Eigen::Index size() const { return transmits.cols(); }
 
   // The smallest value of loads . f over the forces f of unit normal force.

@@ -14,7 +14,9 @@ constexpr double kRounding = 1e-15;
 
 using Directions = Eigen::Matrix<double, 6, 5>;
 
-// Orthonormalises the edges of a facet, longest remainder first; returns how many are independent.
+// Orthonormalises the edges of a facet (modified Gram-Schmidt, longest remainder first), and
+// returns how many are independent. Each edge is projected twice, which makes the columns
+// orthogonal up to rounding even where the edges are nearly parallel.
 int orthonormalise(Directions& edges) {
   const double longest = edges.colwise().norm().maxCoeff();
   for (int rank = 0; rank < 5; ++rank) {
@@ -59,6 +61,8 @@ FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners) {
   }
   const int rank = orthonormalise(edges);
   const auto span = edges.leftCols(rank);
+  // What is left of the guess after subtracting its part in the facet is the normal. Where little
+  // is left the remainder is inaccurate, and the next pass repairs it.
   Wrench normal = guess;
   for (int pass = 0; pass < 3; ++pass) {
     normal -= span * (span.transpose() * normal);

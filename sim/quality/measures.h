@@ -1,4 +1,4 @@
-// All measures of a grasp by name, with one signature: contacts in, a number out.
+// All quality measures by name, with one signature: from contacts to a number.
 #pragma once
 
 #include <optional>
@@ -18,8 +18,8 @@
 
 namespace prehend {
 
-// What measures need besides the contacts. A measure throws InputError that names what it needs
-// where that is missing.
+// What measures need besides the contacts. A measure that misses something throws an InputError
+// that names it.
 struct MeasureOptions {
   WrenchSpaceOptions space;
   std::optional<EpsilonOptions> epsilon;  // empty: epsilon_options(space)

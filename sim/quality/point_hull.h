@@ -1,4 +1,4 @@
-// The convex hull of points in any dimension (the only place that knows qhull).
+// The convex hull of points in any dimension, by qhull. No other file uses qhull.
 #pragma once
 
 #include <string>
@@ -7,6 +7,7 @@
 
 namespace prehend {
 
+// solid: a hull with volume; flat: the points do not span the space; failed: qhull gave up.
 enum class PointHullStatus { solid, flat, failed };
 
 struct PointHull {
@@ -19,10 +20,11 @@ struct PointHull {
   Eigen::MatrixXi corners;
   double reach = 0.0;   // the largest distance of a point from the origin
   double joggle = 0.0;  // how far qhull moved coordinates, with HullInput::joggled
-  std::string message;  // qhull's, when failed
+  std::string message;  // qhull's error message, when failed
 };
 
-// As given, or joggled by qhull (QJ) until facets are clear: for points that defeat it otherwise.
+// Points as given, or joggled (moved at random by a little, qhull's option QJ) until the facets are
+// numerically clear: for points on which qhull fails otherwise.
 enum class HullInput { as_given, joggled };
 
 // `points`: one a column, d >= 2 rows, finite. Fewer than d + 1 points are flat.

@@ -48,6 +48,8 @@ void check(const NoiseOptions& noise) {
                       .value = std::to_string(noise.samples)});
 }
 
+// One sample of the contacts: all of them moved and turned together by the error of the pose, then
+// each by its own. The logarithm of the friction is disturbed, so that it stays positive.
 std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const NoiseOptions& noise, Random& random) {
   const double r = 1.0 / frame.torque_scale;

@@ -1,4 +1,4 @@
-// How epsilon fares when contacts are not quite where they were thought to be.
+// Epsilon under random errors of pose, contacts and friction.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace prehend {
 
-// Normal distributions, by their standard deviations. Lengths are parts of r = 1 / torque_scale, so
-// that objects of any size fare alike.
+// Standard deviations of the errors, which are normally distributed. Lengths are parts of
+// r = 1 / torque_scale, so that the errors grow with the object.
 struct NoiseOptions {
   // The object as a whole against the hand: moved, and turned about the torque origin.
   double pose_position = 0.02;  // of r
@@ -25,7 +25,8 @@ struct NoiseOptions {
   std::uint64_t seed = 1;
 };
 
-// Epsilon is 0 for a sample without force closure. Lower bounds throughout.
+// Statistics of epsilon over the samples; its lower bound is taken, which is 0 for a sample without
+// force closure.
 struct RobustEpsilon {
   double mean = 0.0;
   double percentile_5 = 0.0;   // of the samples, the smallest that at least 5 % do not exceed

@@ -10,6 +10,10 @@
 #include "sim/base/input_error.h"
 #include "sim/quality/start_simplex.h"
 
+// Each round computes the hull of the points known so far, and asks for the set's support point
+// along the normal of every facet. Points farther beyond their facet than the tolerance are added
+// for the next round. The same support values bound the volume from above. Unlike the search for
+// epsilon, which refines only the facets nearest to the origin, this refines all of them.
 namespace prehend {
 namespace {
 
@@ -23,13 +27,14 @@ Wrenches columns_of(const Points& points) {
   return columns;
 }
 
-// Adds a point that is not among those known.
+// Adds the point unless it is among those known; true if it was added.
 bool add(Points& points, const Wrench& point) {
   if (std::find(points.begin(), points.end(), point) != points.end()) return false;
   points.push_back(point);
   return true;
 }
 
+// The corners of the start simplex and the extreme points along the six axes.
 Points first_points(const SupportMap& set, const StartSimplex& start) {
   Points points(start.points.begin(), start.points.end());
   for (int axis = 0; axis < 6; ++axis) {
@@ -39,6 +44,9 @@ Points first_points(const SupportMap& set, const StartSimplex& start) {
   return points;
 }
 
+// The start simplex has shown that the points span six dimensions, so a hull that qhull calls flat
+// is a failure of precision just like one it cannot compute: both are tried again with joggled
+// points.
 PointHull hull_of(const Wrenches& points) {
   PointHull hull = point_hull(points);
   if (hull.status != PointHullStatus::solid) hull = point_hull(points, HullInput::joggled);
@@ -46,6 +54,7 @@ PointHull hull_of(const Wrenches& points) {
   return hull;
 }
 
+// A point of the set beyond a facet of the hull.
 struct Farther {
   double height = 0.0;  // above the facet
   Wrench point;
@@ -57,7 +66,8 @@ struct Beyond {
   double volume_upper = 0.0;    // of the set
 };
 
-// Of the pyramid over facet `f` with its apex at `centre`.
+// The volume of the pyramid over facet `f` with its apex at `centre`: a 6-simplex, whose volume is
+// |det(edges)| / 6!.
 double pyramid_volume(const PointHull& hull, const Wrenches& points, const Wrench& centre,
                       Eigen::Index f) {
   constexpr double kFactorial = 720.0;  // of six dimensions
@@ -66,8 +76,11 @@ double pyramid_volume(const PointHull& hull, const Wrenches& points, const Wrenc
   return std::abs(edges.determinant()) / kFactorial;
 }
 
-// Seen from the centre, the set behind a facet ends at the support plane of the facet's normal: the
-// pyramid over the facet, enlarged up to that plane, contains it.
+// Collects the points of the set beyond the facets, and bounds the set's volume. The rays from the
+// centre through a facet fill a cone, and the cones of all facets fill space. In each of them the
+// set ends at the latest at its support plane with the facet's normal. The pyramid from the centre
+// to the facet, enlarged until its base is in that plane, contains this part of the set; enlarging
+// by a factor multiplies a volume in six dimensions by its sixth power.
 Beyond look_beyond(const SupportMap& set, const PointHull& hull, const Wrenches& points,
                    double tolerance) {
   Beyond beyond;
@@ -108,13 +121,16 @@ SetHull set_hull(const SupportMap& set, const SetHullOptions& options) {
         look_beyond(set, result.hull, columns, options.relative_tolerance * start.scale);
     result.volume_lower = result.hull.volume;
     result.volume_upper = std::max(beyond.volume_upper, result.volume_lower);
-    // At most doubled in a round: many facets ask for almost the same point.
+    // The number of points at most doubles in a round, farthest points first: many facets ask for
+    // almost the same point, and only the next hull tells which of them are still needed.
     const std::size_t most =
         std::min(2 * points.size(), static_cast<std::size_t>(std::max(options.max_points, 0)));
     for (const Farther& farther : beyond.points) {
       if (points.size() < most) add(points, farther.point);
     }
     result.complete = beyond.points.empty();
+    // Nothing was added: complete, at the limit of points, or only known points are beyond facets
+    // (rounding).
     if (points.size() == static_cast<std::size_t>(columns.cols())) return result;
   }
 }

@@ -7,7 +7,9 @@
 namespace prehend {
 namespace {
 
-// Below this extent, relative to the scale, a better point than those at hand is asked for.
+// Points farther from the span than this part of the scale are taken as they are. If none is, a
+// new one is asked for along a direction orthogonal to the span: a simplex thinner than that would
+// start the search with ill-conditioned facets.
 constexpr double kThin = 1e-2;
 
 // Support along a unit direction; keeps the smallest value in `start`.
@@ -61,6 +63,10 @@ Wrench take_farthest(std::vector<Wrench>& candidates, const Wrench& origin,
 
 }  // namespace
 
+// Gram-Schmidt with pivoting: starts with the extreme points along the six axes, and takes from
+// them, one after the other, the point farthest from the affine span of those taken before.
+// Projections are subtracted twice, since once leaves a remainder of the order of rounding times
+// the cancellation.
 StartSimplex start_simplex(const SupportMap& set, bool stop_outside) {
   StartSimplex start;
   start.upper = std::numeric_limits<double>::infinity();
@@ -82,7 +88,8 @@ StartSimplex start_simplex(const SupportMap& set, bool stop_outside) {
       candidates.push_back(probe(set, direction, start));
       candidates.push_back(probe(set, -direction, start));
       if (stop_outside && start.upper <= 0.0) return start;
-      // Both points lie in one hyperplane with normal `direction`, and so does the whole set.
+      // The two points are extreme along +direction and -direction: where both are in one
+      // hyperplane orthogonal to it, so is the whole set.
       const std::size_t last = candidates.size() - 1;
       if (direction.dot(candidates[last - 1] - candidates[last]) <= kFlatness * start.scale) {
         return start;

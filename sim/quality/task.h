@@ -13,12 +13,12 @@ namespace prehend {
 
 // Wrenches in the frame of the grasp, [force; torque * scale], relative to a unit of normal force.
 
-// Any of these (their convex hull, too).
+// A finite set of wrenches; resisting all of them means resisting their convex hull, too.
 struct TaskWrenches {
   std::vector<Wrench> wrenches;
 };
 
-// {axes * u : |u| <= 1}, about the origin; the axes must be independent.
+// The ellipsoid {axes * u : |u| <= 1} of wrenches; the columns of `axes` must be independent.
 struct TaskEllipsoid {
   Eigen::Matrix<double, 6, 6> axes = Eigen::Matrix<double, 6, 6>::Identity();
 };

@@ -1,4 +1,4 @@
-// The full convex hull of wrenches by qhull: the oracle for epsilon, and the volume.
+// The full convex hull of wrenches by qhull: its volume, and an independent computation of epsilon.
 #pragma once
 
 #include "sim/quality/point_hull.h"
@@ -18,8 +18,8 @@ struct WrenchHull {
   // -min_offset * unit normal of that facet (solid only): with force closure, the disturbance that
   // the grasp resists least.
   Wrench weakest = Wrench::Zero();
-  // What min_offset must exceed for the origin to be inside beyond doubt: kFlatness times the size
-  // of the wrenches, more where qhull had to joggle them.
+  // The numerical error of min_offset, which it must exceed to prove that the origin is inside:
+  // kFlatness times the size of the wrenches, more where qhull had to joggle them.
   double doubt = 0.0;
   PointHull points;  // the facets, where it is solid
 

@@ -13,6 +13,12 @@
 namespace prehend {
 namespace {
 
+// The section of a hull given by half-spaces is the intersection of the half-spaces cut by the
+// fixed coordinates. Its corners are found by duality: about a point strictly inside, each
+// half-space becomes a point (its pole), and the facets of the hull of the poles are the corners of
+// the intersection. The point inside is the centre of the largest inscribed ball, which keeps all
+// poles as short as possible.
+
 // Sections thinner than this part of the hull's size are flat.
 constexpr double kThin = 1e-9;
 
@@ -44,7 +50,8 @@ void check(const PointHull& hull, const FixedCoordinates& fixed) {
   if (!fixed.values.allFinite()) throw InputError({.field = "values", .problem = "not finite"});
 }
 
-// Facets parallel to the section only say whether there is one.
+// The half-spaces of the hull's facets in the three free coordinates. A facet parallel to the
+// section does not bound it; it only tells whether the section is on its inner side. None: empty.
 std::optional<HalfSpaces> cut_facets(const PointHull& hull, const FixedCoordinates& fixed,
                                      const std::array<int, 3>& free) {
   const Eigen::Index count = hull.offsets.size();
@@ -98,7 +105,9 @@ Ball largest_ball(const HalfSpaces& all, const std::vector<Eigen::Index>& listed
   return {solution.x.head<3>(), solution.x[3]};
 }
 
-// Few half-spaces touch the ball: those that the last one breaks most are added until none does.
+// The largest ball inside all half-spaces. Only few of them touch it, so that a small linear
+// program is solved again and again (cutting planes): the half-space that the last ball violates
+// most is added, until the ball violates none.
 Ball inscribed_ball(const HalfSpaces& all, double half) {
   std::vector<Eigen::Index> listed;
   while (true) {

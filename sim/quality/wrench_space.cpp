@@ -21,6 +21,8 @@ class QuadraticCone {
         torsion_(contact.model == ContactModel::soft_finger ? frame.torque_scale * contact.torsion
                                                             : 0.0) {}
 
+  // The wrench is linear in force and torque, so the farthest point of the disc (ellipsoid) is the
+  // one along the gradient.
   Wrench support(const Wrench& direction) const {
     const Eigen::Vector3d turning = direction.tail<3>();
     // A force f does f . pull of work along the direction, a torque about the normal `twist`.
@@ -46,7 +48,8 @@ class QuadraticCone {
   double torsion_;
 };
 
-// The convex hull of several sets, with the origin or without.
+// The convex hull of several sets, with the origin or without. Its support point is the farthest of
+// theirs.
 template <typename Set>
 class HullOf final : public SupportMap {
  public:
@@ -71,7 +74,8 @@ class HullOf final : public SupportMap {
   UnitForce force_;
 };
 
-// The Minkowski sum of several sets, each with the origin or without.
+// The Minkowski sum of several sets, each with the origin or without. Its support point is the sum
+// of theirs; a set with the origin adds nothing where its own point lies behind the origin.
 template <typename Set>
 class SumOf final : public SupportMap {
  public:

@@ -12,8 +12,9 @@
 
 namespace prehend {
 
-// What is unit: the sum of all normal forces (the hull of the contacts' cones), or each of them
-// (the Minkowski sum). Source: Ferrari and Canny, ICRA 1992, section 3.
+// Which norm of the normal forces is limited to one: their sum (l1: the convex hull of the
+// contacts' unit cones), or the largest of them (linf: the Minkowski sum of these cones). Source:
+// Ferrari and Canny, ICRA 1992, section 3.
 enum class WrenchNorm { l1, linf };
 
 // Whether forces may stay below the unit. For L1 this only adds the origin to the set, and epsilon
@@ -27,16 +28,16 @@ struct WrenchSpaceOptions {
   UnitForce force = UnitForce::at_most;
 };
 
-// The set as its support function; nothing is enumerated. Empty for no contacts.
+// The set as its support function, without enumerating its points.
 // Throws as check_contacts, or for fewer than 3 edges of a pyramid.
 std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
                                          const WrenchFrame& frame,
                                          const WrenchSpaceOptions& options = {});
 
-// Default options of epsilon for such a set. The sets of pyramids are polytopes, where the search
-// ends at a facet: EpsilonOptions' own defaults. The sets of exact cones are smooth, and each digit
-// costs many times the facets of the one before: a bracket within 1e-2, or what 20,000 facets
-// (about 3 ms) give.
+// Default options of epsilon for such a set. The sets of friction pyramids are polytopes, on which
+// the search ends exactly at a facet: the defaults of EpsilonOptions. The sets of exact cones are
+// smooth, and every further digit takes many times as many facets as the one before: the search
+// stops at a relative tolerance of 1e-2, or after 20,000 facets (about 3 ms).
 EpsilonOptions epsilon_options(const WrenchSpaceOptions& space);
 
 // Ferrari and Canny's measure of the set: epsilon of support.h's set, or epsilon_l1 where the set

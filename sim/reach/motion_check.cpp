@@ -9,7 +9,8 @@
 namespace prehend {
 namespace {
 
-// A path with the way of each joint along it.
+// A path and the way of each joint along it: the sum of its motions back and forth since the start.
+// Positions on the path are numbers from 0 to end(), whole at the waypoints.
 class MeasuredPath {
  public:
   explicit MeasuredPath(const JointPath& path) : path_(path), way_(path.size()) {
@@ -44,6 +45,9 @@ class MeasuredPath {
   JointPath way_;
 };
 
+// Adaptive bisection: a stretch of the path is settled for a pair by one distance query in its
+// middle, or else halved. Large gaps settle long stretches, so that queries concentrate where
+// bodies come close.
 class MotionCheck {
  public:
   MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
@@ -59,10 +63,11 @@ class MotionCheck {
   }
 
  private:
-  // The first of the pairs `open` that is not proven free from `from` to `to`.
+  // The first of the pairs `open` that is not proved free from `from` to `to`.
   std::optional<std::size_t> stretch(double from, double to, const std::vector<std::size_t>& open) {
     double middle = 0.5 * (from + to);
-    // Postures of the path are cheaper than blends of two, and the path bends there.
+    // A stretch over several waypoints is divided at one of them: no blend is needed there, and the
+    // halves contain no more bends than necessary.
     if (to - from > 1.0) middle = std::round(middle);
     std::vector<double> before;
     std::vector<double> here;
@@ -76,8 +81,9 @@ class MotionCheck {
     for (const std::size_t p : open) {
       context_.cancellation.check();
       const ArmPair& pair = pairs_[p];
-      // Farthest that a point of the one body moves relative to the other, from the middle to
-      // either end: no farther than the joints' motions times their reaches.
+      // Upper bound of how far a point of one body moves relative to the other, from the middle to
+      // either end: each joint between them contributes its motion times its reach, the largest
+      // distance from its axis of a point that it moves.
       double back = 0.0;
       double ahead = 0.0;
       for (std::size_t k = 0; k < pair.joints.size(); ++k) {
@@ -91,7 +97,7 @@ class MotionCheck {
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);
     }
-    // Only pairs that one gap in the middle did not settle are looked at in the halves.
+    // Only the pairs that the middle did not settle are checked on the halves.
     if (left.empty()) return std::nullopt;
     const std::optional<std::size_t> first = stretch(from, middle, left);
     return first ? first : stretch(middle, to, left);

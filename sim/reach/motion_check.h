@@ -10,15 +10,18 @@
 
 namespace prehend {
 
-// Postures to be joined by straight lines in joint space; one value for each joint of the platform.
+// Waypoints of a motion, joined by straight lines in joint space. Each has one value for each joint
+// of the platform [rad or m].
 using JointPath = std::vector<std::vector<double>>;
 
+// How finely motions are checked for collision.
 struct MotionCheckOptions {
-  // A stretch on which no point of a pair moves more than this relative to the other is not cut any
-  // further: if its gap is still not proven, the pair counts as blocked [m].
+  // A stretch of the motion on which the bodies of a pair move by no more than this relative to
+  // each other is not divided further: a pair not yet proved free there counts as blocked. Motions
+  // with gaps below about half of this may therefore be refused [m].
   double tightest = 2e-4;
-  // Part by which the gap of a pair may be underestimated: a looser query is quicker, but cuts the
-  // motion into more stretches.
+  // Relative error by which the gap of a pair may be underestimated. A larger one makes each
+  // distance query faster, but divides the motion into more stretches.
   double gap_error = 0.5;
 };
 
@@ -29,17 +32,19 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("gap_error", gap_error);
 }
 
-// The first pair that was not proven to stay apart all along the path; none: the whole motion is
-// free, not only at samples. A gap in the middle of a stretch speaks for all of it when it is
-// larger than the farthest that any point moves from there; else the stretch is cut in two
-// (Schwarzer, Saha and Latombe 2005, "Adaptive dynamic collision checking"). The path's postures
-// themselves must be free of bodies that hold each other without their surfaces meeting (see
-// first_meeting). Throws Cancelled.
+// Continuous collision check: a pair that could not be proved to stay apart along the path (the
+// first one found), or none if the whole motion is free, between the waypoints too. If the gap of a
+// pair in the middle of a stretch is larger than any point can move from there to its ends, the
+// pair is free on the whole stretch; else the stretch is halved (Schwarzer, Saha and Latombe 2005,
+// "Adaptive dynamic collision checking"). Only surfaces are compared here: that no body lies
+// entirely inside another must be checked beforehand, at one posture of the path (first_meeting).
+// Throws Cancelled.
 std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
                                      const JointPath& path, const MotionCheckOptions& options = {},
                                      const RunContext& context = {});
 
-// The first of the pairs whose bodies meet, or hold each other, in a posture.
+// The first of the pairs whose bodies collide in a posture (one value for each joint of the
+// platform): their surfaces intersect, or one body lies inside the other.
 std::optional<ArmPair> first_meeting(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
                                      const std::vector<double>& joints);
 

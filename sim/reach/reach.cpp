@@ -8,10 +8,12 @@
 namespace prehend {
 namespace {
 
+// The target of the inverse kinematics that puts the hand at X_OH.
 IkTarget target_at(const CompiledArm& arm, const Pose& X_OH) {
   return {arm.hand_part().joint, arm.hand_part().X_JR, arm.X_BO * X_OH};
 }
 
+// The joint positions of the whole platform, the hand's included, at each posture of the line.
 JointPath joints_of(const CompiledArm& arm, const std::vector<DofValues>& line,
                     const std::vector<double>& hand_joints) {
   JointPath path;
@@ -43,6 +45,8 @@ std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, cons
   return postures;
 }
 
+// Follows the line from one posture at the pre-grasp. The cheapest test comes first: a collision in
+// this posture, then the kinematics of the line, then collisions along it.
 Reach try_posture(const CompiledArm& arm, const HandLine& line, const DofValues& posture,
                   const ReachOptions& options, const RunContext& context) {
   Reach reach;
@@ -84,6 +88,7 @@ std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, in
       found.push_back(std::move(reach));
       if (found.size() >= index(most)) break;
     } else if (failure.end == ReachEnd::unreachable) {
+      // Overwritten until it is a collision, which tells more than an unreachable posture does.
       failure = std::move(reach);
     }
   }

@@ -1,4 +1,4 @@
-// Whether the arm brings the hand to a grasp: from the pre-grasp along a straight line.
+// Whether the arm can bring the hand to a grasp along a straight line from the pre-grasp.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,16 @@
 
 namespace prehend {
 
+// How the arm's postures along the line are searched for and checked.
 struct ReachOptions {
   // Fewer restarts than IkOptions has: redundant robots arrive from one of the first few starts or
   // not at all.
   IkOptions kinematics = {.restarts = 30, .max_solutions = 24};
-  // The line is followed in steps of this; between them the joints move straight [m].
+  // Longest step along the line; between two steps the joints move along a straight line in joint
+  // space, from which the hand deviates a little [m].
   double line_step = 2e-3;
-  // Largest change of a joint in one step: more is a jump to another branch [rad or m].
+  // Largest change of a joint in one step: more counts as a jump to another branch of the inverse
+  // kinematics, where the hand would leave the line [rad or m].
   double largest_joint_step = 0.15;
   MotionCheckOptions motion;
 };
@@ -31,46 +34,51 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("motion", motion);
 }
 
-// A straight motion of the hand with its joints at rest, in the object's frame.
+// A straight motion of the hand with its own joints at rest. Poses of the hand H in the object's
+// frame O.
 struct HandLine {
   Pose X_OH_from = Pose::Identity();  // the pre-grasp
-  Pose X_OH_to = Pose::Identity();    // the grasp: moved, not turned
-  std::vector<double> hand_joints;
+  Pose X_OH_to = Pose::Identity();    // the grasp, with the same orientation
+  std::vector<double> hand_joints;    // the hand's joint positions [rad or m]
 };
 
+// Outcome of an attempt to follow the line.
 enum class ReachEnd {
   reached,
   unreachable,  // no posture inside the limits, or none that follows the line without a jump
-  blocked,      // by `pair`, in the last posture that was tried
+  blocked,      // Reach::pair collides, in the first posture or along the line
 };
 
+// The arm's motion along the line, or why there is none.
 struct Reach {
   ReachEnd end = ReachEnd::unreachable;
-  std::optional<ArmPair> pair;
-  // Degrees of freedom along the line, from the pre-grasp to the grasp; of the platform.
+  std::optional<ArmPair> pair;  // the bodies that collide, if blocked
+  // If reached: the platform's degrees of freedom at each step from the pre-grasp to the grasp.
   std::vector<DofValues> line;
 };
 
-// Postures that put the hand at X_OH, the one with the shortest way from the start first. Throws
+// All postures found by inverse kinematics that put the hand at X_OH (in the object's frame),
+// sorted by their distance from the arm's start posture. Collisions are not checked. Throws
 // Cancelled.
 std::vector<DofValues> postures_at(const CompiledArm& arm, const Pose& X_OH,
                                    const ReachOptions& options, const RunContext& context = {});
 
-// Tries the postures of the pre-grasp, nearest to the start first, until `most` of them follow the
-// line: with one continuous solution of the inverse kinematics, and without collision of the robots
-// with each other, or of any link but the hand's with the object and the obstacles (the trial
-// checks the hand itself). Returns those that reach, or where none does one failure: the first
+// Tries the postures of the pre-grasp, nearest to the arm's start posture first, until `most` of
+// them follow the line to the grasp. A posture does if the inverse kinematics has a continuous
+// solution along the line on which the robots do not collide with each other, and no link outside
+// the hand collides with the object or the obstacles (collisions of the hand itself are checked by
+// the trial). Returns the motions that reach the grasp, or, where none does, one failure: the first
 // collision, else unreachable. Throws Cancelled.
 std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, int most,
                                 const ReachOptions& options, const RunContext& context = {});
 
-// The first of them.
+// find_reaches for one motion: the first that reaches the grasp, or the failure.
 Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options,
                  const RunContext& context = {});
 
-// The postures along the line of which `last`, with the hand at X_OH_to, is the last one: the line
-// is followed back from there. Empty where that meets a limit or would have to jump to another
-// branch. Collisions are not checked. Throws Cancelled.
+// The postures along the line that end in the given posture `last`, which has the hand at X_OH_to:
+// the line is followed backwards from there. Empty where that meets a joint limit or would have to
+// jump to another branch of the inverse kinematics. Collisions are not checked. Throws Cancelled.
 std::vector<DofValues> line_ending_in(const CompiledArm& arm, const HandLine& line,
                                       const DofValues& last, const ReachOptions& options,
                                       const RunContext& context = {});
