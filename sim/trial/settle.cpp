@@ -82,7 +82,7 @@ ClosingStart closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers
 
 // Whether the fingers of `next` are closer together than those of `trial`. That is the criterion of
 // a turn that really happens: a squeezed object moves so that the fingers yield to their drive, and
-// a turn that pushes them apart would need work from outside. It also makes the turns end.
+// a turn that pushes them apart would need work from outside.
 bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const SettleOptions& options,
                const Trial& trial, const Trial& next) {
   const double change = trial.joints[index(fingers.first)] - next.joints[index(fingers.first)];
