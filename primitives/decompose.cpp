@@ -46,8 +46,8 @@ void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
 }
 
 // The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1. All
-// thresholds of this room are meant for that size, so that results do not depend on units. Vertices
-// of no triangle do not count.
+// thresholds of the decomposition are meant for that size, so that results do not depend on units.
+// Vertices of no triangle do not count.
 struct UnitMesh {
   TriangleMesh mesh;
   Vector3 center = Vector3::Zero();
