@@ -87,8 +87,8 @@ double robust_cutoff(std::span<const double> residuals, const FitOptions& option
 }
 
 double facing_weight(const SurfacePoint& point, const Vector3& n_patch_O) {
-  // Not 0: normals of edges and of badly oriented slivers are up to 17 degrees beyond a right
-  // angle.
+  // A normal counts as opposed from 17 degrees beyond a right angle on, so that points near edges,
+  // where normals are about orthogonal to the patch, keep their full weight.
   constexpr double kOpposed = -0.3;
   constexpr double kOpposedWeight = 0.05;
   return point.n_O.dot(n_patch_O) < kOpposed ? kOpposedWeight : 1.0;
