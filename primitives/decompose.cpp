@@ -14,6 +14,11 @@
 namespace prehend {
 namespace {
 
+// Stages: scale the mesh to unit size, sample points from it, split greedily from the whole surface
+// down (grown), improve the pieces as a set (polished), drop to the number allowed (reduced), then
+// correct radii for tessellation and scale back.
+
+// Throws InputError for options out of range and meshes with unusable indices or vertices.
 void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
   if (!(options.tolerance > 0.0 && options.tolerance <= 1.0)) {
     throw InputError("decompose: tolerance: must be in (0, 1] (" +
@@ -40,7 +45,9 @@ void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
   }
 }
 
-// The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1.
+// The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1. All
+// thresholds of the decomposition are meant for that size, so that results do not depend on units.
+// Vertices of no triangle do not count.
 struct UnitMesh {
   TriangleMesh mesh;
   Vector3 center = Vector3::Zero();
@@ -67,8 +74,9 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
 Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
                    const RunContext& context) {
   constexpr int kPoints = 3000;
-  // A primitive may leave the surface by as much as a point may leave the primitive, but not by
-  // less than the gaps between the points.
+  // Surface of a primitive counts as phantom when it is farther from the mesh than the tolerance.
+  // The radius must also exceed the spacing of the points, or holes between them would look like
+  // missing surface, and must not make the voxel grid too fine (memory).
   constexpr double kGaps = 2.0;
   constexpr double kFinestGrid = 0.02;
   std::vector<SurfacePoint> points = sample_surface(mesh, kPoints, options.seed);
@@ -84,11 +92,13 @@ Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
           options.tolerance, options.coverage, context.cancellation};
 }
 
+// A region of the present partition, with its best split once that has been looked for.
 struct Leaf {
   Region region;
   bool tried = false;
   std::optional<Split> split;
 
+  // By how much the split lowers the objective, apart from the shortfall of coverage.
   double gain() const { return split ? region.cost - split->cost() - kPieceCost : -1.0; }
   // The share of the whole surface that only the split explains.
   double newly_explained() const {
@@ -96,9 +106,10 @@ struct Leaf {
   }
 };
 
-// Greedy top-down clustering: one region is the whole surface; the split that lowers the objective
-// most is carried out, until no split lowers it. Splits of a region do not depend on other regions,
-// so each is computed once.
+// Greedy top-down clustering. It begins with one region, the whole surface; the split that lowers
+// the objective most is carried out, until none lowers it. The best split of a region does not
+// depend on other regions, so it is computed once; only the reward for coverage depends on them,
+// and is added when the splits are compared.
 std::vector<Region> grown(const Surface& surface, const DecomposeOptions& options) {
   // More pieces than asked for: merging afterwards (polished, reduced) finds a better set of few
   // pieces than stopping early does, because early cuts are made without knowing the later ones.
@@ -109,7 +120,7 @@ std::vector<Region> grown(const Surface& surface, const DecomposeOptions& option
     double unexplained = 0.0;
     for (Leaf& leaf : leaves) {
       unexplained += leaf.region.unexplained;
-      // Splitting cannot win more than the region costs.
+      // Splitting gains at most the region's whole cost: one that costs little is not worth a try.
       if (leaf.tried || leaf.region.cost < 0.5 * kPieceCost) continue;
       leaf.split = best_split(leaf.region, surface);
       leaf.tried = true;
@@ -132,6 +143,7 @@ std::vector<Region> grown(const Surface& surface, const DecomposeOptions& option
   return regions;
 }
 
+// From the unit mesh back to the frame and size of the mesh that was given.
 Primitive rescaled(Primitive primitive, const UnitMesh& unit) {
   if (auto* box = std::get_if<Box>(&primitive.shape)) box->size *= unit.diagonal;
   if (auto* sphere = std::get_if<Sphere>(&primitive.shape)) sphere->radius *= unit.diagonal;
@@ -143,6 +155,8 @@ Primitive rescaled(Primitive primitive, const UnitMesh& unit) {
   return primitive;
 }
 
+// Each point within tolerance counts for its nearest primitive only, so that shares add up to the
+// explained fraction.
 Decomposition result_of(const std::vector<Region>& regions, const Surface& surface,
                         const UnitMesh& unit) {
   std::vector<double> share(regions.size(), 0.0);

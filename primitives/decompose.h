@@ -1,4 +1,4 @@
-// From a mesh to the few boxes, spheres and cylinders that explain its surface.
+// Shape decomposition: approximates the surface of a mesh by a few boxes, spheres and cylinders.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,16 @@
 
 namespace prehend {
 
+// Settings of the decomposition.
 struct DecomposeOptions {
   // A surface point is explained when it lies within this fraction of the mesh's bounding-box
   // diagonal of some primitive's surface; in (0, 1].
   double tolerance = 0.05;
-  // Pieces are added until this fraction of the area is explained, in (0, 1]. Short of it nearly
-  // any piece that explains more is taken; beyond it only one that pays for itself (a handle does).
+  // The fraction of the area that should be explained, in (0, 1]. Below it, nearly every primitive
+  // that explains more area is added; above it, only one that lowers the objective by more than its
+  // cost (region.h), such as the handle of a cup.
   double coverage = 0.97;
-  // At most this many primitives (>= 1). Wins over coverage.
+  // At most this many primitives (>= 1), also where they do not reach the coverage.
   int max_primitives = 12;
   std::uint64_t seed = 1;
 };
@@ -31,20 +33,24 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("max_primitives", max_primitives);
 }
 
+// The primitives that approximate a mesh, in the mesh's frame.
 struct Decomposition {
-  std::vector<Primitive> primitives;  // largest explained area first
+  std::vector<Primitive> primitives;  // sorted by the area they explain, largest first
   std::vector<double> share;          // per primitive, the fraction of the area that it explains
   double explained = 0.0;             // fraction of the area within tolerance of some primitive
 };
 
-// Splits the surface by planes, or into what one primitive explains and the rest, for as long as
-// that lowers an objective (primitives/region.h) that weighs the distance from surface to
-// primitives, the primitives' surface that is far from the mesh, and their number; then gives each
-// point to its nearest primitive, refits, merges and drops. Works on a fixed number of points
-// spread by area, so its time hardly depends on the number of triangles; orientation and closedness
-// of the mesh do not matter. Explained fractions are estimates from those points. Pure function of
-// its arguments. Throws InputError for a mesh without area, with an index or a vertex that cannot
-// be used, or for an option out of its range; Cancelled.
+// Minimises an objective (region.h) that adds up the distances of the surface from the primitives,
+// the area of the primitives that lies away from the mesh, and a cost for each primitive. First the
+// surface is split again and again, by planes or into the part that one primitive explains and the
+// rest, as long as that lowers the objective. Then each point is assigned to its nearest primitive,
+// and primitives are refitted, merged and dropped.
+//
+// All this uses a fixed number of points sampled by area, so that the time hardly depends on the
+// number of triangles, and the mesh need not be closed or oriented. The explained fractions are
+// estimates from those points. The same arguments give the same result. Throws InputError for a
+// mesh without area, with an index out of range or a vertex that is not finite, and for an option
+// out of its range; throws Cancelled.
 Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
                         const RunContext& context = {});
 

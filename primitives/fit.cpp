@@ -10,12 +10,15 @@
 namespace prehend {
 namespace {
 
+// Eigenvectors as columns, sorted by eigenvalue, smallest first; the identity for a matrix that has
+// no finite ones.
 Matrix3 right_handed_eigenvectors(const Matrix3& symmetric) {
   Eigen::SelfAdjointEigenSolver<Matrix3> solver;
   solver.computeDirect(symmetric);
   Matrix3 axes = solver.eigenvectors();
   if (!axes.allFinite()) return Matrix3::Identity();
-  // The closed-form solver loses orthogonality for close eigenvalues.
+  // The closed-form solver is fast, but its vectors are not orthogonal where eigenvalues are close:
+  // Gram-Schmidt makes them so.
   axes.col(0).normalize();
   axes.col(1) = (axes.col(1) - axes.col(0) * axes.col(0).dot(axes.col(1))).normalized();
   if (!axes.allFinite() || axes.col(1).norm() < 0.5) axes.col(1) = any_orthogonal(axes.col(0));
@@ -31,8 +34,8 @@ std::span<const double> starting_tails(const FitOptions& options) {
 }
 
 double point_loss(double distance, double tolerance) {
-  // The step at the tolerance makes a piece that explains new surface worth more than one that
-  // only brings explained surface closer.
+  // The jump from 0.4 to 1 at the tolerance makes a primitive that explains new surface worth more
+  // than one that only comes closer to surface that is explained already.
   constexpr double kAtTolerance = 0.4;
   const double relative = distance / tolerance;
   return std::abs(relative) < 1.0 ? kAtTolerance * relative * relative : 1.0;
@@ -84,6 +87,8 @@ double robust_cutoff(std::span<const double> residuals, const FitOptions& option
 }
 
 double facing_weight(const SurfacePoint& point, const Vector3& n_patch_O) {
+  // A normal counts as opposed from 17 degrees beyond a right angle on, so that points near edges,
+  // where normals are about orthogonal to the patch, keep their full weight.
   constexpr double kOpposed = -0.3;
   constexpr double kOpposedWeight = 0.05;
   return point.n_O.dot(n_patch_O) < kOpposed ? kOpposedWeight : 1.0;
@@ -109,6 +114,8 @@ Matrix3 normal_axes(std::span<const SurfacePoint> points) {
 
 std::vector<Vector3> half_sphere_directions(int count) {
   std::vector<Vector3> directions;
+  // A Fibonacci spiral: equal steps in z have equal areas, and turning by the golden ratio of a
+  // full turn leaves no direction in line with an earlier one.
   for (int i = 0; i < count; ++i) {
     const double z = (i + 0.5) / count;
     const double rho = std::sqrt(1.0 - z * z);

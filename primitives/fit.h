@@ -1,4 +1,5 @@
-// What the three fits share: their options, robust statistics, and starting directions.
+// What the fits of the three kinds of primitive share: options, robust statistics and starting
+// directions. Points are in the frame O of the surface; lengths in its unit.
 #pragma once
 
 #include <span>
@@ -9,6 +10,7 @@
 
 namespace prehend {
 
+// Settings of a fit.
 struct FitOptions {
   // Distance (m, > 0) beyond which a point counts as not belonging to the primitive.
   double outlier = 0.0;
@@ -16,42 +18,47 @@ struct FitOptions {
   double min_extent = 0.0;
   // Gauss-Newton steps from each start.
   int steps = 10;
-  // Also start from directions spread over the half-sphere, for when neither the spread of the
-  // points nor their normals tell the axes.
+  // Also start from directions spread over the half-sphere, for points whose principal axes and
+  // normals do not show the axes of the primitive.
   bool thorough = true;
 };
 
-// What one step of a fit reports.
+// The result of one Gauss-Newton step.
 struct Step {
   double loss_before = 0.0;  // of the shape before the step: facing_weight * point_loss, summed
   double change = 0.0;       // size of the change in the unknowns
 };
 
-// The fractions of points to leave beyond each end of a starting shape: few, and (thorough) as many
-// as a handle or a spout may have.
+// The fractions of points that a starting shape leaves outside at each end. A small one against
+// noise and, for thorough fits, one as large as a handle or a spout, so that such a protrusion does
+// not blow up the start.
 std::span<const double> starting_tails(const FitOptions& options);
 
-// What a point at this distance from the nearest primitive surface costs: 1 beyond the tolerance,
-// and within it far less, growing with the square.
+// The cost of a point at this distance from the nearest primitive's surface: 1 beyond the
+// tolerance, 0.4 (distance / tolerance)^2 within it.
 double point_loss(double distance, double tolerance);
 
-// Mean loss of the points: 0 perfect, 1 nothing explained. 0 for no points.
+// Mean of point_loss over the points: 0 for a perfect fit, 1 when all are beyond the tolerance; 0
+// for no points.
 double misfit(std::span<const SurfacePoint> points, const Primitive& primitive, double tolerance);
 
 // At most `count` of the points, evenly picked in their order.
 std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> points, std::size_t count);
 
-// The value that a fraction `q` in [0, 1] of the values do not exceed; reorders them. Not empty.
+// The q-quantile of the values, q in [0, 1] (0: smallest, 0.5: median). Reorders `values`, which
+// must not be empty.
 double quantile(std::vector<double>& values, double q);
 
-// Tukey's biweight: 1 at residual 0, 0 from `cutoff` on.
+// The weight of a residual in robust least squares, Tukey's biweight: (1 - (residual /
+// cutoff)^2)^2, which is 1 at residual 0, and 0 beyond the cutoff.
 double biweight(double residual, double cutoff);
 
-// The cutoff for the biweight, from the spread of the residuals themselves.
+// The cutoff for the biweight, from the median size of the residuals.
 double robust_cutoff(std::span<const double> residuals, const FitOptions& options);
 
-// How much a point on a patch with outward normal `n_patch` counts: a point that faces the other
-// way (the inside of a cup's wall) hardly pulls, so that the fit is to the outside.
+// The weight of a point by its normal, for the part of a primitive with outward normal `n_patch_O`:
+// 1, but 0.05 for a point that faces the other way. So a thin-walled object, such as a cup, is
+// fitted at the outside of its wall and not between its two sides.
 double facing_weight(const SurfacePoint& point, const Vector3& n_patch_O);
 
 // Principal axes of the points (columns, right-handed, smallest spread first).

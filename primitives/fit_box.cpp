@@ -15,18 +15,25 @@ namespace {
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
+// A box is fitted by robust Gauss-Newton from several starts. The starts are the best of many
+// frames (principal axes of points and normals, each axis turned in steps, directions of the
+// half-sphere), since Gauss-Newton only finds the nearest local minimum. Each step assigns every
+// point to the face plane that it is nearest to and solves for a small turn of the frame and all
+// six face positions.
+
+// A box as three pairs of parallel planes.
 struct Slabs {
   Matrix3 R_OP = Matrix3::Identity();  // axes as columns
   Vector3 low = Vector3::Zero();       // face positions along the axes
   Vector3 high = Vector3::Zero();
 };
 
-// A point as seen by the box: which face it is nearest to (axis, +3 for the low side) and the
-// signed distance from that face's plane.
+// A point relative to the box. Of the six signed distances from the face planes (positive outside)
+// the largest counts: inside the box that is the nearest face.
 struct Seen {
-  Vector3 q = Vector3::Zero();
-  int face = 0;
-  double residual = 0.0;
+  Vector3 q = Vector3::Zero();  // in the frame of the box
+  int face = 0;                 // 0 to 2: high side of that axis, 3 to 5: low side
+  double residual = 0.0;        // signed distance from the plane of the face
 };
 
 Seen seen_from(const Slabs& box, const Vector3& p_O) {
@@ -57,7 +64,8 @@ Slabs slabs_in_frame(const Matrix3& R_OP, std::span<const SurfacePoint> points, 
   return box;
 }
 
-// Frames with one axis along each direction, turned about it in equal steps of a quarter turn.
+// Frames with their third axis along `axis`, turned about it in six equal steps of a quarter turn
+// (15 degrees); the box is the same after a quarter.
 void add_turned_frames(const Vector3& axis, std::vector<Matrix3>& frames) {
   constexpr int kTurns = 6;
   const Vector3 u = any_orthogonal(axis);
@@ -91,7 +99,8 @@ std::vector<Slabs> best_starts(std::span<const SurfacePoint> points, const FitOp
       [](const Slabs& box, const Vector3& p_O) { return seen_from(box, p_O).residual; });
 }
 
-// Faces with fewer points than their area deserves.
+// Faces that the points do not cover, such as the open top of a carton: those with far fewer points
+// than their share of the box's area. `support`: weight of the points per face.
 std::array<bool, 6> open_faces(const Slabs& box, const std::array<double, 6>& support) {
   // A closed face has about its share of the points. An open one still gets some, from the rim of
   // the faces beside it, but far fewer than a quarter.
@@ -108,6 +117,7 @@ std::array<bool, 6> open_faces(const Slabs& box, const std::array<double, 6>& su
   return open;
 }
 
+// The normal equations of a step.
 struct System {
   Matrix9 normal = Matrix9::Zero();
   Vector9 right = Vector9::Zero();
@@ -119,7 +129,8 @@ void add_point(System& system, const Seen& seen, double weight) {
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
   const double sign = seen.face < 3 ? 1.0 : -1.0;
-  // A turn w of the frame moves the point's coordinates by q x w.
+  // A turn w of the frame moves the point's coordinates by q x w. So only the turns about the two
+  // other axes and the position of its own face change a point's residual.
   const std::array<int, 3> unknown = {u, v, 3 + seen.face};
   const std::array<double, 3> slope = {-sign * seen.q[v], sign * seen.q[u], -sign};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -130,6 +141,7 @@ void add_point(System& system, const Seen& seen, double weight) {
   }
 }
 
+// Takes an unknown out of the step: its equation becomes 1 * change = 0.
 void fix_unknown(System& system, int k) {
   system.normal.row(k).setZero();
   system.normal.col(k).setZero();
@@ -137,7 +149,8 @@ void fix_unknown(System& system, int k) {
   system.right[k] = 0.0;
 }
 
-// Puts an uncovered face where the points that the faces beside it explain end.
+// Moves an uncovered face to where the surface of the faces beside it ends: to the extreme of the
+// points near those faces, without the outermost 0.5 %.
 void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff) {
   constexpr double kTail = 0.005;
   const int axis = face % 3;

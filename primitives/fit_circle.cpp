@@ -43,8 +43,10 @@ std::optional<Circle> fit_circle(std::vector<Vector2> points, double tail) {
     normal += row * row.transpose();
     right += row * d.squaredNorm();
   }
+  // |p - c|^2 = r^2 is |p|^2 = 2 c.p + (r^2 - |c|^2): linear in c and k = r^2 - |c|^2.
   const Eigen::Vector3d x = normal.ldlt().solve(right);
   const double squared = x[2] + x.head<2>().squaredNorm();
+  // Points on a nearly straight line fit a huge circle, whose centre says nothing about an axis.
   constexpr double kLargest = 4.0;
   if (!x.allFinite() || !(squared > 0.0) || !(std::sqrt(squared) < kLargest * reach)) {
     return std::nullopt;

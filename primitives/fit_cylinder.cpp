@@ -14,6 +14,11 @@ namespace {
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
+// Like the box (fit_box.cpp): robust Gauss-Newton from the best of many starting axes. For a given
+// axis, a circle through the projected points of the side gives the start; each step assigns every
+// point to the side or a cap and solves for the axis, the radius and both caps together.
+
+// A cylinder in the form that the fit changes.
 struct Tube {
   Matrix3 R_OP = Matrix3::Identity();  // the axis is the third column
   Vector3 base = Vector3::Zero();      // a point of the axis
@@ -24,11 +29,13 @@ struct Tube {
 
 enum class Part { side, high, low };
 
+// A point relative to the cylinder. Of the signed distances from side and caps (positive outside)
+// the largest counts: inside the cylinder that is the nearest part.
 struct Seen {
-  Vector3 q = Vector3::Zero();
-  double rho = 0.0;
+  Vector3 q = Vector3::Zero();  // in the frame of the cylinder, from its base
+  double rho = 0.0;             // distance from the axis
   Part part = Part::side;
-  double residual = 0.0;
+  double residual = 0.0;  // signed distance from that part
 };
 
 Seen seen_from(const Tube& tube, const Vector3& p_O) {
@@ -47,6 +54,7 @@ Seen seen_from(const Tube& tube, const Vector3& p_O) {
   return seen;
 }
 
+// The outward normal, in O, of the part that the point belongs to.
 Vector3 outward(const Tube& tube, const Seen& seen) {
   switch (seen.part) {
     case Part::high:
@@ -67,8 +75,9 @@ Primitive primitive_of(const Tube& tube, double min_extent) {
       pose_from(tube.R_OP, center)};
 }
 
-// The cylinder through the points that face sideways (the caps would fill its circle), with the
-// fraction `tail` of the points beyond each end of it.
+// The starting cylinder along `axis`. Its circle is fitted to the points whose normals are about
+// orthogonal to the axis, since those of the caps would fill the circle. Its ends leave the
+// fraction `tail` of all points outside on either side.
 Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, double tail) {
   // Cosine between normal and axis. A point of the side has 0; 0.6 leaves room for a starting axis
   // that is off by 35 degrees, and for cones.
@@ -112,6 +121,7 @@ std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOpt
 
 // Unknowns: turns about the first two axes (0, 1), the base across the axis (2, 3), radius (4),
 // caps (5 high, 6 low). A turn w of the frame moves the point's coordinates by q x w.
+// The slope is the derivative of the point's residual by each unknown.
 Vector7 slope_of(const Seen& seen) {
   Vector7 slope = Vector7::Zero();
   if (seen.part == Part::side) {
@@ -128,7 +138,8 @@ Vector7 slope_of(const Seen& seen) {
   return slope;
 }
 
-// Puts an uncovered cap where the points that the side explains end.
+// Moves an uncovered cap (the open end of a cup) to where the points near the side end, without the
+// outermost 0.5 %.
 void close_end(Tube& tube, Part end, std::span<const Seen> seen, double cutoff) {
   constexpr double kTail = 0.005;
   std::vector<double> along;
@@ -192,7 +203,10 @@ Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions&
   }
   const double cutoff = robust_cutoff(residuals, options);
   System system = system_of(tube, points, seen, cutoff, options);
-  const double cap = tube.radius;  // in units of pi * radius, as the side below
+  // A cap counts as open when it has less than a quarter of the points that its share of the area
+  // would give it; a rim alone still leaves it some. Areas in units of pi * radius: a cap is
+  // pi r^2 / (pi r) = r, the side 2 pi r h / (pi r) = 2 h.
+  const double cap = tube.radius;
   const double side = 2.0 * std::max(tube.high - tube.low, 0.0);
   const double expected =
       (system.side + system.high + system.low) * cap / std::max(side + 2.0 * cap, 1e-300);

@@ -12,11 +12,16 @@ namespace {
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
+// Two starts, an algebraic fit and the mean ball, are each improved by robust Gauss-Newton, and the
+// iterate of least loss is kept. The algebraic fit is exact for points of a sphere but is led
+// astray by outliers; the mean ball is rough and always usable.
+
 struct Ball {
   Vector3 center = Vector3::Zero();
   double radius = 0.0;
 };
 
+// Centre at the mean of the points, radius their mean distance from it.
 Ball mean_ball(std::span<const SurfacePoint> points) {
   Ball ball;
   const double n = static_cast<double>(points.size());
@@ -53,6 +58,8 @@ struct Change {
   Step step;
 };
 
+// One step of iteratively reweighted least squares on the distances from the sphere. The derivative
+// of |p - c| - r is -(p - c) / |p - c| by the centre and -1 by the radius.
 Change gauss_newton(const Ball& ball, std::span<const SurfacePoint> points,
                     const FitOptions& options) {
   std::vector<double> residuals(points.size());
@@ -73,6 +80,7 @@ Change gauss_newton(const Ball& ball, std::span<const SurfacePoint> points,
     normal += weight * row * row.transpose();
     right -= weight * residuals[i] * row;
   }
+  // Damping keeps the equations solvable where the points do not determine the sphere (flat patch).
   constexpr double kDamping = 1e-6;
   normal.diagonal() += Vector4::Constant(kDamping * normal.trace() + 1e-300);
   const Vector4 unknowns = normal.ldlt().solve(right);

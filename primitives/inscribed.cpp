@@ -38,7 +38,8 @@ std::vector<double> vertex_radii(const Cylinder& cylinder, const Pose& X_OP,
   return radii;
 }
 
-// The robust mean of the radii that differ little from `radius`; `radius` when there are few.
+// The mean of the vertices' radii, weighted by the biweight around `radius` so that vertices of
+// other parts of the mesh do not count; `radius` itself when too few vertices are near it.
 double refined_radius(double radius, const std::vector<double>& radii) {
   constexpr double kNear = 0.05;  // more than the sagitta of a 12-sided polygon
   double weight = 0.0;

@@ -31,6 +31,7 @@ bool NearSurface::near(const Vector3& p_O) const {
   return marked_[index(at.cast<int>())] != 0;
 }
 
+// Marks the voxels whose centres are within `radius` of the point, row by row.
 void NearSurface::mark(const Vector3& p_O, double radius) {
   const Vector3 at = (p_O - origin_) / cell_;
   const double reach = radius / cell_;

@@ -1,4 +1,4 @@
-// Whether a point is near the sampled surface, in constant time: a voxel grid.
+// A voxel grid that tells in constant time whether a point is near the sampled surface.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,11 @@ namespace prehend {
 
 class NearSurface {
  public:
-  // Near means within `radius` (> 0) of a sample, to within a third of it.
+  // A point is near when it is within `radius` (> 0) of a sample. The edge of a voxel is a third of
+  // the radius, which limits the accuracy.
   NearSurface(const std::vector<SurfacePoint>& points, double radius);
 
+  // False for points outside the grid and points that are not finite.
   bool near(const Vector3& p_O) const;
 
  private:

@@ -11,7 +11,9 @@ namespace {
 
 using Regions = std::vector<Region>;
 
-// What the primitives cost, from each one's distances to all points and its phantom surface.
+// The objective (region.h) of the primitives with used[k], from distance[k][i] of point i to the
+// surface of primitive k and phantom[k], the cost of its surface away from the mesh. Computing
+// these once makes it cheap to try out subsets.
 double total_cost(const std::vector<std::vector<double>>& distance,
                   const std::vector<double>& phantom, const std::vector<bool>& used,
                   const Surface& surface) {
@@ -34,6 +36,7 @@ double total_cost(const std::vector<std::vector<double>>& distance,
   return cost + sum / count + kShortfallCost * shortfall;
 }
 
+// What total_cost needs of each primitive.
 struct Costs {
   std::vector<std::vector<double>> distance;
   std::vector<double> phantom;
@@ -48,7 +51,8 @@ Costs costs_of(const Regions& regions, const Surface& surface) {
   return costs;
 }
 
-// Each point to the primitive whose surface is nearest, then each primitive to its points.
+// One round as in k-means: each point goes to the primitive whose surface is nearest, then each
+// primitive is fitted again to its points. Primitives without points disappear.
 Regions reassigned(const Regions& regions, const Surface& surface) {
   const Costs costs = costs_of(regions, surface);
   std::vector<std::vector<SurfacePoint>> points(regions.size());
@@ -66,7 +70,8 @@ Regions reassigned(const Regions& regions, const Surface& surface) {
   return result;
 }
 
-// The removal that lowers the objective most; with `always`, the one that raises it least.
+// Removes the primitive without which the objective is lowest, if that lowers it; with `always`,
+// also where that raises it. False when nothing was removed.
 bool drop_one(Regions& regions, const Surface& surface, bool always) {
   if (regions.size() < 2) return false;
   const Costs costs = costs_of(regions, surface);
@@ -88,16 +93,21 @@ bool drop_one(Regions& regions, const Surface& surface, bool always) {
   return true;
 }
 
+// One region in the place of two.
 Region united(const Region& a, const Region& b, const Surface& surface, Effort effort) {
   std::vector<SurfacePoint> points = a.points;
   points.insert(points.end(), b.points.begin(), b.points.end());
   return fit_region(std::move(points), surface, effort);
 }
 
-// Replaces the pair that one primitive explains best, when that lowers the objective.
+// Merges the pair of regions that one primitive explains at the least extra cost, if that lowers
+// the objective. All pairs are compared with quick fits; only the best is fitted thoroughly. False
+// when nothing was merged.
 bool merge_one(Regions& regions, const Surface& surface) {
   const double before = objective(regions, surface);
-  // A region's cost knows only its own points; leave the last word to the objective.
+  // A merger saves one primitive, so its cost may rise by kPieceCost. The cost of a region counts
+  // only the region's own points, though other primitives may explain them too; so this is an
+  // estimate, and the objective of the whole set decides below.
   double best_rise = kPieceCost;
   std::optional<std::pair<std::size_t, std::size_t>> pair;
   for (std::size_t i = 0; i < regions.size(); ++i) {
@@ -129,8 +139,8 @@ double objective(const Regions& regions, const Surface& surface) {
 }
 
 Regions polished(Regions regions, const Surface& surface) {
-  // Reassigning points, dropping and merging each open the way for the others, so they are
-  // repeated.
+  // Reassigning points can make a primitive superfluous, and dropping or merging changes which
+  // primitive is nearest; so the three are repeated, until a round gains too little.
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {
     const double before = objective(regions, surface);

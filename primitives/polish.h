@@ -1,5 +1,5 @@
-// Makes a set of regions better as a whole: every point to its nearest primitive, pairs merged,
-// primitives that explain nothing of their own dropped.
+// Improves a whole set of regions: assigns each point to its nearest primitive, merges pairs, and
+// drops primitives whose points others explain too.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Points spread over a primitive's own surface, to ask where it lies off the mesh.
+// Points spread over a primitive's own surface, to measure how much of it lies away from the mesh.
 #pragma once
 
 #include <vector>
@@ -7,6 +7,7 @@
 
 namespace prehend {
 
+// A point that represents a patch of a primitive's surface.
 struct PatchPoint {
   Vector3 p_O = Vector3::Zero();
   double area = 0.0;  // the part of the primitive's surface that the point stands for

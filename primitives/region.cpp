@@ -16,6 +16,7 @@ double cost_of(const Primitive& primitive, std::span<const SurfacePoint> points,
   return share * misfit(points, primitive, surface.tolerance) + phantom_cost(primitive, surface);
 }
 
+// Points beyond the tolerance, as a share of all points of the surface.
 double unexplained_share(const Primitive& primitive, std::span<const SurfacePoint> points,
                          const Surface& surface) {
   const auto unexplained = std::count_if(points.begin(), points.end(), [&](const SurfacePoint& s) {

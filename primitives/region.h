@@ -23,19 +23,20 @@ struct Surface {
   double area = 0.0;
   double tolerance = 0.0;
   double coverage = 0.0;
-  Cancellation cancellation;  // looked at by every fit
+  Cancellation cancellation;  // checked by every fit
 };
 
-// One more primitive must lower the rest of the objective by this much.
+// The cost of each primitive: one more must lower the rest of the objective by at least this.
 constexpr double kPieceCost = 0.015;
 
 // While less than the coverage is explained, a primitive pays for itself (kPieceCost) as soon as it
 // explains another 0.75 % of the surface.
 constexpr double kShortfallCost = 2.0;
 
+// A part of the surface and its primitive.
 struct Region {
   std::vector<SurfacePoint> points;
-  Primitive primitive;
+  Primitive primitive;       // the best fit to the points
   double cost = 0.0;         // its share of the objective, without the piece and the shortfall
   double unexplained = 0.0;  // share of the whole surface: points of it beyond the tolerance
 };
@@ -48,13 +49,15 @@ enum class Effort {
 // The box, sphere or cylinder of least cost for these points (at least one). Throws Cancelled.
 Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort);
 
-// The region fitted thoroughly; its own primitive when that is not worse.
+// The region with a thorough fit to all its points. It keeps its own primitive where the new one
+// costs more.
 Region refitted(Region region, const Surface& surface);
 
-// The phantom term of the objective for one primitive.
+// The phantom term of the objective for one primitive: how much of its surface lies where the mesh
+// has none. Without this term a large primitive that merely touches the points would cost nothing.
 double phantom_cost(const Primitive& primitive, const Surface& surface);
 
-// How far each point of the whole surface is from the primitive's surface, unsigned.
+// The distance (>= 0) of each of surface.points from the primitive's surface.
 std::vector<double> distances(const Primitive& primitive, const Surface& surface);
 
 }  // namespace prehend

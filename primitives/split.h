@@ -1,4 +1,4 @@
-// One piece of surface into two, where that explains it best.
+// Splits a region of the surface into two, each with a primitive of its own.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 
 namespace prehend {
 
+// The two parts of a region; every point is in one of them.
 struct Split {
   Region first;
   Region second;
@@ -14,8 +15,9 @@ struct Split {
   double cost() const { return first.cost + second.cost; }
 };
 
-// The cheapest of: cuts by planes across the principal axes, and the region's own primitive's
-// explained points against the rest. Nothing when the region is too small to cut.
+// The split of least cost among cuts by planes across the principal axes and the primitive's axes,
+// and the separation of the points that the region's primitive explains from the rest. Nothing when
+// the parts would be too small. Throws Cancelled.
 std::optional<Split> best_split(const Region& region, const Surface& surface);
 
 }  // namespace prehend

@@ -9,6 +9,8 @@
 namespace prehend {
 namespace {
 
+// Uniform in the triangle for uniform u, v in [0, 1): the half of the unit square beyond its
+// diagonal is folded back onto the triangle.
 Vector3 point_in_triangle(const TriangleMesh& mesh, std::size_t t, double u, double v) {
   if (u + v > 1.0) {
     u = 1.0 - u;

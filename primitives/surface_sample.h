@@ -1,4 +1,4 @@
-// Points spread over a mesh's surface by area: what the fits see instead of triangles.
+// Points sampled from a mesh's surface in proportion to area, to which primitives are fitted.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,11 @@
 
 namespace prehend {
 
+// A point of the surface in the mesh's frame O.
 struct SurfacePoint {
   Vector3 p_O = Vector3::Zero();
   Vector3 n_O = Vector3::Zero();  // unit normal of its triangle
-  int triangle = 0;
+  int triangle = 0;               // index into TriangleMesh::triangles
 };
 
 // `count` points, each standing for the same area, in the order of the triangles. Normals point out

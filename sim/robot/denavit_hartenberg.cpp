@@ -7,7 +7,8 @@
 namespace prehend {
 namespace {
 
-// Axes whose directions or places differ by less count as parallel or as one [sine or m].
+// Axes count as parallel when the sine of their angle is below this, and parallel axes as the same
+// when their distance is [m].
 constexpr double kSameAxis = 1e-9;
 
 // Rz(theta) Tz(d) Tx(a) Rx(alpha), multiplied out.
@@ -23,7 +24,8 @@ Pose closed_form(const DhParameters& dh) {
   return pose_from(rotation, Vector3(dh.a * ct, dh.a * st, dh.d));
 }
 
-// Unit, orthogonal to the first frame's z axis, along the common normal of both z axes.
+// The unit direction of the common normal of both z axes, in the first frame. Of its two senses the
+// one with x >= 0 is taken; parallel axes have it from one axis straight to the other.
 Vector3 common_normal(const Pose& X, bool parallel) {
   const Vector3 z = X.linear().col(2);
   const Vector3& p = X.translation();
@@ -38,7 +40,8 @@ Vector3 common_normal(const Pose& X, bool parallel) {
 Joint denavit_hartenberg(Joint joint, const DhParameters& parameters) {
   joint.axis = Vector3::UnitZ();
   DhParameters after = parameters;
-  // Motions about and along z change places, so the part that the value is added to comes first.
+  // Rz(theta) and Tz(d) commute, so the one to which the joint's value is added can be split off as
+  // the zero of the joint; the rest is the constant pose after it.
   joint.zero = std::exchange(joint.type == JointType::revolute ? after.theta : after.d, 0.0);
   joint.X_JA = closed_form(after);
   return joint;

@@ -7,10 +7,12 @@
 
 namespace prehend {
 
-// `robot` has its joints and degrees of freedom already.
+// The hand of a robot whose joints and degrees of freedom have been read already. Throws InputError
+// that names the field.
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot);
 
-// What one unit of a degree of freedom's value is worth in SI: angle or length, like its joints.
+// The factor from the file's unit to SI for values of a degree of freedom: of angles or of lengths,
+// depending on its joints.
 double value_unit(const Robot& robot, std::size_t dof, const FileUnits& units);
 
 }  // namespace prehend

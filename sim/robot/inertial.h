@@ -7,6 +7,7 @@
 
 namespace prehend {
 
+// Mass properties of a rigid body, in the frame of its link.
 struct Inertial {
   double mass = 0.0;                         // kg
   Vector3 center_of_mass = Vector3::Zero();  // m

@@ -10,23 +10,36 @@
 namespace prehend {
 namespace {
 
+// Numerical inverse kinematics by damped least squares: in each iteration the pose errors of all
+// targets are linearised in the degrees of freedom (geometric Jacobian), and the step solves
+//   (J^T J + lambda I) step = J^T error,  lambda = |error|^2 / 2 + kLeastDamping
+// (Sugihara, "Solvability-unconcerned inverse kinematics by the Levenberg-Marquardt method", 2011).
+// The damping is large far from the target, where the linearisation is poor, and vanishes at it, so
+// that convergence is fast there. Positions [m] and angles [rad] count alike in the error.
+
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 
-// Damping that is left at the solution; small enough to keep convergence fast near singularities.
+// Damping that remains at the solution. It keeps the equations solvable at singular postures and
+// is small enough to leave convergence fast.
 constexpr double kLeastDamping = 1e-9;
-// Largest turn of a degree of freedom in one iteration [rad].
+// Largest step of a rotary degree of freedom in one iteration [rad]: beyond about 40 degrees the
+// linearisation says little, and the search would jump between branches.
 constexpr double kLargestTurn = 0.7;
-// Within this part of its range from a limit a redundant degree of freedom moves away from it.
+// A degree of freedom of a redundant robot moves away from a limit that is nearer than this part of
+// its range, in at most kRelaxSteps steps.
 constexpr double kNearLimit = 0.15;
 constexpr int kRelaxSteps = 12;
-// Random starts lie within this of the given start: the limits may be a field away [rad or m].
+// Random starts lie within this of the given start [rad or m]. Limits may be far wider: those of a
+// mobile base can span a whole hall, and hardly any start drawn from there would converge.
 constexpr double kNearby = 4.0;
-// Limits and values pass through different sums; a limit itself must count as inside.
+// Tolerance of the limits [rad or m], so that a value at a limit counts as inside although limits
+// and values were computed by different sums.
 constexpr double kRounding = 1e-9;  // rad or m
-// Solutions closer than this in every degree of freedom are one [rad or m].
+// Solutions that differ by less in every degree of freedom count as the same [rad or m].
 constexpr double kSame = 1e-3;
 
+// What is to be solved: the robot, its targets, and the unknowns.
 struct Task {
   const Robot& robot;
   const std::vector<IkTarget>& targets;
@@ -51,7 +64,7 @@ Task make_task(const Robot& robot, const std::vector<IkTarget>& targets) {
   return task;
 }
 
-// The motion that is missing, and how each degree of freedom moves the targets.
+// The pose errors of the targets and their derivative by the degrees of freedom.
 struct Linearized {
   Vector error;     // per target: translation [m], rotation [rad], base frame
   Matrix jacobian;  // a column for each of task.dofs
@@ -59,11 +72,13 @@ struct Linearized {
   double angle_error = 0.0;
 };
 
+// Axis times angle of a rotation, the angle in [0, pi].
 Vector3 rotation_vector(const Matrix3& rotation) {
   const Eigen::AngleAxisd turn(rotation);
   return turn.angle() * turn.axis();
 }
 
+// Computes errors and Jacobian; keeps its memory from call to call.
 class Linearizer {
  public:
   explicit Linearizer(const Task& task) : task_(task) {
@@ -101,6 +116,8 @@ class Linearizer {
     for (const int j : paths_[t]) add_joint(j, row, X_BT.translation());
   }
 
+  // The joint's column of the geometric Jacobian for the point p_T [m, base frame], added to that
+  // of its degree of freedom, which may drive several joints.
   void add_joint(int j, Eigen::Index row, const Vector3& p_T) {
     const Joint& joint = task_.robot.joints[index(j)];
     const Pose X_BF = joint.parent < 0 ? joint.X_PJ : X_BJ_[index(joint.parent)] * joint.X_PJ;
@@ -121,13 +138,15 @@ class Linearizer {
   Linearized at_;
 };
 
-// True where a step would only push the value against its limit.
+// True where a value is at a limit and the step would push it beyond.
 bool is_stuck(const DegreeOfFreedom& dof, double value, double step) {
   return (value <= dof.lower && step < 0.0) || (value >= dof.upper && step > 0.0);
 }
 
-// The damped step; degrees of freedom that are stuck at a limit are taken out, one round after
-// another.
+// The damped least-squares step inside the limits (an active-set method). Only clamping the result
+// would lose the motion that blocked degrees of freedom were meant to make. Instead their columns
+// are set to 0, which makes their step 0, and the equations are solved again so that the others
+// take over; that may block more of them, so this repeats, at most once for each.
 Vector damped_step(const Task& task, const Linearized& at, const DofValues& values) {
   const Eigen::Index n = at.jacobian.cols();
   const double damping = 0.5 * at.error.squaredNorm() + kLeastDamping;
@@ -150,6 +169,7 @@ Vector damped_step(const Task& task, const Linearized& at, const DofValues& valu
     }
     if (all_free) break;
   }
+  // The whole step is scaled, not only its largest part, so that its direction stays.
   double largest = 0.0;
   for (Eigen::Index c = 0; c < n; ++c) {
     if (task.turns[static_cast<std::size_t>(c)]) largest = std::max(largest, std::abs(step[c]));
@@ -166,6 +186,7 @@ void move(const Task& task, const Vector& step, DofValues& values) {
   }
 }
 
+// Iterates from `values` until all targets are within tolerance; false when that takes too long.
 bool arrive(const Task& task, Linearizer& linearize, const IkOptions& options, DofValues& values) {
   for (int i = 0; i < options.max_iterations; ++i) {
     const Linearized& at = linearize(values);
@@ -178,7 +199,8 @@ bool arrive(const Task& task, Linearizer& linearize, const IkOptions& options, D
   return false;
 }
 
-// Away from limits that are near: 1 at a limit, 0 from kNearLimit of the range on.
+// A direction away from near limits: for each degree of freedom +-1 at a limit, falling linearly to
+// 0 at kNearLimit of the range away from it.
 Vector away_from_limits(const Task& task, const DofValues& values) {
   Vector push = Vector::Zero(static_cast<Eigen::Index>(task.dofs.size()));
   for (std::size_t c = 0; c < task.dofs.size(); ++c) {
@@ -193,7 +215,10 @@ Vector away_from_limits(const Task& task, const DofValues& values) {
   return push;
 }
 
-// Uses what the targets leave free to move away from limits; gives up what does not arrive again.
+// Moves the posture of a redundant robot away from its limits without moving the targets: the push
+// is projected into the null space of the Jacobian (self-motion), push - J^+ J push. The projection
+// is exact to first order only, so each small step ends with iterations back onto the targets. Ends
+// when a step does not arrive there again or gains no margin.
 void relax(const Task& task, Linearizer& linearize, const IkOptions& options, DofValues& values) {
   if (task.dofs.size() <= 6 * task.targets.size()) return;
   for (int i = 0; i < kRelaxSteps; ++i) {
@@ -213,6 +238,7 @@ void relax(const Task& task, Linearizer& linearize, const IkOptions& options, Do
   }
 }
 
+// Uniformly random values inside the limits and within kNearby of `start`.
 DofValues random_start(const Task& task, const DofValues& start, Random& random) {
   DofValues values = start;
   for (const int d : task.dofs) {
@@ -224,6 +250,7 @@ DofValues random_start(const Task& task, const DofValues& start, Random& random)
   return values;
 }
 
+// Collects different solutions, up to options.max_solutions.
 class Collector {
  public:
   Collector(const Task& task, const IkOptions& options) : task_(task), options_(options) {}
@@ -241,6 +268,7 @@ class Collector {
   bool full() const { return found_.size() >= static_cast<std::size_t>(options_.max_solutions); }
   bool empty() const { return found_.empty(); }
 
+  // Sorted by the sum of the distances that the degrees of freedom move from `start`.
   std::vector<DofValues> nearest_first(const DofValues& start) {
     const auto way = [&](const DofValues& values) {
       double sum = 0.0;
@@ -258,9 +286,9 @@ class Collector {
   std::vector<DofValues> found_;
 };
 
-// The chain that ends at the target's joint, when its closed form may be used: each of its joints
-// has a degree of freedom of its own. A target beyond a branch of the chain, or before its end, has
-// none.
+// The chain whose closed form gives the target's frame, or nullptr: the target must be fixed to the
+// chain's last joint, and each joint of the chain must have a degree of freedom of its own, which
+// the closed form can set freely.
 const Chain* closed_form_chain(const Robot& robot, int joint) {
   const Chain& chain = robot.chains[index(robot.joints[index(joint)].chain)];
   if (chain.closed_form == ClosedForm::none) return nullptr;
@@ -273,7 +301,8 @@ const Chain* closed_form_chain(const Robot& robot, int joint) {
   return &chain;
 }
 
-// All branches of the closed form with everything before its chain as in `values`.
+// Adds all branches of the chain's closed form that are inside the limits. The degrees of freedom
+// before the chain (a rail, a mobile base) stay as in `values`.
 void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target,
                   const DofValues& values, Collector& found) {
   std::vector<Pose> X_BJ;
@@ -295,7 +324,8 @@ void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target
       const Joint& joint = robot.joints[index(chain.first_joint) + k];
       const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
       const double value = (branches.joints[index(b)][k] - joint.offset) / joint.ratio;
-      // A scene may narrow what the joints allow.
+      // The closed form knows the limits of the joints; those of the degrees of freedom may be
+      // narrower.
       inside = inside && value >= dof.lower - kRounding && value <= dof.upper + kRounding;
       branch[index(joint.dof)] = std::clamp(value, dof.lower, dof.upper);
     }
@@ -349,7 +379,9 @@ std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>
   const bool redundant = task.dofs.size() > 6 * targets.size();
   for (int i = 0; i <= options.restarts && !found.full(); ++i) {
     context.cancellation.check();
-    // Without redundancy there are few solutions, and most starts lead to the same ones.
+    // Without redundancy there are finitely many solutions and most starts lead to the same ones,
+    // so a quarter of the restarts is enough once one was found. A redundant robot has infinitely
+    // many: there all restarts are used, to spread the solutions.
     if (!redundant && !found.empty() && i > options.restarts / 4) break;
     DofValues values = i == 0 ? start : random_start(task, start, random);
     if (!arrive(task, linearize, options, values)) continue;

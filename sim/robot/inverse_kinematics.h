@@ -12,20 +12,21 @@
 
 namespace prehend {
 
-// A frame fixed to a robot, and where it should be.
+// A frame T fixed to a robot, and the pose that it should have.
 struct IkTarget {
-  int joint = 0;                 // the frame is fixed to the one after this joint ...
-  Pose X_JT = Pose::Identity();  // ... here
-  Pose X_BT = Pose::Identity();  // where it should be, in the robot's base frame
+  int joint = 0;                 // T is fixed to the frame J after this joint
+  Pose X_JT = Pose::Identity();  // pose of T in J
+  Pose X_BT = Pose::Identity();  // wanted pose of T in the robot's base frame B
 };
 
+// Settings of the inverse kinematics.
 struct IkOptions {
   double position_tolerance = 1e-9;  // m
   double angle_tolerance = 1e-9;     // rad
   int max_iterations = 80;           // from one start
-  int restarts = 100;                // random starts, after the given one
-  int max_solutions = 16;            // no more are looked for (>= 1)
-  std::uint64_t seed = 1;
+  int restarts = 100;                // most random starts after the given one
+  int max_solutions = 16;            // the search ends with so many solutions (>= 1)
+  std::uint64_t seed = 1;            // of the random starts
 };
 
 template <SettingsOf<IkOptions> Options, typename Visit>
@@ -39,26 +40,30 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("max_solutions", max_solutions);
 }
 
-// Every degree of freedom of the robot has a value; those that move no target keep theirs.
+// A value for every degree of freedom of a robot, in the order of Robot::dofs [rad or m].
 using DofValues = std::vector<double>;
 
-// Damped least squares from `start` (Levenberg-Marquardt with the damping of Sugihara 2011), all
-// targets at once, kept inside the limits; nothing when it does not arrive. A degree of freedom
-// that pushes against a limit is left out of the step.
+// The solution to which damped least squares converge from `start`, for all targets at once and
+// inside the limits; nothing when they do not converge. Degrees of freedom that move no target keep
+// their values. Source: Levenberg-Marquardt with the damping of Sugihara, "Solvability-unconcerned
+// inverse kinematics by the Levenberg-Marquardt method", 2011.
 std::optional<DofValues> solve_near(const Robot& robot, const std::vector<IkTarget>& targets,
                                     const DofValues& start, const IkOptions& options = {});
 
-// Different solutions, the one with the shortest way from `start` first; seeded. One target on a
-// chain with a closed form and no other degree of freedom before it: all branches of that. Else
-// solve_near from `start` and from random starts, spread where the robot is redundant; behind other
-// degrees of freedom a closed form gives all branches for what those were found to be. Throws
-// Cancelled.
+// Different solutions inside the limits, sorted by the sum of the distances that the degrees of
+// freedom move from `start`. The same arguments give the same solutions. Throws Cancelled.
+//
+// For one target at the end of a chain with a closed form (ClosedForm) that alone moves it, these
+// are all branches of the closed form. Otherwise they are found numerically (solve_near) from
+// `start` and from random starts, which need not find all. Where such a chain stands on other
+// degrees of freedom, such as a mobile base, each numerical solution adds all branches of the
+// closed form with the base where that solution has it.
 std::vector<DofValues> solve_all(const Robot& robot, const std::vector<IkTarget>& targets,
                                  const DofValues& start, const IkOptions& options = {},
                                  const RunContext& context = {});
 
-// The least distance of the listed degrees of freedom from their limits, each as a part of half its
-// range: 0 when one is at a limit, 1 when all are in the middle.
+// The smallest distance of the listed degrees of freedom from their limits, each divided by half
+// its range: 0 when one is at a limit, 1 when all are in the middle.
 double limit_margin(const Robot& robot, const std::vector<int>& dofs, const DofValues& values);
 
 // Degrees of freedom that move the frame after `joint`, base to tip.

@@ -8,10 +8,10 @@
 
 namespace prehend {
 
-// Degrees of freedom that bring the base of robot `part` to `X_BR` in the platform's base frame:
-// the nearest to `now` that the inverse kinematics of the robots before it finds. All robots on top
-// of it move along; nothing else does. Nothing where no posture inside the limits does it, and for
-// a robot that stands on no joint.
+// Values of the platform's degrees of freedom that bring the base of robot `part` to `X_BR` in the
+// platform's base frame B: of the solutions of solve_all the one nearest to `now`. Only the joints
+// that carry the robot move, and with them what else they carry. Nothing where no posture inside
+// the limits is found, and for a robot that no joint carries.
 std::optional<DofValues> move_robot(const AssembledPlatform& platform, int part, const Pose& X_BR,
                                     const DofValues& now, const IkOptions& options = {});
 

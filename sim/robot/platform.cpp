@@ -8,7 +8,9 @@
 namespace prehend {
 namespace {
 
-// Copies one robot behind what is there already.
+// Appends the joints, degrees of freedom, links and chains of one robot to those of the whole, with
+// indices shifted accordingly. What stood on the robot's base is attached to the joint that carries
+// it, moved by the pose of that base.
 void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole) {
   const Robot& robot = mounted.robot;
   const auto named = [&](const std::string& name) { return mounted.name + "/" + name; };

@@ -10,21 +10,23 @@
 
 namespace prehend {
 
+// One robot of a platform, and where it is attached.
 struct MountedRobot {
   std::string name;  // unique in its platform
   Robot robot;
-  int parent = -1;  // the robot that carries it, which stands before it; -1: the first
-  int chain = 0;    // of the parent: it is attached to the frame after that chain's last joint
-  Pose X_MR = Pose::Identity();    // the robot's base in that frame, or in the platform's base
+  int parent = -1;  // index of the robot that carries it, which comes before it; -1: none
+  int chain = 0;    // of the parent: the robot is attached to the frame M after its last joint
+  Pose X_MR = Pose::Identity();  // the robot's base in M; without a parent, in the platform's base
   std::optional<Link> mount = {};  // a link between the two robots, fixed to that frame
 };
 
+// Robots that carry each other, such as a hand on an arm.
 struct Platform {
   std::string name;
   std::vector<MountedRobot> robots;
 };
 
-// Where one robot of a platform is in the robot of them all.
+// Where one robot of a platform is found in the assembled robot.
 struct PlatformPart {
   int joint = -1;                // it sits on the frame after this one, -1: the base
   Pose X_JR = Pose::Identity();  // its base in that frame
@@ -33,6 +35,8 @@ struct PlatformPart {
   int first_link = 0;  // its base link; the mount, if any, stands before it
 };
 
+// A platform as one robot. Names of joints, degrees of freedom, chains and links get the name of
+// their robot as a prefix.
 struct AssembledPlatform {
   Robot robot;                      // joints, degrees of freedom and links are called ROBOT/NAME
   std::vector<PlatformPart> parts;  // as the platform's robots

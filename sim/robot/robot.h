@@ -11,6 +11,7 @@
 
 namespace prehend {
 
+// A revolute joint turns about its axis [rad], a prismatic one slides along it [m].
 enum class JointType { revolute, prismatic };
 
 // Friction that opposes a joint's motion at the speed v: coulomb * sign(v) + viscous * v. 0: none
@@ -32,8 +33,8 @@ struct Joint {
   JointType type = JointType::revolute;
   Pose X_PJ = Pose::Identity();
   Vector3 axis = Vector3::UnitZ();  // unit, through the origin of J, in J
-  // Added to the value. It could be part of X_JA, but sums of angles keep digits that products of
-  // rotations lose.
+  // Added to the value. It could be a part of X_JA instead, but adding angles is more accurate than
+  // multiplying rotations.
   double zero = 0.0;  // rad or m
   Pose X_JA = Pose::Identity();
   double lower = 0.0;  // limits of the joint's value, without zero [rad or m]
@@ -47,16 +48,16 @@ struct Joint {
   JointFriction friction = {};
 };
 
-// A closed-form solution of inverse kinematics that is known for a chain.
+// The closed-form inverse kinematics that applies to a chain.
 enum class ClosedForm {
   none,
   spherical_wrist,  // six revolute joints, elbow and spherical wrist (spherical_wrist.h)
 };
 
 // A named path in the tree: joints first_joint .. first_joint + joint_count - 1 of the robot, each
-// the parent of the next. It begins at the base or at any joint of an earlier chain (the parent of
-// its first joint). Chains name where other robots are mounted and what has a closed form;
-// kinematics follow the joints' parents alone.
+// the parent of the next. The parent of its first joint is a joint of an earlier chain or, for a
+// chain that begins at the base, none. Other robots are mounted on the ends of chains, and chains
+// may have closed-form inverse kinematics; forward kinematics uses only the parents of joints.
 struct Chain {
   std::string name;
   int first_joint = 0;
@@ -73,11 +74,13 @@ enum class Coupling {
                    // equal again
 };
 
+// A motor or drive: one value that sets the values of one or more joints of the same type. Units
+// are those of its joints: rad where they are revolute, m where prismatic.
 struct DegreeOfFreedom {
   std::string name;
-  double lower = 0.0;  // where every driven joint is inside its limits
+  double lower = 0.0;  // between the limits every driven joint is inside its own [rad or m]
   double upper = 0.0;
-  double initial = 0.0;
+  double initial = 0.0;           // value that a file or program starts from [rad or m]
   double closing_velocity = 0.0;  // signed; 0: auto-grasp leaves it alone [rad/s or m/s]
   double max_velocity = 0.0;      // 0: not said [rad/s or m/s]
   double max_acceleration = 0.0;  // 0: not said [rad/s^2 or m/s^2]
@@ -88,30 +91,33 @@ struct DegreeOfFreedom {
 // joint -1.
 struct Link {
   std::string name;
-  std::string material;
-  int joint = -1;
-  TriangleMesh mesh;
+  std::string material;    // glass, metal, plastic, wood or rubber
+  int joint = -1;          // the joint that moves it, -1: it belongs to the base
+  TriangleMesh mesh;       // [m]
   Inertial inertial = {};  // in the link's frame; mass 0: not known
 };
 
-// A named opening of a hand from which grasps start.
+// A named posture of a hand, with open fingers, from which it closes on objects.
 struct Preshape {
   std::string name;
-  std::vector<double> dofs;
-  double min_width = 0.0;  // sizes of object that it can close on, across the fingers [m]
+  std::vector<double> dofs;  // one value per degree of freedom of the hand [rad or m]
+  double min_width = 0.0;    // sizes of object that it can grasp, along Hand::closing [m]
   double max_width = 0.0;
-  double depth = 0.0;  // from the hand's origin along the approach axis to where fingers meet [m]
+  double depth = 0.0;  // from Hand::origin along the approach axis to where the fingers meet [m]
 };
 
 // What makes a robot a hand.
 struct Hand {
-  Vector3 approach = Vector3::UnitZ();  // unit, base frame: the palm moves this way to the object
-  Vector3 closing = Vector3::UnitX();   // unit, orthogonal to approach: the fingers close along it
-  Vector3 origin =
-      Vector3::Zero();  // the point of the palm that is aimed at the object, base frame [m]
+  // Direction in which the palm moves to the object: unit, base frame.
+  Vector3 approach = Vector3::UnitZ();
+  // Direction along which the fingers close: unit, base frame, orthogonal to `approach`.
+  Vector3 closing = Vector3::UnitX();
+  // The point of the palm that is aimed at the object, base frame [m].
+  Vector3 origin = Vector3::Zero();
   std::vector<Preshape> preshapes;
 };
 
+// An arm, a hand, a mobile base, or several of them joined into one (platform.h).
 struct Robot {
   std::string name;
   std::vector<Chain> chains;
@@ -121,17 +127,18 @@ struct Robot {
   std::optional<Hand> hand;
 };
 
-// Joint values for degrees of freedom (one each): ratio * dof + offset.
+// The value of every joint, ratio * dof + offset, for one value per degree of freedom [rad or m].
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs);
 
-// The frame A after a joint in its joint frame J, for a joint value [rad or m].
+// X_JA, the pose of the frame A after a joint in its joint frame J, at a joint value [rad or m]:
+// motion(axis, value + zero) * joint.X_JA.
 Pose across(const Joint& joint, double value);
 
-// Poses of the frames after each joint in the robot's base frame, for joint values (one each);
-// `X_BJ` is resized.
+// Forward kinematics: the poses of the frames after each joint in the robot's base frame B, for one
+// value per joint [rad or m]. `X_BJ` is resized to the number of joints.
 void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BJ);
 
-// As joint_poses, for the frames of all links.
+// As joint_poses, for the frames of all links; `X_BL` is resized to the number of links.
 void link_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BL);
 
 // Joints from the base to `joint`, in that order; none for joint -1.

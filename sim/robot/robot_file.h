@@ -9,15 +9,17 @@
 
 namespace prehend {
 
-// Throws InputError that names the file, the field and the value: unknown or missing field, a joint
-// that no degree of freedom drives or a degree of freedom that drives nothing, limits the wrong way
-// round, a preshape outside limits, a link without triangles, a mesh that cannot be read.
+// The robot that a file describes, in SI units. Throws InputError that names the file, the field
+// and the value: an unknown or missing field, a joint without a degree of freedom or a degree of
+// freedom without a joint, a lower limit above the upper one, a preshape outside limits, a link
+// without triangles, a mesh that cannot be read.
 Robot load_robot(const std::filesystem::path& file);
 
 // A robot of the library by name ("barrett"), or a robot file by path.
 // Throws InputError that lists the names when it is neither.
 Robot find_robot(const std::string& name_or_file);
 
+// Names of the robots that come with prehend, for find_robot.
 std::vector<std::string> library_robot_names();
 
 }  // namespace prehend

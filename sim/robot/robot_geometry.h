@@ -9,7 +9,7 @@
 
 namespace prehend {
 
-// What one unit of the file is worth in SI.
+// Factors from the units of a file to SI.
 struct FileUnits {
   double length = 1.0;            // m
   double angle = 1.0;             // rad

@@ -9,12 +9,19 @@
 namespace prehend {
 namespace {
 
+// The closed form works on six axes, not on the frames of the joints: axes_of() measures the
+// Denavit-Hartenberg parameters between neighbouring axes, choosing among equivalent ones those
+// that the formulas expect. The solution then has two independent halves, because the three wrist
+// axes meet in a point that only the first three joints move: these place that point (at most four
+// ways), and the last three turn the hand into its orientation (two ways for each).
+
 constexpr double kTurn = 2.0 * std::numbers::pi;
-// Parameters that are right angles and zeros up to rounding are meant to be [rad or m].
+// Angles and lengths this close to a right angle or to 0 count as exact [rad or m].
 constexpr double kExact = 1e-9;
-// Beyond the reach by rounding only [part of the lengths squared].
+// A target beyond the reach by no more than this is there by rounding only and is solved with the
+// arm stretched (relative to the squared lengths).
 constexpr double kStretched = 1e-12;
-// Sine below which the wrist counts as straight.
+// Sine of the wrist's bend below which its first and last axis count as one line (singular).
 constexpr double kStraight = 1e-10;
 
 bool is_zero(double value) { return std::abs(value) < kExact; }
@@ -38,10 +45,10 @@ Matrix3 turn(double theta, double sign) {
   return rotation;
 }
 
-// The chain as the formulas see it: Denavit-Hartenberg parameters between its axes.
+// The chain in the form that the formulas need: Denavit-Hartenberg parameters between its axes.
 struct Axes {
-  std::array<Vector3, 6> axis;  // as its joint says, or its opposite
-  std::array<double, 6> sense;  // 1, or -1 for the opposite
+  std::array<Vector3, 6> axis;  // of the joint or its negative, in the joint frame
+  std::array<double, 6> sense;  // 1, or -1 where the negative was taken
   std::array<AxisStep, 5> steps;
 };
 
@@ -51,6 +58,7 @@ Pose along(const Vector3& axis) {
   return Pose(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis));
 }
 
+// From axis k to axis k + 1.
 AxisStep step_after(const Robot& robot, const Chain& chain, const Axes& axes, int k) {
   const auto i = static_cast<std::size_t>(k);
   const Pose X_JK = joint_of(robot, chain, k).X_JA * joint_of(robot, chain, k + 1).X_PJ;
@@ -63,7 +71,8 @@ Axes axes_of(const Robot& robot, const Chain& chain) {
     axes.axis[static_cast<std::size_t>(k)] = joint_of(robot, chain, k).axis;
     axes.sense[static_cast<std::size_t>(k)] = 1.0;
   }
-  // The elbow shall turn in the sense of the second axis, not against it.
+  // The formulas need alpha2 = 0. Where the third axis is antiparallel to the second (alpha2 = pi),
+  // its negative is used, and the joint's value with the opposite sign.
   if (std::abs(step_after(robot, chain, axes, 1).dh.alpha) > std::numbers::pi / 2.0) {
     axes.axis[2] = -axes.axis[2];
     axes.sense[2] = -1.0;
@@ -71,7 +80,9 @@ Axes axes_of(const Robot& robot, const Chain& chain) {
   for (int k = 0; k < 5; ++k) {
     axes.steps[static_cast<std::size_t>(k)] = step_after(robot, chain, axes, k);
   }
-  // alpha5 = -alpha4: the common normal may as well point the other way.
+  // The formulas need alpha5 = -alpha4. Where they are equal, the common normal of axes 5 and 6 is
+  // reversed, which describes the same axes: theta grows by half a turn, a and alpha change sign,
+  // and the frame after it turns back by half a turn.
   AxisStep& wrist = axes.steps[4];
   if (axes.steps[3].dh.alpha * wrist.dh.alpha > 0.0) {
     wrist.dh.theta += std::numbers::pi;
@@ -82,7 +93,8 @@ Axes axes_of(const Robot& robot, const Chain& chain) {
   return axes;
 }
 
-// How far apart the common normals at an axis stand, along it.
+// The link offset d at axis k [m]: the distance along the axis between the feet of its common
+// normals with the axes before and after it.
 double offset_at(const Axes& axes, std::size_t k) {
   return axes.steps[k].dh.d + (k > 0 ? axes.steps[k - 1].beyond : 0.0);
 }
@@ -151,14 +163,19 @@ SphericalWrist::Solutions SphericalWrist::solve(const Pose& X_CT, const Joints& 
   const Pose X_C6 = X_CT * X_T6_;
   const Matrix3 R_C6 = X_C6.linear();
   const Vector3& wrist = X_C6.translation();
-  // Seen along the shoulder's second axis, the arm is two bars in a plane that passes the first
-  // axis at the distance side_: (x, y) is the wrist in that plane.
+  // Upper arm and forearm move in a plane orthogonal to the second axis. It turns with the first
+  // joint and stays at the distance side_ from the first axis. (x, y) is the wrist in that plane,
+  // seen from the shoulder; x may have either sign, which are the arm's left and right branches.
+  // `across` is the squared distance of the wrist from the first axis, so x^2 + side^2 = across.
   const double across = wrist.head<2>().squaredNorm();
   const double x_squared = across - side_ * side_;
   if (x_squared < -kStretched * (across + side_ * side_)) return all;
   const double reach = std::sqrt(std::max(0.0, x_squared));
   const double y = shoulder_sign_ * (wrist.z() - d1_);
   const double heading = std::atan2(wrist.y(), wrist.x());
+  // Law of cosines for the triangle of shoulder, elbow and wrist. `bend` is the angle between upper
+  // arm and forearm (0: stretched), `beyond` the angle at the shoulder between the upper arm and
+  // the line to the wrist. Elbow up and down differ in the sign of both.
   const double bars = a2_ * a2_ + forearm_ * forearm_;
   double cosine = (reach * reach + y * y - bars) / (2.0 * a2_ * forearm_);
   if (std::abs(cosine) > 1.0 + kStretched * bars / std::abs(a2_ * forearm_)) return all;
@@ -179,12 +196,16 @@ SphericalWrist::Solutions SphericalWrist::solve(const Pose& X_CT, const Joints& 
   return all;
 }
 
-// The wrist turns like Rz(q4) Ry(tilt) Rz(q6).
+// The three wrist angles from the rotation that is left for the wrist: with axes at right angles it
+// is Rz(q4) Ry(tilt) Rz(q6), tilt = -wrist_sign_ * q5, a product of ZYZ Euler angles. They have two
+// solutions, (q4, tilt, q6) and (q4 + pi, -tilt, q6 + pi): the wrist flipped or not.
 void SphericalWrist::add_wrists(const Matrix3& R_3T, const Joints& arm, const Joints& near,
                                 Solutions& all) const {
   const double sine = std::hypot(R_3T(0, 2), R_3T(1, 2));
   Joints angles = arm;
   if (sine < kStraight) {
+    // Singular: axes 4 and 6 are one line and only the sum or difference of their angles counts.
+    // The fourth joint stays where it is near, and the sixth does the rest.
     angles[3] = sense_[3] * near[3] + theta_[3];
     const Matrix3 rest = turn(angles[3], 0.0).transpose() * R_3T;
     angles[4] = R_3T(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
@@ -204,7 +225,9 @@ void SphericalWrist::add_wrists(const Matrix3& R_3T, const Joints& arm, const Jo
 void SphericalWrist::add_if_inside(Joints angles, const Joints& near, Solutions& all) const {
   for (std::size_t k = 0; k < 6; ++k) {
     double value = sense_[k] * (angles[k] - theta_[k]);
-    value += kTurn * std::round((near[k] - value) / kTurn);  // within half a turn of near
+    // The angle is known up to whole turns. First the one within half a turn of `near`, and if that
+    // is outside the limits, the nearest one inside, where there is one.
+    value += kTurn * std::round((near[k] - value) / kTurn);
     if (value < lower_[k] - kExact)
       value += kTurn * std::ceil((lower_[k] - kExact - value) / kTurn);
     if (value > upper_[k] + kExact)

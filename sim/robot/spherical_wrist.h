@@ -19,7 +19,8 @@ class SphericalWrist {
  public:
   using Joints = std::array<double, 6>;
 
-  // At most one solution for each of: arm left or right, elbow up or down, wrist flipped or not.
+  // The first `count` of `joints` [rad]: at most one solution for each combination of arm left or
+  // right, elbow up or down, wrist flipped or not.
   struct Solutions {
     std::array<Joints, 8> joints;
     int count = 0;
@@ -28,8 +29,8 @@ class SphericalWrist {
   // `chain` must have no defect (below).
   SphericalWrist(const Robot& robot, const Chain& chain);
 
-  // The frame C in which poses are given, in the frame that carries the chain: at the first joint's
-  // frame, its z axis along the first axis.
+  // The pose of the frame C, in which poses are given, in the frame P that carries the chain. C is
+  // at the origin of the first joint's frame, with its z axis along the first axis.
   const Pose& X_PC() const { return X_PC_; }
 
   // Joint values within limits that bring the frame after the last joint to `X_CT`. Of angles that
@@ -51,7 +52,7 @@ class SphericalWrist {
   double shoulder_sign_, elbow_sign_, wrist_sign_;  // of alpha 1, 3, 4
 };
 
-// Why the closed form does not fit the chain, "" when it does.
+// Why the closed form does not apply to the chain, as the end of an error message; "" when it does.
 std::string spherical_wrist_defect(const Robot& robot, const Chain& chain);
 
 }  // namespace prehend

@@ -9,12 +9,13 @@
 namespace prehend {
 namespace {
 
+// Whether any of the points, given in a frame with the pose X in the mesh's, is inside the mesh.
 bool any_inside(const ProximityMesh& mesh, const std::vector<Vector3>& points, const Pose& X) {
   return std::any_of(points.begin(), points.end(),
                      [&](const Vector3& p) { return is_inside(mesh, X * p); });
 }
 
-// A cheap test that settles most questions: balls around the bodies that do not meet.
+// Whether the bounding balls are apart: a cheap test that answers most queries.
 bool balls_apart(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB) {
   const double apart = (X_AB * b.ball_center() - a.ball_center()).norm();
   return apart > a.ball_radius() + b.ball_radius();

@@ -1,4 +1,4 @@
-// What a link, the object and an obstacle have in common: a body that others can collide with.
+// Bodies for collision checks: links, the object and obstacles.
 #pragma once
 
 #include <string>
@@ -9,11 +9,13 @@
 
 namespace prehend {
 
+// A surface mesh ready for gap and overlap queries.
 struct CollisionBody {
   std::string name;
   ProximityMesh mesh;  // body frame
   // One vertex of each connected component of the surface, body frame. Where two surfaces do not
-  // cross, a component lies wholly inside the other body or wholly outside: one vertex tells which.
+  // cross, each component lies wholly inside or wholly outside the other body, so that testing one
+  // vertex of it is enough.
   std::vector<Vector3> probes;
   // Whether the surface encloses matter, so that another body can be inside. The object and the
   // obstacles are solid when their meshes are closed and oriented. Links always are: their meshes
@@ -27,12 +29,13 @@ struct PlacedBody : CollisionBody {
   Pose X_RB = Pose::Identity();
 };
 
-// Throws InputError for a mesh without triangles, and Cancelled.
+// Builds the search trees of `mesh` (in the body's frame, [m]). Throws InputError for a mesh
+// without triangles, and Cancelled.
 CollisionBody make_collision_body(std::string name, const TriangleMesh& mesh, bool is_solid,
                                   const RunContext& context = {});
 
-// True when a component of one body is inside the other, which must be solid. Says nothing about
-// surfaces that cross. `X_AB`: the pose of b's frame in a's.
+// True when a component of one body lies inside the other, solid one. Only meaningful where the
+// surfaces do not cross, which it does not check. `X_AB`: the pose of b's frame in a's.
 bool one_contains_other(const CollisionBody& a, const CollisionBody& b, const Pose& X_AB);
 
 // True when the surfaces cross or one body contains the other.

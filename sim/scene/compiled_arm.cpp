@@ -13,13 +13,14 @@
 namespace prehend {
 namespace {
 
-// How far beyond the distance that is asked for gaps are told apart: as a multiple of it, and at
-// least by so much [m]. Guards against rounding: any cap above the distance gives the same answers.
+// The cap of a gap query is this multiple of the distance asked for, plus kLeastCap [m]. It must be
+// above the distance, with room for rounding; a larger cap would give the same answers and take
+// longer.
 constexpr double kCapBeyond = 1.01;
 constexpr double kLeastCap = 1e-6;
 
-// What moves link `a` relative to link `b`, or to the base for no b: the joints that they do not
-// share.
+// Adds to `pair` the joints that move link `a` relative to link `b` (without b: relative to the
+// base). Joints on the common part of both paths move the links together and are left out.
 void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
   std::size_t shared = 0;
   if (b != nullptr) {
@@ -38,6 +39,7 @@ void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
   if (b != nullptr) add(*b);
 }
 
+// All pairs to check during motions of the arm, without those that are proven to stay apart.
 void find_pairs(CompiledArm& arm) {
   for (const LinkPair& links : separate_pairs(arm.links)) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
@@ -60,6 +62,7 @@ void find_pairs(CompiledArm& arm) {
   }
 }
 
+// Throws InputError for a start posture outside the limits or with a collision.
 void check_start(const Scene& scene, const CompiledArm& arm) {
   const Robot& robot = arm.robot();
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
@@ -135,6 +138,7 @@ GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vec
   const CompiledLink& link = arm.links[index(pair.link)];
   const Pose& X = X_BL[index(pair.link)];
   const auto [other, X_BF] = other_of(arm, pair, X_BL);
+  // The gap of the bounding balls is a lower bound of the gap and settles most queries.
   const double apart = (X * link.mesh.ball_center() - X_BF * other.mesh.ball_center()).norm();
   if (apart - link.mesh.ball_radius() - other.mesh.ball_radius() > distance) {
     return GapAnswer::larger;

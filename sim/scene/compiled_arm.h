@@ -1,5 +1,5 @@
-// The platform that carries the hand, made ready for motions: its bodies, and which pairs of them
-// have to be checked for collision.
+// The platform that carries the hand, prepared for motions: its collision bodies, and which pairs
+// of them have to be checked for collision.
 #pragma once
 
 #include <string>
@@ -16,12 +16,14 @@ namespace prehend {
 struct ArmPair {
   LinkId link = {};
   std::variant<LinkId, BodyId> other = LinkId{};
-  // Joints that move the one relative to the other, and by how much at most for a unit of each
-  // joint's motion: see CompiledLink.
+  // Joints that move one body relative to the other, and for each the farthest that a point moves
+  // per unit of the joint's motion (see CompiledLink).
   std::vector<int> joints = {};
   std::vector<double> reach = {};
 };
 
+// Immutable after compile_arm, shared by threads. W is the world, B the base of the platform, O the
+// object.
 struct CompiledArm {
   AssembledPlatform platform;  // all robots as one, the hand among them
   int hand = 0;                // index of the hand in platform.parts
@@ -41,7 +43,7 @@ struct CompiledArm {
   const PlatformPart& hand_part() const { return platform.parts[static_cast<std::size_t>(hand)]; }
   bool is_hand_link(LinkId link) const;
   const PlacedBody& body(BodyId id) const { return bodies[index(id)]; }
-  int hand_link_count = 0;
+  int hand_link_count = 0;  // links of the hand, from hand_part().first_link on
 };
 
 // `bodies`: the object and the obstacles in frame B. Throws InputError when the start posture
@@ -52,13 +54,14 @@ CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies);
 std::vector<double> arm_joints(const CompiledArm& arm, const std::vector<double>& dofs,
                                const std::vector<double>& hand_joints);
 
-// Poses of all links in B.
+// Poses of all links of the platform in B, for one value per joint [rad or m].
 void arm_link_poses(const CompiledArm& arm, const std::vector<double>& joints,
                     std::vector<Pose>& X_BL);
 
-// Whether the gap between the bodies of a pair is larger than `distance` [m]. The query is cheap
-// and may leave a gap up to `relative_error` larger not_proven; `meets` where the surfaces touch or
-// cross.
+// Whether the gap between the bodies of a pair is larger than `distance` [m], with the links at
+// X_BL (arm_link_poses). `larger` is proven. `meets`: the surfaces touch or cross. `not_proven`:
+// the gap is not larger, or larger by no more than the query's `relative_error`, which makes it
+// cheap.
 enum class GapAnswer { larger, not_proven, meets };
 GapAnswer gap_beyond(const CompiledArm& arm, const ArmPair& pair, const std::vector<Pose>& X_BL,
                      double distance, double relative_error);

@@ -10,27 +10,33 @@
 namespace prehend {
 namespace {
 
-// Most that a slide adds to a distance from the joint frame's origin.
+// Most that the travel of a prismatic joint adds to a distance from the joint frame's origin [m].
 double slide_of(const Joint& joint) {
   if (joint.type == JointType::revolute) return 0.0;
   return std::max(std::abs(joint.lower), std::abs(joint.upper));
 }
 
-// How far a point of the joint frame is away from the joint's axis.
+// Distance of `p`, given in the joint frame, from the joint's axis [m]. The common axis z has its
+// own formula because it rounds less.
 double from_axis_of(const Joint& joint, const Vector3& p) {
   if (joint.axis == Vector3::UnitZ()) return std::hypot(p.x(), p.y());
   return joint.axis.cross(p).norm();
 }
 
-// For each joint of the path, the most that a point of the link can be away from its axis in any
-// posture inside the limits. From the link towards the base, each joint turns what lies beyond it
-// about its axis, which keeps distances from the axis and from the joint frame's origin; so both
-// are taken at joint value 0, and a slide adds its travel to the latter. The next joint towards the
-// base sees all points beyond within that distance of the joint frame's origin.
+// For each joint of the path (base to tip), a bound on how far a point of the link can be from the
+// joint's axis in any posture inside the limits [m]; 1 for a prismatic joint, which moves all
+// points as far as itself.
+//
+// The bounds are found from the tip towards the base. For the last joint, the distances of the
+// link's vertices from the axis and from the joint frame's origin are exact: its own turn changes
+// neither, so that they can be taken at joint value 0. (The slide of a prismatic joint changes the
+// latter, and is added.) For the joint before it, all points of the link lie in a ball around the
+// last joint's origin with that radius, whatever the posture. So they are at most as far from an
+// axis as the ball's centre is, plus the radius, and so on towards the base.
 std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
                             const TriangleMesh& mesh) {
   std::vector<double> reach(path.size());
-  double from_frame = 0.0;  // of any point, from the origin of the joint frame
+  double from_frame = 0.0;  // radius of the ball around the origin of the present joint frame [m]
   for (std::size_t k = path.size(); k-- > 0;) {
     const Joint& joint = robot.joints[index(path[k])];
     const Pose X_JA = across(joint, 0.0);
@@ -71,7 +77,8 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
           std::move(reach)};
 }
 
-// True when joints, and nothing else, lie between link `a` and the link `b` further out.
+// True when link `b` is further out than `a` on the same path: the joints that move `a` are the
+// first of those that move `b`.
 bool is_before(const CompiledLink& a, const CompiledLink& b) {
   return a.joints.size() < b.joints.size() &&
          std::equal(a.joints.begin(), a.joints.end(), b.joints.begin());
@@ -87,6 +94,8 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) 
 }
 
 std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links) {
+  // Neighbours: one link carries the other with no third link between them, though there may be
+  // several joints (a universal joint has no links of its own).
   const auto neighbours = [&](const CompiledLink& a, const CompiledLink& b) {
     const auto between = [&](const CompiledLink& c) { return is_before(a, c) && is_before(c, b); };
     return is_before(a, b) && std::none_of(links.begin(), links.end(), between);

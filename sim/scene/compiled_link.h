@@ -1,5 +1,5 @@
-// The links of a robot made ready for motions: bodies, bounds of how far they move, pairs that can
-// collide.
+// The links of a robot prepared for collision checks during motions: collision bodies, bounds on
+// how far their points move, and the pairs checked for self-collision.
 #pragma once
 
 #include <string>
@@ -11,13 +11,14 @@
 
 namespace prehend {
 
-// A link with its surface against the object and what bounds its motion.
+// A link with its contact properties against the object and a bound on its motion: when its joints
+// move by d_k, no point of it moves farther than the sum of reach[k] * |d_k|.
 struct CompiledLink : CollisionBody {
   double friction = 0.0;         // coefficient of friction against the object
-  double compliant_depth = 0.0;  // by which its surface gives way to the object, 0: hard [m]
+  double compliant_depth = 0.0;  // indentation of its surface by the object, 0: hard [m]
   // Joints between the robot's base and the link, base to tip (none for a link of the base), and
-  // for each the farthest that a point of the link moves for a unit of the joint's motion: the
-  // largest distance from the axis in metres for a revolute joint, 1 for a prismatic one.
+  // for each the farthest that a point of the link moves per unit of the joint's motion: for a
+  // revolute joint the largest distance of any point from the axis [m], for a prismatic one 1.
   std::vector<int> joints = {};
   std::vector<double> reach = {};
 };

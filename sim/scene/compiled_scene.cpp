@@ -11,6 +11,8 @@
 namespace prehend {
 namespace {
 
+// The gap of each self pair at a preshape [m], a lower bound that saves the closing hand queries.
+// Throws InputError where links collide.
 std::vector<double> gaps_at(const CompiledScene& scene, const Preshape& preshape) {
   const Robot& hand = scene.scene.hand;
   std::vector<Pose> X_HL;

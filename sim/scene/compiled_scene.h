@@ -1,5 +1,5 @@
-// A scene made ready for trials: collision bodies, bounds of motion, friction, pairs checked for
-// self-collision. Immutable, shared by threads.
+// A scene prepared for trials: collision bodies, bounds on motions, friction, and the pairs checked
+// for self-collision.
 #pragma once
 
 #include <optional>
@@ -13,6 +13,7 @@
 
 namespace prehend {
 
+// Immutable after compile, shared by threads.
 struct CompiledScene {
   Scene scene;
   // The object, at the identity, then the obstacles as in scene.obstacles; in the object's frame O.
@@ -29,12 +30,15 @@ struct CompiledScene {
   std::span<const PlacedBody> obstacles() const { return std::span(bodies).subspan(1); }
   bool has_obstacles() const { return bodies.size() > 1; }
   const PlacedBody& body(BodyId id) const { return bodies[index(id)]; }
-  // A pose given in the object's frame, seen from the frame of the body.
+  // X_BX in the frame B of the body, of a pose X_OX given in the object's frame.
   Pose pose_in(BodyId id, const Pose& X_OX) const {
     return id.is_object() ? X_OX : body(id).X_RB.inverse() * X_OX;
   }
 };
 
+// Prepares a scene for trials: builds the search trees of all meshes, finds the pairs to check for
+// self-collision and, with an arm, those that can never collide.
+//
 // Throws InputError when the robot is not a hand, has an unknown material or an empty link, a
 // preshape in which links collide, the object has no extent or overlaps an obstacle, or the arm's
 // start posture collides or is outside limits.

@@ -1,4 +1,4 @@
-// Which link, which body: indices that cannot be taken for one another.
+// Typed indices of links and bodies, which the compiler keeps apart.
 #pragma once
 
 #include <cassert>

@@ -10,6 +10,7 @@ namespace prehend {
 // field.
 Primitive read_primitive(const JsonField& field);
 
+// The fields that read_primitive reads.
 nlohmann::ordered_json primitive_to_json(const Primitive& primitive);
 
 }  // namespace prehend

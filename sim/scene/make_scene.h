@@ -7,9 +7,9 @@
 
 namespace prehend {
 
-// `object` (make_graspable in scene.h) to be grasped by a hand that flies free: a name of the
-// library
-// ("franka_hand") or a robot file. Throws InputError that lists the names when it is neither.
+// A scene in which `object` (make_graspable in scene.h) is grasped by a hand that no arm carries.
+// `hand` is a name of the library ("franka_hand") or a robot file. Throws InputError that lists the
+// names when it is neither.
 Scene make_scene(GraspableBody object, const std::string& hand);
 
 // Puts a body into the scene that does not move: it stands in the way, and can be touched. `mesh`

@@ -1,4 +1,4 @@
-// Friction between materials, and how far they give way.
+// Friction between materials, and how far they yield to pressure.
 #pragma once
 
 #include <array>

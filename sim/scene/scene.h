@@ -26,14 +26,14 @@ struct GeneratedSource {
   int triangles = 0;
 };
 
-// A surface made of shapes that the scene file spells out. They are kept in the file's own words:
-// nothing but the writer of scene files looks at them again.
+// A surface made of shapes listed in the scene file. The list is kept as its JSON text, because
+// only the writer of scene files needs it again.
 struct WrittenShapesSource {
   std::string geometry;  // the list in the field "geometry"
 };
 
-// Where a body's surface comes from, so that a scene file can say it again in few words; nothing:
-// made by a program, and written triangle by triangle.
+// Where a body's surface comes from, so that a scene file can name the source instead of listing
+// the triangles. std::monostate: the mesh was made by a program and its triangles are written.
 using ShapeSource =
     std::variant<std::monostate, MeshFileSource, GeneratedSource, WrittenShapesSource>;
 
@@ -68,6 +68,7 @@ struct Carrier {
   std::vector<double> start;  // of each degree of freedom of the assembled platform [rad or m]
 };
 
+// What to grasp, with what, and among what.
 struct Scene {
   std::string name;
   GraspableBody object;
@@ -80,7 +81,7 @@ struct Scene {
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
 };
 
-// The mass of an object whose scene does not say: a household object, not a block of solid matter.
+// The mass of an object whose scene states none [kg]: that of a household object.
 inline constexpr double kDefaultObjectMass = 0.3;
 
 // A body at the identity with the mesh's centre of mass and inertia at `mass` kg (> 0).

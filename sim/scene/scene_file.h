@@ -9,6 +9,7 @@
 
 namespace prehend {
 
+// What load_scene takes beside the file.
 struct SceneSource {
   // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it
   // says.

@@ -11,6 +11,7 @@ namespace prehend {
 // name ("mug"). Throws InputError that lists the names when it is neither.
 std::filesystem::path find_scene(const std::string& name_or_file);
 
+// Names of the scenes that come with prehend.
 std::vector<std::string> library_scene_names();
 
 // What a grasp file calls a scene: its name if it is the library's, else its absolute path. Throws

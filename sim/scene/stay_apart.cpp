@@ -8,11 +8,17 @@
 namespace prehend {
 namespace {
 
-// Limits to the length of a proof. They cost time only, never a collision: a pair that is not
-// proven to stay apart is tested as it moves.
-constexpr std::size_t kMostJoints = 4;  // with more of them the boxes get too many
-constexpr int kMostQueries = 300;
-constexpr double kGapError = 0.5;  // of a query, see gap_beyond
+// The proof is a branch and bound over boxes of postures. In the middle of a box the bodies have
+// some gap. From there to any posture in the box no point moves farther than the sum over the
+// joints of reach times half the joint's range. If the gap is larger, the bodies are apart in the
+// whole box; if not, the box is halved along the joint that contributes most, and both halves are
+// proven.
+
+// Limits to the length of a proof. Giving up is always safe: a pair that is not proven to stay
+// apart is checked for collision during motions.
+constexpr std::size_t kMostJoints = 4;  // the number of boxes grows exponentially with the joints
+constexpr int kMostQueries = 300;       // gap queries, one for each box
+constexpr double kGapError = 0.5;       // relative error of a gap query, see gap_beyond
 
 struct Range {
   double lower = 0.0;
@@ -28,9 +34,10 @@ class Proof {
     joints_ = joint_values(arm.robot(), arm.start);
   }
 
+  // Whether the bodies are proven apart in the whole box.
   bool succeeds(const PostureBox& box) {
     if (++queries_ > kMostQueries) return false;
-    double farthest = 0.0;  // any point from where it is in the middle
+    double farthest = 0.0;  // bound on how far a point is from where it is in the middle [m]
     std::size_t widest = 0;
     double widest_motion = -1.0;
     for (std::size_t k = 0; k < box.size(); ++k) {
@@ -45,6 +52,8 @@ class Proof {
     arm_link_poses(arm_, joints_, X_BL_);
     const GapAnswer gap = gap_beyond(arm_, pair_, X_BL_, farthest, kGapError);
     if (gap == GapAnswer::larger) return true;
+    // Bodies that meet in the middle make the proof impossible; without joints there is nothing to
+    // halve.
     if (gap == GapAnswer::meets || box.empty()) return false;
     PostureBox low = box;
     PostureBox high = box;
@@ -70,7 +79,8 @@ bool stay_apart(const CompiledArm& arm, const ArmPair& pair) {
     box.push_back({joint.lower, joint.upper});
   }
   if (!Proof(arm, pair).succeeds(box)) return false;
-  // Surfaces that never meet: if one body holds the other, it does so in every posture.
+  // The proof is about surfaces and holds for a body inside another too. Since the surfaces meet in
+  // no posture, one body contains the other in every posture or in none: one test tells which.
   std::vector<Pose> X_BL;
   arm_link_poses(arm, joint_values(arm.robot(), arm.start), X_BL);
   return !pair_meets(arm, pair, X_BL);

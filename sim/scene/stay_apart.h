@@ -1,4 +1,4 @@
-// Pairs of bodies of an arm that cannot collide in any posture, so that they need no check.
+// Finds pairs of bodies that cannot collide in any posture of the arm and so need no check.
 #pragma once
 
 #include "sim/scene/compiled_arm.h"

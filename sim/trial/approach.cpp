@@ -8,12 +8,12 @@
 namespace prehend {
 namespace {
 
-// One link against the object or an obstacle.
+// One link against the object or an obstacle. Travels in metres along the approach.
 struct Pairing {
   LinkId link;
   BodyId body;
   GapTracker tracker;
-  double asked_at = 0.0;
+  double asked_at = 0.0;    // travel at the last gap query
   double safe_until = 0.0;  // proven free of contact up to this travel
 };
 
@@ -43,8 +43,8 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   result.object_clearance.assign(scene.links.size(), 0.0);
   std::vector<Pairing> all = pairings(scene, options);
   for (const Pairing& pairing : all) {
-    // Surfaces that cross have a gap of 0, which the loop below finds. It does not find a body
-    // inside another, whose surfaces have a gap.
+    // The loop below finds surfaces that cross, because their gap is 0. It would miss a link wholly
+    // inside a body or around it: there the surfaces have a gap, and the hand seems free to move.
     const Pose X_OL = motion.at(0.0) * X_HL[index(pairing.link)];
     if (one_contains_other(scene.body(pairing.body), scene.links[index(pairing.link)],
                            scene.pose_in(pairing.body, X_OL))) {
@@ -56,8 +56,12 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   const auto earlier = [](const Pairing& a, const Pairing& b) {
     return a.safe_until < b.safe_until;
   };
-  // Conservative advancement: the pairing whose proof of freedom ends first is asked for its gap
-  // where that proof ends, and is then free for as much longer as the gap is wide.
+  // Conservative advancement. The hand only translates, so no gap shrinks by more than the hand
+  // travels, and a pair with a gap g at travel s is free of contact up to s + g. Each pair keeps
+  // how far it is proven free. The pair whose proof ends first is queried there, which extends its
+  // proof or finds the contact. Pairs that are far apart are thus queried rarely, near ones often,
+  // and the first contact found is the first along the way. Every pair is queried at least once,
+  // also when the distance is 0.
   while (true) {
     context.cancellation.check();
     Pairing& next = *std::min_element(all.begin(), all.end(), earlier);
@@ -67,11 +71,17 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
     }
     const double travel = std::min(next.safe_until, motion.distance);
     const Pose X_TL = scene.pose_in(next.body, motion.at(travel) * X_HL[index(next.link)]);
+    // A gap beyond the rest of the way need not be known more exactly. The threshold, which is
+    // above closed_gap(), keeps a gap at the very end of the way distinguishable from a contact.
     const double left = motion.distance - travel + options.contact.threshold;
     const Gap gap = next.tracker.query(X_TL, travel - next.asked_at, left);
     next.asked_at = travel;
     const bool first = next.tracker.queries() == 1;
+    // A pair that slides along a narrow gap would take very many short steps: after too many
+    // queries it counts as a contact.
     if (gap.upper <= options.closed_gap() || next.tracker.queries() > options.max_gap_queries) {
+      // A hand that starts near a body but apart from it touches it; only an overlap is an error of
+      // the start.
       const bool free = gap.lower > 0.0;
       result.end = first && !free          ? ApproachEnd::starts_in_collision
                    : next.body.is_object() ? ApproachEnd::touched_object
@@ -83,6 +93,8 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
     }
     next.safe_until = travel + safe_step(gap, options);
   }
+  // What is left of each proof bounds the gap at the end from below, which saves the closing hand
+  // its first queries.
   for (const Pairing& pairing : all) {
     if (pairing.body.is_object()) {
       result.object_clearance[index(pairing.link)] =

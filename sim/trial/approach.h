@@ -1,4 +1,4 @@
-// Moving the hand straight along its approach until something is touched.
+// The straight motion of the hand along its approach direction until it touches something.
 #pragma once
 
 #include <optional>
@@ -11,33 +11,36 @@
 
 namespace prehend {
 
-// The hand's pose in the object's frame at travel s is X_OH_end moved back along `approach_O` by
-// (distance - s).
+// A translation of the hand in the object's frame O. After the travel s [m] the hand is at X_OH_end
+// moved back along `approach_O` by (distance - s).
 struct ApproachMotion {
-  Pose X_OH_end = Pose::Identity();
-  Vector3 approach_O = Vector3::UnitZ();  // unit
+  Pose X_OH_end = Pose::Identity();       // of the hand's base at travel = distance
+  Vector3 approach_O = Vector3::UnitZ();  // direction of the motion, unit
   double distance = 0.0;                  // >= 0 [m]
 
-  Pose at(double travel) const;
+  Pose at(double travel) const;  // X_OH after `travel` in [0, distance] [m]
 };
 
+// Why the approach ended.
 enum class ApproachEnd {
-  stand_off,  // the hand went the whole distance and touched nothing
-  touched_object,
-  touched_obstacle,
-  starts_in_collision,
+  stand_off,            // the hand moved the whole distance and touched nothing
+  touched_object,       // a link is within contact_gap of the object
+  touched_obstacle,     // a link is within contact_gap of an obstacle
+  starts_in_collision,  // a link overlaps a body already at travel 0
 };
 
 struct ApproachResult {
   ApproachEnd end = ApproachEnd::stand_off;
-  double travel = 0.0;               // [m]
-  std::optional<HandContact> touch;  // what ended it; nothing for stand_off
-  // Per link, a lower bound of its gap to the object at the end [m].
+  double travel = 0.0;               // how far the hand moved, in [0, distance] [m]
+  std::optional<HandContact> touch;  // the link and body that ended it; nothing for stand_off
+  // Per link of the hand, a lower bound of its gap to the object at the end [m].
   std::vector<double> object_clearance;
 };
 
-// Joint values stay at `joints`. The hand ends within contact_gap of what it touches and penetrates
-// nothing: no step is longer than the smallest gap (conservative advancement, Mirtich 1996).
+// Moves the hand along `motion` until a link touches the object or an obstacle. Its joints stay at
+// `joints` [rad or m]. The hand ends with a gap of contact_gap (at most 10 % more) to what it
+// touches and penetrates nothing, because no step is longer than the smallest gap (conservative
+// advancement: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996).
 // Throws Cancelled.
 ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,
                         const ApproachMotion& motion, const TrialOptions& options,

@@ -11,9 +11,18 @@
 namespace prehend {
 namespace {
 
+// Closing is event-driven conservative advancement over the closing time t [s], in which every
+// degree of freedom moves at its constant closing velocity. For each pair of a moving link and
+// anything it may touch, the speed at which the pair's gap can shrink is bounded by the joint
+// velocities times the link's reach from each joint axis. So a gap g proves the pair free of
+// contact for g / speed more seconds. The pair whose proof ends first is queried there, until all
+// proofs outlast the motion. A contact stops joints, which only lowers speeds and keeps all proofs
+// valid.
+
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Joint motion over the closing time t: joint j is at start + velocity * min(t, until).
+// Joint motion over the closing time t [s]: joint j is at start + velocity * min(t, until), where
+// `until` is the time at which it reaches its limit or was stopped by contact.
 class ClosingMotion {
  public:
   ClosingMotion(const Robot& hand, const ClosingStart& start)
@@ -36,7 +45,8 @@ class ClosingMotion {
     return velocity_[index(joint)] != 0.0 && t < until_[index(joint)];
   }
 
-  // Bound on the speed of any point of the link relative to the palm from time t on.
+  // Bound on the speed of any point of the link relative to the palm from time t on [m/s]: the sum
+  // over the moving joints before it of |velocity| * (farthest point from the joint's axis).
   double speed(const CompiledLink& link, double t) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < link.joints.size(); ++k) {
@@ -46,8 +56,9 @@ class ClosingMotion {
     return sum;
   }
 
-  // Stops all joints between the palm and the link: none of them could move without pressing the
-  // link into what it touches.
+  // Stops all joints between the palm and the link, since each of them would press the link into
+  // what it touches. A rigid degree of freedom then cannot move at all: its other joints, which may
+  // belong to other fingers, stop too.
   void stop_before(const CompiledLink& link, double t) {
     for (int joint : link.joints) {
       if (!moves(joint, t)) continue;
@@ -60,6 +71,7 @@ class ClosingMotion {
     }
   }
 
+  // When the last joint comes to rest.
   double end() const {
     return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end());
   }
@@ -71,7 +83,8 @@ class ClosingMotion {
     }
   }
 
-  // How far each degree of freedom went: as far as the joint of its that went farthest.
+  // The value of each degree of freedom at the end: that of its joint that moved longest, because
+  // the drive moves on as long as any of its joints does (breakaway).
   std::vector<double> dofs_at_end(std::vector<double> dofs) const {
     for (std::size_t d = 0; d < dofs.size(); ++d) {
       double longest = 0.0;
@@ -94,7 +107,8 @@ class ClosingMotion {
     by_contact_[index(joint)] = true;
     const int dof = hand_.joints[index(joint)].dof;
     if (hand_.dofs[index(dof)].coupling != Coupling::self_centering) return;
-    // Centering shares the travel out evenly: what one finger leaves, the other may use.
+    // Centring (center_hand) sets both joints to their mean. So the other finger may pass its limit
+    // by what this one leaves unused, and the mean is still inside the limits.
     for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
       if (hand_.joints[other].dof == dof && !by_contact_[other]) until_[other] += unused;
     }
@@ -112,9 +126,9 @@ struct Pairing {
   LinkId link;
   std::variant<LinkId, BodyId> other;
   GapTracker tracker;
-  double asked_at = 0.0;
-  double speed_when_asked = 0.0;
-  double safe_until = 0.0;
+  double asked_at = 0.0;          // time of the last gap query [s]
+  double speed_when_asked = 0.0;  // bound on how fast the gap can shrink from then on [m/s]
+  double safe_until = 0.0;        // proven free of contact up to this time [s]
 };
 
 class Closing {
@@ -148,6 +162,8 @@ class Closing {
   }
 
  private:
+  // Every pair that the closing motion can bring together. Links that do not move are left out:
+  // they touch nothing that they did not touch before.
   void add_pairings() {
     for (std::size_t l = 0; l < scene_.links.size(); ++l) {
       const CompiledLink& link = scene_.links[l];
@@ -193,17 +209,20 @@ class Closing {
     return scene_.pose_in(std::get<BodyId>(pairing.other), start_.X_OH * X_HL);
   }
 
-  // Asks for the gap where the last proof of freedom ends, and either stops the joints there or
-  // extends the proof by as long as the gap takes to close at the present speed. Joints only ever
-  // stop, so no bound on the speed grows later.
+  // Queries the gap where the last proof ends. A contact stops the joints of both links; otherwise
+  // the proof is extended by the time in which the gap could close at the present bound on the
+  // speed. Joints stop and never start, so that the bound stays valid.
   void advance(Pairing& pairing) {
     const double t = pairing.safe_until;
     const double speed_now = speed(pairing, t);
+    // All joints of the pair have stopped since the last query: nothing can close the gap.
     if (speed_now == 0.0) {
       pairing.safe_until = kNever;
       return;
     }
     const double moved = (t - pairing.asked_at) * pairing.speed_when_asked;
+    // As in approach(): a gap beyond the motion that is left need not be known exactly, and the
+    // threshold keeps a gap at the end of the motion distinguishable from a contact.
     const double left = speed_now * (motion_.end() - t) + options_.contact.threshold;
     const Gap gap = pairing.tracker.query(relative_pose(pairing, t), moved, left);
     pairing.asked_at = t;

@@ -1,4 +1,5 @@
-// Auto-grasp: every degree of freedom closes until a link that it moves touches something.
+// Auto-grasp: closes a hand at rest until each degree of freedom is stopped by contact or by its
+// limit.
 #pragma once
 
 #include <vector>
@@ -9,32 +10,39 @@
 
 namespace prehend {
 
+// Where the hand has closed.
 struct ClosedHand {
-  std::vector<double> dofs;  // final values, per degree of freedom
-  // Final values per joint. Where a finger was stopped at one joint and went on at another
-  // (breakaway), they are not ratio * dof + offset.
+  std::vector<double> dofs;  // final values, per degree of freedom [rad or m]
+  // Final values per joint [rad or m]. They differ from ratio * dof + offset where contact stopped
+  // one joint of a degree of freedom while another moved on (breakaway, self-centering).
   std::vector<double> joints;
   std::vector<bool> stopped_by_contact;  // per joint
-  int gap_queries = 0;
+  int gap_queries = 0;                   // gap queries that closing took, of all pairs together
 };
 
+// Where the hand is when it starts to close.
 struct ClosingStart {
   Pose X_OH = Pose::Identity();
-  std::vector<double> dofs;
-  // Per joint, where joints do not follow their degree of freedom (see ClosedHand). Empty: each is
-  // ratio * dof + offset.
+  std::vector<double> dofs;  // per degree of freedom [rad or m]
+  // Per joint [rad or m], where joints do not follow their degree of freedom (see ClosedHand).
+  // Empty: each is ratio * dof + offset.
   std::vector<double> joints;
-  std::vector<double> object_clearance;  // per link, a lower bound of its gap to the object [m]
-  std::vector<double> self_clearance;    // per self pair of the scene; empty: not known [m]
+  // Known lower bounds of gaps save the first queries. Per link, of its gap to the object, and per
+  // entry of CompiledScene::self_pairs, of the gap between its links; empty: not known [m].
+  std::vector<double> object_clearance;
+  std::vector<double> self_clearance;
 };
 
-// All degrees of freedom with a closing velocity move at it, together. When a link touches the
-// object, an obstacle or another link (gap <= contact_gap, never a penetration), every joint before
-// it stops; a rigid degree of freedom then stops whole, others go on with the joints that are left.
-// A degree of freedom ends at its limit in the direction of closing; of two self-centering fingers
-// one may go beyond it by as much as the other was stopped before it (center_hand brings both back
-// inside). The hand's base stays where it is. Source: Miller and Allen 2004, "Robots" (auto-grasp,
-// breakaway). Throws Cancelled.
+// All degrees of freedom with a closing velocity move at once, each at its own velocity. When a
+// link comes within contact_gap of the object, an obstacle or another link (it never penetrates),
+// every joint between the hand's base and that link stops. If such a joint belongs to a rigid
+// degree of freedom, all joints of that degree of freedom stop; with the other couplings its
+// remaining joints move on (see Coupling).
+//
+// A degree of freedom ends at its limit in the closing direction. Of two self-centering fingers one
+// may pass its limit by as much as the other was stopped short of it; center_hand brings both back
+// inside. The hand's base does not move. Source: Miller and Allen 2004, "GraspIt!", section
+// "Robots" (auto-grasp, breakaway). Throws Cancelled.
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
                       const TrialOptions& options, const RunContext& context = {});
 

@@ -10,7 +10,7 @@ namespace prehend {
 Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
   ++queries_;
   if (near_bound_ > 0.0) {
-    // Pairs that are not listed were at least near_bound_ apart, and came nearer by at most
+    // Pairs that are not listed were at least near_bound_ apart, and came closer by at most
     // `moved`.
     near_bound_ -= moved;
     Gap gap = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);
@@ -38,9 +38,12 @@ double GapTracker::part_separation(const Pose& X_AB) {
 }
 
 Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
-  // Convex parts that hold the surfaces are quick to separate. Once they overlap their distance
-  // says nothing any more, and bodies that close on each other stay that near.
+  // The distance of the convex parts that enclose the surfaces is quick to find (separation). Once
+  // they overlap it no longer bounds the gap, and bodies that approach each other will not come
+  // apart again: the test is then dropped for the rest of the motion.
   if (!parts_meet_) {
+    // Far away, the distance of the parts is answer enough. It is only a lower bound: the surfaces
+    // lie somewhere inside the parts, so that nothing is known of the upper bound.
     const double apart = part_separation(X_AB);
     if (apart > std::min(options_->near, motion_left)) {
       return {apart, std::numeric_limits<double>::infinity(), {}};
@@ -52,8 +55,9 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
                {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
   if (gap.upper > options_->near || gap.upper == 0.0) return gap;
-  // Near contact, list the pairs that can still matter, so that the next queries need not walk the
-  // trees, and take the exact gap from them.
+  // Near contact, list the triangle pairs within a somewhat larger distance than the gap, and take
+  // the exact gap from them. Until the bodies have moved by the difference, the closest pair is in
+  // the list, and queries need not search the trees.
   const double bound = std::max(options_->reach * gap.upper, gap.upper + options_->least_reach);
   find_pairs_within(*a_, *b_, X_AB, bound, near_pairs_);
   const Gap exact = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);

@@ -1,4 +1,4 @@
-// The gap between two bodies while one of them moves, asked again and again at little cost.
+// Repeated queries of the gap between two moving bodies, which reuse what earlier queries found.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,18 @@
 
 namespace prehend {
 
-// How far bodies with this gap may still move: what is beyond contact_gap; where the bound is loose
-// and promises next to nothing, a part of it, so that the next query is nearer to the truth.
+// How far the bodies may move towards each other after a query gave `gap`, without their gap
+// falling below contact_gap [m]. Where the lower bound is too loose to allow such a step but the
+// upper bound does not show contact, they move by a quarter of the lower bound: that is safe too,
+// and the next query may find a tighter bound.
 inline double safe_step(const Gap& gap, const TrialOptions& options) {
   return gap.lower > options.closed_gap() ? gap.lower - options.contact_gap : 0.25 * gap.lower;
 }
 
-// Far away the distance of the convex parts does, closer a loose query of the meshes; close by, the
-// triangle pairs that can still meet are listed once and only they are looked at until the bodies
-// have moved on.
+// Answers a query at one of three costs, by the size of the gap. Large gaps: the distance between
+// the convex parts that enclose the two surfaces. Medium gaps: an approximate search of the
+// bounding-volume trees of the meshes. Small gaps: the exact distance of the triangle pairs that
+// are near each other, listed once and reused until the bodies have moved too far for the list.
 class GapTracker {
  public:
   // Both meshes and the options must outlive the tracker.
@@ -26,9 +29,10 @@ class GapTracker {
         options_(&options),
         directions_(a.parts().size() * b.parts().size(), Vector3::Zero()) {}
 
-  // A proven lower bound and an upper bound of the gap at X_AB. `moved` bounds how far any point of
-  // one body moved relative to the other since the last query, `motion_left` how far it still can:
-  // gaps beyond that come back as at least that.
+  // A proven lower bound and an upper bound of the gap [m] with B at X_AB in A's frame. `moved`
+  // [m] bounds how far any point of one body moved relative to the other since the last query,
+  // `motion_left` [m] how far it may still move. Of a gap larger than `motion_left` only that is
+  // found out: its lower bound is at least `motion_left`.
   Gap query(const Pose& X_AB, double moved, double motion_left);
 
   int queries() const { return queries_; }
@@ -40,11 +44,14 @@ class GapTracker {
   const ProximityMesh* a_;
   const ProximityMesh* b_;
   const GapTrackerOptions* options_;
-  std::vector<Vector3> directions_;  // per pair of convex parts, what separated them last
-  bool parts_meet_ = false;          // the parts have met: their distance has no more to say
-  std::vector<TrianglePair> near_pairs_;
-  double near_bound_ = 0.0;  // pairs not listed are at least this far apart; 0: nothing is listed
-  TrianglePair last_pair_;
+  // Per pair of convex parts, the direction that separated them last: a good start for the next
+  // query.
+  std::vector<Vector3> directions_;
+  bool parts_meet_ = false;  // convex parts have overlapped: their distance is no use any more
+  std::vector<TrianglePair> near_pairs_;  // triangle pairs listed as near
+  // Pairs that are not listed are at least this far apart [m]; 0: there is no list.
+  double near_bound_ = 0.0;
+  TrianglePair last_pair_;  // the closest pair found last, where the next search begins
   int queries_ = 0;
 };
 

@@ -8,6 +8,8 @@
 namespace prehend {
 namespace {
 
+// Sets contacts, quality and outcome of a hand that has closed. A lower bound of epsilon above 0
+// proves force closure.
 void judge(const CompiledScene& scene, const TrialOptions& options, Trial& trial) {
   trial.epsilon = {};
   trial.contacts.clear();

@@ -1,4 +1,4 @@
-// One closing of the hand and what it comes to.
+// Closes the hand once and judges the grasp that results.
 #pragma once
 
 #include "sim/trial/close_hand.h"
@@ -6,9 +6,10 @@
 
 namespace prehend {
 
-// Closes the hand from `start`, lets self-centering fingers center it, and judges the contacts:
-// sets everything of the trial except what belongs to its approach and the arm. A hand that
-// centering would push into something is hand_blocked. Throws Cancelled.
+// Closes the hand from `start`, centres it with self-centering fingers (center_hand), finds the
+// contacts and computes their quality. Sets the outcome, X_OH, dofs, joints, contacts, epsilon and
+// `blocked` of the trial; what belongs to its approach and to the arm stays. A hand that centring
+// pushes into the object or an obstacle is hand_blocked. Throws Cancelled.
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
               Trial& trial, const RunContext& context = {});
 

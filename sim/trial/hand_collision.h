@@ -1,4 +1,4 @@
-// Collisions of the hand with what does not belong to the robot.
+// Collisions of the hand with the object and the obstacles.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,9 @@ struct HandContact {
   BodyId body = BodyId::object();
 };
 
-// The first link, in the order of the hand, that overlaps the object or an obstacle with the hand's
-// base at X_OH and its joints at `joints`; nothing where the hand is free.
+// The first link, in the order of the hand's links, that overlaps the object or an obstacle with
+// the hand's base at X_OH and its joints at `joints` [rad or m]; nothing where no link does.
+// Collisions between links of the hand are not checked.
 std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
                                           const std::vector<double>& joints);
 

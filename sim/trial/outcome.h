@@ -1,4 +1,4 @@
-// How a trial ends.
+// Outcomes of a trial, their names in files and their meanings in words.
 #pragma once
 
 #include <array>
@@ -7,22 +7,25 @@
 namespace prehend {
 
 enum class Outcome {
-  stable,             // contacts in force closure
-  not_force_closure,  // contacts that some wrench breaks
-  no_contact,         // the hand closed on nothing
-  hand_blocked,      // the hand collides where it starts, or where its palm is pushed to at the end
-  approach_blocked,  // an obstacle stops the hand before it reaches the object
-  unreachable,       // no posture of the arm brings the hand there along the approach
-  arm_blocked,       // the arm collides in the posture that would, or on the line
-  no_path,  // the arm finds no way from its start to the pre-grasp; found out by the planner
+  stable,             // the contacts are in force closure
+  not_force_closure,  // there are contacts, but some wrench on the object breaks them
+  no_contact,         // the hand closed without touching the object
+  hand_blocked,       // the hand collides at the pre-grasp, or where centring pushes it
+  approach_blocked,   // an obstacle stops the hand before it touches the object
+  unreachable,        // inverse kinematics finds no posture of the arm along the whole approach
+  arm_blocked,        // such postures exist, but the arm collides in them
+  no_path,  // no collision-free path of the arm from its start to the pre-grasp was found;
+            // set by the planner, never by a trial
 };
 
+// All outcomes, in the order of the enumeration.
 inline constexpr std::array<Outcome, 8> kOutcomes = {
     Outcome::stable,           Outcome::not_force_closure,
     Outcome::no_contact,       Outcome::hand_blocked,
     Outcome::approach_blocked, Outcome::unreachable,
     Outcome::arm_blocked,      Outcome::no_path};
 
+// The name in files and tables: the same word as the enumerator.
 constexpr std::string_view outcome_name(Outcome outcome) {
   constexpr std::array<std::string_view, 8> kNames = {
       "stable",           "not_force_closure", "no_contact",  "hand_blocked",
@@ -30,7 +33,7 @@ constexpr std::string_view outcome_name(Outcome outcome) {
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
-// For a person who has not seen the word before.
+// What the outcome means, as a clause for reports.
 constexpr std::string_view outcome_meaning(Outcome outcome) {
   constexpr std::array<std::string_view, 8> kMeanings = {
       "the contacts can resist a disturbance in any direction",

@@ -32,7 +32,8 @@ bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed) {
     const std::size_t b = index(fingers.second);
     if (!closed.stopped_by_contact[a] && !closed.stopped_by_contact[b]) continue;
     const double mean = 0.5 * (closed.joints[a] + closed.joints[b]);
-    // Finger a stays put: what its joint gives up, the hand takes on.
+    // Both fingers stay where they are in the object's frame: the hand moves along the axis by what
+    // finger a's joint loses. Finger b slides the opposite way, so its joint gains as much.
     const Vector3 shift = (closed.joints[a] - mean) * opening_axis(hand, fingers, closed.joints);
     if (shift.isZero(0.0)) continue;
     X_OH = X_OH * translation(shift);

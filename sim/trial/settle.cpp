@@ -13,6 +13,7 @@
 namespace prehend {
 namespace {
 
+// The first self-centering degree of freedom of the hand, where it has one.
 std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   for (std::size_t d = 0; d < hand.dofs.size(); ++d) {
     if (hand.dofs[d].coupling == Coupling::self_centering) {
@@ -22,7 +23,7 @@ std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   return std::nullopt;
 }
 
-// The middle of what the links beyond a joint touch, in O.
+// Where a finger presses: the mean position of the contacts of all links beyond its joint, in O.
 std::optional<Vector3> touched_by(const CompiledScene& scene, const Trial& trial, int joint) {
   Vector3 sum = Vector3::Zero();
   int count = 0;
@@ -36,8 +37,10 @@ std::optional<Vector3> touched_by(const CompiledScene& scene, const Trial& trial
   return sum / count;
 }
 
-// How the squeeze of the two fingers turns the object: forces along the same line in opposite
-// senses, at points that are not on one line, are a couple.
+// The axis about which the two fingers turn the object. They press with opposite forces along the
+// opening axis, at points a and b. Unless a - b is parallel to that axis, the forces are a couple
+// of the moment (a - b) x axis per unit of force, whose length is the distance between their lines
+// of action.
 struct Couple {
   Vector3 middle_O;  // between the fingers
   Vector3 axis_O;    // unit
@@ -50,20 +53,22 @@ std::optional<Couple> couple_of(const CompiledScene& scene, const FingerPair& fi
   if (!a || !b) return std::nullopt;
   const Vector3 opening_O =
       trial.X_OH.linear() * opening_axis(scene.scene.hand, fingers, trial.joints);
+  // The force on the object at `a` is along -opening_O, so its couple is the negative of this one:
+  // the object turns the negative way in the hand, and the hand the positive way about the object.
   const Vector3 couple = (*a - *b).cross(opening_O);
   if (couple.norm() < options.least_arm) return std::nullopt;
   return Couple{0.5 * (*a + *b), couple.normalized()};
 }
 
-// The hand turned about the object, which is the same as the object turned the other way in the
-// hand.
+// The hand's pose after it turned about the object, which is the same relative motion as the object
+// turning the other way in the hand.
 Pose turned(const Couple& couple, double angle, const Pose& X_OH) {
   return translation(couple.middle_O) * Eigen::AngleAxisd(angle, couple.axis_O) *
          translation(-couple.middle_O) * X_OH;
 }
 
-// Where the hand closes from after a turn: with fingers a little open, so that they do not start in
-// the object.
+// Where the hand starts to close after a turn: with fingers a little open, because at their present
+// opening the turn would push them into the object.
 ClosingStart closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
                            const SettleOptions& options, const Trial& trial, const Pose& X_OH) {
   ClosingStart start;
@@ -75,15 +80,18 @@ ClosingStart closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers
   return start;
 }
 
-// Whether the fingers of `next` are closer together than those of `trial`.
+// Whether the fingers of `next` are closer together than those of `trial`. That is the criterion of
+// a turn that really happens: a squeezed object moves so that the fingers yield to their drive, and
+// a turn that pushes them apart would need work from outside.
 bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const SettleOptions& options,
                const Trial& trial, const Trial& next) {
   const double change = trial.joints[index(fingers.first)] - next.joints[index(fingers.first)];
   return (dof.closing_velocity < 0.0 ? change : -change) > options.least_gain;
 }
 
-// The hand turned by `angle` and closed again; nothing where it is not free to turn, or where the
-// squeeze does not turn it that far.
+// The trial after the hand has turned by `angle` and closed again; nothing where an obstacle is in
+// the way, the hand collides, a finger loses contact, or the fingers do not come closer (the object
+// would not turn that far).
 std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
                           const TrialOptions& options, const Trial& trial, double angle,
                           TurningRoom& room, const RunContext& context) {
@@ -93,7 +101,8 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
   const ClosingStart start =
       closing_start(dof, fingers, options.settle, trial, turned(*couple, angle, trial.X_OH));
   const std::vector<double> opened = joint_values(scene.scene.hand, start.dofs);
-  // Asked before the hand closes, which takes longer, and again when it is known how far it moved.
+  // The room is checked before the hand closes, which takes much longer, and again afterwards, when
+  // it is known how far the fingers and the hand have moved.
   HandTurn turn{couple->middle_O, angle, opened, opened};
   if (!room.allows(trial, turn)) return std::nullopt;
   if (hand_collision(scene, start.X_OH, opened)) return std::nullopt;
@@ -126,6 +135,7 @@ void settle(const CompiledScene& scene, const TrialOptions& options, Trial& tria
     if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, room, context)) {
       now = std::move(*next);
     } else {
+      // The angle stays halved: the object comes to rest with ever smaller turns.
       angle *= 0.5;
     }
   }

@@ -1,23 +1,25 @@
-// A free object turns between two fingers that squeeze it off its centre.
+// Settling: an object turns between two fingers whose forces do not act along one line, until it is
+// held.
 #pragma once
 
 #include "sim/trial/trial.h"
 
 namespace prehend {
 
-// Where a hand with two self-centering fingers touches with both but does not hold, its squeeze is
-// a couple that the grasp cannot resist: the object turns (here, the hand turns about it, which is
-// the same) and the fingers close after it, until they hold or come no closer. Quasi-static, in
-// steps of options.settle.angle, at most options.settle.steps of them; the fingers lose width in
-// every step. What does not come to hold stays as it was. Leaves other hands and outcomes alone.
+// Continues a trial whose outcome is not_force_closure, for a hand with two self-centering fingers
+// that both touch. Their forces are then a couple that friction does not resist, so the object
+// turns in the hand and the fingers close further. The simulation is quasi-static: it turns the
+// hand about the object (the same relative motion) in steps of options.settle.angle, at most
+// options.settle.steps of them, and closes the fingers after each. A step counts only if the
+// fingers come closer together or the grasp becomes stable; otherwise the angle is halved. A trial
+// that does not become stable in this way is left as it was, as are other hands and outcomes.
 //
-// Among obstacles it turns only as far as neither the object nor the hand can touch one of them
-// (see TurningRoom): a floor far below changes nothing, a table that the object stands on or a wall
-// beside it keeps it from turning.
+// Among obstacles, the turn must leave both the object and the hand clear of them (TurningRoom): a
+// floor far below has no effect, while a table that carries the object or a wall close to it
+// prevents the turn.
 //
-// In the hand of an arm nothing turns. The arm holds the hand still, so it would be the object that
-// leaves its pose in the world, while the arm's postures, its path and every picture are about the
-// object where the scene puts it; and what a carried hand reaches for usually stands on something.
+// In scenes with an arm nothing settles. The arm holds the hand still, so the object would have to
+// leave its pose in the world, to which the arm's postures and path refer.
 //
 // Throws Cancelled.
 void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,

@@ -20,7 +20,7 @@ std::vector<double> start_joints(const CompiledScene& scene, const Candidate& ca
   return candidate.joints.empty() ? joint_values(hand, candidate.dofs) : candidate.joints;
 }
 
-// Adds the time that it exists to `seconds`.
+// Adds the wall-clock time of its lifetime to `seconds`.
 class Timer {
  public:
   explicit Timer(double& seconds) : seconds_(seconds) {}
@@ -34,6 +34,9 @@ class Timer {
   Clock::time_point start_ = Clock::now();
 };
 
+// One trial, stage by stage, the cheap and often decisive ones first: a posture of the arm at the
+// pre-grasp, the approach of the hand, the arm along that approach, and last the closing of the
+// hand with contacts and quality.
 class TrialRun {
  public:
   TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
@@ -79,6 +82,8 @@ class TrialRun {
     // which takes longer.
     if (scene_.arm && !arm_follows(trial)) return trial;
     close_at(reached.travel, reached.object_clearance, trial);
+    // A hand that went as far as it could may close beyond the widest part of the object, or touch
+    // it with the palm only. Closing a little farther out often holds what the first try did not.
     for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable;
          ++back) {
       const double retreat = back * options_.back_off_step;
@@ -100,6 +105,7 @@ class TrialRun {
     return approach(scene_, start_joints_, motion_, options_, context_);
   }
 
+  // Whether the arm reaches the pre-grasp at all: rules many candidates out before any motion.
   bool has_posture_at_pre_grasp(Trial& trial) {
     const Timer timer(seconds_.reach);
     if (!postures_at(*scene_.arm, motion_.at(0.0), options_.reach, context_).empty()) return true;
@@ -110,6 +116,8 @@ class TrialRun {
     return false;
   }
 
+  // Moves the arm along the approach to the trial's X_OH; where it cannot, the trial ends with the
+  // arm's outcome and without contacts. Remembers for which line that was computed.
   bool arm_follows(Trial& trial) {
     const Timer timer(seconds_.reach);
     followed_travel_ = trial.travel;
@@ -126,9 +134,10 @@ class TrialRun {
     return false;
   }
 
-  // After the hand has closed, the line may be shorter by a back-off, or lie aside where
-  // self-centering fingers moved the hand: the arm has to reach that grasp too. A grasp that does
-  // not hold keeps its outcome, with the arm's postures left out where there are none.
+  // Checks the arm again if the grasp is not at the end of the approach that was checked: a
+  // back-off shortens the approach, and self-centering fingers move the hand sideways. A stable
+  // grasp that the arm cannot reach gets the arm's outcome. A grasp that does not hold keeps its
+  // own outcome; where the arm cannot reach it, it only has no postures.
   void follow_to_the_grasp(Trial& trial) {
     const bool same =
         trial.travel == followed_travel_ && trial.X_OH.matrix() == followed_X_OH_.matrix();

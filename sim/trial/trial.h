@@ -1,4 +1,5 @@
-// One candidate, from pre-grasp to quality: a pure function of scene, candidate and options.
+// A grasp trial: one candidate is carried out from the pre-grasp to the closed hand, and the
+// quality of the grasp is computed. A pure function of scene, candidate and options.
 #pragma once
 
 #include <optional>
@@ -15,39 +16,46 @@
 
 namespace prehend {
 
+// A grasp to try: where the hand goes, from which direction, and with which opening it starts.
 struct Candidate {
-  Pose X_OH = Pose::Identity();  // the hand's base where the approach ends if nothing is touched
-  Vector3 approach_O = Vector3::UnitZ();  // unit, object frame
-  double approach_distance = 0.0;         // from the pre-grasp to X_OH, 0: the hand is there [m]
-  std::optional<int> preshape;            // index into the hand's preshapes; none: `dofs`
-  std::vector<double> dofs;               // where the hand starts without a preshape
-  std::vector<double> joints;             // used with `dofs`; empty: as the dofs say
+  // Pose of the hand's base at the end of an approach that touches nothing.
+  Pose X_OH = Pose::Identity();
+  Vector3 approach_O = Vector3::UnitZ();  // direction in which the hand moves, unit, object frame
+  double approach_distance = 0.0;         // from the pre-grasp to X_OH; 0: no approach [m]
+  std::optional<int> preshape;            // index into Hand::preshapes; none: `dofs` is used
+  // Without a preshape, the start values of the hand's degrees of freedom [rad or m].
+  std::vector<double> dofs;
+  // With `dofs`, the start values of the joints [rad or m]; empty: joint_values of `dofs`.
+  std::vector<double> joints;
 };
 
-// A contact of the grasp; position and normal (into the object) in the object's frame.
+// A contact of the grasp. The position [m] and the unit normal (into the object) of `point` are in
+// the object's frame.
 struct GraspContact {
   LinkId link = {};
   Contact point;
   double gap = 0.0;  // between link and object [m]
 };
 
-// Where the time of a trial went [s]; 0 for a stage that the scene does not need.
+// Wall-clock time per stage of a trial [s]; 0 for a stage that did not run.
 struct TrialSeconds {
-  double reach = 0.0;
-  double approach = 0.0;
-  double close = 0.0;  // with contacts and quality
+  double reach = 0.0;     // inverse kinematics and collision checks of the arm
+  double approach = 0.0;  // straight motion of the hand to the object
+  double close = 0.0;     // closing, settling, contacts and quality
 };
 
+// The result of a trial. Where the trial ended early, the members of later stages are empty.
 struct Trial {
   Outcome outcome = Outcome::no_contact;
-  std::optional<HandContact> blocked;  // what met, for hand_blocked and approach_blocked
-  std::optional<ArmPair> arm_pair;     // what met, for arm_blocked
-  Pose X_OH = Pose::Identity();        // of the grasp
-  double travel = 0.0;                 // of the approach until the grasp [m]
-  int back_offs = 0;
-  double turned = 0.0;  // by this the object turned between the fingers, see settle.h [rad]
-  std::vector<double> dofs;
-  std::vector<double> joints;
+  // The colliding link and body, for hand_blocked and approach_blocked.
+  std::optional<HandContact> blocked;
+  std::optional<ArmPair> arm_pair;  // the colliding pair, for arm_blocked
+  Pose X_OH = Pose::Identity();     // of the hand's base in the grasp, or where the trial ended
+  double travel = 0.0;              // length of the approach from the pre-grasp to X_OH [m]
+  int back_offs = 0;                // how often the hand backed off before this grasp
+  double turned = 0.0;              // angle by which the object turned in the hand (settle.h) [rad]
+  std::vector<double> dofs;         // final values of the hand's degrees of freedom [rad or m]
+  std::vector<double> joints;       // final values of the hand's joints [rad or m]
   // With an arm that reached: its postures along the approach, from the pre-grasp to the grasp, the
   // hand at X_OH in the last one. Values of all degrees of freedom of the platform; those of the
   // hand are not used, it keeps its starting joints along the approach. Empty otherwise.
@@ -58,27 +66,36 @@ struct Trial {
   TrialSeconds seconds;  // the only part that is not the same in every run
 };
 
-// Names of the link that was blocked and of what blocked it; empty for other outcomes.
+// Names of the two bodies whose collision ended a trial; empty where none did.
 struct Blame {
-  std::string link;
-  std::string by;
+  std::string link;  // of the hand or the arm
+  std::string by;    // the object, an obstacle or another link
 };
 Blame blame(const CompiledScene& scene, const Trial& trial);
 
-// The straight motion of the hand from the pre-grasp to the grasp, its joints where the candidate
-// starts.
+// The straight motion of the hand from the pre-grasp to the grasp of `trial`, with the joint values
+// at which the candidate starts.
 HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial);
 
-// A scene with an arm also has it reach: see find_reach. Throws Cancelled.
+// Carries out `candidate`: the hand approaches until it touches the object, closes and is centred,
+// an object that is not held may settle (settle.h), and the contacts are judged by epsilon in the
+// L1 wrench space. A grasp that does not hold is tried again up to options.back_off_tries times
+// with the hand backed off along the approach; only a stable grasp replaces the first. In a scene
+// with an arm, the arm must also follow the approach without a collision (find_reach).
+//
+// `candidate` must fit the hand: a preshape in range, or one value per degree of freedom (and per
+// joint, where given). Throws Cancelled.
 Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
                 const TrialOptions& options = {}, const RunContext& context = {});
 
-// All contacts between the hand and the object, links in order.
+// All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
+// ordered by link: hard point contacts with friction, then, for compliant links and with
+// options.soft_fingers, patches with torsional friction.
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
                                          const std::vector<double>& joints,
                                          const TrialOptions& options);
 
-// What the quality measures take.
+// The contacts without link and gap, as the quality measures take them (sim/quality).
 std::vector<Contact> contacts_of(const std::vector<GraspContact>& contacts);
 
 }  // namespace prehend

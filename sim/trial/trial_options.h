@@ -1,4 +1,4 @@
-// Everything that trades speed for accuracy in a trial, or changes what comes out of it.
+// Settings of a trial that trade speed for accuracy or change its result.
 #pragma once
 
 #include "sim/base/settings.h"
@@ -10,13 +10,13 @@ namespace prehend {
 // How an object settles between two self-centering fingers that do not hold it (see settle.h).
 struct SettleOptions {
   double angle = 0.07;  // of one turn [rad]
-  int steps = 24;       // turns that are tried at most; 0: the object keeps its attitude
+  int steps = 24;       // most turns that are tried; 0: the object does not settle
   // Fingers open by this before the object turns, so that they do not start inside it [m].
   double loosen = 3e-3;
   // Turning goes on while the fingers come closer by more than this in a step [m].
   double least_gain = 1e-6;
-  // Product of the distance between the fingers' contacts and the offset of their forces below
-  // which their couple turns nothing [m].
+  // Distance between the parallel lines of action of the two fingers' forces below which their
+  // couple counts as zero [m].
   double least_arm = 1e-4;
 };
 
@@ -30,17 +30,20 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("least_arm", least_arm);
 }
 
-// How the gap between two moving bodies is asked for (see GapTracker). All answers are proven
-// bounds; looser ones cost less each, and more of them are needed.
+// Settings of the gap queries between two moving bodies (see GapTracker). They change the time that
+// queries take, never their validity: every answer is a proven bound. A looser bound costs less to
+// compute but allows shorter steps, so that more queries are needed.
 struct GapTrackerOptions {
-  // Triangle pairs are listed within this gap; farther away they would be too many [m].
+  // Below this gap the pairs of nearby triangles are listed; at larger gaps the list would be too
+  // long [m].
   double near = 2e-3;
-  // How far the list reaches beyond the gap: as a multiple of it, and at least by so much [m].
+  // The list holds all pairs closer than reach * gap, and at least those closer than gap +
+  // least_reach [m].
   double reach = 1.5;
   double least_reach = 3e-4;
-  // A list longer than this costs more than walking the trees: none is kept then.
+  // A longer list costs more than a search of the bounding-volume trees and is not kept.
   int most_pairs = 400;
-  // Part by which a query may be off that only has to say how far to go.
+  // Relative error allowed in a query of the trees, whose answer only limits the next step.
   double looseness = 0.4;
 };
 
@@ -54,28 +57,31 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("looseness", looseness);
 }
 
+// Settings of a trial. The defaults suit household objects in SI units.
 struct TrialOptions {
   ContactOptions contact;
-  // Motions end at this gap, or at most a tenth more; between 0 and 0.9 contact.threshold [m].
-  // Ending at one gap rather than anywhere below the threshold keeps contacts the same however they
-  // were reached.
+  // Gap at which a motion ends, up to 10 % more; above 0 and at most 0.9 contact.threshold [m].
+  // Motions end at one gap instead of anywhere below the threshold so that the contacts found do
+  // not depend on the steps by which they were reached.
   double contact_gap = 5e-5;
-  // When a grasp does not hold, the hand goes back along its approach by this and closes again [m].
+  // When a grasp does not hold, the hand backs off along its approach by this and closes again, at
+  // most back_off_tries times [m].
   double back_off_step = 8e-3;
   int back_off_tries = 3;
-  // Whether soft links bear on patches, with torque about the normal; if not, all contacts are hard
-  // points.
+  // Whether compliant links make patch contacts that resist torque about the normal (soft finger);
+  // if not, all contacts are hard points with friction.
   bool soft_fingers = true;
   SettleOptions settle;
-  // Edges of the pyramid that stands for a friction cone (>= 3).
+  // Edges of the pyramid that approximates each friction cone (>= 3).
   int cone_edges = 8;
-  ReachOptions reach;  // of scenes with an arm
-  // A pair of bodies is asked for its gap at most this often in one motion; then it counts as
-  // stopped where it is, which can cost a contact but never makes a penetration.
+  ReachOptions reach;  // used in scenes with an arm
+  // Most gap queries for one pair of bodies in one motion. A pair that needs more counts as
+  // touching where it is: the motion may then end short of a contact, but never in a penetration.
   int max_gap_queries = 400;
   GapTrackerOptions gaps;
 
-  // A gap at which a motion ends.
+  // Largest gap that counts as touching [m]. The 10 % above contact_gap make the last step end:
+  // steps of (gap - contact_gap) approach contact_gap without reaching it.
   double closed_gap() const { return 1.1 * contact_gap; }
 };
 

@@ -9,7 +9,8 @@
 namespace prehend {
 namespace {
 
-// Balls around the bodies answer where they are far enough apart, the surfaces else.
+// A lower bound of the gap between two bodies [m]. The gap of their bounding balls is returned
+// where it is larger than `enough`; otherwise the gap of the surfaces, which takes longer.
 double gap_between(const CollisionBody& a, const CollisionBody& b, const Pose& X_AB,
                    double enough) {
   const double apart = (X_AB * b.mesh.ball_center() - a.mesh.ball_center()).norm() -
@@ -17,8 +18,8 @@ double gap_between(const CollisionBody& a, const CollisionBody& b, const Pose& X
   return apart > enough ? apart : find_gap(a.mesh, b.mesh, X_AB).lower;
 }
 
-// Most that a point of the body moves when it turns by `angle` about an axis through the origin of
-// `center`'s frame: the arc of the farthest point of its ball.
+// Bound on how far a point of a body moves when the body turns by `angle` about any axis through
+// the origin of `center`'s frame: the arc of the farthest point of its bounding ball [m].
 double turning_motion(const Vector3& center, double radius, double angle) {
   return angle * (center.norm() + radius);
 }
@@ -31,6 +32,8 @@ TurningRoom::TurningRoom(const CompiledScene& scene, const Trial& start,
 
 bool TurningRoom::allows(const Trial& now, const HandTurn& turn) {
   if (!scene_.has_obstacles()) return true;
+  // The bounds known from earlier turns are tried first. Only where they are too small are the gaps
+  // computed again.
   const double object = object_motion(turn) + least_gap_;
   if (object_gap_ <= object) object_gap_ = object_gap(now, object);
   if (object_gap_ <= object) return false;
@@ -57,7 +60,8 @@ double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) const {
   double farthest = 0.0;
   for (std::size_t l = 0; l < scene_.links.size(); ++l) {
     const CompiledLink& link = scene_.links[l];
-    // Before centring, each finger may be a shift away from where it is after it.
+    // How far the link moves relative to the palm: its joints open, then close, and `closed` holds
+    // their values after centring, before which a finger may have been a shift away.
     double relative_to_palm = link.joints.empty() ? 0.0 : turn.shift;
     for (std::size_t k = 0; k < link.joints.size(); ++k) {
       const std::size_t j = index(link.joints[k]);
@@ -74,7 +78,8 @@ double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) const {
 }
 
 double TurningRoom::object_gap(const Trial& now, double enough) const {
-  // The hand stays where it started: the object is displaced by what the hand's pose lacks.
+  // Here the hand rests at its pose of the start, and all turns so far have moved the object. So
+  // the object is where its pose relative to the hand is the present one: X_SO X_OH = X_OH_start.
   const Pose X_SO = X_OH_start_ * now.X_OH.inverse();  // S: the object's frame at the start
   double least = std::numeric_limits<double>::infinity();
   for (const PlacedBody& obstacle : scene_.obstacles()) {

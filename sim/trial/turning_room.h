@@ -1,5 +1,5 @@
-// Whether a hand and the object between its fingers have room among the obstacles to turn against
-// each other.
+// Checks that a hand and the object between its fingers can turn relative to each other without
+// either touching an obstacle.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace prehend {
 
-// The hand opens a little, turns about the object, closes again and is centred: what moves how far.
+// One step of settling: the hand opens a little, turns about the object, closes again and is
+// centred.
 struct HandTurn {
   Vector3 middle_O = Vector3::Zero();  // a point of the axis, object frame [m]
   double angle = 0.0;                  // >= 0 [rad]
-  std::vector<double> opened;          // joints before the turn
-  std::vector<double> closed;          // joints at the end
-  double shift = 0.0;                  // by which centring moves the hand [m]
+  std::vector<double> opened;          // joint values during the turn [rad or m]
+  std::vector<double> closed;          // joint values at the end [rad or m]
+  double shift = 0.0;                  // distance by which centring moves the hand [m]
 };
 
 // A turn changes the pose of the hand relative to the object. Which of them moves in the world
@@ -33,6 +34,7 @@ class TurningRoom {
 
   // Whether the turn from `now` is free. `now` is `start` after the turns that were spent.
   bool allows(const Trial& now, const HandTurn& turn);
+  // Carries the turn out: lowers the known gaps by the motion that it takes.
   void spend(const Trial& now, const HandTurn& turn);
 
  private:
