@@ -1,4 +1,4 @@
-"""Plot how the quality of a plan's best grasps depends on friction.
+"""Plot how the quality of a plan's best grasps depends on the friction coefficient.
 
     ./run python docs/examples/epsilon_over_friction.py [FOLDER]
 
@@ -24,7 +24,7 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
 scene = prehend.compile(prehend.load_scene("mug"))
 result = prehend.plan(scene, prehend.PlanOptions(rank=prehend.RankOptions(top=4)))
 
-# For each grasp, all its frictions in one call: the same contacts again and again.
+# For each grasp, one call for all friction coefficients: the same contacts once for each of them.
 frictions = np.linspace(0.02, 1.2, 60)
 figure, axes = plt.subplots(figsize=(7.5, 4.8), layout="constrained")
 for rank, grasp in enumerate(result, 1):

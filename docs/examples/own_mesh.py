@@ -1,4 +1,4 @@
-"""Grasps of a mesh that is made in code, between two walls.
+"""Plan grasps of a mesh that is made in code and stands between two walls.
 
     ./run python docs/examples/own_mesh.py
 """
@@ -12,7 +12,8 @@ angles = np.linspace(0.0, 2.0 * np.pi, 8, endpoint=False)
 ring = 0.03 * np.column_stack([np.cos(angles), np.sin(angles)])
 vertices = np.vstack([np.column_stack([ring, np.full(8, z)]) for z in (0.0, 0.12)])
 
-# Triangles name three vertices each. Which way round does not matter: prehend turns them outward.
+# Each triangle is three indices of vertices. Their order does not matter: prehend turns all
+# triangles to face outward.
 faces = []
 for i in range(8):
     j = (i + 1) % 8
@@ -20,12 +21,12 @@ for i in range(8):
 for i in range(1, 7):
     faces += [[0, i + 1, i], [8, 8 + i, 9 + i]]  # the two ends
 
-# A trimesh.Trimesh, or any object with vertices and faces, will do in place of the pair.
+# Instead of the pair, a trimesh.Trimesh or any other object with vertices and faces can be passed.
 scene = prehend.make_scene(
     (vertices, faces), hand="barrett", name="prism", material="wood", mass=0.4
 )
 
-# Two walls beside it: what is in the way. X_WB is the pose of the wall's frame in the world.
+# Two walls beside it, as obstacles. X_WB is the pose of the wall's frame in the world.
 wall = (
     np.array([[x, y, z] for x in (0.0, 0.01) for y in (-0.2, 0.2) for z in (0.0, 0.3)]),
     np.array(

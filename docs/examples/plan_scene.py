@@ -1,4 +1,4 @@
-"""Plan grasps of a scene that comes with prehend, print them, write the files.
+"""Plan grasps of a scene of the library, print them, and write the result files.
 
     ./run python docs/examples/plan_scene.py [SCENE] [FOLDER]
 """
@@ -17,7 +17,7 @@ def main() -> None:
     name = sys.argv[1] if len(sys.argv) > 1 else "mug"
     folder = sys.argv[2] if len(sys.argv) > 2 else "out"
 
-    # Compiling makes the scene ready for trials; it can be used for many plans.
+    # Compiling prepares the scene for trials; the compiled scene can be used for many plans.
     scene = prehend.compile(prehend.load_scene(name))
     options = prehend.PlanOptions(rank=prehend.RankOptions(top=5))
     result = prehend.plan(scene, options, progress=show)
@@ -28,10 +28,10 @@ def main() -> None:
             f"{rank:4}  {grasp.epsilon:7.4f}  {len(grasp.contacts):8}  "
             f"{grasp.preshape or '-':9}  {grasp.rule}"
         )
-    # How all the other candidates ended.
+    # The number of candidates with each outcome.
     print({outcome: count for outcome, count in result.outcomes.items() if count})
 
-    # poses is an array (N, 4, 4): the hand's base in the object's frame.
+    # poses is an array (N, 4, 4): the poses of the hand's base in the object's frame.
     if len(result):
         print("the best hand is at", result.poses[0, :3, 3].round(3), "m")
     print("wrote", ", ".join(prehend.write(result, folder, report=False)))

@@ -1,4 +1,5 @@
-// A block on a table before an arm, and grasps of it from above.
+// A block on a table in front of an arm (a Puma 560 with a Barrett hand), and grasps of it from
+// above.
 #pragma once
 
 #include <cmath>
@@ -22,7 +23,8 @@ inline Scene block_on_table() {
   return scene;
 }
 
-// The same block to the arm's right and without the table: the arm can come to it in two postures.
+// The same block to the arm's right and without the table: the arm can follow the approach in two
+// postures. Compiled once for the whole test program.
 inline const CompiledScene& block_in_the_air() {
   static const CompiledScene kScene = [] {
     Scene scene = block_on_table();
@@ -33,7 +35,10 @@ inline const CompiledScene& block_in_the_air() {
   return kScene;
 }
 
-// From above onto the block's middle, the hand turned by `yaw`.
+// A candidate that approaches vertically from above, with the hand's origin on the centre of the
+// block's upper face (z = 0.06 m in the object's frame); the closing axis is turned by `yaw` [rad]
+// from the x axis. The rotation takes the hand's axes (closing, third, approach) to the
+// wanted ones: R = wanted * hand_axes^T.
 inline Candidate from_above(const Robot& robot, double yaw) {
   const Hand& hand = *robot.hand;
   Matrix3 hand_axes;
@@ -51,12 +56,13 @@ inline Candidate from_above(const Robot& robot, double yaw) {
   return candidate;
 }
 
+// A candidate and the trial of it.
 struct Grasp {
   Candidate candidate;
   Trial trial;
 };
 
-// The first stable one of twelve turns of the hand.
+// The first stable grasp of twelve yaw angles, 30 degrees apart. A test failure without one.
 inline Grasp stable_grasp(const CompiledScene& scene) {
   for (int i = 0; i < 12; ++i) {
     const Candidate candidate = from_above(scene.scene.hand, 0.5236 * i);
@@ -67,8 +73,9 @@ inline Grasp stable_grasp(const CompiledScene& scene) {
   return {};
 }
 
-// A stable grasp that the arm can come to in two postures, held in the one that is farther from its
-// start.
+// A stable grasp that the arm can reach in two postures. The trial has chosen the posture nearer to
+// the start; here it is replaced by the farther one, to test that callers use the postures that the
+// trial states and do not solve the inverse kinematics again.
 inline Grasp grasp_in_the_farther_posture(const CompiledScene& scene) {
   constexpr int kTurns = 72;
   for (int i = 0; i < kTurns; ++i) {

@@ -1,5 +1,6 @@
-// Distances and intersections of triangle meshes by trying every pair: slow, and nothing shared
-// with what it judges.
+// Distances and intersections of triangle meshes by trying every pair of triangles. A reference for
+// the proximity queries of the library: slow, and without any code in common with them (no trees,
+// no FCL). Distances are in metres; both meshes are given in one common frame.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace prehend::test {
 
 using Corners = std::array<Vector3, 3>;
 
-// A mesh's triangles, moved to one common frame.
+// A mesh's triangles as corners, transformed by `X` into the common frame.
 inline std::vector<Corners> soup(const TriangleMesh& mesh, const Pose& X = Pose::Identity()) {
   std::vector<Corners> triangles;
   triangles.reserve(mesh.triangles.size());
@@ -27,6 +28,7 @@ inline std::vector<Corners> soup(const TriangleMesh& mesh, const Pose& X = Pose:
   return triangles;
 }
 
+// Distance of p from the segment ab, which may be a point.
 inline double point_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
   const Vector3 ab = b - a;
   const double length = ab.norm();
@@ -35,7 +37,9 @@ inline double point_to_segment(const Vector3& p, const Vector3& a, const Vector3
   return (p - a - (along / length) * ab).norm();
 }
 
-// Nearest points are an end of one segment, or inside both where the common normal meets them.
+// Distance of the segments ab and cd. The nearest points are either an end of one segment and a
+// point of the other, or inner points of both; these are the feet of the common perpendicular, at
+// the parameters s of ab and t of cd. Parallel segments (n = 0) always have the first case.
 inline double segment_to_segment(const Vector3& a, const Vector3& b, const Vector3& c,
                                  const Vector3& d) {
   double least = std::min({point_to_segment(a, c, d), point_to_segment(b, c, d),
@@ -51,7 +55,8 @@ inline double segment_to_segment(const Vector3& a, const Vector3& b, const Vecto
   return least;
 }
 
-// True when the foot of p on the triangle's plane is inside the triangle.
+// Whether the orthogonal projection of p onto the triangle's plane is inside the triangle, edges
+// included: p is on the inner side of all three edges. `n` is the triangle's normal, of any length.
 inline bool foot_is_inside(const Vector3& p, const Corners& t, const Vector3& n) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (n.dot((t[(k + 1) % 3] - t[k]).cross(p - t[k])) < 0.0) return false;
@@ -59,6 +64,7 @@ inline bool foot_is_inside(const Vector3& p, const Corners& t, const Vector3& n)
   return true;
 }
 
+// Distance of p from the triangle t: to its edges, or to its plane where the projection is inside.
 inline double point_to_triangle(const Vector3& p, const Corners& t) {
   double least = std::min({point_to_segment(p, t[0], t[1]), point_to_segment(p, t[1], t[2]),
                            point_to_segment(p, t[2], t[0])});
@@ -69,6 +75,8 @@ inline double point_to_triangle(const Vector3& p, const Corners& t) {
   return least;
 }
 
+// Whether the segment ab intersects the triangle t. A segment in the plane of the triangle is not
+// counted: the quotient below would be 0 / 0.
 inline bool segment_meets_triangle(const Vector3& a, const Vector3& b, const Corners& t) {
   const Vector3 n = (t[1] - t[0]).cross(t[2] - t[0]);
   const double above = (a - t[0]).dot(n);
@@ -77,6 +85,7 @@ inline bool segment_meets_triangle(const Vector3& a, const Vector3& b, const Cor
   return foot_is_inside(a + (above / (above - below)) * (b - a), t, n);
 }
 
+// Whether the triangles intersect: then an edge of one passes through the other.
 inline bool triangles_meet(const Corners& s, const Corners& t) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (segment_meets_triangle(s[k], s[(k + 1) % 3], t)) return true;
@@ -85,7 +94,8 @@ inline bool triangles_meet(const Corners& s, const Corners& t) {
   return false;
 }
 
-// 0 where they meet.
+// Distance of two triangles, 0 where they intersect. The nearest points of disjoint triangles are a
+// corner and a point of the other triangle, or on an edge of each.
 inline double triangle_to_triangle(const Corners& s, const Corners& t) {
   if (triangles_meet(s, t)) return 0.0;
   double least = std::numeric_limits<double>::infinity();
@@ -98,16 +108,18 @@ inline double triangle_to_triangle(const Corners& s, const Corners& t) {
   return least;
 }
 
+// Axis-aligned bounding box of a triangle.
 inline Bounds bounds_of(const Corners& t) {
   return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
 }
 
-// Distance between axis-aligned boxes: never more than between what they hold.
+// Distance between axis-aligned boxes: a lower bound of the distance between their contents.
 inline double bounds_apart(const Bounds& a, const Bounds& b) {
   return (a.lower - b.upper).cwiseMax(b.lower - a.upper).cwiseMax(Vector3::Zero()).norm();
 }
 
-// Calls visit(i, k) for the pairs whose bounds are at most `limit()` apart.
+// Calls visit(i, k) for the pairs a[i], b[k] whose bounding boxes are at most `limit()` [m] apart.
+// The limit is asked again for each pair, so that visits may lower it.
 template <typename Limit, typename Visit>
 void each_pair(const std::vector<Corners>& a, const std::vector<Corners>& b, const Limit& limit,
                const Visit& visit) {
@@ -133,6 +145,8 @@ inline double surface_gap(const std::vector<Corners>& a, const std::vector<Corne
   return least;
 }
 
+// Whether any two triangles intersect. After the first such pair the limit is below every distance,
+// which skips the remaining pairs.
 inline bool surfaces_meet(const std::vector<Corners>& a, const std::vector<Corners>& b) {
   bool meet = false;
   each_pair(
@@ -141,14 +155,16 @@ inline bool surfaces_meet(const std::vector<Corners>& a, const std::vector<Corne
   return meet;
 }
 
+// Smallest distance of p from the triangles.
 inline double point_to_surface(const Vector3& p, const std::vector<Corners>& surface) {
   double least = std::numeric_limits<double>::infinity();
   for (const Corners& t : surface) least = std::min(least, point_to_triangle(p, t));
   return least;
 }
 
-// How often the surface winds around p, by counting signed crossings of a ray; two of three rays
-// decide, in case one passes through an edge. > 0 inside solids that face outward.
+// Winding number of the surface around p, by counting the signed crossings of a ray. The median of
+// three rays is returned, because a ray through an edge may count it twice or not at all. > 0
+// inside solids whose triangles face outward, 0 outside.
 inline int winding(const Vector3& p, const std::vector<Corners>& surface) {
   const std::array<Vector3, 3> rays = {Vector3(0.31, 0.87, 0.39), Vector3(-0.77, 0.21, 0.61),
                                        Vector3(0.12, -0.59, -0.80)};
@@ -166,7 +182,8 @@ inline int winding(const Vector3& p, const std::vector<Corners>& surface) {
   return count[1];
 }
 
-// True when a corner of one lies inside the other: surfaces that do not meet and yet overlap.
+// Whether one solid is inside the other: used where the surfaces do not intersect, so that a
+// single corner of a component tells where all of it is.
 inline bool one_holds_the_other(const std::vector<Corners>& a, const std::vector<Corners>& b) {
   const auto holds = [](const std::vector<Corners>& outer, const std::vector<Corners>& inner) {
     return std::any_of(inner.begin(), inner.end(),

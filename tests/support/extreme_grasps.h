@@ -1,5 +1,5 @@
-// Grasps at the ends of what numbers can say, by name. The same on every platform, up to the
-// rounding of its sine and cosine.
+// Degenerate grasps and grasps with extreme numbers, by name: the rows of docs/extremes.md. The
+// same on every platform, up to the rounding of its sine and cosine.
 #pragma once
 
 #include <cmath>
@@ -15,21 +15,22 @@
 namespace prehend::test {
 
 struct ExtremeGrasp {
-  std::string name;  // of letters, digits, spaces and punctuation; none occurs twice
+  std::string name;  // unique; letters, digits, spaces and punctuation
   Contacts contacts;
   WrenchFrame frame;
   int edges = 8;
 };
 
-// Four corners of a cube in the unit sphere, turned so that no coordinate is round. Holds from a
-// friction of about 0.4 on.
+// Four contacts on the unit sphere at the corners of a regular tetrahedron, rotated so that no
+// coordinate is a round number. In force closure from a friction of about 0.4 on.
 inline Contacts tetrahedron(double friction = 0.5) {
   Random random(1);
   const Contacts corners = cube_grasp(friction);
   return rotated({corners[0], corners[3], corners[5], corners[6]}, random.rotation());
 }
 
-// Two opposite fingertips, soft.
+// Two opposite soft fingers on the unit circle; `torsion` is the largest torque about the normal
+// over the largest friction force.
 inline Contacts soft_pair(double torsion, double friction = 0.5) {
   Contacts contacts = ring_grasp(2, friction);
   for (Contact& contact : contacts) {
@@ -57,7 +58,7 @@ inline Contacts shifted(Contacts contacts, const Eigen::Vector3d& shift) {
   return contacts;
 }
 
-// n contacts on the line x, with normals all around it.
+// n contacts on the x axis, with normals around it in all directions: no torque about that line.
 inline Contacts collinear_grasp(int n, double friction) {
   Contacts contacts = ring_grasp(n, friction);
   for (int i = 0; i < n; ++i) {
@@ -68,13 +69,13 @@ inline Contacts collinear_grasp(int n, double friction) {
   return contacts;
 }
 
-// The grasp with its first contact `times` times.
+// The grasp with its first contact `times` times in all.
 inline Contacts repeated(Contacts contacts, int times) {
   contacts.insert(contacts.end(), static_cast<std::size_t>(times - 1), contacts.front());
   return contacts;
 }
 
-// Six contacts around a needle along z: length 2, radius `radius`.
+// Six contacts around a thin cylinder along z of length 2 and radius `radius`.
 inline Contacts needle_grasp(double radius, double friction) {
   Contacts contacts;
   for (int i = 0; i < 6; ++i) {
@@ -85,7 +86,8 @@ inline Contacts needle_grasp(double radius, double friction) {
   return contacts;
 }
 
-// A disc across z: six contacts on its rim, radius 1, `half` of its thickness up or down.
+// Six contacts on the rim of a flat disc of radius 1 with axis z, in turn `half` above and below
+// its middle plane.
 inline Contacts disc_grasp(double half, double friction) {
   Contacts contacts = ring_grasp(6, friction);
   for (std::size_t i = 0; i < 6; ++i) contacts[i].position.z() = i % 2 == 0 ? half : -half;
@@ -97,7 +99,7 @@ inline Contacts with_normals_of_length(Contacts contacts, double length) {
   return contacts;
 }
 
-// n contacts on the unit sphere's upper third.
+// n contacts on the upper part of the unit sphere: all push down, so there is no force closure.
 inline Contacts one_sided_grasp(int n, double friction) {
   Random random(2);
   Contacts contacts = random_grasp(random, n, friction);
@@ -251,7 +253,7 @@ inline std::vector<ExtremeGrasp> soft_fingers() {
   return grasps;
 }
 
-// All of the above.
+// All grasps of this file, in the order of the table.
 inline std::vector<ExtremeGrasp> extreme_grasps() {
   std::vector<ExtremeGrasp> all;
   for (const auto& part : {few_contacts(), special_positions(), duplicates(), frictions(), sizes(),

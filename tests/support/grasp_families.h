@@ -1,4 +1,7 @@
-// Seeded random grasps of many kinds, the same on every platform.
+// Families of random grasps for tests of the quality measures, from a seed and the same on every
+// platform: generic ones, and those in which wrenches coincide, lie in one hyperplane or have many
+// directions of equal epsilon, where algorithms on convex hulls tend to fail. Lengths are relative
+// to an object of radius 1.
 #pragma once
 
 #include <cmath>
@@ -18,6 +21,7 @@ namespace prehend::test {
 
 using Contacts = std::vector<Contact>;
 
+// A contact on the unit sphere at `direction` (unit), with the normal into the sphere.
 inline Contact on_sphere(const Eigen::Vector3d& direction, double friction) {
   return {direction, -direction, friction};
 }
@@ -29,7 +33,8 @@ inline Contacts random_grasp(Random& random, int n, double friction) {
   return contacts;
 }
 
-// Positions in the unit cube with normals of no relation to them.
+// n contacts with positions in the cube [-1, 1]^3 and normals that are independent of the
+// positions.
 inline Contacts loose_grasp(Random& random, int n, double friction) {
   Contacts contacts;
   for (int i = 0; i < n; ++i) {
@@ -49,6 +54,7 @@ inline Contacts ring_grasp(int n, double friction) {
   return contacts;
 }
 
+// Six contacts where the coordinate axes meet the unit sphere.
 inline Contacts octahedron_grasp(double friction) {
   Contacts contacts;
   for (int axis = 0; axis < 3; ++axis) {
@@ -58,7 +64,7 @@ inline Contacts octahedron_grasp(double friction) {
   return contacts;
 }
 
-// The eight corner directions of a cube.
+// Eight contacts on the unit sphere in the directions of a cube's corners.
 inline Contacts cube_grasp(double friction) {
   Contacts contacts;
   for (int i = 0; i < 8; ++i) {
@@ -69,7 +75,7 @@ inline Contacts cube_grasp(double friction) {
   return contacts;
 }
 
-// On the side of a cylinder of radius 0.4 and height 1.8.
+// n contacts on the lateral surface of a cylinder of radius 0.4 and height 1.8, axis z.
 inline Contacts cylinder_grasp(Random& random, int n, double friction) {
   Contacts contacts;
   for (int i = 0; i < n; ++i) {
@@ -81,7 +87,7 @@ inline Contacts cylinder_grasp(Random& random, int n, double friction) {
   return contacts;
 }
 
-// A rectangle of four contacts around `centre` that share one normal.
+// A square of four contacts around `centre` with sides 2 * `half` and one common unit `normal`.
 inline Contacts patch(const Eigen::Vector3d& centre, const Eigen::Vector3d& normal, double half,
                       double friction) {
   const Tangents tangents = contact_tangents(normal);
@@ -94,11 +100,12 @@ inline Contacts patch(const Eigen::Vector3d& centre, const Eigen::Vector3d& norm
   return contacts;
 }
 
+// Appends the contacts of `more` to `to`.
 inline void append(Contacts& to, const Contacts& more) {
   to.insert(to.end(), more.begin(), more.end());
 }
 
-// n patches of four on tangent planes of the unit sphere.
+// n square patches of four contacts on tangent planes of the unit sphere.
 inline Contacts patches_grasp(Random& random, int n, double friction) {
   Contacts contacts;
   for (int i = 0; i < n; ++i) {
@@ -108,7 +115,7 @@ inline Contacts patches_grasp(Random& random, int n, double friction) {
   return contacts;
 }
 
-// A parallel jaw: two opposite face patches.
+// Contacts of a parallel jaw: two opposite square patches with sides 2 * `half`, 0.6 apart along y.
 inline Contacts jaw_grasp(double half, double friction) {
   Contacts contacts =
       patch(Eigen::Vector3d::UnitY() * 0.3, -Eigen::Vector3d::UnitY(), half, friction);
@@ -117,7 +124,7 @@ inline Contacts jaw_grasp(double half, double friction) {
   return contacts;
 }
 
-// Every contact twice: the copy moved by `shift`.
+// Every contact twice, the copy moved by `shift` in a random direction.
 inline Contacts doubled(Random& random, Contacts contacts, double shift) {
   const std::size_t n = contacts.size();
   for (std::size_t i = 0; i < n; ++i) {
@@ -128,6 +135,7 @@ inline Contacts doubled(Random& random, Contacts contacts, double shift) {
   return contacts;
 }
 
+// The contacts with positions and normals rotated about the origin.
 inline Contacts rotated(const Contacts& contacts, const Eigen::Matrix3d& rotation) {
   Contacts turned = contacts;
   for (Contact& contact : turned) {
@@ -137,13 +145,16 @@ inline Contacts rotated(const Contacts& contacts, const Eigen::Matrix3d& rotatio
   return turned;
 }
 
+// A grasp of a family, and the number of edges of its friction pyramids.
 struct NamedGrasp {
   std::string name;
   Contacts contacts;
   int edges = 8;
 };
 
-// About `rounds` times twenty grasps.
+// About 20 * `rounds` grasps: in each round one of every family (some at several settings), with
+// random sizes and frictions. "aligned" means not rotated, so that many coordinates are exactly 0;
+// "near flat", "nearly" and "doubled" have wrenches close to a hyperplane or to each other.
 inline std::vector<NamedGrasp> grasp_families(std::uint64_t seed, int rounds) {
   Random random(seed);
   std::vector<NamedGrasp> grasps;

@@ -1,4 +1,5 @@
-// A cube between the plates of a jaw, for pictures.
+// A cube held between the plates of the parallel jaw: a simple grasp for tests of pictures and
+// motions.
 #pragma once
 
 #include <utility>
@@ -10,9 +11,9 @@
 
 namespace prehend::test {
 
-inline constexpr double kCube = 0.05;  // m
+inline constexpr double kCube = 0.05;  // edge of the cube [m]
 
-// The jaw comes down onto the cube and closes along x.
+// The jaw approaches along -z onto the cube, with its first preshape (open), and closes along x.
 inline Candidate from_above() {
   Candidate candidate;
   Matrix3 down;
@@ -24,12 +25,14 @@ inline Candidate from_above() {
   return candidate;
 }
 
+// The compiled scene, the trial of from_above(), and the grasp as pictures take it.
 struct HeldCube {
   CompiledScene scene;
   Trial trial;
   PosedGrasp grasp;
 };
 
+// The scene with the cube at the world's origin, and the trial of from_above() in it.
 inline HeldCube held_cube(std::vector<StaticBody> obstacles = {}) {
   HeldCube held{
       compiled(find_robot("parallel_jaw"), make_box({kCube, kCube, kCube}), std::move(obstacles)),
@@ -40,7 +43,7 @@ inline HeldCube held_cube(std::vector<StaticBody> obstacles = {}) {
   return held;
 }
 
-// The jaw comes down and closes.
+// The approach and the closing, without an arm.
 inline GraspMotion motion_of(const HeldCube& held) {
   return grasp_motion(held.scene, from_above(), held.trial, nullptr);
 }

@@ -1,4 +1,4 @@
-// The library's scenes with an arm, and changes to their files.
+// Scenes of the library for tests: compiled, or as JSON that a test changes and loads again.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,18 @@
 
 namespace prehend::test {
 
+// The file of a scene of the library in the source tree.
 inline std::filesystem::path library_scene(const std::string& name) {
   return std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / (name + ".json");
 }
 
+// The content of that file.
 inline nlohmann::json scene_json(const std::string& name) {
   return nlohmann::json::parse(std::ifstream(library_scene(name)));
 }
 
-// A file of the running test's own: tests run side by side.
+// Writes the scene to a file whose name contains that of the running test, because tests run in
+// parallel, and returns its path.
 inline std::filesystem::path write_scene(const nlohmann::json& scene) {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string(info->test_suite_name()) + "_" + info->name();
@@ -33,15 +36,17 @@ inline std::filesystem::path write_scene(const nlohmann::json& scene) {
   return file;
 }
 
+// The library scene of that name, ready for trials.
 inline CompiledScene compiled_library_scene(const std::string& name) {
   return compile(load_scene(library_scene(name)));
 }
 
+// The scene with that JSON, written to a file, loaded and compiled.
 inline CompiledScene compiled_scene(const nlohmann::json& scene) {
   return compile(load_scene(write_scene(scene)));
 }
 
-// A box that stands in the way, in the world's frame.
+// An obstacle of a scene file: a box of `size` [m] with its centre `at` [m] in the world's frame.
 inline nlohmann::json box_obstacle(const std::string& name, const Vector3& size,
                                    const Vector3& at) {
   return {{"name", name},

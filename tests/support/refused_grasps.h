@@ -1,4 +1,4 @@
-// Grasps that are not numbers, or not contacts: what is refused, and with which words.
+// Invalid grasps and the messages with which they are refused: the last table of docs/extremes.md.
 #pragma once
 
 #include <limits>
@@ -23,7 +23,7 @@ struct RefusedGrasp {
   EpsilonOptions options = {};
 };
 
-// Refused by contact_wrenches, for the second of four contacts.
+// Grasps of four contacts whose second one is invalid, which contact_wrenches refuses.
 inline std::vector<RefusedGrasp> refused_contacts() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ inline std::vector<RefusedGrasp> refused_contacts() {
   return refused;
 }
 
-// All that is refused: contacts, frames and options, and grasps whose wrenches are no numbers.
+// All invalid input: contacts, frames and options, and grasps whose wrenches overflow.
 inline std::vector<RefusedGrasp> refused_grasps() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
@@ -87,7 +87,7 @@ inline std::vector<RefusedGrasp> refused_grasps() {
   return refused;
 }
 
-// The message with which a grasp is refused on its way to epsilon, "" where it is not.
+// The message of the exception when epsilon of the grasp is computed, "" without one.
 inline std::string refusal(const RefusedGrasp& grasp) {
   try {
     epsilon_l1(contact_wrenches(grasp.contacts, grasp.frame, grasp.edges), grasp.options);

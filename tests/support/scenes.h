@@ -1,4 +1,5 @@
-// Scenes and small hands for trials.
+// Scenes built in code and a small hand, for tests of trials; and their gaps and collisions by
+// brute force, as reference.
 #pragma once
 
 #include <numbers>
@@ -14,6 +15,7 @@
 
 namespace prehend::test {
 
+// A scene of a free hand and a plastic object at the world's origin.
 inline Scene scene_with(Robot hand, TriangleMesh object, std::vector<StaticBody> obstacles = {}) {
   Scene scene;
   scene.name = "test";
@@ -23,11 +25,13 @@ inline Scene scene_with(Robot hand, TriangleMesh object, std::vector<StaticBody>
   return scene;
 }
 
+// The same scene, ready for trials.
 inline CompiledScene compiled(Robot hand, TriangleMesh object,
                               std::vector<StaticBody> obstacles = {}) {
   return compile(scene_with(std::move(hand), std::move(object), std::move(obstacles)));
 }
 
+// An obstacle whose frame is at `p_W` in the world, not rotated.
 inline StaticBody obstacle(TriangleMesh mesh, const Vector3& p_W) {
   StaticBody body;
   body.name = "obstacle";
@@ -36,12 +40,14 @@ inline StaticBody obstacle(TriangleMesh mesh, const Vector3& p_W) {
   return body;
 }
 
+// A box of `size` [m] around `center` [m].
 inline TriangleMesh block(const Vector3& size, const Vector3& center) {
   return transformed(make_box(size), translation(center));
 }
 
-// A finger of two bars of 50 mm that turns about z from the x axis towards +y, and a palm behind
-// it.
+// A hand with one finger: two bars of 50 mm in sequence along x, each turning about z from the x
+// axis towards +y, and a palm behind them. One degree of freedom drives both joints, the distal one
+// `distal_ratio` times as far; `coupling` says what happens when one of them is stopped.
 inline Robot finger_hand(Coupling coupling, double distal_ratio = 0.5) {
   Robot robot;
   robot.name = "finger";
@@ -63,6 +69,7 @@ inline Robot finger_hand(Coupling coupling, double distal_ratio = 0.5) {
   return robot;
 }
 
+// X_OL of every link, with the hand's base at `X_OH` and these joint values.
 inline std::vector<Pose> link_poses_in_object(const CompiledScene& scene, const Pose& X_OH,
                                               const std::vector<double>& joints) {
   std::vector<Pose> poses;
@@ -82,7 +89,7 @@ inline std::vector<std::vector<Corners>> link_soups(const CompiledScene& scene, 
   return soups;
 }
 
-// Per link, its gap to the object, by brute force.
+// The gap of each link to the object [m], 0 where they intersect; by brute force.
 inline std::vector<double> object_gaps(const CompiledScene& scene, const Pose& X_OH,
                                        const std::vector<double>& joints) {
   const std::vector<Corners> object = soup(scene.object().mesh.mesh());
@@ -93,6 +100,9 @@ inline std::vector<double> object_gaps(const CompiledScene& scene, const Pose& X
   return gaps;
 }
 
+// The first collision found, as "LINK meets BODY" or "LINK is inside BODY"; "" without one. Each of
+// `links` (triangles in the object's frame, which is the world's here) is checked against the
+// object and all obstacles, and each pair that the scene lists for self-collision.
 inline std::string what_collides(const std::vector<std::vector<Corners>>& links,
                                  const CompiledScene& scene) {
   const std::vector<Corners> object = soup(scene.object().mesh.mesh());
@@ -116,7 +126,7 @@ inline std::string what_collides(const std::vector<std::vector<Corners>>& links,
   return "";
 }
 
-// What penetrates what with the hand there, "" for nothing; by brute force.
+// The same for the hand's base at `X_OH` and these joint values.
 inline std::string collision(const CompiledScene& scene, const Pose& X_OH,
                              const std::vector<double>& joints) {
   return what_collides(link_soups(scene, X_OH, joints), scene);

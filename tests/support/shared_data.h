@@ -1,4 +1,5 @@
-// Where tests find data that the project does not ship, and how they skip without it.
+// Data that some tests use and that are not part of the repository: where they are, and how a test
+// is skipped without them.
 #pragma once
 
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 namespace prehend::test {
 
+// The path of a file or folder relative to the folder of shared data (PREHEND_SHARED_DIR in CMake).
 inline std::filesystem::path shared(const std::string& relative) {
   return std::filesystem::path(PREHEND_SHARED_DIR) / relative;
 }

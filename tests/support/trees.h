@@ -1,4 +1,4 @@
-// Robots that branch: random trees of joints, and a hand whose finger splits twice.
+// Robots whose joints form a tree: random trees, and a hand whose finger branches twice.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace prehend::test {
 
-// `count` joints of both types about any axes, each on any joint before it or on the base, each
-// with a chain, a degree of freedom and a link of its own.
+// A robot of `count` joints, revolute or prismatic, about random axes. The parent of each is a
+// random earlier joint or the base; each has its own chain, degree of freedom and link.
 inline Robot random_tree(Random& random, int count) {
   Robot robot;
   robot.name = "tree";
@@ -38,6 +38,7 @@ inline Robot random_tree(Random& random, int count) {
   return robot;
 }
 
+// One value for each joint, uniform between its limits.
 inline std::vector<double> random_posture(const Robot& robot, Random& random) {
   std::vector<double> joints;
   for (const Joint& joint : robot.joints)
@@ -45,7 +46,7 @@ inline std::vector<double> random_posture(const Robot& robot, Random& random) {
   return joints;
 }
 
-// A palm at x < 0 and a finger along x whose joints turn about z. At x = 50 mm it splits into
+// A palm at x < 0 and a finger along x whose joints turn about z. At x = 50 mm it branches into
 // `upper` (z = 20 mm) and `lower` (z = -20 mm), and `upper` again at x = 100 mm into `nail_a` and
 // `nail_b`. Each joint has a degree of freedom of its own; all but those of the nails close.
 inline Robot branching_hand() {

@@ -1,4 +1,5 @@
-// Trials as bytes: equal only where every number is.
+// Trials as sequences of bytes, to test that two trials are equal in every bit of every number, as
+// for different numbers of threads.
 #pragma once
 
 #include <cstring>
@@ -8,13 +9,14 @@
 
 namespace prehend::test {
 
+// Appends `size` bytes at `data`.
 inline void append_bytes(std::vector<unsigned char>& bytes, const void* data, std::size_t size) {
   const std::size_t at = bytes.size();
   bytes.resize(at + size);
   if (size > 0) std::memcpy(bytes.data() + at, data, size);
 }
 
-// All but the seconds and what an arm adds.
+// All fields of the trial except its run times and those that only an arm sets.
 inline std::vector<unsigned char> bytes_of(const Trial& trial) {
   std::vector<unsigned char> bytes;
   const int link = trial.blocked ? static_cast<int>(trial.blocked->link) : -1;

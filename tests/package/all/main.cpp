@@ -20,8 +20,7 @@ void check(bool holds, const std::string& what) {
 
 // What `prehend plan mug --no-report` does; the test compares its grasps.json.
 void plan_library_scene(const std::filesystem::path& folder) {
-  const prehend::CompiledScene ready =
-      prehend::compile(prehend::load_scene(prehend::find_scene("mug")));
+  const prehend::CompiledScene ready = prehend::compile(prehend::load_scene("mug"));
   const prehend::PlanOptions options;
   const prehend::PlanResult result = prehend::plan(ready, options);
   prehend::RunRecord record;
