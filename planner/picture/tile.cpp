@@ -65,7 +65,7 @@ struct Covered {
 
 Tile::Tile(const Projection& projection, const Lights& lights, int samples, const Light& background)
     : projection_(projection), lights_(lights), background_(background) {
-  // A sheared grid: row j is shifted by a fraction of a cell to the right, column i down, so that
+  // A sheared grid: row j is shifted by a fraction of a cell to the right, column i up, so that
   // all x and all y are different.
   for (int j = 0; j < samples; ++j) {
     for (int i = 0; i < samples; ++i) {

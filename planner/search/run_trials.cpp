@@ -15,7 +15,7 @@ std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
   Progress progress{Stage::trials, 0, static_cast<int>(candidates.size()), 0};
   if (context.progress) context.progress(progress);
   for_each_in_parallel(candidates.size(), context.threads, [&](std::size_t i) {
-    // Caught here, one by one: thrown on, it would take the finished trials with it.
+    // Caught for each trial: an exception that left the loop would discard the finished trials.
     try {
       context.cancellation.check();
       trials[i] = run_trial(scene, candidates[i], options, context);
