@@ -15,7 +15,8 @@ std::string grasps_csv(const ExportHeader& header, const std::vector<ExportGrasp
 // "path_RANK.csv", which the column "path" of grasps.csv names.
 std::string path_file_name(int rank);
 
-// One row a sample. A sample that two segments share belongs to the earlier one.
+// The path as text, one row a sample: time, segment, positions and velocities. A sample that two
+// segments share belongs to the earlier one.
 std::string path_csv(const Trajectory& path);
 
 }  // namespace prehend

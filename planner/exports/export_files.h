@@ -8,16 +8,18 @@
 
 namespace prehend {
 
+// A file to be written: its name without a folder, and its bytes (text, or binary for glTF).
 struct ExportFile {
   std::string name;
   std::string content;
 };
 
-// Formats that files can be asked for in: "json" (grasps.json, always written), "csv", "isaac",
-// "moveit", "gltf".
+// The names that export_files accepts as a format: "json" (grasps.json, which is always written),
+// "csv", "isaac", "moveit", "gltf".
 std::vector<std::string> export_formats();
 
-// Files of one format (docs/exports.md). Throws InputError that lists the formats for another.
+// The result in one format, as one or several files (docs/exports.md); nothing is written to disk.
+// Throws InputError that lists the known formats when `format` is none of them.
 std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResult& result,
                                      const std::string& format);
 

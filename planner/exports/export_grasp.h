@@ -1,4 +1,4 @@
-// A grasp with all that the file formats of other programs ask for.
+// A grasp with all values that the export formats need, independent of any format.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace prehend {
 
-// What all grasps of a file share.
+// What all grasps of a file have in common.
 struct ExportHeader {
   std::string object;
   std::string hand;
@@ -19,6 +19,7 @@ struct ExportHeader {
   std::vector<std::string> hand_joints;
 };
 
+// One grasp.
 struct ExportGrasp {
   int rank = 1;         // 1 is the best
   std::string outcome;  // as in grasps.json: "stable", ...

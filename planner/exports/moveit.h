@@ -8,13 +8,16 @@
 
 namespace prehend {
 
+// The version of ROS whose message fields are written.
 enum class RosVersion {
   ros1,  // times have the fields secs and nsecs
   ros2,  // sec and nanosec
 };
 
+// The frame that grasp poses are given in.
 enum class GraspFrame { object, world };
 
+// What MoveIt messages need besides the grasps.
 struct MoveitOptions {
   RosVersion ros = RosVersion::ros2;
   // Frame of grasp poses and of the directions with them: the object's, named like the object, or

@@ -1,4 +1,4 @@
-// Numbers as text that every reader takes for the same number.
+// Numbers as text that reads back as exactly the same number, in every reader.
 #pragma once
 
 #include <string>

@@ -7,7 +7,8 @@
 
 namespace prehend {
 
-// `vertices`: one a column; `triangles`: indices of three, one a column.
+// The file as text. `vertices`: 3 x V, one vertex a column; `triangles`: 3 x T, the indices of one
+// triangle's vertices a column.
 std::string ply_text(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& triangles);
 
 }  // namespace prehend

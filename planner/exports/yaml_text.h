@@ -9,9 +9,11 @@
 
 namespace prehend {
 
-// Always in double quotes: "no", "1.0" and "~" would be read as something else without.
+// A string, always in double quotes: without them "no", "1.0" and "~" would be read as a boolean, a
+// number and null.
 void put_text(YAML::Emitter& yaml, const std::string& text);
 
+// A number as number_text writes it. Throws InputError for what is not finite.
 void put_number(YAML::Emitter& yaml, double value);
 
 // [a, b, c] on one line.

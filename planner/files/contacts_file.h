@@ -1,4 +1,4 @@
-// A file of contacts to be judged without a scene (docs/contacts-file.md).
+// Reader of files that state contacts directly, without a scene or a hand (docs/contacts-file.md).
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,21 @@
 
 namespace prehend {
 
+// What such a file says. Points are in metres, in one frame that all of the file shares.
 struct ContactsFile {
-  std::vector<Contact> contacts;
-  WrenchFrame frame;
-  std::optional<Task> task;
-  std::vector<Contact> surface;
+  std::vector<Contact> contacts;  // n contacts: position [m], unit normal into the object, friction
+  WrenchFrame frame;              // torque origin [m] and torque scale [1/m]; default: origin and 1
+  std::optional<Task> task;       // wrenches to be resisted, for the measure task_resistance
+  std::vector<Contact> surface;   // contacts all over the object, for object_wrench_ratio
+  // Limits of the joint torques [Nm], and the Jacobian (3n x joints) and spin (n x joints) that map
+  // contact forces to joint torques.
   std::optional<HandTorques> hand;
-  std::optional<Wrench> external;  // to be balanced, torque scaled
+  std::optional<Wrench> external;  // wrench on the object that the contacts are to balance: force
+                                   // [N], torque [Nm] times the torque scale
 };
 
-// Throws InputError that names the file, the field and the value.
+// Reads a file. Throws InputError that names the file, the field and the value when it cannot be
+// read, has a field that is unknown, or a value that is not allowed.
 ContactsFile load_contacts(const std::filesystem::path& file);
 
 }  // namespace prehend

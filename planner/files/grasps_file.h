@@ -1,5 +1,6 @@
-// grasps.json, written and read (docs/grasps-file.md). It comes in two steps: which scene a file is
-// about, and, once that scene is there, the grasps of its hand.
+// Writer and reader of grasps.json (docs/grasps-file.md). Reading takes two steps, because grasps
+// can only be checked against their scene: first which scene a file is about
+// (read_scene_reference), then, when that scene is loaded, its grasps (read_grasps).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@ namespace prehend {
 
 class JsonFile;  // sim/json/json_field.h
 
-// What a run was asked, as the file's "scene" and "settings" say it.
+// The inputs of a run, which the file repeats as "scene" and "settings".
 struct RunRecord {
   std::string scene;       // name of a library scene or absolute path of a scene or mesh file
   std::string unit = "m";  // of a mesh file
@@ -25,7 +26,7 @@ struct RunRecord {
 std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                         const RunRecord& record);
 
-// The scene that a file is about; what it does not say is empty.
+// The scene that a file is about; fields that the file does not state are empty.
 struct SceneReference {
   std::string scene;  // name of a library scene, or path of a scene or mesh file
   std::string hand;
@@ -36,8 +37,8 @@ struct SceneReference {
 // path is first looked for beside the file. Throws InputError that names the file and the field.
 SceneReference read_scene_reference(const JsonFile& file);
 
-// What a file says: a run and what came of it, as far as there are fields for it. Of a file that
-// holds no more than somebody's grasps, everything else is as in fresh values.
+// The content of a file: the inputs and the result of a run. Fields that the file does not state
+// keep their defaults; a file written by hand often has nothing but grasps.
 struct GraspFile {
   RunRecord record;
   PlanResult result;

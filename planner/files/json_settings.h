@@ -1,4 +1,4 @@
-// "settings" of a grasp file: everything that the result depends on besides the scene.
+// "settings" of a grasp file: all options that the result depends on, besides the scene.
 #pragma once
 
 #include "planner/files/grasps_file.h"

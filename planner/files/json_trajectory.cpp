@@ -90,8 +90,7 @@ Trajectory read_trajectory(const JsonField& field, const Robot& robot) {
   check_joints(field["joints"], read.joints, robot);
   check_times(field["times"], read.times);
   check_rows(field["positions"], read.times.size(), read.joints.size());
-  const std::vector<JsonField> rows = field["positions"].items();
-  for (std::size_t i = 0; i < rows.size(); ++i) check_joint_limits(rows[i], robot);
+  for (const JsonField& row : field["positions"].items()) check_joint_limits(row, robot);
   check_rows(field["velocities"], read.times.size(), read.joints.size());
   check_segments(field["segments"], read.segments, read.times.size());
   return read;

@@ -1,4 +1,5 @@
-// timings.json as text: what differs from run to run (docs/grasps-file.md).
+// timings.json as text: run times, kept out of grasps.json since they differ from run to run
+// (docs/grasps-file.md).
 #pragma once
 
 #include <string>
@@ -9,8 +10,8 @@
 
 namespace prehend {
 
-// Seconds a stage, and in all; of the trials also what each of their stages took, summed over the
-// threads.
+// Seconds of each stage and in total; for trials also the time of each of their stages, summed over
+// all threads.
 std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds& trials,
                          int threads);
 

@@ -1,9 +1,9 @@
 #include "planner/main/asked_scene.h"
 
 #include "sim/base/input_error.h"
+#include "sim/json/json_field.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
-#include "sim/json/json_field.h"
 
 namespace prehend {
 

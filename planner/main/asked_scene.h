@@ -1,4 +1,4 @@
-// The scene that a grasp file is about, as the file and the command line say together.
+// Loads the scene of a grasp file, which the command line may override.
 #pragma once
 
 #include "planner/files/grasps_file.h"
@@ -6,12 +6,13 @@
 
 namespace prehend {
 
+// A scene, and how it was asked for.
 struct LoadedScene {
   CompiledScene scene;
   RunRecord record;
 };
 
-// What the command line says stands in place of what the file says; what it leaves empty does not.
+// Each field that is set on the command line overrides that of the file; empty ones do not.
 // Throws InputError when neither names a scene.
 LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& command_line);
 

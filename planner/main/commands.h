@@ -1,4 +1,4 @@
-// What the program's commands do, once their words are parsed.
+// The program's commands with their parsed arguments.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +10,7 @@
 
 namespace prehend {
 
+// Options that several commands have.
 struct CommonOptions {
   std::filesystem::path out = "out";
   int threads = 0;  // 0: all processors
@@ -19,6 +20,7 @@ struct CommonOptions {
   bool progress = false;  // lines on stderr that say how far the run is
 };
 
+// Arguments of `plan`.
 struct PlanCommand {
   std::string scene = "mug";  // name, scene file or mesh file
   std::string hand;           // empty: the scene's
@@ -30,6 +32,7 @@ struct PlanCommand {
   CommonOptions common;
 };
 
+// Arguments of `evaluate`.
 struct EvaluateCommand {
   std::filesystem::path grasps;
   std::string scene;  // empty: the file's
@@ -38,6 +41,7 @@ struct EvaluateCommand {
   CommonOptions common;
 };
 
+// Arguments of `render`.
 struct RenderCommand {
   std::filesystem::path grasps;
   int grasp = 0;   // 1 is the first, 0: all
@@ -48,12 +52,14 @@ struct RenderCommand {
   CommonOptions common;
 };
 
+// Arguments of `inspect`.
 struct InspectCommand {
   std::string file;
   std::string unit = "m";
   std::filesystem::path save;  // of a scene: write it there; empty: do not
 };
 
+// Arguments of `quality`.
 struct QualityCommand {
   std::filesystem::path contacts;
   std::string space = "L1";        // L1 or Linf

@@ -28,8 +28,10 @@ class Interrupts {
 
   const Cancellation& cancellation() const { return cancellation_; }
 
+  // From now on the first signal requests cancellation().
   void cancel_first();
-  // `words`: the end of the line on stderr, "nothing is written".
+  // From now on a signal ends the program at once. `words`: the end of its line on stderr, such as
+  // "nothing is written".
   void end_at_once(const std::string& words);
 
   // Exit status of a program that a signal ended: 130 for Ctrl-C, 143 for SIGTERM.

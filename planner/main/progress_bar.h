@@ -1,4 +1,4 @@
-// What the program says of how far a run is.
+// Output of a run's progress.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Results as text for people.
+// Results as text for the terminal.
 #pragma once
 
 #include <string>

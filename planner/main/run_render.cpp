@@ -9,8 +9,8 @@
 #include "planner/show/motion_picture.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
-#include "sim/parallel/parallel.h"
 #include "sim/json/json_field.h"
+#include "sim/parallel/parallel.h"
 
 namespace prehend {
 namespace {

@@ -9,10 +9,13 @@
 namespace prehend {
 namespace {
 
-// What rounding may add to a limit, as a part of it or in rad or m.
+// Excess over a limit that is taken for rounding: relative for velocities and accelerations, in rad
+// or m for positions.
 constexpr double kRounding = 1e-6;
 
-// The cubic with the positions and velocities of samples i and i + 1, at `part` of the way.
+// Joint values at the fraction `part` (0..1) of the time between samples i and i + 1, on the cubic
+// Hermite polynomial of their positions and velocities. The four weights are the Hermite basis; the
+// tangents are scaled by h because the basis is written for an interval of length 1.
 std::vector<double> between(const Trajectory& path, std::size_t i, double part) {
   const double h = path.times[i + 1] - path.times[i];
   const double s = part;
@@ -28,7 +31,10 @@ std::vector<double> between(const Trajectory& path, std::size_t i, double part) 
   return joints;
 }
 
-// The corners of each link's bounding box: they move as far as any point of the link does.
+// The corners of each link's bounding box, in the link's frame. A link lies in the convex hull of
+// its corners, so no point of it moves farther from one pose to another than the farthest corner:
+// the difference of two rigid motions is affine, and its norm is largest at a corner of the hull.
+// This measures the motion with 8 points instead of all vertices.
 std::vector<std::vector<Vector3>> box_corners(const CompiledArm& arm) {
   std::vector<std::vector<Vector3>> corners;
   for (const CompiledLink& link : arm.links) {
@@ -73,13 +79,16 @@ class PathChecker {
         const double value = path_.positions[i][j];
         check_.beyond_limits =
             std::max({check_.beyond_limits, joint.lower - value, value - joint.upper});
-        // A scene may narrow what the joints allow; fingers part from theirs.
+        // A scene may narrow the limits of a degree of freedom below those of its joints. Joints of
+        // the hand are left out: when a finger is stopped, the joints of one degree of freedom
+        // no longer follow from a common value.
         if (!is_in_hand(j)) {
           const double dof_value = (value - joint.offset) / joint.ratio;
           check_.beyond_limits =
               std::max({check_.beyond_limits, dof.lower - dof_value, dof_value - dof.upper});
         }
         const double speed = std::abs(path_.velocities[i][j] / joint.ratio);
+        // Joints at rest are skipped: their limits may be missing (0), which would give 0 / 0.
         if (speed > 0.0) check_.velocity = std::max(check_.velocity, speed / dof.max_velocity);
         if (i == 0) continue;
         const double change = std::abs(path_.velocities[i][j] - path_.velocities[i - 1][j]);
@@ -96,8 +105,10 @@ class PathChecker {
     return joint >= first && joint < first + hand_joints_;
   }
 
-  // From sample i to the next. The number of steps is doubled until the longest of them is short
-  // enough: how far a link moves in a step is known only once its poses are computed.
+  // Tests the postures after sample i up to and including sample i + 1. The number of steps is
+  // doubled until the longest of them is short enough: how far a link moves in a step is known only
+  // once its poses are computed. 4096 steps (8 m between samples at the default step) is a guard
+  // against paths whose samples are absurdly far apart.
   void walk(std::size_t i) {
     int steps = 1;
     while (steps < 4096 && longest_step(i, steps) > options_.step) steps *= 2;
@@ -107,6 +118,7 @@ class PathChecker {
     }
   }
 
+  // The farthest that any corner of any link moves [m] in one of `steps` equal steps of time.
   double longest_step(std::size_t i, int steps) {
     double longest = 0.0;
     std::vector<Pose> before;
@@ -125,6 +137,7 @@ class PathChecker {
     return longest;
   }
 
+  // Tests one posture and records the result; the description is kept of the first collision only.
   void look(const std::vector<double>& joints, double time) {
     context_.cancellation.check();
     ++check_.postures;
@@ -137,6 +150,7 @@ class PathChecker {
     check_.first_collision = met + when;
   }
 
+  // "LINK meets BODY" for the first collision in the current posture, empty if there is none.
   std::string what_meets() const {
     for (const LinkPair& pair : pairs_) {
       const CompiledLink& a = arm_.links[index(pair.a)];
@@ -155,6 +169,7 @@ class PathChecker {
     return "";
   }
 
+  // Whether the surfaces intersect. Bounding balls first: they rule out most pairs cheaply.
   static bool meet(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_A,
                    const Pose& X_B) {
     const double apart = (X_A * a.ball_center() - X_B * b.ball_center()).norm();

@@ -1,4 +1,4 @@
-// An independent check of a finished path: collisions, and the limits of the joints.
+// Independent check of a finished, timed path: collisions along it, and joint limits.
 #pragma once
 
 #include <string>
@@ -10,15 +10,18 @@
 
 namespace prehend {
 
+// What check_path measured along a path.
 struct PathCheck {
-  int postures = 0;             // that were looked at
-  int collisions = 0;           // of them
-  std::string first_collision;  // "LINK meets BODY at TIME s", empty for none
-  // Largest over all samples and joints, as parts of the limits: at most 1 is inside.
+  int postures = 0;             // number of postures that were tested for collision
+  int collisions = 0;           // how many of these postures are in collision
+  std::string first_collision;  // "LINK meets BODY at TIME s"; empty without a collision
+  // Largest ratio of value to limit over all samples and joints; within the limits when <= 1.
   double velocity = 0.0;
-  double acceleration = 0.0;   // difference of the velocities of two samples over the time between
-  double beyond_limits = 0.0;  // farthest that a joint is outside its limits [rad or m]
+  double acceleration = 0.0;   // velocity difference of neighbouring samples over their time step
+  double beyond_limits = 0.0;  // largest distance of a joint outside its position limits [rad or m]
 
+  // Whether the path may be executed: no collision, and position, velocity and acceleration within
+  // their limits up to rounding (1e-6, relative for velocity and acceleration, else rad or m).
   bool ok() const;
 };
 
@@ -32,12 +35,14 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("step", step);
 }
 
-// Checks postures along the cubics between the samples of the path, so densely that no corner of a
-// link's bounding box moves more than `step` from one to the next: whether any two triangles meet,
-// of every link with every other that it is not joined to, with the object and with the obstacles.
-// It shares no code with the proof that planning relies on (motion_check.h): no gaps, no bounds of
-// motion, no pairs left out because they were proven to stay apart. So an error there shows here.
-// Throws Cancelled.
+// Tests postures along the cubics between the samples of `path` (joints of scene.arm), so densely
+// that no corner of a link's bounding box moves more than `step` from one posture to the next. In
+// each posture the triangles of every link are tested for intersection with those of every link
+// that it is not joined to, of the object and of the obstacles.
+//
+// Planning relies on a proof instead (motion_check.h: distances and bounds of motion). This check
+// deliberately uses neither, and leaves out no pair that the proof found to stay apart, so that an
+// error in the proof shows here. The scene must have an arm. Throws Cancelled.
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
                      const PathCheckOptions& options = {}, const RunContext& context = {});
 

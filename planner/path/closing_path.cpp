@@ -14,11 +14,14 @@ ClosingPath closing_path(const Robot& hand, const std::vector<double>& from,
     const Joint& joint = hand.joints[j];
     rate[j] = joint.ratio * hand.dofs[static_cast<std::size_t>(joint.dof)].closing_velocity;
     const double way = to[j] - from[j];
-    // What does not close, or was pushed back, goes straight there in the first second.
+    // A joint without closing velocity, or one that was pushed against its closing direction, would
+    // never arrive at its closing rate: it goes straight there in the first second.
     if (rate[j] * way <= 0.0) rate[j] = way;
     stop[j] = way == 0.0 ? 0.0 : way / rate[j];
     stops.push_back(stop[j]);
   }
+  // Between two neighbouring stops every joint either moves at constant rate or rests, so postures
+  // at the stops alone describe the motion exactly.
   std::sort(stops.begin(), stops.end());
   stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
   ClosingPath path{{from}, {0.0}};

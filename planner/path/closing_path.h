@@ -13,7 +13,9 @@ struct ClosingPath {
   std::vector<double> times;  // of each, from 0 [s]
 };
 
-// Each joint moves from `from` at its closing rate until it is where it ends, at `to`.
+// Each joint of `hand` moves from `from` to `to` (one value a joint [rad or m]) at its closing
+// velocity and then waits there; the path has a posture at every time at which a joint arrives.
+// Joints that do not close, or end on the opening side, take one second.
 ClosingPath closing_path(const Robot& hand, const std::vector<double>& from,
                          const std::vector<double>& to);
 

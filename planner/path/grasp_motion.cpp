@@ -8,7 +8,8 @@
 namespace prehend {
 namespace {
 
-// The hand of a platform in one of its postures.
+// Arm and hand with the platform's joints at `arm_joints`. The hand's base is found by forward
+// kinematics: frame of the joint that carries the hand, then the fixed pose from there to the hand.
 MotionFrame frame_of(const CompiledScene& scene, double time, std::vector<double> arm_joints) {
   const CompiledArm& arm = *scene.arm;
   const PlatformPart& part = arm.hand_part();
@@ -45,7 +46,7 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
                                 ? frame_of(scene, time, arm_joints(*scene.arm, *dofs, joints))
                                 : MotionFrame{time, X_OH, joints});
   };
-  // Of one posture alone it is not known how the arm comes there.
+  // A single posture does not say how the arm came to it, so there is no approach to show.
   const double seconds = arm_line.size() == 1 ? 0.0 : trial.travel / options.approach_speed;
   const std::size_t postures = arm_line.empty() ? 2 : arm_line.size();
   if (seconds > 0.0) {

@@ -9,6 +9,7 @@
 
 namespace prehend {
 
+// The hand, and the arm if there is one, at one moment.
 struct MotionFrame {
   double time = 0.0;                    // s
   Pose X_OH = Pose::Identity();         // the hand's base in the object's frame
@@ -16,7 +17,8 @@ struct MotionFrame {
   std::vector<double> arm_joints = {};  // of the whole platform; empty without an arm
 };
 
-// Between two frames everything moves straight.
+// Between two frames joint values (and, without an arm, the hand's position) are interpolated
+// linearly in time.
 struct GraspMotion {
   std::vector<MotionFrame> frames;          // at least one; the last is the grasp
   std::vector<TrajectorySegment> segments;  // "approach", "close"; with a path also those before
@@ -27,13 +29,15 @@ struct GraspMotionOptions {
   double approach_speed = 0.1;
 };
 
-// The samples of `path`, if there is one. If not, what the trial did: the hand approaches and
-// closes at its closing velocities, carried by the arm along trial.arm_line where there is one. An
-// arm_line of a single posture has no approach: the motion then starts at the grasp.
+// With `path` (and a scene with an arm): a frame for each of its samples. Otherwise (`path` null)
+// the motion of the trial: the hand approaches and then closes at its closing velocities, carried
+// by the arm along trial.arm_line where there is one. An arm_line of a single posture has no
+// approach: the motion then starts at the grasp.
 GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const Trajectory* path, const GraspMotionOptions& options = {});
 
-// At most about `most` of the frames (>= 2), evenly in time of samples; ends of segments stay.
+// The motion with about `most` (>= 2) of its frames: every n-th one, and always those at the ends
+// of segments, which is why there can be a few more.
 GraspMotion thinned(const GraspMotion& motion, int most);
 
 }  // namespace prehend

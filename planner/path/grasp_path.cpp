@@ -10,10 +10,11 @@
 namespace prehend {
 namespace {
 
-// Postures whose values differ by less are one: the inverse kinematics found it twice, or a file
-// rounded it [rad or m].
+// Postures whose values differ by no more than this are the same: inverse kinematics found it
+// twice, or a file rounded it [rad or m].
 constexpr double kSamePosture = 1e-6;
 
+// Limits of the joints from those of the degrees of freedom: joint = offset + ratio * dof.
 JointLimits limits_of(const Robot& robot) {
   JointLimits limits;
   for (const Joint& joint : robot.joints) {
@@ -24,6 +25,10 @@ JointLimits limits_of(const Robot& robot) {
   return limits;
 }
 
+// Tries alternatives in a fixed order and returns the first path that stands: postures of the arm
+// at the pre-grasp (the trial's own first), and for each the hand opened before or after the
+// transfer. Collision-free geometry is found first (plan_transfer); timing comes after it, since it
+// does not change where the arm passes.
 class GraspPathPlanner {
  public:
   GraspPathPlanner(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
@@ -53,7 +58,8 @@ class GraspPathPlanner {
   }
 
  private:
-  // Lines of the arm to the grasp in other postures than the trial's.
+  // Approaches of the arm along the same line of the hand in other inverse kinematics branches than
+  // the trial's. At most `alternatives` are tried in all, that of the trial included.
   std::vector<std::vector<DofValues>> other_lines() const {
     std::vector<std::vector<DofValues>> lines;
     const std::size_t tried = trial_.arm_line.empty() ? 0 : 1;
@@ -72,7 +78,8 @@ class GraspPathPlanner {
                       [](double a, double b) { return std::abs(a - b) <= kSamePosture; });
   }
 
-  // To the pre-grasp and along the line, the hand opened first where that works, else last.
+  // The path whose approach runs along `line`, with the hand taking its preshape at the start where
+  // that works, else at the pre-grasp.
   std::optional<Trajectory> along(const std::vector<DofValues>& line) const {
     for (const bool opens_first : {true, false}) {
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
@@ -82,10 +89,11 @@ class GraspPathPlanner {
     return std::nullopt;
   }
 
-  // The hand takes its preshape before the arm moves, or at the pre-grasp: an open hand may not fit
-  // where a closed one does, and the other way round.
+  // Both orders are worth trying: there may be no room to open the hand at the start, or none to
+  // carry it open.
   std::optional<Trajectory> along(const std::vector<DofValues>& line, bool opens_first) const {
     const std::vector<double>& carried = opens_first ? line_.hand_joints : start_hand_;
+    // The quick check of the opening comes before the search for a transfer, which is expensive.
     const DofValues& opens_at = opens_first ? arm_.start : line.front();
     const JointPath opening = {arm_joints(arm_, opens_at, start_hand_),
                                arm_joints(arm_, opens_at, line_.hand_joints)};
@@ -100,6 +108,7 @@ class GraspPathPlanner {
     if (opens && opens_first) add(path, "preshape", opening, PathKind::corners);
     add(path, "transfer", with_hand(waypoints, carried), PathKind::corners);
     if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
+    // The line is densely sampled along a smooth motion, so it is run through without stops.
     add(path, "approach", with_hand(line, line_.hand_joints), PathKind::smooth);
     JointPath closing;
     for (const auto& hand :
@@ -110,6 +119,7 @@ class GraspPathPlanner {
     return path;
   }
 
+  // Joints of the platform along the postures of the arm, the hand's the same all the way.
   JointPath with_hand(const std::vector<DofValues>& dofs, const std::vector<double>& hand) const {
     JointPath path;
     for (const DofValues& values : dofs) path.push_back(arm_joints(arm_, values, hand));

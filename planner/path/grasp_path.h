@@ -1,4 +1,4 @@
-// The timed motion of a robot from its start posture to a grasp.
+// Planning of the timed motion of a robot from its start posture to a grasp.
 #pragma once
 
 #include <optional>
@@ -15,8 +15,8 @@ struct GraspPathOptions {
   ReachOptions reach;
   TransferOptions transfer;
   TimePathOptions timing;
-  // Postures of the pre-grasp that are tried (>= 1): the trial's own first, where it has an
-  // arm_line, then the others, nearest to the start first.
+  // How many arm postures at the pre-grasp are tried (>= 1): first that of the trial, where it has
+  // an arm_line, then other inverse kinematics solutions, nearest to the start first.
   int alternatives = 3;
   PathCheckOptions check;  // of the finished path
 };
@@ -31,12 +31,17 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("check", check);
 }
 
-// Segments of a path, in order: "preshape" (the hand opens, the arm at rest; left out where the
-// hand starts so), "transfer" (from the start to the pre-grasp), "approach" (straight to the
-// grasp), "close". Joints are those of the platform. Proven free of collision but for the closing
-// hand and what it closes on, and checked again (check_path); nothing where there is no such way.
-// The scene must have an arm, and the trial be stable. Throws InputError for a degree of freedom
-// that moves and has no velocity or acceleration limit, and Cancelled.
+// Plans the timed motion of arm and hand from the scene's start posture to the grasp of a trial.
+//
+// Segments of the path: "preshape" (the hand takes its preshape while the arm rests; before or
+// after the transfer, left out where the hand starts in it), "transfer" (from the start to the
+// pre-grasp), "approach" (the hand moves straight to the grasp), "close". Joints are those of the
+// platform, in its order.
+//
+// All but the closing is proven free of collision (first_blocked), and the whole path is tested
+// again by check_path. Returns nothing when no such path was found. The scene must have an arm, and
+// the trial must be stable. Throws InputError for a degree of freedom that moves and has no
+// velocity or acceleration limit, and Cancelled.
 std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
                                           const Trial& trial, const GraspPathOptions& options = {},
                                           const RunContext& context = {});

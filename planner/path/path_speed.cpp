@@ -7,22 +7,30 @@
 namespace prehend {
 namespace {
 
+// Keeps the speed finite at a station where q' = 0: the velocity limits say nothing there. The
+// curves of this library are parametrised in seconds at full speed, so that ds/dt is of the order
+// of 1 and the bound of 100 does not slow down an ordinary motion.
 constexpr double kLargestSquaredSpeed = 1e4;
 
-// |at_start x + at_end y| <= bound, for the squared speeds x and y at both ends of an interval.
+// One acceleration limit of one joint on an interval between two stations:
+// |at_start x + at_end y| <= bound, for the squared speeds x and y at its start and end.
 struct Strip {
   double at_start;
   double at_end;
   double bound;
 };
 
+// Squared speeds at the start (x) and the end (y) of an interval.
 struct Speeds {
   double x;
   double y;
 };
 
-// The acceleration limits on an interval. With d2s/dt2 = (y - x) / (2 ds) they are linear in x and
-// y.
+// The acceleration limits on an interval. A joint's acceleration is q' s'' + q'' s'^2. With
+// constant s'' = (y - x) / (2 ds) on the interval, it is linear in x and y; it is limited at the
+// start (where s'^2 = x) and at the end (where s'^2 = y), which gives two strips for each joint.
+// Limiting it at both ends keeps the solution from oscillating between stations (the interpolation
+// scheme of section V).
 std::vector<Strip> acceleration_strips(const PathStation& start, const PathStation& end,
                                        const std::vector<double>& limits) {
   const double twice = 2.0 * (end.s - start.s);
@@ -37,6 +45,8 @@ std::vector<Strip> acceleration_strips(const PathStation& start, const PathStati
   return strips;
 }
 
+// The largest squared speed at a station that the velocity limits allow. Products are compared
+// instead of quotients, so that a joint with slope 0 is not divided by.
 double velocity_bound(const PathStation& station, const std::vector<double>& limits) {
   double speed = std::sqrt(kLargestSquaredSpeed);
   for (std::size_t j = 0; j < limits.size(); ++j) {
@@ -64,13 +74,14 @@ void clip(std::vector<Speeds>& polygon, double a, double b, double c) {
   polygon.swap(kept);
 }
 
-// The largest x <= x_bound that allows some y in [0, y_bound]. The pairs allowed are a convex
-// polygon with the origin in it, so all smaller x do as well.
+// The largest x <= x_bound from which some y in [0, y_bound] can be reached: a linear program in
+// two variables, solved by clipping the rectangle of bounds with each strip. The feasible pairs are
+// a convex polygon that contains the origin, so all smaller x are feasible as well.
 double largest_start(const std::vector<Strip>& strips, double x_bound, double y_bound) {
   std::vector<Speeds> polygon{{0.0, 0.0}, {x_bound, 0.0}, {x_bound, y_bound}, {0.0, y_bound}};
   for (const Strip& strip : strips) {
     const double reach = std::abs(strip.at_start) * x_bound + std::abs(strip.at_end) * y_bound;
-    if (reach <= strip.bound) continue;
+    if (reach <= strip.bound) continue;  // contains the whole rectangle: nothing to cut off
     clip(polygon, strip.at_start, strip.at_end, strip.bound);
     clip(polygon, -strip.at_start, -strip.at_end, strip.bound);
   }
@@ -79,7 +90,8 @@ double largest_start(const std::vector<Strip>& strips, double x_bound, double y_
   return largest;
 }
 
-// The largest y in [0, y_bound] for a given x.
+// The largest y in [0, y_bound] that the strips allow for a given x. The backward pass made sure
+// that one exists; the final max is against rounding only.
 double largest_end(const std::vector<Strip>& strips, double x, double y_bound) {
   double y = y_bound;
   for (const Strip& strip : strips) {
@@ -96,9 +108,13 @@ double largest_end(const std::vector<Strip>& strips, double x, double y_bound) {
 std::vector<double> fastest_squared_speeds(const std::vector<PathStation>& stations,
                                            const JointLimits& limits) {
   assert(stations.size() >= 2);
+  // Backward: reachable[i] is the largest squared speed at station i from which the motion can
+  // still stop at the end. Forward: from rest, the largest such speed at each next station. All
+  // speeds from 0 to reachable[i] can stop as well, so the forward pass never gets stuck; that this
+  // greedy choice is time-optimal (up to the discretisation) is shown in the source.
   const std::size_t last = stations.size() - 1;
   std::vector<std::vector<Strip>> strips(last);
-  std::vector<double> reachable(last + 1, 0.0);  // from here the end can be reached
+  std::vector<double> reachable(last + 1, 0.0);  // 0 at the end, where the motion stops
   for (std::size_t i = last; i-- > 0;) {
     strips[i] = acceleration_strips(stations[i], stations[i + 1], limits.acceleration);
     const double bound = velocity_bound(stations[i], limits.velocity);

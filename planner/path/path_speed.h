@@ -1,4 +1,4 @@
-// The fastest run along a given curve.
+// Time-optimal speed along a given curve under joint velocity and acceleration limits.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace prehend {
 
-// A place on a curve q(s), with its derivatives by s, one number a joint.
+// A grid point of a curve q(s): the parameter, and the first and second derivative by s, with one
+// number a joint.
 struct PathStation {
   double s = 0.0;
   std::vector<double> dq, ddq;
@@ -16,7 +17,8 @@ struct PathStation {
 // The squared speed (ds/dt)^2 at each station, 0 at the first and the last, of the fastest run from
 // rest to rest. Between two stations d2s/dt2 is constant. At every station
 //   |q' ds/dt| <= velocity and |q' d2s/dt2 + q'' (ds/dt)^2| <= acceleration
-// hold for every joint, the latter with d2s/dt2 before and after it. (ds/dt)^2 is at most 1e4.
+// hold for every joint, the latter with d2s/dt2 of the interval before the station and of the one
+// after it. (ds/dt)^2 is at most 1e4.
 //
 // A backward pass finds, for each station, the largest squared speed from which the end can still
 // be reached; a forward pass takes the largest of these that it can reach. Source: Pham and Pham

@@ -30,7 +30,9 @@ double end_slope(const std::vector<double>& knots, const std::vector<double>& q,
   return slope;
 }
 
-// Slopes of one joint at all knots: the second derivatives of neighbours agree where they meet.
+// Slopes m of one joint at all knots. In Hermite form, values and slopes at the knots determine the
+// cubics; the inner slopes follow from the condition that the second derivatives of neighbouring
+// cubics agree where they meet, which is a tridiagonal linear system.
 std::vector<double> spline_slopes(const std::vector<double>& knots, const std::vector<double>& q) {
   const std::size_t last = knots.size() - 1;
   std::vector<double> h(last);
@@ -43,8 +45,11 @@ std::vector<double> spline_slopes(const std::vector<double>& knots, const std::v
   if (last == 1) return slope;
   slope[0] = end_slope(knots, q, [](std::size_t i) { return i; });
   slope[last] = end_slope(knots, q, [last](std::size_t i) { return last - i; });
-  // h1 m0 + 2 (h0 + h1) m1 + h0 m2 = 3 (h1 secant0 + h0 secant1), by elimination downwards (the
-  // matrix is diagonally dominant) and substitution upwards.
+  // One equation for each inner knot,
+  //   h1 m0 + 2 (h0 + h1) m1 + h0 m2 = 3 (h1 secant0 + h0 secant1),
+  // solved by elimination downwards and substitution upwards (Thomas algorithm). The matrix is
+  // diagonally dominant, so no pivoting is needed. The slopes at both ends are known: above[0] is
+  // 0, and slope[last] enters as it is.
   std::vector<double> above(last + 1, 0.0);
   for (std::size_t i = 1; i < last; ++i) {
     const double right = 3.0 * (h[i] * secant[i - 1] + h[i - 1] * secant[i]);
@@ -70,6 +75,9 @@ PathSpline::PathSpline(std::vector<double> knots, std::vector<std::vector<double
 }
 
 CurvePoint PathSpline::at(double s) const {
+  // The interval of s. The first and the last knot are left out of the search, so that s at (or, by
+  // rounding, beyond) either end falls into the outermost interval. Then the cubic Hermite
+  // polynomial there, with t from 0 to 1 and r = 1 - t, and its derivatives by s.
   const auto after = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, s);
   const auto i = static_cast<std::size_t>(after - knots_.begin()) - 1;
   const double h = knots_[i + 1] - knots_[i];

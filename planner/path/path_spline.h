@@ -12,17 +12,17 @@ struct CurvePoint {
 
 // The cubic spline through the points: twice continuously differentiable, a cubic in s between two
 // knots. Its slope at either end is that of the cubic through the four points there (of the
-// parabola or the line, if there are fewer). That follows a curve better than the natural end,
-// whose second derivative is 0 whatever the points say. Source: de Boor 1978, A Practical Guide to
-// Splines, chapter IV.
+// parabola or the line, if there are fewer). That follows a curve better than the natural end
+// condition, which sets the second derivative to 0 regardless of the points. Source: de Boor 1978,
+// A Practical Guide to Splines, chapter IV.
 class PathSpline {
  public:
-  // At least two points, one increasing knot each.
+  // At least two points (one number a joint), and as many knots, strictly increasing.
   PathSpline(std::vector<double> knots, std::vector<std::vector<double>> points);
 
   const std::vector<double>& knots() const { return knots_; }
 
-  // The curve at s, between the first and the last knot.
+  // The curve and its derivatives at s, which lies between the first and the last knot.
   CurvePoint at(double s) const;
 
  private:

@@ -21,8 +21,9 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-// OMPL numbers its random generators in the order of their creation, on whatever thread: here each
-// gets a seed of its own.
+// OMPL seeds its random generators in the order of their creation, counted over all threads. With
+// several searches at a time the result would depend on which of them comes first, so the classes
+// below give each generator a seed from the options.
 class SeededSampler : public ob::RealVectorStateSampler {
  public:
   SeededSampler(const ob::StateSpace* space, std::uint64_t seed)
@@ -31,7 +32,8 @@ class SeededSampler : public ob::RealVectorStateSampler {
   }
 };
 
-// Without the random projections that OMPL makes for planners which are not used here.
+// OMPL gives every space random projections to the plane, for planners that are not used here.
+// Leaving them out saves time and draws no random numbers.
 class PlainSpace : public ob::RealVectorStateSpace {
  public:
   using ob::RealVectorStateSpace::RealVectorStateSpace;
@@ -54,8 +56,11 @@ class SeededSimplifier : public og::PathSimplifier {
   }
 };
 
-// The degrees of freedom that carry the hand as coordinates in which a unit is about a metre of
-// motion of the farthest point.
+// The space that OMPL plans in, and its collision checks. Its coordinates are the degrees of
+// freedom that carry the hand, each multiplied by the farthest that any point moves per unit of it
+// [m/rad or m/m]. In these coordinates a distance says about how far the arm moves, so that a turn
+// of the base, which swings the whole arm, counts more than one of the wrist; and radians and
+// metres can be mixed.
 class TransferSpace {
  public:
   TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options,
@@ -90,6 +95,7 @@ class TransferSpace {
     return !first_meeting(arm_, pairs_, joints(dofs(state)));
   }
 
+  // Whether the straight line between two postures is proven free of collision.
   bool is_free(const DofValues& from, const DofValues& to) const {
     try {
       return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion, context_);
@@ -108,7 +114,8 @@ class TransferSpace {
     return arm_joints(arm_, dofs, transfer_.hand_joints);
   }
 
-  // Most that any point of a link moves for a unit of the degree of freedom.
+  // The farthest that any point of a link moves for a unit of the degree of freedom: the largest
+  // distance of a point of a link behind the joint (CompiledLink::reach) times the joint's ratio.
   double motion_of(int dof) const {
     double most = 1e-3;  // for one that moves nothing, so that its coordinate does not vanish
     for (const CompiledLink& link : arm_.links) {
@@ -128,6 +135,8 @@ class TransferSpace {
   std::vector<double> scale_;
 };
 
+// Edges of the planner's graph are checked by the proof of motion_check.h instead of OMPL's
+// sampling at a fixed resolution, which can miss a thin obstacle.
 class FreeMotion : public ob::MotionValidator {
  public:
   FreeMotion(const ob::SpaceInformationPtr& information, const TransferSpace& space)
@@ -136,6 +145,7 @@ class FreeMotion : public ob::MotionValidator {
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
     return space_.is_free(space_.dofs(from), space_.dofs(to));
   }
+  // OMPL also asks how far the motion is free. The proof does not tell, so the answer is the start.
   bool checkMotion(const ob::State* from, const ob::State* to,
                    std::pair<ob::State*, double>& last_valid) const override {
     if (checkMotion(from, to)) return true;
@@ -148,6 +158,7 @@ class FreeMotion : public ob::MotionValidator {
   const TransferSpace& space_;
 };
 
+// OMPL's description of the space: bounds, sampler, and both collision checks.
 ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t seed) {
   auto vectors = std::make_shared<PlainSpace>(static_cast<unsigned>(space.size()));
   ob::RealVectorBounds bounds(static_cast<unsigned>(space.size()));
@@ -183,7 +194,8 @@ ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
   return with_range(std::make_shared<Seeded<og::RRTConnect>>(information, options.seed));
 }
 
-// Counts how often the planner asks, and ends it at the limit: the same on every machine.
+// Ends the planner when it has asked `iterations` times whether to end, about once for each sample
+// that it draws. A count gives the same path on every machine, a time limit does not.
 ob::PlannerTerminationCondition after(int iterations, const TransferSpace& space) {
   auto left = std::make_shared<int>(iterations);
   return ob::PlannerTerminationCondition(
@@ -217,6 +229,8 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   simplifier.reduceVertices(*path, steps, steps);
   std::vector<DofValues> waypoints;
   for (const ob::State* state : path->getStates()) waypoints.push_back(space.dofs(state));
+  // The ends as they were given, to the bit: scaling into the planner's coordinates and back
+  // rounds.
   waypoints.front() = transfer.from;
   waypoints.back() = transfer.to;
   return waypoints;
@@ -245,9 +259,11 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
   const TransferSpace space(arm, transfer, options, context);
+  // Often the straight line is free, which saves the search and is the shortest path.
   if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
   std::vector<DofValues> waypoints = search(space, transfer, options);
-  // Rounding in and out of the planner's coordinates must not cost the proof.
+  // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
+  // repeated for the lines that are returned.
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     if (!space.is_free(waypoints[i - 1], waypoints[i])) {
       context.cancellation.check();

@@ -1,4 +1,5 @@
-// A collision-free path of the arm from one posture to another. The only place that knows OMPL.
+// Planning of a collision-free path of the arm from one posture to another. The only files that
+// include OMPL (Sucan, Moll and Kavraki 2012, The Open Motion Planning Library) are these two.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +13,27 @@
 
 namespace prehend {
 
+// The sampling-based planner that is used.
 enum class PathPlanner {
   rrt_connect,  // two trees that grow towards each other (Kuffner and LaValle 2000)
   roadmap,      // lazy probabilistic roadmap (Bohlin and Kavraki 2000)
-  rrt_star,     // shorter the longer it may take (Karaman and Frazzoli 2011)
+  rrt_star,     // asymptotically optimal: uses all its iterations to shorten the path (Karaman and
+                // Frazzoli 2011)
 };
 
-// "rrt_connect", ...
+// The planner's name on the command line and in files: "rrt_connect", "roadmap" or "rrt_star".
 std::string_view path_planner_name(PathPlanner planner);
+// The inverse of path_planner_name; nothing for a name that is none of these.
 std::optional<PathPlanner> path_planner_named(std::string_view name);
 
 struct TransferOptions {
   PathPlanner planner = PathPlanner::rrt_connect;
-  int max_iterations = 3000;  // of the planner; a time limit would not repeat
-  int simplify_steps = 100;   // tries to cut a corner short
-  // Longest edge that a tree grows at once: the farthest that any point of the arm moves on it [m].
+  // The planner gives up after this many iterations. There is no time limit, because the result
+  // would then depend on the speed of the machine.
+  int max_iterations = 3000;
+  int simplify_steps = 100;  // attempts to shorten the path that was found
+  // Longest edge that a planner adds in one step, as a length in the planner's space: each degree
+  // of freedom counts with the farthest that it moves any point of the arm [m].
   double longest_edge = 0.8;
   std::uint64_t seed = 1;
   MotionCheckOptions motion;
@@ -42,15 +49,18 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("", motion);
 }
 
+// What is asked of plan_transfer: two postures of the arm, and the posture in which it carries the
+// hand.
 struct Transfer {
-  DofValues from;
-  DofValues to;
-  std::vector<double> hand_joints;  // as they are all the way
+  DofValues from;                   // all degrees of freedom of the platform [rad or m]
+  DofValues to;                     // as `from`
+  std::vector<double> hand_joints;  // the hand's joints, constant along the path [rad or m]
 };
 
-// Waypoints from `from` to `to`, joined by straight lines that are proven free of collision
-// (first_blocked); empty when none was found. The same for the same seed, on any thread.
-// Throws Cancelled.
+// Plans a path with straight lines in joint space between its waypoints. Returns the waypoints, the
+// first `from` and the last `to`, all degrees of freedom of the platform each; empty when no path
+// was found. Every line is proven free of collision (first_blocked). The same seed gives the same
+// path, on any thread. Throws Cancelled.
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
                                      const TransferOptions& options = {},
                                      const RunContext& context = {});

@@ -7,8 +7,9 @@
 namespace prehend {
 namespace {
 
-// Speeding up from rest takes `ramp` seconds, and so does braking; between them the speed is
-// constant for `cruise` seconds.
+// A trapezoidal speed profile from rest to rest: accelerating takes `ramp` seconds, and so does
+// braking; between them the speed is constant for `cruise` seconds. Without cruise it is a
+// triangle.
 struct Trapezoid {
   double ramp = 0.0;
   double cruise = 0.0;
@@ -32,6 +33,8 @@ Trapezoid fastest_trapezoid(const std::vector<double>& from, const std::vector<d
     speed = std::min(speed, limits.velocity[j] / distance);
     acceleration = std::min(acceleration, limits.acceleration[j] / distance);
   }
+  // Accelerating to `speed` and braking covers speed^2 / acceleration of the line. If that is all
+  // of it or more, the top speed is not reached and the profile is a triangle.
   Trapezoid trapezoid;
   if (speed * speed >= acceleration) {
     trapezoid.ramp = std::sqrt(1.0 / acceleration);
@@ -48,6 +51,9 @@ Trapezoid fastest_trapezoid(const std::vector<double>& from, const std::vector<d
   return trapezoid;
 }
 
+// Appends samples of the motion along one line to a path, one phase of the trapezoid at a time.
+// Each phase starts and ends at a sample: the acceleration is then constant between any two
+// samples, and the cubic between them is the motion itself.
 class LineSampler {
  public:
   LineSampler(const std::vector<double>& from, const std::vector<double>& to, TimedPath& path)
@@ -71,7 +77,8 @@ class LineSampler {
   }
 
  private:
-  // `progress_at` takes the part of the phase that is over, in (0, 1].
+  // Samples one phase at equal steps of time. `progress_at` maps the elapsed fraction of the phase,
+  // in (0, 1], to the point on the line.
   template <typename ProgressAt>
   void phase(double duration, double sample_time, const ProgressAt& progress_at) {
     const int steps = duration > 0.0 ? step_count(duration, sample_time) : 0;

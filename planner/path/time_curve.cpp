@@ -10,13 +10,23 @@ namespace {
 
 using Points = std::vector<std::vector<double>>;
 
-// Fewest intervals that the curve is divided into.
+// The steps of timing a curve:
+// 1. keep the joints that move and the waypoints that are apart, and lay a spline through them;
+// 2. divide the spline into many stations and find the largest speed at each (path_speed.h);
+// 3. integrate the speeds to the times of the stations;
+// 4. read off samples at evenly spaced times.
+
+// Fewest intervals between stations. Acceleration limits hold at stations only; this many make the
+// excess between them small against what the final slowing down in time_path corrects.
 constexpr std::size_t kIntervals = 2000;
-// Fewest steps between samples.
+// Fewest intervals between samples: a short motion is still described by nine samples.
 constexpr int kFewestSteps = 8;
-// Waypoints closer than this fraction of the path's length say nothing about its direction.
+// Waypoints closer than this fraction of the path's length say nothing about its direction but
+// rounding, and knots that close would make the spline swing.
 constexpr double kSamePoint = 1e-9;
 
+// Indices of joints that do not keep the same value at all waypoints. The others need no limits,
+// and would divide by zero if they have none.
 std::vector<std::size_t> moving_joints(const Points& waypoints) {
   std::vector<std::size_t> moving;
   for (std::size_t j = 0; j < waypoints.front().size(); ++j) {
@@ -35,8 +45,8 @@ std::vector<double> chosen(const std::vector<double>& values,
   return some;
 }
 
-// Seconds at full speed. Never 0, so that knots increase; hypot, because squares of short distances
-// vanish.
+// Euclidean distance with each joint in units of its velocity limit [s]. Never 0, so that knots
+// increase. Computed with hypot, because the squares of very short distances underflow to 0.
 double distance(const std::vector<double>& from, const std::vector<double>& to,
                 const std::vector<double>& velocity) {
   double length = 1e-150;
@@ -46,7 +56,8 @@ double distance(const std::vector<double>& from, const std::vector<double>& to,
   return length;
 }
 
-// Without those that are at the same place as the one before; the first and the last stay.
+// The points without those that are at the same place as the one kept before them. The first and
+// the last stay: where the last is too close to the one before, it takes its place.
 Points distinct_points(const Points& points, const std::vector<double>& velocity) {
   double total = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -60,6 +71,8 @@ Points distinct_points(const Points& points, const std::vector<double>& velocity
   return kept;
 }
 
+// The spline of the moving joints through the waypoints. Knots are chord lengths: a spline with
+// evenly spaced knots would overshoot where the distances of the waypoints differ much.
 PathSpline curve_through(const Points& waypoints, const JointLimits& limits,
                          const std::vector<std::size_t>& moving) {
   Points points;
@@ -74,7 +87,8 @@ PathSpline curve_through(const Points& waypoints, const JointLimits& limits,
   return {std::move(knots), std::move(points)};
 }
 
-// At all knots, and evenly between two of them.
+// Stations at all knots, and evenly between two of them, as many in each interval. The third
+// derivative of the spline jumps at a knot, so no interval between stations reaches across one.
 std::vector<PathStation> stations_along(const PathSpline& curve) {
   const std::vector<double>& knots = curve.knots();
   const std::size_t parts = (kIntervals + knots.size() - 2) / (knots.size() - 1);
@@ -108,6 +122,7 @@ CurveRun::CurveRun(const Points& waypoints, const JointLimits& limits)
   for (std::size_t i = 0; i < stations.size(); ++i) {
     s_.push_back(stations[i].s);
     speeds_.push_back(std::sqrt(squared[i]));
+    // At constant d2s/dt2 the mean speed of an interval is the mean of the speeds at its ends.
     if (i > 0) time += 2.0 * (s_[i] - s_[i - 1]) / (speeds_[i - 1] + speeds_[i]);
     times_.push_back(time);
   }
@@ -134,14 +149,17 @@ TimedPath CurveRun::sample(double slower, double sample_time) const {
   for (int k = 0; k <= steps; ++k) {
     const double part = static_cast<double>(k) / steps;
     path.times.push_back(duration * part);
+    // The same fraction of the fastest motion, and the interval of stations (i, i + 1) it is in.
     const double time = fastest * part;
     while (i + 2 < times_.size() && times_[i + 1] <= time) ++i;
     const double passed = time - times_[i];
     const double acceleration = (speeds_[i + 1] - speeds_[i]) / (times_[i + 1] - times_[i]);
     const double speed = speeds_[i] + acceleration * passed;
+    // Mean speed times time is s_i + v_i t + a t^2 / 2; the clamp below is against rounding.
     const double s = s_[i] + 0.5 * (speeds_[i] + speed) * passed;
     add_sample(path, std::clamp(s, s_[i], s_[i + 1]), speed * (fastest / duration));
   }
+  // At both ends the waypoint to the bit and exactly at rest, so that segments can be joined.
   for (const std::size_t end : {std::size_t{0}, path.times.size() - 1}) {
     path.positions[end] = end == 0 ? start_ : end_;
     path.velocities[end].assign(start_.size(), 0.0);

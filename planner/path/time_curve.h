@@ -8,9 +8,10 @@
 
 namespace prehend {
 
-// The motion that time_path describes for PathKind::smooth. The curve's parameter is the length
-// along the chords of the waypoints, each joint measured in units of its velocity limit: seconds at
-// full speed, so that radians and metres can be mixed.
+// The motion that time_path describes for PathKind::smooth: a cubic spline through the waypoints
+// with its time-optimal speed. The curve's parameter s is the length along the chords of the
+// waypoints, each joint measured in units of its velocity limit: s is in seconds at full speed, so
+// that joints in radians and in metres can be mixed.
 class CurveRun {
  public:
   // At least two different waypoints.
@@ -21,12 +22,14 @@ class CurveRun {
   TimedPath sample(double slower, double sample_time) const;
 
  private:
+  // Appends position and velocity at s for ds/dt = `speed`; the time is the caller's to append.
   void add_sample(TimedPath& path, double s, double speed) const;
 
   std::vector<std::size_t> moving_;  // joints that move; the curve has these only
   std::vector<double> start_, end_;  // waypoints
   PathSpline curve_;
-  std::vector<double> s_, speeds_, times_;  // of the stations, with d2s/dt2 constant between
+  // Parameter, ds/dt and time [s] of each station; d2s/dt2 is constant between two of them.
+  std::vector<double> s_, speeds_, times_;
 };
 
 }  // namespace prehend

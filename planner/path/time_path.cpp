@@ -13,7 +13,8 @@ namespace {
 
 using Points = std::vector<std::vector<double>>;
 
-// What rounding may leave above a limit.
+// Ratio of a value to its limit up to which the excess counts as rounding. Without it the loop of
+// time_path might slow down by a last bit for ever.
 constexpr double kInside = 1.0 + 1e-10;
 
 [[noreturn]] void fail(const std::string& what) { throw InputError("joint path: " + what); }
@@ -56,7 +57,8 @@ void check(const Points& waypoints, const JointLimits& limits, const TimePathOpt
   }
 }
 
-// By which factor (>= 1) the motion must be slowed down for all samples to be inside the limits.
+// The factor (>= 1) by which the motion must be slowed down for all samples to be inside the
+// limits. Stretching time by f divides velocities by f and accelerations by f^2.
 double excess(const TimedPath& path, const JointLimits& limits) {
   double factor = 1.0;
   for (std::size_t i = 0; i < path.times.size(); ++i) {
@@ -83,6 +85,9 @@ TimedPath time_path(const Points& waypoints, PathKind kind, const JointLimits& l
                                  [&](const auto& q) { return q != waypoints.front(); });
   std::optional<CurveRun> run;
   if (moves && kind == PathKind::smooth) run.emplace(waypoints, limits);
+  // The speeds found for the continuous path hold at its stations; between the samples there may be
+  // a small excess. A slower motion is sampled at other places, so it is checked again; two or
+  // three rounds are usual, since only the discretisation has to be corrected.
   double slower = 1.0;
   while (true) {
     TimedPath path = run ? run->sample(slower, options.sample_time)
@@ -94,6 +99,7 @@ TimedPath time_path(const Points& waypoints, PathKind kind, const JointLimits& l
 }
 
 int step_count(double duration, double sample_time) {
+  // Far more than any sensible motion, and far less than what overflows an int or the memory.
   constexpr double kMost = 1e7;
   const double steps = std::ceil(duration / sample_time);
   if (!(steps <= kMost)) {

@@ -1,5 +1,5 @@
-// When to be where on a path: the fastest motion along a fixed curve that keeps to the limits of
-// the joints.
+// Time parametrisation: the fastest motion along a given path in joint space that keeps to the
+// velocity and acceleration limits of the joints.
 #pragma once
 
 #include <string>
@@ -10,17 +10,18 @@
 
 namespace prehend {
 
-// How fast joints may move: one number a joint, finite and > 0 for every joint that moves; those of
-// others are not looked at.
+// Velocity and acceleration limits: one number a joint, finite and > 0 for every joint that moves.
+// Values of joints that do not move are ignored.
 struct JointLimits {
   std::vector<double> velocity;      // rad/s or m/s
   std::vector<double> acceleration;  // rad/s^2 or m/s^2
 };
 
-// What lies between the waypoints.
+// How the path runs between the waypoints.
 enum class PathKind {
   corners,  // straight lines, with a full stop at each waypoint: a path of a sampling planner
-  smooth,   // a curve with continuous second derivative, run through without a stop: dense samples
+  smooth,   // a curve with continuous second derivative, run through without a stop: for waypoints
+            // that densely sample a smooth motion
 };
 
 struct TimePathOptions {
@@ -43,26 +44,29 @@ struct TimedPath {
 
 // The fastest motion through `waypoints` (at least one, each with one number a joint).
 //
-// Every sample lies on the path; the last is the last waypoint, to the bit. No velocity exceeds its
-// limit, nor does any difference of two velocities over the time between them; what discretisation
-// leaves of an excess is removed by slowing the whole motion down.
+// Every sample lies on the path; the last is the last waypoint, to the bit. At the samples no
+// velocity exceeds its limit, nor does the difference of the velocities of two neighbouring samples
+// over the time between them; an excess that discretisation leaves is removed by slowing down the
+// motion as a whole.
 //
-// corners: the trapezoid (or triangle) of speed on each line, in closed form. Speeding up, cruising
-// and braking are each divided evenly, so that the cubic between two samples is the motion itself.
-// smooth: speeds by reachability analysis (path_speed.h) along a cubic spline (path_spline.h),
-// samples evenly spaced, at least nine. Waypoints closer to the one before than 1e-9 of the path's
-// length are left out. The cubic between two samples strays from the curve by microradians (8e-6
-// rad was measured at 20 ms and 1 to 3 rad/s), and where the motion switches between two samples
-// its acceleration can be above the limit (1.66 times was measured).
+// corners: the trapezoidal (or triangular) speed profile on each line, in closed form.
+// Accelerating, cruising and braking are each divided evenly, so that the cubic between two samples
+// is the motion itself. smooth: speeds by reachability analysis (path_speed.h) along a cubic spline
+// (path_spline.h), samples evenly spaced, at least nine. Waypoints closer to the one before than
+// 1e-9 of the path's length are left out. The cubic between two samples strays from the curve by
+// microradians (8e-6 rad was measured at 20 ms and 1 to 3 rad/s), and where the motion switches
+// between two samples its acceleration can be above the limit (1.66 times was measured).
 //
-// A path that goes nowhere is one sample. A motion takes at least a microsecond from stop to stop.
+// A path whose waypoints are all equal gives a single sample. A motion from stop to stop takes at
+// least a microsecond.
 // Throws InputError when waypoints are missing, ragged or not finite, a joint that moves has no
 // limits, or they are so small that the motion would take ten million samples.
 TimedPath time_path(const std::vector<std::vector<double>>& waypoints, PathKind kind,
                     const JointLimits& limits, const TimePathOptions& options = {});
 
-// A motion from stop to stop is stretched to this [s]: times of its samples stay apart where they
-// are written in nanoseconds, and velocities differ by more than rounding.
+// Shortest duration of a motion from stop to stop; a faster one is slowed down to it [s]. Then the
+// times of its samples still differ where they are written in nanoseconds, and differences of
+// velocities over time are not just rounding.
 inline constexpr double kShortestMotion = 1e-6;
 
 // The smallest number of equal steps of `duration`, at least 1, none of them longer than
@@ -70,10 +74,11 @@ inline constexpr double kShortestMotion = 1e-6;
 // million.
 int step_count(double duration, double sample_time);
 
-// Puts `path` behind the last sample of `trajectory`, as a segment; the sample where they meet is
-// kept once. An empty trajectory (joints named, no samples) takes the path as it is. Throws
-// InputError when the path does not start where the trajectory ends (within 1e-9 rad or m) or has
-// another number of joints.
+// Appends `path` to `trajectory` as a new segment with the name `segment`. Its times are shifted to
+// start at the trajectory's last sample, and the sample where the two meet is kept once. A
+// trajectory that has joints but no samples takes the path as it is. Throws InputError when the
+// path does not start where the trajectory ends (within 1e-9 rad or m) or has another number of
+// joints.
 void append(Trajectory& trajectory, const std::string& segment, const TimedPath& path);
 
 }  // namespace prehend

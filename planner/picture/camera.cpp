@@ -37,7 +37,8 @@ Projection::Projection(const Camera& camera, int width, int height) {
     throw InputError("camera: vertical_field_of_view: must be in (0, pi) (" +
                      std::to_string(angle) + ")");
   }
-  // Near enough not to be noticed, far enough that pixel coordinates stay moderate numbers.
+  // The near plane clips what is closer to the eye. It is near enough not to be noticed, and far
+  // enough that pixel coordinates, which grow with 1 / depth, stay moderate numbers.
   constexpr double kNearPerDistance = 1e-3;
   const Matrix3 R_CW = camera_axes(view / distance, camera.up);
   X_CW_ = pose_from(R_CW, -(R_CW * camera.eye));
@@ -74,9 +75,10 @@ Camera camera_around(const std::vector<Vector3>& points, const Vector3& directio
   slope.y() = kUsedPart * std::tan(0.5 * camera.vertical_field_of_view);
   slope.x() = slope.y() * width / height;
 
-  // With the eye at (e, -d) in axes through the first point, a point (p, z) is inside when
-  // |p - e| <= slope (z + d), for x and y apart: an upper bound on -slope d - e and one on
-  // -slope d + e. Both are met with equality at the least distance, by the eye in the middle.
+  // The eye is placed exactly, without iteration. With the eye at (e, -d) in axes through the first
+  // point, a point (p, z) is inside when |p - e| <= slope (z + d), for x and y apart: an upper
+  // bound on -slope d - e and one on -slope d + e. Both are met with equality at the least
+  // distance, by the eye in the middle.
   Eigen::Vector2d low = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = low;
   Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
@@ -89,6 +91,8 @@ Camera camera_around(const std::vector<Vector3>& points, const Vector3& directio
     least = least.cwiseMin(q);
     most = most.cwiseMax(q);
   }
+  // The eye also stays clear of the nearest point, which a single point or a line of points seen
+  // end-on would not demand by themselves.
   const double clearance = std::max(0.25 * (most - least).norm(), kLeastDepth);
   const double distance =
       std::max((0.5 * (low + high)).cwiseQuotient(slope).maxCoeff(), clearance - least.z());

@@ -12,6 +12,11 @@
 namespace prehend {
 namespace {
 
+// Pipeline: each body's triangles and lines are transformed to the camera, clipped and projected
+// (append_body); the resulting screen triangles are sorted into the tiles that they may touch
+// (TileLists); then each tile is rasterised by itself (tile.h), which bounds the memory for
+// samples.
+
 void check_range(const char* field, double value, double least, double most) {
   if (value >= least && value <= most) return;
   throw InputError("draw: " + std::string(field) + ": must be from " + std::to_string(least) +
@@ -44,12 +49,13 @@ void check(const DrawnBody& body, std::size_t number) {
   }
 }
 
+// Opacity in [0, 1]; NaN and negative values count as invisible.
 float usable_opacity(const Color& color) {
   return color.opacity > 0.0 ? static_cast<float>(std::min(color.opacity, 1.0)) : 0.0F;
 }
 
-// The lines that a draughtsman would draw: creases, borders, and outlines (where the surface turns
-// from the eye).
+// Appends feature lines: creases (faces that meet at more than the crease angle), borders (edges of
+// a single face), and silhouettes (edges between a face towards the eye and one away from it).
 void append_lines(const SurfaceDetail& detail, const std::vector<CameraVertex>& vertices,
                   const TriangleMesh& mesh, const Matrix3& R_CB, double crease_angle,
                   const LineLook& look, const Projection& projection,
@@ -57,6 +63,8 @@ void append_lines(const SurfaceDetail& detail, const std::vector<CameraVertex>& 
   std::vector<bool> faces_eye(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto corner = static_cast<std::size_t>(mesh.triangles[t][0]);
+    // The eye is the origin of the camera frame, so a corner's position is the direction in which
+    // it is seen.
     faces_eye[t] = (R_CB * detail.face_normals[t]).dot(vertices[corner].p_C) < 0.0;
   }
   const double least_cosine = std::cos(crease_angle);
@@ -73,6 +81,7 @@ void append_lines(const SurfaceDetail& detail, const std::vector<CameraVertex>& 
   }
 }
 
+// Appends all triangles and lines of a body, in the frame of the picture.
 void append_body(const DrawnBody& body, const DrawOptions& options, const Projection& projection,
                  std::vector<ScreenTriangle>& out) {
   constexpr float kBackOpacity = 0.5F;  // of the front's, when translucent
@@ -96,6 +105,7 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
     append_triangle(triangle, look, projection, out);
   }
   if (options.line_width == 0.0) return;
+  // Lines have the hue of their body, much darker. The root keeps those of faint bodies legible.
   LineLook line{look.albedo, solid ? 1.0F : std::sqrt(opacity), options.line_width};
   for (float& part : line.color) part *= kLineBrightness;
   append_lines(detail, vertices, *body.mesh, X_CB.linear(), options.crease_angle, line, projection,

@@ -10,25 +10,27 @@
 
 namespace prehend {
 
+// Size and style of a picture.
 struct DrawOptions {
   int width = 900;   // pixels, 1 to 16384
   int height = 700;  // pixels, 1 to 16384
   int samples = 2;   // samples x samples a pixel, 1 to 8
   Color background = {1.0, 1.0, 1.0, 1.0};
   Lighting lighting = {};
-  // Faces that meet at less than this angle are shaded as one round surface. Radians.
+  // Edges at which faces meet at less than this angle [rad] are shaded smoothly, as on a round
+  // surface.
   double crease_angle = 0.7;
-  // Width of the dark lines along creases, borders and outlines, in pixels; 0 draws none.
+  // Width of the dark lines along creases, borders and silhouettes [pixels]; 0 draws none.
   double line_width = 1.2;
 };
 
-// Solid bodies are depth-tested; translucent ones are blended in depth order for each sample, so
-// that the picture does not depend on the order of `bodies`: surfaces at the very same depth are
-// ordered by how they look. Of the translucent surfaces behind one another in one sample, only the
-// nearest 24 are kept. Triangles without area are skipped; those nearer than
-// Projection::near_depth() are cut off there.
-// Throws InputError for options out of range, a camera that sees nothing, and meshes with vertices
-// that are not finite or indices out of range.
+// Draws the bodies as `camera` sees them. Solid bodies are depth-tested; translucent ones are
+// blended in depth order for each sample, so that the picture does not depend on the order of
+// `bodies`: surfaces at the very same depth are ordered by how they look. Of the translucent
+// surfaces behind one another in one sample, only the nearest 24 are kept. Triangles without area
+// are skipped; those nearer than Projection::near_depth() are cut off there. Throws InputError for
+// options out of range, a camera that sees nothing, and meshes with vertices that are not finite or
+// indices out of range.
 Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera,
            const DrawOptions& options = {});
 

@@ -1,4 +1,7 @@
-// Section numbers are those of the glTF 2.0 specification (Khronos Group, version 2.0.1).
+// A .glb file is a JSON document and a binary buffer in one. The document lists nodes (a pose
+// each), meshes, materials, and accessors (typed arrays) that refer by way of buffer views to byte
+// ranges of the buffer. Section numbers below are those of the glTF 2.0 specification (Khronos
+// Group, version 2.0.1).
 #include "planner/picture/glb_bytes.h"
 
 #include <algorithm>
@@ -22,15 +25,17 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "glTF's buffers are little-endian");
 
+// Component types of accessors (3.6.2.2) and targets of buffer views (5.11), numbered as in OpenGL.
 constexpr int kUnsignedShort = 5123;
 constexpr int kUnsignedInt = 5125;
 constexpr int kFloat = 5126;
 constexpr int kVertexData = 34962;
 constexpr int kIndexData = 34963;
 
-// Of a dull, unmetallic surface.
+// Roughness of the material: a matt surface with a faint highlight.
 constexpr double kRoughness = 0.7;
 
+// Chunks and accessors must start at multiples of four bytes.
 void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
 
 template <typename Element>
@@ -95,7 +100,8 @@ class GlbDocument {
   int geometry_of(const SharedMesh& mesh);
   int mesh_of(int geometry, int material);
   int material_of(const Color& color);
-  // Appends to the buffer; `accessor` lacks the view.
+  // Appends the elements to the buffer with a view of their own. `accessor` is complete but for the
+  // view; returns its index.
   template <typename Element>
   std::size_t accessor_of(const std::vector<Element>& elements, int target, Json accessor);
   Json primitive_of(const VertexArrays& arrays);
@@ -126,6 +132,8 @@ std::size_t GlbDocument::accessor_of(const std::vector<Element>& elements, int t
   return accessors_.size() - 1;
 }
 
+// The arrays of a mesh as accessors. The format demands bounds (min, max) of positions (3.6.2.5);
+// indices are 16-bit where that is enough, which halves their size.
 Json GlbDocument::primitive_of(const VertexArrays& arrays) {
   std::array<float, 3> lower = arrays.positions.front();
   std::array<float, 3> upper = lower;
@@ -160,7 +168,9 @@ Json GlbDocument::primitive_of(const VertexArrays& arrays) {
   return primitive;
 }
 
-// -1 when there is nothing to show: the format knows no empty meshes.
+// Index of the geometry of a mesh, which is stored once however many bodies have it. Meshes are the
+// same if they are the same object or have equal contents. -1 for a mesh without a triangle that
+// has area: the format has no empty meshes.
 int GlbDocument::geometry_of(const SharedMesh& mesh) {
   auto known = std::find_if(geometries_.begin(), geometries_.end(), [&](const Geometry& other) {
     return &*other.mesh == &*mesh ||
@@ -174,6 +184,8 @@ int GlbDocument::geometry_of(const SharedMesh& mesh) {
   return known->primitive.is_null() ? -1 : static_cast<int>(known - geometries_.begin());
 }
 
+// Index of the glTF mesh with this geometry and material. In glTF the material belongs to the mesh,
+// so a geometry in two colours needs two meshes, which share their accessors.
 int GlbDocument::mesh_of(int geometry, int material) {
   const auto next = static_cast<int>(meshes_.size());
   const auto [known, is_new] = mesh_numbers_.try_emplace({geometry, material}, next);
@@ -185,7 +197,7 @@ int GlbDocument::mesh_of(int geometry, int material) {
   return known->second;
 }
 
-// Base colors are amounts of light (3.9.2).
+// Index of the material of a color, stored once. Base colors are linear light, not sRGB (3.9.2).
 int GlbDocument::material_of(const Color& color) {
   const Light light = light_of(color);
   const double opacity = color.opacity > 0.0 ? std::min(color.opacity, 1.0) : 0.0;

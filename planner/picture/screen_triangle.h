@@ -1,4 +1,4 @@
-// Triangles in pixels, ready to be sampled.
+// Triangles projected to the picture plane, ready for rasterisation.
 #pragma once
 
 #include <array>
@@ -22,6 +22,7 @@ struct ScreenTriangle {
   bool solid() const { return opacity >= 1.0F; }
 };
 
+// A vertex in the camera frame.
 struct CameraVertex {
   Vector3 p_C = Vector3::Zero();
   Vector3 normal_C = Vector3::Zero();  // outward
@@ -34,11 +35,12 @@ struct SurfaceLook {
   float back_opacity = 1.0F;
 };
 
-// Appends what is seen of a triangle that is counter-clockwise from outside: it is cut at the near
-// plane, and its normals are turned to the viewer. Nothing when it has no area on the screen.
+// Projects a triangle (counter-clockwise from outside) and appends the result: it is clipped at the
+// near plane, and its normals are turned to the viewer. Nothing when it has no area on the screen.
 void append_triangle(const std::array<CameraVertex, 3>& triangle, const SurfaceLook& look,
                      const Projection& projection, std::vector<ScreenTriangle>& out);
 
+// How a line is drawn.
 struct LineLook {
   Light color{};
   float opacity = 1.0F;

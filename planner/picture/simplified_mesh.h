@@ -1,4 +1,4 @@
-// Coarser meshes, where a picture would not show all triangles.
+// Mesh simplification for display, by vertex clustering (Rossignac and Borrel 1993).
 #pragma once
 
 #include "sim/geometry/triangle_mesh.h"

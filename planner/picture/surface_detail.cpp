@@ -10,7 +10,9 @@
 namespace prehend {
 namespace {
 
-// For each vertex, the first one in the list among those at the same place.
+// For each vertex, the lowest index among the vertices with exactly the same coordinates. Files of
+// loose triangles (STL) repeat each vertex for every triangle; without welding, each triangle would
+// be shaded flat and all of its edges drawn as borders.
 std::vector<int> welded_vertices(const std::vector<Vector3>& vertices) {
   std::vector<int> order(vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -30,7 +32,8 @@ std::vector<int> welded_vertices(const std::vector<Vector3>& vertices) {
   return first;
 }
 
-// Zero when the triangle is so thin that its normal is only rounding.
+// Unit normal; zero when the triangle is so thin that its normal is only rounding: its doubled area
+// is compared with the square of its longest side, so that the test does not depend on its size.
 Vector3 face_normal(const TriangleMesh& mesh, std::size_t t) {
   constexpr double kThin = 1e-12;
   const Triangle& v = mesh.triangles[t];
@@ -45,6 +48,8 @@ Vector3 face_normal(const TriangleMesh& mesh, std::size_t t) {
   return doubled_area / norm;
 }
 
+// Angle at corner k. atan2 is accurate for angles of all sizes, unlike the arc cosine near 0 and
+// pi.
 double corner_angle(const TriangleMesh& mesh, const Triangle& v, std::size_t k) {
   const Vector3& p = mesh.vertices[index(v[k])];
   const Vector3 a = mesh.vertices[index(v[(k + 1) % 3])] - p;
@@ -59,6 +64,10 @@ struct Corner {
   double angle = 0.0;
 };
 
+// Normals to shade with (SurfaceDetail::corner_normals). Faces around a vertex are weighted by
+// their angle there (Thuermer and Wuethrich 1998), so that the result does not depend on how a flat
+// region is divided into triangles. Corners are sorted by vertex first; `start` then gives the
+// range of corners of each vertex.
 std::vector<std::array<Vector3, 3>> corner_normals(const TriangleMesh& mesh,
                                                    const std::vector<int>& weld,
                                                    const std::vector<Vector3>& face_normals,
@@ -93,6 +102,10 @@ std::vector<std::array<Vector3, 3>> corner_normals(const TriangleMesh& mesh,
   return normals;
 }
 
+// Edges with the triangles at them. Each side of a triangle is a half edge; after sorting, the half
+// edges between the same two vertices are neighbours. Exactly two that run in opposite directions
+// are a regular edge between two faces of the same orientation; everything else is treated as a
+// border.
 std::vector<SurfaceEdge> surface_edges(const TriangleMesh& mesh, const std::vector<int>& weld,
                                        const std::vector<Vector3>& face_normals) {
   struct HalfEdge {

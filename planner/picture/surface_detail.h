@@ -8,8 +8,8 @@
 
 namespace prehend {
 
-// An edge of the surface, with the triangles at it. Where more than two meet, or where two run
-// along it in the same direction, `second` is -1 as on a border.
+// An edge of the surface, with the triangles at it. `second` is -1 on a border, and also where more
+// than two triangles meet or where two are not oriented alike.
 struct SurfaceEdge {
   int from = 0;  // vertices
   int to = 0;
@@ -17,6 +17,7 @@ struct SurfaceEdge {
   int second = -1;
 };
 
+// Normals and edges of a mesh.
 struct SurfaceDetail {
   // Unit normal of each triangle; zero for one without area.
   std::vector<Vector3> face_normals;
@@ -26,8 +27,9 @@ struct SurfaceDetail {
   std::vector<SurfaceEdge> edges;
 };
 
-// Vertices at the same place count as one, so that a mesh of loose triangles is seen as a surface.
-// Triangles without area have no part in the normals and edges. Vertices must be finite.
+// Computes them. Vertices at the same place count as one, so that a mesh of loose triangles is seen
+// as a surface. Triangles without area have no part in the normals and edges. Vertices must be
+// finite.
 SurfaceDetail surface_detail(const TriangleMesh& mesh, double crease_angle);
 
 }  // namespace prehend

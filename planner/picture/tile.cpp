@@ -8,11 +8,20 @@
 namespace prehend {
 namespace {
 
+// Rasterisation with several samples a pixel. For each triangle and each pixel of its bounding box:
+// find the samples that lie inside (edge functions, Pineda 1988), shade once if any of them is
+// visible, and store colour and depth at these samples. Solid surfaces keep the nearest only;
+// translucent ones are kept as a sorted list and blended when the tile is finished.
+
 constexpr std::size_t kMostSamples = 64;  // of a pixel
 
-// Positive on the inner side of the line from one corner to the next. Two triangles at an edge get
-// exactly opposite values, because the line is always reckoned from the same end; of samples that
-// lie on it, one of the two triangles takes all. So no sample at an edge is missed or drawn twice.
+// The edge function a x + b y + c of a side: positive on the inner side of the line through two
+// corners, and proportional to the distance from it. Divided by their sum, the three values of a
+// triangle are its barycentric coordinates.
+//
+// Two triangles that share an edge get exactly opposite values, because the line is always computed
+// from the same end (`swapped`); samples exactly on the line belong to only one of the two, chosen
+// by the sign of the coefficients (`takes_zero`). So no sample on an edge is missed or drawn twice.
 struct Side {
   double a, b, c;
   bool takes_zero;
@@ -44,7 +53,7 @@ PixelRange touched(double low, double high, int start, int size) {
   return {static_cast<int>(first), static_cast<int>(end)};
 }
 
-// The samples of one pixel that a triangle covers.
+// The samples of one pixel that a triangle covers, with their depths.
 struct Covered {
   std::array<std::size_t, kMostSamples> samples;
   std::array<float, kMostSamples> inverse_depths;
@@ -56,6 +65,8 @@ struct Covered {
 
 Tile::Tile(const Projection& projection, const Lights& lights, int samples, const Light& background)
     : projection_(projection), lights_(lights), background_(background) {
+  // A sheared grid: row j is shifted by a fraction of a cell to the right, column i up, so that
+  // all x and all y are different.
   for (int j = 0; j < samples; ++j) {
     for (int i = 0; i < samples; ++i) {
       offsets_.emplace_back((i + (j + 0.5) / samples) / samples,
@@ -108,7 +119,8 @@ void Tile::add(const ScreenTriangle& triangle) {
         any_visible = any_visible || visible(triangle, sample, inverse_depth);
       }
       if (!any_visible) continue;
-      // One look for all samples of the pixel, at their middle; it depends on this triangle only.
+      // Shading is the expensive part, so it is done once for all covered samples of the pixel, at
+      // their mean position. That lies inside the triangle, and depends on no other triangle.
       const Look look = look_at(triangle, covered.weights / static_cast<double>(covered.count));
       for (std::size_t i = 0; i < covered.count; ++i) {
         put(triangle, look, covered.samples[i], covered.inverse_depths[i]);
@@ -117,6 +129,7 @@ void Tile::add(const ScreenTriangle& triangle) {
   }
 }
 
+// Colour and opacity of a triangle at the given barycentric coordinates (on the screen).
 Tile::Look Tile::look_at(const ScreenTriangle& triangle, const Vector3& weights) const {
   if (!triangle.lit) return {triangle.albedo, triangle.opacity};
   constexpr double kGrazing = 0.3;  // cosine below which a shell grows no denser
@@ -124,7 +137,9 @@ Tile::Look Tile::look_at(const ScreenTriangle& triangle, const Vector3& weights)
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
     const double weight = weights[static_cast<Eigen::Index>(k)];
-    // Over depth: what is linear on the surface is not linear on the screen.
+    // Perspective-correct interpolation: a quantity that is linear on the surface is linear on the
+    // screen only after division by depth. The common factor drops out when the normal is
+    // normalised.
     normal += weight * triangle.inverse_depths[k] * triangle.normals[k];
     pixel += weight * triangle.corners[k];
   }
@@ -133,27 +148,33 @@ Tile::Look Tile::look_at(const ScreenTriangle& triangle, const Vector3& weights)
   normal = norm > 0.0 ? Vector3(normal / norm) : to_eye;
   double cosine = normal.dot(to_eye);
   if (cosine < 0.0) {
-    // A rounded normal may turn away at the outline: bend it back into view.
+    // An interpolated normal may point away from the viewer near the outline, where light would
+    // come from behind the surface: its component along the line of sight is removed.
     normal -= cosine * to_eye;
     normal = normal.norm() > 0.0 ? Vector3(normal.normalized()) : to_eye;
     cosine = 0.0;
   }
   Look look{lights_.reflected(triangle.albedo, normal, to_eye), triangle.opacity};
   if (!triangle.solid()) {
+    // Light crosses a thin shell on a path that is longer by 1 / cosine than straight through, and
+    // transmission falls exponentially with the path (Beer-Lambert law).
     const double clear = 1.0 - static_cast<double>(triangle.opacity);
     look.opacity = static_cast<float>(1.0 - std::pow(clear, 1.0 / std::max(cosine, kGrazing)));
   }
   return look;
 }
 
-// Nearer first; at the same depth by look, so that the order of drawing plays no part.
+// Whether a lies before b: the nearer one; at equal depth it is decided by colour, so that the
+// result does not depend on the order in which triangles are drawn.
 bool Tile::before(const Surface& a, const Surface& b) {
   if (a.inverse_depth != b.inverse_depth) return a.inverse_depth > b.inverse_depth;
   return a.light < b.light;
 }
 
+// Whether a surface at this depth would be seen in a sample, given the solid surfaces so far.
 bool Tile::visible(const ScreenTriangle& triangle, std::size_t sample, float inverse_depth) const {
-  // A translucent surface in the plane of a solid one is wholly in front, not in specks.
+  // A translucent surface in the same plane as a solid one counts as in front of it. Otherwise
+  // rounding would decide for each sample, which shows as a speckled pattern.
   constexpr float kSamePlane = 1.0F + 2e-4F;
   const float solid = surfaces_[sample].inverse_depth;
   return triangle.solid() ? inverse_depth >= solid : inverse_depth * kSamePlane >= solid;
@@ -169,6 +190,8 @@ void Tile::put(const ScreenTriangle& triangle, const Look& look, std::size_t sam
   }
 }
 
+// Inserts a layer into the sample's list, nearest first. When the list is full, the farthest layer
+// is dropped: it is hidden behind 24 others and adds least to the colour.
 void Tile::insert(const Layer& layer, std::size_t sample) {
   const auto nearer = [](const Layer& a, const Layer& b) {
     if (before(a.surface, b.surface)) return true;
@@ -186,6 +209,8 @@ void Tile::insert(const Layer& layer, std::size_t sample) {
   first[place] = layer;
 }
 
+// Colour of a sample: starting from the solid surface or the background, each translucent layer,
+// farthest first, is blended over what is behind it.
 Light Tile::seen(std::size_t sample) const {
   Light light = surfaces_[sample].light;
   const Layer* const first = &layers_[sample * std::size_t{kMostLayers}];
@@ -206,7 +231,8 @@ void Tile::write_to(Image& image) const {
       Light sum{};
       for (std::size_t s = 0; s < offsets_.size(); ++s) {
         const Light light = seen(pixel * offsets_.size() + s);
-        // Clamped before averaging: a highlight brighter than white would spread over its edge.
+        // Clamped before averaging: a highlight far brighter than white would otherwise dominate
+        // the mean of pixels at its border and make the border jagged.
         for (std::size_t k = 0; k < 3; ++k) sum[k] += std::min(light[k], 1.0F);
       }
       const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +

@@ -1,4 +1,4 @@
-// A mesh as graphics hardware takes it: one normal a vertex, single precision.
+// A mesh as indexed vertex arrays for graphics hardware: one normal a vertex, single precision.
 #pragma once
 
 #include <array>

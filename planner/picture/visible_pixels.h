@@ -1,4 +1,4 @@
-// How much of each body a camera sees.
+// Visibility: how many pixels of each body a camera sees.
 #pragma once
 
 #include <vector>

@@ -28,13 +28,16 @@ double object_reach(const TriangleMesh& mesh, const Vector3& target, const Vecto
   return reach;
 }
 
+// Rotation whose columns are the approach, the closing direction and their cross product.
 Matrix3 frame_of(const Vector3& approach, const Vector3& closing) {
   Matrix3 frame;
   frame << approach, closing, approach.cross(closing);
   return frame;
 }
 
-// The hand's pose with its origin `stand_off` short of the target.
+// Pose X_OH of the hand whose approach and closing directions are those of the aimed grasp, and
+// whose grasp origin is `stand_off` [m] short of the target. With frames F built from both
+// directions, R_OF = R_OH R_HF gives R_OH = R_OF R_HF^T.
 Pose hand_pose(const Hand& hand, const AimedGrasp& aimed, double stand_off) {
   const Matrix3 rotation = frame_of(aimed.approach_O, aimed.closing_O) *
                            frame_of(hand.approach, hand.closing).transpose();
@@ -77,8 +80,9 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
     for (const AimedGrasp& aimed : aim_at(primitives[p], options.rules)) {
       context.cancellation.check();
       proposals.smallest_width = std::min(proposals.smallest_width, aimed.width);
-      // The hand starts so far back that, along the approach, all of it is kStartClearance before
-      // all of the object.
+      // The approach starts so far back that, measured along the approach, the foremost point of
+      // the hand is start_clearance before the nearest point of the object: then the two cannot
+      // overlap at the pre-grasp, whatever their shapes.
       const double depth = object_reach(scene.scene.object.mesh, aimed.target_O, aimed.approach_O);
       for (std::size_t s = 0; s < hand.preshapes.size(); ++s) {
         const Preshape& preshape = hand.preshapes[s];
@@ -90,6 +94,7 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
           candidate.approach_distance =
               std::max(0.0, depth + reach[s] - stand_off + options.start_clearance);
           candidate.preshape = static_cast<int>(s);
+          // Symmetric primitives, and primitives that overlap, give the same hand pose repeatedly.
           const bool known = std::any_of(proposals.grasps.begin(), proposals.grasps.end(),
                                          [&](const ProposedGrasp& other) {
                                            return is_duplicate(other.candidate, candidate, options);

@@ -38,11 +38,14 @@ class Aims {
   std::vector<AimedGrasp> grasps_;
 };
 
+// Box: thumb and fingers on the two faces orthogonal to `closing`; the hand approaches along either
+// of the other two axes, from both ends, at places spread along the remaining axis. Short boxes get
+// the same places, which then lie close together and are sorted out as duplicates.
 void aim(const Box& box, const GraspRuleOptions& options, Aims& aims) {
   for (int closing = 0; closing < 3; ++closing) {
     for (int approach = 0; approach < 3; ++approach) {
       if (approach == closing) continue;
-      const int along = 3 - closing - approach;
+      const int along = 3 - closing - approach;  // the third of the axes 0, 1, 2
       for (const double place : places_along(box.size[along], options.places)) {
         for (const double from : {1.0, -1.0}) {
           aims.add(place * axis(along), from * axis(approach), axis(closing), box.size[closing],
@@ -53,6 +56,8 @@ void aim(const Box& box, const GraspRuleOptions& options, Aims& aims) {
   }
 }
 
+// Cylinder (axis z): from the side with the fingers across the axis, closing on the diameter, or
+// along it, closing on both ends; and onto an end with the fingers around the rim.
 void aim(const Cylinder& cylinder, const GraspRuleOptions& options, Aims& aims) {
   const Vector3 z = Vector3::UnitZ();
   for (int i = 0; i < options.cylinder_directions; ++i) {
@@ -63,7 +68,8 @@ void aim(const Cylinder& cylinder, const GraspRuleOptions& options, Aims& aims) 
       aims.add(place * z, approach, across, 2.0 * cylinder.radius, "cylinder side, thumb across");
     }
     aims.add(Vector3::Zero(), approach, z, cylinder.height, "cylinder side, thumb along");
-    // Half the directions do: the thumb goes on either side anyway.
+    // For approaches onto the ends the direction only turns the hand about the axis. Half of the
+    // turns are enough, since each grasp is added with the thumb on either side.
     if (2 * i < options.cylinder_directions) {
       for (const double end : {1.0, -1.0}) {
         const Vector3 on_end = end * 0.5 * cylinder.height * z;
@@ -73,17 +79,21 @@ void aim(const Cylinder& cylinder, const GraspRuleOptions& options, Aims& aims) 
   }
 }
 
+// Sphere: towards the centre from directions spread evenly over the sphere, and for each with the
+// hand turned about the approach.
 void aim(const Sphere& sphere, const GraspRuleOptions& options, Aims& aims) {
   const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < options.sphere_directions; ++i) {
-    // Fibonacci lattice: equal areas, no poles.
+    // Fibonacci lattice: z in equal steps gives rings of equal area (Archimedes), and turning by
+    // the golden angle from one point to the next spreads the points evenly without clusters at the
+    // poles.
     const double z = 1.0 - 2.0 * (i + 0.5) / options.sphere_directions;
     const double ring = std::sqrt(1.0 - z * z);
     const Vector3 approach(ring * std::cos(golden * i), ring * std::sin(golden * i), z);
     const Vector3 x = any_orthogonal(approach);
     const Vector3 y = approach.cross(x);
     for (int turn = 0; turn < options.sphere_turns; ++turn) {
-      // Half a turn does: the thumb goes on either side anyway.
+      // Half a turn is enough, since each grasp is added with the thumb on either side.
       const double angle = 0.5 * kTurn * turn / options.sphere_turns;
       aims.add(Vector3::Zero(), approach, std::cos(angle) * x + std::sin(angle) * y,
                2.0 * sphere.radius, "sphere");

@@ -1,4 +1,5 @@
-// NumPy arrays to the planner's values and back. Arrays that are made here own their memory.
+// Conversion between NumPy arrays and the planner's values. Arrays that are made here own their
+// memory.
 #pragma once
 
 #include <pybind11/numpy.h>

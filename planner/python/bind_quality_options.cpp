@@ -12,13 +12,13 @@ void bind_quality_options(py::module_& core) {
                                    "1992).")
       .choice("norm", &WrenchSpaceOptions::norm,
               {{"l1", WrenchNorm::l1}, {"linf", WrenchNorm::linf}},
-              "What is unit: \"l1\", the sum of all normal forces, or \"linf\", each of them.")
+              R"(What is unit: "l1", the sum of all normal forces, or "linf", each of them.)")
       .choice("cone", &WrenchSpaceOptions::cone, cones,
-              "\"pyramid\" with so many edges, or the \"exact\" friction cone.")
+              R"("pyramid" with so many edges, or the "exact" friction cone.)")
       .number("edges", &WrenchSpaceOptions::edges, {.lower = 3.0}, "Of a pyramid (>= 3).")
       .choice("force", &WrenchSpaceOptions::force,
               {{"at_most", UnitForce::at_most}, {"exactly", UnitForce::exactly}},
-              "Whether forces may stay below the unit: \"at_most\" or \"exactly\".");
+              R"(Whether forces may stay below the unit: "at_most" or "exactly".)");
   OptionsClass<EpsilonOptions>(core, "EpsilonOptions", "How closely epsilon is bracketed.")
       .number("relative_tolerance", &EpsilonOptions::relative_tolerance, kAtLeast0,
               "Of upper - lower.")
@@ -51,7 +51,7 @@ void bind_quality_options(py::module_& core) {
                {"sum_of_normals", ForceMeasure::sum_of_normals}},
               "What is made as small as it can be: \"largest_normal\" (each contact has its own "
               "actuator) or \"sum_of_normals\" (all share one).")
-      .choice("cone", &ForceOptions::cone, cones, "\"exact\" or \"pyramid\".")
+      .choice("cone", &ForceOptions::cone, cones, R"("exact" or "pyramid".)")
       .number("edges", &ForceOptions::edges, {.lower = 3.0}, "Of a pyramid (>= 3).")
       .number("residual_tolerance", &ForceOptions::residual_tolerance, kAbove0,
               "Of the wrench left over, relative to the wrench.")

@@ -42,6 +42,8 @@ void check_range(const std::string& field, double value, const Range& range);
 template <class Enum>
 using EnumNames = std::vector<std::pair<std::string, Enum>>;
 
+// Registers an options struct as a Python class: each call of field, number or choice adds one
+// property. The destructor stores the names of all fields in the class attribute `_fields`.
 template <class Options>
 class OptionsClass {
  public:
@@ -71,6 +73,7 @@ class OptionsClass {
     return *this;
   }
 
+  // A number, whose range is checked when it is set.
   template <class Number>
   OptionsClass& number(const char* name, Number Options::*member, const Range& range,
                        const char* doc) {
@@ -86,6 +89,7 @@ class OptionsClass {
     return *this;
   }
 
+  // An enum, which in Python is one of the given names.
   template <class Enum>
   OptionsClass& choice(const char* name, Enum Options::*member, const EnumNames<Enum>& names,
                        const char* doc) {

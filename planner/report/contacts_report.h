@@ -1,4 +1,4 @@
-// The report of contacts that were judged without a scene or a hand.
+// The report on contacts that were given directly, without a scene or a hand.
 #pragma once
 
 #include <string>
@@ -8,13 +8,15 @@
 
 namespace prehend {
 
+// The quality of the contacts of a file, and the wrench space that it refers to.
 struct JudgedContacts {
-  WrenchSpaceOptions space;
-  EpsilonBracket epsilon;
-  Interval volume;
+  WrenchSpaceOptions space;  // norm, friction cones and force limits
+  EpsilonBracket epsilon;    // bounds of epsilon, and the weakest wrench
+  Interval volume;           // bounds of the volume of the wrench space
 };
 
-// The report's title is `name`.
+// The report with the title `name`. `seed` is that of the noise in the robustness estimate
+// (grasp_detail). Throws as grasp_detail.
 Report contacts_report(const std::string& name, const ContactsFile& file,
                        const JudgedContacts& judged, std::uint64_t seed);
 

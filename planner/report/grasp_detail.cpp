@@ -14,6 +14,9 @@ constexpr int kMostPoints = 200;
 // Samples of perturbed contacts for robust epsilon. A report shows two digits of the result.
 constexpr int kSamples = 100;
 
+// Polytope of the wrench space. With the L1 norm and pyramids the space is the convex hull of the
+// wrenches of the pyramids' edges, which is exact; other spaces are approximated from inside by
+// points on their surface.
 PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame,
                      const WrenchSpaceOptions& space) {
   const bool is_hull_of_columns =
@@ -24,6 +27,7 @@ PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame
   return wrench_hull(contact_wrenches(contacts, frame, space.edges)).points;
 }
 
+// Epsilon (lower bound) of the contacts that are kept.
 double epsilon_where(std::span<const Contact> contacts, const WrenchFrame& frame,
                      const WrenchSpaceOptions& space, const std::vector<bool>& kept) {
   std::vector<Contact> some;

@@ -1,4 +1,5 @@
-// What a report says of a grasp beyond epsilon and volume: where it is weak, and what carries it.
+// Further analysis of a grasp for a report: robustness to noise, importance of each contact, and
+// sections of the wrench space.
 #pragma once
 
 #include <cstdint>
@@ -13,26 +14,29 @@
 
 namespace prehend {
 
+// How much a grasp depends on one link: the smaller epsilon is without it, the more it does.
 struct LinkShare {
   std::string link;
-  double epsilon_without = 0.0;  // of the contacts of the other links
+  double epsilon_without = 0.0;  // of the contacts of all other links; 0 without force closure
 };
 
+// The analysis of one grasp with n contacts.
 struct GraspDetail {
-  RobustEpsilon robust;
-  // Epsilon of the other contacts, one a contact; 0 without force closure.
+  RobustEpsilon robust;  // epsilon over random perturbations of the contacts
+  // n numbers: epsilon without contact i; 0 when the other contacts have no force closure.
   std::vector<double> epsilon_without;
-  std::vector<LinkShare> links;  // that touch, in the order of their contacts
-  WrenchSections sections;
+  std::vector<LinkShare> links;  // one for each link that touches, in the order of their contacts
+  WrenchSections sections;       // of the wrench space; empty until filled in (space_sections)
 };
 
-// All but the sections. `links`: the link of each contact, or none at all. Throws as wrench_space,
-// and Cancelled.
+// The analysis without the sections. `links`: the name of the link of each contact (n), or empty
+// where there is no hand. Throws as wrench_space, and Cancelled.
 GraspDetail grasp_detail(std::span<const Contact> contacts, std::span<const std::string> links,
                          const WrenchFrame& frame, const WrenchSpaceOptions& space,
                          std::uint64_t seed, const RunContext& context = {});
 
-// Sections of any wrench space; smooth sets are approximated from inside.
+// Sections of the wrench space of the contacts: forces without torque, and torques without force.
+// Spaces that are no polytope (exact cones, L-infinity norm) are approximated from inside.
 WrenchSections space_sections(std::span<const Contact> contacts, const WrenchFrame& frame,
                               const WrenchSpaceOptions& space);
 

@@ -1,4 +1,5 @@
-// What a report shows, as plain values.
+// The content of a report as plain values, independent of how it is written (report_json.h,
+// report_html.h). Lengths in metres; O is the object's frame.
 #pragma once
 
 #include <optional>
@@ -13,41 +14,45 @@
 
 namespace prehend {
 
+// A contact of a grasp.
 struct ReportContact {
-  Contact point;                   // frame O
-  std::string link = {};           // empty: there is no hand
+  Contact point;                   // position, normal into the object and friction, frame O
+  std::string link = {};           // link that touches; empty: there is no hand
   std::optional<double> gap = {};  // between link and object [m]
 };
 
+// A grasp with all that its part of the page shows.
 struct ReportGrasp {
-  std::string outcome;  // as outcome_name says; empty: there was no trial
+  std::string outcome;  // outcome_name(); empty: there was no trial
   bool force_closure = false;
   EpsilonBracket epsilon;
-  Interval volume;
-  std::string origin = {};  // the rule and primitive that it came from
-  std::string preshape = {};
-  std::string blame = {};  // which link met what
-  int primitive = -1;      // index into the report's, -1: none
+  Interval volume;            // bounds of the volume of the wrench space
+  std::string origin = {};    // origin_words(): the primitive and rule that it came from
+  std::string preshape = {};  // preshape_name()
+  std::string blame = {};     // which link collided with what; empty without a collision
+  int primitive = -1;         // index into Report::primitives, -1: none
   std::vector<ReportContact> contacts;
   std::optional<GraspMotion> motion = {};  // empty without a hand
-  std::optional<GraspDetail> detail = {};
-  std::optional<Vector3> side = {};  // from where to look at it: unit, to the eye, in the world
+  std::optional<GraspDetail> detail = {};  // empty for grasps that are not analysed further
+  std::optional<Vector3> side = {};        // viewing direction, unit, towards the eye, world frame
 };
 
+// How many candidates ended with one outcome.
 struct ReportOutcome {
-  std::string name;
-  std::string meaning;
+  std::string name;     // outcome_name()
+  std::string meaning;  // one sentence for the legend
   int count = 0;
 };
 
-// A candidate as an arrow: where its hand was aimed, and which way it came.
+// A candidate, drawn as an arrow that ends where the hand was aimed and points along the approach.
 struct ReportCandidate {
-  Vector3 p_O = Vector3::Zero();
+  Vector3 p_O = Vector3::Zero();          // tip of the arrow [m]
   Vector3 approach_O = Vector3::UnitZ();  // unit
-  std::size_t outcome = 0;                // index into the report's
-  std::string blame = {};
+  std::size_t outcome = 0;                // index into Report::outcomes
+  std::string blame = {};                 // which link collided with what
 };
 
+// How many candidates ended with `outcome` because `link` collided with `by` (Blocker).
 struct ReportBlocker {
   std::string outcome;
   std::string link;
@@ -55,20 +60,21 @@ struct ReportBlocker {
   int count = 0;
 };
 
+// A whole report: of a plan, of an evaluation, or (without scene) of contacts alone.
 struct Report {
   std::string title;
-  std::vector<std::pair<std::string, std::string>> facts;  // of the run: name, value
-  const CompiledScene* scene = nullptr;  // none: contacts alone. Outlives the report
-  WrenchFrame frame;                     // of all grasps
-  // What is unit: words for the sum of all normal forces, or for each.
+  std::vector<std::pair<std::string, std::string>> facts;  // about the run: name and value
+  const CompiledScene* scene = nullptr;  // must outlive the report; null: contacts alone
+  WrenchFrame frame;                     // torque origin and scale of all wrenches
+  // Words for what the wrench space limits to one: the sum of all normal forces, or each of them.
   std::string unit_force = "normal forces that add up to";
   std::vector<Primitive> primitives = {};
   std::vector<ReportGrasp> grasps = {};
-  std::size_t grasps_in_all = 0;  // those that the report leaves out included
+  std::size_t grasps_in_all = 0;  // including those that the report leaves out
   std::vector<ReportOutcome> outcomes = {};
   std::vector<ReportBlocker> blockers = {};
   std::vector<ReportCandidate> candidates = {};
-  std::size_t candidates_in_all = 0;
+  std::size_t candidates_in_all = 0;  // including those that the report leaves out
 };
 
 }  // namespace prehend

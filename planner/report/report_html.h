@@ -1,4 +1,4 @@
-// A report as one file for a browser, which fetches nothing when it opens.
+// A report as one HTML file that contains everything it needs and loads nothing from the network.
 #pragma once
 
 #include <string>
@@ -8,11 +8,13 @@
 
 namespace prehend {
 
-// Names are shown as text, whatever is in them. The same report is the same bytes.
+// The HTML text. Names are escaped, so that markup in them is shown as text. The same report gives
+// the same bytes.
 std::string report_html(const Report& report);
 
-// What stands before and after the report's data, which is JSON in a script element: the page
-// (page/) with its style, its scripts and three.js. The build makes these two (page.cmake).
+// The parts of the HTML file before and after the report's data, which is JSON in a script element:
+// the page (page/) with its style sheet, its scripts and three.js. Their definitions are generated
+// by the build (page.cmake).
 std::string_view page_before_data();
 std::string_view page_after_data();
 

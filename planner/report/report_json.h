@@ -7,7 +7,8 @@
 
 namespace prehend {
 
-// Lengths in metres, rounded to a micrometre; poses as position and quaternion (x, y, z, w).
+// The report as JSON text. Lengths are in metres, rounded to a micrometre; poses are position and
+// quaternion (x, y, z, w). The scripts of the page (page/) are its only reader.
 std::string report_json(const Report& report);
 
 }  // namespace prehend

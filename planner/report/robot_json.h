@@ -7,14 +7,14 @@
 
 namespace prehend {
 
-// To a multiple of 1/scale.
+// Numbers rounded to a multiple of 1 / scale, to keep the report small.
 double rounded(double value, double scale = 1e6);
 nlohmann::ordered_json rounded(const Vector3& v, double scale = 1e6);
 
 // Position [m], then a unit quaternion x, y, z, w.
 nlohmann::ordered_json rounded(const Pose& pose);
 
-// To six significant digits.
+// The number rounded to six significant digits.
 double significant(double value);
 
 // "joints": for each its parent's number (-1: the base), whether it turns about its axis ("r") or

@@ -1,4 +1,4 @@
-// Where a grasp came from, in words.
+// The origin of a grasp as text for tables and reports.
 #pragma once
 
 #include <string>
@@ -7,10 +7,11 @@
 
 namespace prehend {
 
-// "cylinder 1 (cylinder side, thumb across)"; "given" for one that somebody asked for.
+// Primitive and rule that a grasp was proposed by: "cylinder 1 (cylinder side, thumb across)";
+// "given" for a grasp that the caller gave.
 std::string origin_words(const ScoredGrasp& grasp, const PlanResult& result);
 
-// The opening that the hand came with; empty where it has no name.
+// Name of the preshape with which the hand approached; empty for a candidate without one.
 std::string preshape_name(const CompiledScene& scene, const Candidate& candidate);
 
 }  // namespace prehend

@@ -57,7 +57,8 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
                    [](const Blocker& a, const Blocker& b) { return a.count > b.count; });
 }
 
-// What the trials of this scene had to do: a stage that a scene does not ask for is not there.
+// Counts of the stages of a trial. Stages that the scene does not need are left out: reach without
+// an arm, obstacles where there are none.
 void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   const int total = static_cast<int>(result.tried.size());
   const auto count_of = [&](Outcome outcome) {
@@ -73,7 +74,7 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   result.stages.push_back({PlanCount::trials, total});
 }
 
-// Runs the candidates and keeps what came of them, in `result` and as the value.
+// Runs a trial of each candidate. Counts and outcomes go into `result`, the trials are returned.
 Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candidates,
                  const TrialOptions& options, const RunContext& context, PlanResult& result) {
   Finished finished = finished_of(run_trials(scene, candidates, options, context));
@@ -84,7 +85,9 @@ Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candi
   return finished;
 }
 
-// The full hull, for those grasps only that will be shown. A cancelled run leaves the rest without.
+// Volumes and sections of the wrench space, for the returned grasps only: the full 6-D hull takes
+// much longer than epsilon, which is all that ranking needs. A cancelled run leaves the rest
+// without.
 void add_volumes(const CompiledScene& scene, const TrialOptions& options, std::size_t sections,
                  const RunContext& context, PlanResult& result) {
   for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
@@ -114,8 +117,10 @@ class PathSearch {
              PlanResult& result)
       : scene_(scene), options_(options), context_(context), result_(result) {}
 
-  // In groups of as many as are still wanted, so that the answer does not depend on the threads.
-  // Grasps without a path go.
+  // Searches in groups of as many grasps as are still wanted, in the order of their rank. All of a
+  // group are searched before the next one begins, so that the same grasps are searched, and the
+  // result is the same, on any number of threads. Grasps without a path are left out and counted
+  // as Outcome::no_path.
   void run() {
     all_ = std::move(result_.grasps);
     result_.grasps.clear();
@@ -135,7 +140,8 @@ class PathSearch {
   }
 
  private:
-  // Whether it came to an end.
+  // Plans the path of grasp i; false when it was cancelled. The seed derives from the grasp's rank,
+  // not from the thread or the order of the calls.
   bool search(std::size_t i) {
     ScoredGrasp& grasp = all_[i];
     GraspPathOptions path = *options_.paths;
@@ -153,6 +159,7 @@ class PathSearch {
     return true;
   }
 
+  // Moves a grasp with a path into the result, or records why it is not there.
   void take(ScoredGrasp& grasp, bool searched) {
     if (!searched) {
       result_.status = PlanStatus::cancelled;
@@ -174,7 +181,7 @@ class PathSearch {
   Progress progress_;
 };
 
-// The one seed of a plan, spread to all that is random in it.
+// The options with every seed in them derived from the one seed of the plan.
 PlanOptions with_seeds(PlanOptions options) {
   options.primitives.seed = derived_seed(options.seed);
   options.trial.reach.kinematics.seed = derived_seed(options.seed);
@@ -199,7 +206,7 @@ class PlanRun {
       result_.status = PlanStatus::cancelled;
     }
     if (result_.status == PlanStatus::complete) try_and_rank();
-    // What a cancelled plan has found by then is ranked, and returned as it is.
+    // A plan that was cancelled during the trials returns its ranked grasps without paths.
     if (result_.status == PlanStatus::complete && options_.paths) {
       PathSearch(scene_, options_, context_, result_).run();
       count(PlanCount::paths, result_.grasps.size());
@@ -253,7 +260,8 @@ class PlanRun {
     Finished finished = try_all(scene_, candidates, options_.trial, context_, result_);
     watch_.lap(Stage::trials);
     RankOptions ranking = options_.rank;
-    // Some may have no path; a cancelled plan does not look for any.
+    // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
+    // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
     const bool for_paths = options_.paths && result_.status == PlanStatus::complete;
     if (for_paths) ranking.top = std::numeric_limits<int>::max();
     for (const std::size_t i : rank(finished.trials, ranking)) {

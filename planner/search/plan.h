@@ -1,4 +1,4 @@
-// From a scene to ranked grasps, and from somebody's grasps to their scores.
+// Planning: from a scene to ranked grasps. Evaluation: from given grasps to their scores.
 #pragma once
 
 #include <array>
@@ -22,6 +22,7 @@
 
 namespace prehend {
 
+// Options of every stage of plan().
 struct PlanOptions {
   // Everything random in the plan derives from it (run_seed.h): seeds in the options below are set
   // from it, whatever they are.
@@ -30,13 +31,15 @@ struct PlanOptions {
   CandidateOptions candidates;
   TrialOptions trial;
   RankOptions rank;
-  // Paths for the grasps that are returned; those without one are left out. Needs an arm.
+  // Set: a path of the arm is planned for each grasp, and grasps without a path are left out. Needs
+  // a scene with an arm.
   std::optional<GraspPathOptions> paths;
-  // So many of the grasps that are returned also get sections of their wrench space.
+  // For how many of the returned grasps, the first ones, sections of the wrench space are computed.
   std::size_t sections = 0;
 };
 
-// All that grasps depend on but the paths, which are optional: GraspPathOptions has settings too.
+// The settings that the grasps depend on. Those of the paths are visited through GraspPathOptions,
+// where there are any.
 template <SettingsOf<PlanOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [seed, primitives, candidates, trial, rank, paths, sections] = options;
@@ -47,35 +50,37 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("", rank);
 }
 
+// Options of evaluate().
 struct EvaluateOptions {
   std::uint64_t seed = 1;  // as in PlanOptions
   TrialOptions trial;
   std::size_t sections = 0;  // as in PlanOptions
 };
 
-// A grasp with everything that is said about it.
+// A grasp with its quality and where it came from.
 struct ScoredGrasp {
-  Trial trial;
-  Candidate candidate;
-  // Of the wrench hull, 0 without force closure; nothing where the call was cancelled before it.
+  Trial trial;          // pose, joints, contacts and epsilon that the trial found
+  Candidate candidate;  // what was tried
+  // Volume of the convex hull of contact wrenches (6-D, torques scaled); 0 without force closure,
+  // nothing where the call was cancelled before it was computed.
   std::optional<double> volume;
-  std::optional<int> primitive;  // it came from; none: given by the caller
-  std::string rule;
+  std::optional<int> primitive;  // index into PlanResult::primitives; none: given by the caller
+  std::string rule;              // rule that proposed it, or "given"
   std::optional<Trajectory> path;
   std::optional<WrenchSections> sections;
   int tried = 0;  // index into PlanResult::tried
 };
 
-// A candidate and how it ended.
+// A candidate that was tried, and the outcome of its trial.
 struct Tried {
-  int candidate = 0;                      // its place among those that were proposed or given
-  Pose X_OH = Pose::Identity();           // where its approach was to end
+  int candidate = 0;                      // index into the candidates that were proposed or given
+  Pose X_OH = Pose::Identity();           // hand pose at which its approach was to end
   Vector3 approach_O = Vector3::UnitZ();  // unit
   Outcome outcome = Outcome::no_contact;
-  Blame blame;
+  Blame blame;  // which link collided with what; empty for outcomes without a collision
 };
 
-// How many candidates ended in `outcome` because one link met one body.
+// How many candidates ended in `outcome` because `link` collided with `by`.
 struct Blocker {
   Outcome outcome = Outcome::hand_blocked;
   std::string link;
@@ -83,18 +88,19 @@ struct Blocker {
   int count = 0;
 };
 
-// What is counted on the way from primitives to grasps.
+// What PlanResult::stages counts, from primitives to grasps.
 enum class PlanCount {
   primitives_given,  // by the scene
   primitives,        // found in the object's mesh
   candidates,        // proposed
-  reach,             // of those tried, candidates that the arm brings the hand to
-  obstacles,
-  trials,  // candidates that were tried
-  ranked,  // grasps that hold, without near-identical ones
-  paths    // of them, those with a path
+  reach,             // tried candidates that the arm can reach without collision
+  obstacles,         // in the scene
+  trials,            // candidates that were tried
+  ranked,            // stable grasps, without near-identical ones
+  paths              // ranked grasps for which a path was found
 };
 
+// "primitives", "candidates", ...: names of the stages in output for people and in files.
 constexpr std::string_view plan_count_name(PlanCount what) {
   constexpr std::array<std::string_view, 8> kNames = {
       "primitives given", "primitives", "candidates", "reach",
@@ -102,45 +108,52 @@ constexpr std::string_view plan_count_name(PlanCount what) {
   return kNames[static_cast<std::size_t>(what)];
 }
 
+// One count of PlanResult::stages.
 struct StageCount {
   PlanCount what = PlanCount::primitives;
   int count = 0;
 };
 
-// How a call ended whose question was sound.
+// How a call of plan() or evaluate() with valid arguments ended.
 enum class PlanStatus {
   complete,
   cancelled,         // the context was cancelled before all was done; what was found is there
-  object_too_large,  // no rule of any primitive fits into the hand: see the sizes in PlanResult
-  no_candidates      // there was nothing to try for another reason
+  object_too_large,  // every width that a rule closes on exceeds what the hand opens to: see
+                     // PlanResult::smallest_width and largest_opening
+  no_candidates      // there was no candidate for another reason
 };
 
+// "complete", "cancelled", ...: as in files.
 constexpr std::string_view plan_status_name(PlanStatus status) {
   constexpr std::array<std::string_view, 4> kNames = {"complete", "cancelled", "object_too_large",
                                                       "no_candidates"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
+// What plan() and evaluate() return.
 struct PlanResult {
   PlanStatus status = PlanStatus::complete;
-  // Candidates that were proposed or given, but not tried to the end: 0 unless cancelled.
+  // Number of candidates that were proposed or given, but whose trial was not finished: 0 unless
+  // the call was cancelled.
   int untested = 0;
-  // Of the proposals: the smallest size that a rule wanted to close on (infinite where there was no
-  // rule at all), and the largest size that an opening of the hand takes [m].
+  // Of plan(): the smallest width that a rule closes on (infinite where there was no rule at all),
+  // and the largest width that a preshape of the hand takes [m].
   double smallest_width = 0.0;
   double largest_opening = 0.0;
   std::vector<Primitive> primitives;
-  std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: as asked
-  std::vector<Tried> tried;                      // all that were tried, in the order they were made
-  std::array<int, kOutcomes.size()> outcomes{};  // of all trials
+  std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: in the given order
+  std::vector<Tried> tried;                      // finished trials, in the order of candidates
+  std::array<int, kOutcomes.size()> outcomes{};  // number of trials with each Outcome
   std::vector<Blocker> blockers;                 // those with the most candidates first
-  std::vector<StageCount> stages;
-  std::vector<StageTime> times;
-  TrialSeconds trial_seconds;  // of all trials, on all threads together
+  std::vector<StageCount> stages;                // in the order of the stages
+  std::vector<StageTime> times;                  // wall-clock time of each stage
+  TrialSeconds trial_seconds;                    // of all trials, on all threads together
 };
 
-// Decomposes the object (unless the scene gives primitives), proposes candidates, tries them, ranks
-// those that hold, and with PlanOptions::paths plans the arm's way to the best.
+// Plans grasps: decomposes the object into primitives (unless the scene gives them), proposes
+// candidates, runs a trial of each, ranks the stable ones by epsilon, and with PlanOptions::paths
+// plans paths of the arm to the best. The same options give the same result on any number of
+// threads (but for times, and unless cancelled).
 //
 // Does not throw Cancelled. What a cancelled plan returns: the trials that were finished, ranked;
 // of grasps whose path was asked for, those whose path was found (cancelled before the first path
@@ -150,14 +163,16 @@ struct PlanResult {
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options = {},
                 const RunContext& context = {});
 
-// Each candidate is tried where it is; nothing is ranked or left out. Does not throw Cancelled: it
-// returns the grasps whose trials were finished, in their order (Tried::candidate says which those
-// are). No candidates at all: PlanStatus::no_candidates.
+// Runs a trial of each of the given candidates and scores it. Grasps are returned in the order of
+// the candidates, whatever their outcome; nothing is ranked or left out. Does not throw Cancelled:
+// when cancelled it returns the grasps whose trials were finished (Tried::candidate says which
+// candidates those were). Without candidates the status is PlanStatus::no_candidates.
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
                     const EvaluateOptions& options = {}, const RunContext& context = {});
 
-// One line for people: "mug: no grasp to try with hand NAME: the smallest size to close on is ...
-// mm, the hand opens to ... mm". For a result whose status is object_too_large or no_candidates.
+// Why there was nothing to try, in one line: "mug: no grasp to try with hand NAME: the smallest
+// size to close on is ... mm, the hand opens to ... mm". For a result whose status is
+// object_too_large or no_candidates.
 std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result);
 
 }  // namespace prehend

@@ -6,6 +6,10 @@
 namespace prehend {
 namespace {
 
+// Ranking is greedy: from the best grasp down, a grasp is taken unless it is the same as one that
+// is already taken. "The same" is not transitive, so a chain of grasps with small steps between
+// them is thinned out rather than merged into one.
+
 bool is_same_pose(const Pose& a, const Pose& b, const RankOptions& options) {
   if ((a.translation() - b.translation()).norm() > options.same_distance) return false;
   const Eigen::AngleAxisd turn(a.linear().transpose() * b.linear());
@@ -20,6 +24,8 @@ bool touches_near(const Contacts& contacts, const Vector3& position, double dist
   });
 }
 
+// Whether both have equally many contacts and each of `a` has one of `b` near it. Links are not
+// compared, so that a hand with its fingers exchanged counts as the same grasp.
 bool are_same_contacts(const Contacts& a, const Contacts& b, double distance) {
   return !a.empty() && a.size() == b.size() &&
          std::all_of(a.begin(), a.end(), [&](const GraspContact& contact) {

@@ -1,4 +1,4 @@
-// Which grasps are best, and which are the same grasp.
+// Ranking of grasps by quality, without near-identical ones.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,15 @@
 
 namespace prehend {
 
+// How many grasps are returned, and which count as the same.
 struct RankOptions {
-  int top = 10;  // grasps to return (>= 1)
-  // Grasps whose hands are closer than both of these are one; the better stands for it.
+  int top = 10;  // largest number of grasps to return (>= 1)
+  // Two grasps whose hand poses differ by no more than both of these are the same, and only the
+  // better one is returned.
   double same_distance = 0.01;  // m
   double same_angle = 0.35;     // rad
-  // So are grasps that touch at the same points: a two-finger hand turned by half a turn.
+  // Two grasps are also the same when each contact of one is within this distance of a contact of
+  // the other: a two-finger hand turned by half a turn touches at the same points.
   double same_contact = 1e-3;  // m
 };
 
@@ -26,8 +29,8 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("same_contact", same_contact);
 }
 
-// Indices of the stable trials, largest epsilon first (equal epsilon: smaller index first), without
-// those that are near-identical to a better one, at most `top`.
+// Indices of stable trials, largest lower bound of epsilon first (equal epsilon: smaller index
+// first), without those that are the same as a better one; at most `top`.
 std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options);
 
 }  // namespace prehend

@@ -15,10 +15,10 @@ std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
   Progress progress{Stage::trials, 0, static_cast<int>(candidates.size()), 0};
   if (context.progress) context.progress(progress);
   for_each_in_parallel(candidates.size(), context.threads, [&](std::size_t i) {
-    // Those that have not begun are skipped without an exception: to throw one costs up to a
-    // millisecond, and hundreds may be left.
+    // Candidates that have not begun are skipped without an exception each: throwing is slow, and
+    // hundreds may be left.
     if (context.cancellation.requested()) return;
-    // Caught here, one by one: thrown on, it would take the finished trials with it.
+    // Caught for each trial: an exception that left the loop would discard the finished trials.
     try {
       trials[i] = run_trial(scene, candidates[i], options, context);
     } catch (const Cancelled&) {

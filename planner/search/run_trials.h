@@ -1,4 +1,4 @@
-// Many trials on many threads, each result where its candidate stands.
+// Runs the trials of many candidates in parallel.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,9 @@
 
 namespace prehend {
 
-// Result i belongs to candidate i; the same on any number of threads. Reports progress after each
-// trial. Does not throw Cancelled: what was not finished by then is empty.
+// Runs a trial of each candidate, on context.threads threads. Result i belongs to candidate i and
+// is the same on any number of threads. Reports progress after each trial. Does not throw
+// Cancelled: the results of trials that were not finished by then are empty.
 std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
                                              const std::vector<Candidate>& candidates,
                                              const TrialOptions& options,

@@ -1,4 +1,4 @@
-// What each stage of a run cost.
+// Wall-clock time of the stages of a run.
 #pragma once
 
 #include <chrono>
@@ -8,12 +8,14 @@
 
 namespace prehend {
 
+// How long one stage took.
 struct StageTime {
   Stage stage = Stage::trials;
   double seconds = 0.0;
 };
 
-// Each lap is the time since the lap before it.
+// Measures stages that follow one another. It starts when it is made; each lap is the time since
+// the lap before it.
 class Stopwatch {
  public:
   void lap(Stage stage) {
@@ -21,7 +23,8 @@ class Stopwatch {
     laps_.push_back({stage, std::chrono::duration<double>(now - last_).count()});
     last_ = now;
   }
-  // Laps that somebody else took since the last one; time not in them is left out.
+  // Appends laps that were measured elsewhere since the last lap. Time since then that is not in
+  // them is not counted.
   void add(const std::vector<StageTime>& laps) {
     laps_.insert(laps_.end(), laps.begin(), laps.end());
     last_ = std::chrono::steady_clock::now();

@@ -1,4 +1,4 @@
-// The best grasps side by side.
+// One picture of several grasps side by side.
 #pragma once
 
 #include <vector>
@@ -8,6 +8,7 @@
 
 namespace prehend {
 
+// Layout of the sheet.
 struct ContactSheetOptions {
   int columns = 5;
   // Of the picture of one grasp; its title stands under it [pixels].
@@ -15,8 +16,7 @@ struct ContactSheetOptions {
   int height = 400;
 };
 
-// Each grasp from its most telling side, in reading order, in cells of one size. Throws
-// Cancelled.
+// Each grasp as seen from telling_side(), in reading order, in cells of one size. Throws Cancelled.
 Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
                     const ContactSheetOptions& options = {}, const RunContext& context = {});
 

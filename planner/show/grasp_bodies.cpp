@@ -62,7 +62,7 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
 }
 
 DrawnBody contact_body(const CompiledScene& scene, const Contact& point) {
-  // A frictionless cone would not show.
+  // The cone of a frictionless contact has no width and would be invisible.
   const double slope = std::max(0.05, point.friction);
   // All cones are equally long along their sides, however wide they are.
   const double length = kConeLength * object_radius(scene) / std::sqrt(1.0 + slope * slope);

@@ -1,4 +1,4 @@
-// What is drawn of a grasp, each part by its name.
+// The bodies that are drawn of a grasp: object, hand, contacts, obstacles and arm.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a grasp looks like.
+// Pictures of a grasp.
 #pragma once
 
 #include <string>
@@ -8,6 +8,7 @@
 
 namespace prehend {
 
+// Size of a picture [pixels].
 struct GraspPictureOptions {
   int width = 900;
   int height = 700;

@@ -6,6 +6,7 @@
 namespace prehend {
 namespace {
 
+// A segment of the motion that takes time.
 struct Stretch {
   std::string name;
   double from = 0.0;  // s
@@ -22,7 +23,8 @@ std::vector<double> between(const std::vector<double>& a, const std::vector<doub
   return values;
 }
 
-// Where the motion is at `time`, which lies in it.
+// The motion at `time`, which lies in it: linear interpolation between the frames around it, with
+// slerp for the hand's rotation.
 MotionFrame frame_at(const GraspMotion& motion, double time) {
   const auto after =
       std::lower_bound(motion.frames.begin(), motion.frames.end(), time,

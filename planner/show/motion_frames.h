@@ -1,4 +1,4 @@
-// A few moments that summarise a motion.
+// Choice of a few frames that summarise a motion.
 #pragma once
 
 #include <string>
@@ -8,9 +8,10 @@
 
 namespace prehend {
 
+// A frame, and the segment of the motion that it belongs to.
 struct NamedFrame {
   MotionFrame frame;
-  std::string segment;  // that it is in; where two meet "FIRST > SECOND"
+  std::string segment;  // its name; where two segments meet "FIRST > SECOND"
 };
 
 // `count` (>= 0) frames of the motion: its end; with more the start; then where segments meet, as

@@ -1,4 +1,5 @@
-// Pictures of the moments of a motion, all from the same camera, so that they make a film.
+// Pictures of the frames of a motion, all from the same cameras, so that they can be joined to a
+// film.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What has which colour: the one place for pictures, 3-D files and reports.
+// The colours of pictures, 3-D files and reports, all defined here.
 #pragma once
 
 #include <array>

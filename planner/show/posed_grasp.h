@@ -1,4 +1,4 @@
-// A hand at one moment, as something to look at.
+// Input of all pictures: hand, contacts and arm at one moment.
 #pragma once
 
 #include <string>

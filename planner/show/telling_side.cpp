@@ -15,6 +15,10 @@
 namespace prehend {
 namespace {
 
+// Renders a small picture from each of a fixed set of directions, counts how many pixels of each
+// link and each friction cone are visible, and takes the direction with the best score
+// (telling_side.h).
+
 // Weight of seeing the hand, against seeing the contacts.
 constexpr double kHandPart = 0.5;
 
@@ -24,15 +28,16 @@ constexpr std::size_t kMostTriangles = 2000;
 // Scores closer than this count as equal, so that rounding does not choose between symmetric sides.
 constexpr double kSameScore = 1e-9;
 
-// What the small pictures show.
+// The bodies of the small pictures, by the part that they play.
 struct SmallScene {
   std::vector<DrawnBody> framed;     // fills the picture: object, hand and cones
   std::vector<DrawnBody> seen;       // the hand's links, then the cones
   std::size_t links = 0;             // of the hand
   std::vector<DrawnBody> around;     // object and arm
-  std::vector<DrawnBody> obstacles;  // that are to count; they hide as if they were solid
+  std::vector<DrawnBody> obstacles;  // drawn solid here; empty when they are not to count
 };
 
+// The body with a simplified mesh where it has many triangles.
 DrawnBody coarse(DrawnBody body) {
   if (body.mesh->triangles.size() > kMostTriangles) {
     body.mesh = simplified(*body.mesh, kMostTriangles);
@@ -92,6 +97,9 @@ View view_from(const Vector3& direction, const SmallScene& small, const Compiled
   const auto cones = pixels.begin() + static_cast<std::ptrdiff_t>(small.links);
   view.links.assign(pixels.begin(), cones);
   for (std::size_t c = 0; c < grasp.contacts.size(); ++c) {
+    // The visible part of the cone: its pixels over those it has with nothing around it. Seen along
+    // its axis a cone looks like a disc and does not show where it points, hence the sine of the
+    // angle between axis and viewing direction.
     const double alone = pixels_of({small.seen[small.links + c]}, {})[0];
     const Vector3 axis =
         scene.scene.object.X_WO.linear() * grasp.contacts[c].point.normal.normalized();
@@ -102,7 +110,8 @@ View view_from(const Vector3& direction, const SmallScene& small, const Compiled
   return view;
 }
 
-// Mean of what is seen of the contacts of each link that touches, and the least of the means.
+// The mean over the links that touch plus the least of them, where each link counts with the mean
+// of what is seen of its contacts. The least keeps a view from hiding one finger behind the others.
 double contact_score(const View& view, const PosedGrasp& grasp, std::size_t links) {
   std::vector<double> sums(links, 0.0);
   std::vector<int> counts(links, 0);
@@ -133,6 +142,7 @@ double hand_score(const View& view, const std::vector<double>& largest) {
   return largest.empty() ? 0.0 : sum / static_cast<double>(largest.size());
 }
 
+// A direction and its score.
 struct Choice {
   Vector3 direction = Vector3::UnitZ();
   double score = 0.0;
@@ -172,6 +182,9 @@ std::vector<Vector3> viewing_directions() {
     int count;
   };
   std::vector<Vector3> directions;
+  // Rings of constant elevation; those at the usual height of the eye come first and have most
+  // directions, since the first of equal scores wins. Half a step of azimuth keeps directions off
+  // the axes of the world, along which boxes show only one face.
   for (const Ring& ring : {Ring{0.5, 12}, Ring{0.17, 10}, Ring{0.95, 6}}) {
     for (int i = 0; i < ring.count; ++i) {
       const double angle = 2.0 * std::numbers::pi * (i + 0.5) / ring.count;

@@ -1,4 +1,4 @@
-// The viewing direction that shows most of a grasp.
+// Choice of the viewing direction that shows most of a grasp.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace prehend {
 
+// Resolution of the search.
 struct TellingSideOptions {
   // Size of the pictures in which visible pixels are counted; they are not shown [pixels].
   int width = 160;
   int height = 128;
 };
 
-// Where a viewer may stand: unit vectors from what is looked at to the eye, in the world's frame,
-// around the upper half of the sphere. Always the same ones.
+// The directions that telling_side chooses from: unit vectors from what is looked at to the eye, in
+// the world's frame, around the upper half of the sphere. Always the same ones.
 std::vector<Vector3> viewing_directions();
 
 // The one of these directions with the best score, of equal ones the first. The score is

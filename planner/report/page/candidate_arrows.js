@@ -1,4 +1,5 @@
-// All candidates as slender cones that point the way their hand came, coloured by how they ended.
+// All candidates as slender cones that point along their approach, coloured by outcome. They are
+// one mesh: thousands of separate objects would draw too slowly.
 
 class CandidateArrows {
   constructor() {
@@ -8,7 +9,7 @@ class CandidateArrows {
     this.shown = [];
   }
 
-  // Those whose outcome is in the set.
+  // Shows the candidates whose outcome (an index) is in the set.
   show(outcomes) {
     dispose(this.group);
     this.group.remove(...this.group.children);
@@ -45,7 +46,7 @@ class CandidateArrows {
     }
   }
 
-  // How the candidate ended to whose arrow a triangle belongs.
+  // Outcome and blame of the candidate whose arrow has this triangle; each arrow has three.
   words(triangle) {
     const row = this.shown[Math.floor(triangle / 3)];
     const blame = data.candidates.blames[row[7]];

@@ -23,7 +23,7 @@ function vectorOf(numbers) {
   return new THREE.Vector3(numbers[0], numbers[1], numbers[2]);
 }
 
-// The frame of the object, in the world; with contacts alone the two are one.
+// Pose of the object in the world; in a report on contacts alone both frames are the same.
 const X_WO = matrixOf(data.scene ? data.scene.object.X : identityPose);
 
 // Length by which marks are sized [m].

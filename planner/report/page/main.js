@@ -1,4 +1,4 @@
-// Puts the page together and keeps its parts at the same grasp.
+// Builds the page from its parts and keeps them all showing the same grasp.
 
 const layerNames = {
   object: 'object',

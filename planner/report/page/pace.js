@@ -1,9 +1,10 @@
-// Coarser pictures while something moves on a machine that draws slowly, fine ones at rest.
+// Adapts the resolution: on a machine that draws slowly, coarser pictures while something moves,
+// and full resolution at rest.
 
-const slowFrame = 45;    // ms
+const slowFrame = 45;    // ms between pictures; above this the resolution is lowered
 const restAfter = 250;   // ms without a new picture
-const longPause = 1500;  // ms; pictures farther apart belong to no motion
-const coarsest = 0.35;   // of the resolution
+const longPause = 1500;  // ms; pictures farther apart are not part of one motion
+const coarsest = 0.35;   // lowest fraction of the resolution
 
 class Pace {
   // `onRest` is called when nothing moves any more and the last picture was coarse.

@@ -12,7 +12,7 @@ class RobotModel {
   constructor(robot, lookOf) {
     this.root = new THREE.Group();
     this.motions = [];
-    this.frames = [];  // after each joint
+    this.frames = [];  // for each joint, the frame that moves with it
     for (const joint of robot.joints) {
       const before = fixedFrame(joint.before);
       const motion = new THREE.Group();
@@ -32,7 +32,7 @@ class RobotModel {
     }
   }
 
-  // The frame after a joint; of -1 the base.
+  // The frame that moves with a joint; for -1 that of the base.
   frameOf(joint) {
     return joint < 0 ? this.root : this.frames[joint];
   }

@@ -1,4 +1,4 @@
-// The scene in three dimensions: what is there, in which posture, seen from where.
+// The 3-D view of the scene: its bodies, their poses at a time of the motion, and the camera.
 
 function lookOfLink(link) {
   return link.material === 'rubber' ? data.palette.rubber : data.palette.hard;
@@ -100,7 +100,7 @@ class SceneView {
     }
   }
 
-  // The grasp with its marks, as it ends; null for none.
+  // Shows a grasp with its marks, at the end of its motion; null shows the scene without a grasp.
   show(grasp) {
     this.grasp = grasp;
     for (const name of ['contacts', 'weakest', 'primitive']) {
@@ -123,7 +123,7 @@ class SceneView {
     this.pose(grasp && grasp.motion ? grasp.motion.times[grasp.motion.times.length - 1] : 0);
   }
 
-  // Hand and arm as they are at a time of the grasp's motion.
+  // Poses hand and arm as at a time [s] of the grasp's motion.
   pose(time) {
     this.time = time;
     if (data.scene) {
@@ -149,7 +149,7 @@ class SceneView {
     }
   }
 
-  // One contact in another colour; -1 for none.
+  // Highlights the contact with this index; -1 for none.
   highlight(i) {
     this.lit = i;
     this.layers.contacts.traverse((node) => {
@@ -164,7 +164,8 @@ class SceneView {
     this.ask();
   }
 
-  // What is to be in the picture: hand and object, or all there is.
+  // Points that the camera has to show: of hand and object, or with `everything` also of the arm
+  // and the obstacles.
   corners(everything) {
     this.scene.updateMatrixWorld(true);
     const parts = [this.layers.object, this.layers.contacts];
@@ -175,7 +176,8 @@ class SceneView {
     return parts.filter((part) => part).flatMap((part) => cornersOf(part));
   }
 
-  // The side that the report chose, or across the approach and the fingers' plane, from above.
+  // The viewing direction, unit, towards the eye: the one in the report, or where there is none
+  // across the plane of approach and closing direction, a little from above.
   telling() {
     if (this.grasp && this.grasp.side) return vectorOf(this.grasp.side);
     const direction = new THREE.Vector3(1, -1, 0.8);
@@ -264,7 +266,8 @@ class SceneView {
   }
 }
 
-// Corners of the boxes around all its meshes, each in its own frame, in the world.
+// Corners, in the world, of the bounding boxes of all meshes of the group; each box has the axes of
+// its mesh.
 function cornersOf(group) {
   const corners = [];
   group.traverse((node) => {
@@ -280,7 +283,10 @@ function cornersOf(group) {
   return corners;
 }
 
-// Moves the camera so that the points fill the picture; where it looks is returned.
+// Moves the camera to the least distance at which all points are visible from the direction;
+// returns the point that it looks at. The points are taken in the camera's axes: the target is the
+// middle of their ranges, and each point at depth p[2] needs the distance at which it lies inside
+// the field of view, reduced to 93 % for a margin.
 function aim(camera, points, direction) {
   camera.position.copy(direction);
   camera.lookAt(0, 0, 0);
@@ -306,7 +312,7 @@ function aim(camera, points, direction) {
   return target;
 }
 
-// Between two rows everything moves straight.
+// Joint values and poses at a time: linear interpolation between the two rows around it.
 function motionRow(motion, time) {
   const {times, rows} = motion;
   let i = times.findIndex((t) => t >= time);

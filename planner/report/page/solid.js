@@ -2,8 +2,9 @@
 
 const creaseCosine = Math.cos(0.6);
 
-// Corners of triangles get the mean normal of the faces around them that lean little, so that round
-// surfaces look round and edges sharp; `least` is the cosine of how much they may lean.
+// A geometry shaded smoothly but for sharp edges: each corner of a triangle gets the mean normal of
+// the faces around its vertex that lean less than a crease angle from the triangle, weighted by
+// area (the length of their cross products). `least` is the cosine of that angle.
 function creasedGeometry(positions, indices, least = creaseCosine) {
   const count = indices.length / 3;
   const normals = [];

@@ -1,4 +1,4 @@
-// Small pictures of grasps, drawn when they come into sight, from the scene of the large one.
+// Small pictures of grasps, drawn with the main scene when they scroll into view.
 
 class Thumbnails {
   constructor(view) {
@@ -45,7 +45,7 @@ class Thumbnails {
     });
   }
 
-  // Leaves the scene as the picture shows it.
+  // Poses the scene for the picture and does not put it back.
   drawGrasp(grasp, canvas) {
     const {view} = this;
     view.show(grasp);

@@ -2,7 +2,8 @@
 
 const exampleForce = 10;  // N
 
-// "Where it is weakest": the disturbance that breaks it, for contacts that press with 10 N.
+// "Where it is weakest": the smallest disturbance that breaks the grasp, for contacts that press
+// with exampleForce.
 function weakestWords(grasp) {
   const force = vectorOf(grasp.weakest_force)
                     .transformDirection(X_WO)

@@ -1,13 +1,15 @@
 // The space of wrenches in two sections side by side: forces without torque, torques without force.
 // They turn together with the scene.
 
-const contactEdges = 24;
+const contactEdges = 24;  // of the polygon that a friction cone is drawn with
 
-// Seen through the hull and the ball that it is in.
+// Drawn without a depth test, since the weakest wrench lies inside the hull and would be hidden.
 const weakestOverlay = new THREE.MeshBasicMaterial(
     {color: data.palette.weakest.color, depthTest: false, transparent: true});
 
-// Forces of a contact's friction cone at a unit normal force, and the scaled torques with them.
+// The edges of a contact's friction cone at a unit normal force: forces, and torques about the
+// origin of the wrench frame divided by its radius. A soft finger adds a torque about the normal
+// (poles).
 function coneWrenches(contact) {
   const n = vectorOf(contact.n).normalize();
   const across = new THREE.Vector3(Math.abs(n.x) < 0.9 ? 1 : 0, Math.abs(n.x) < 0.9 ? 0 : 1, 0);
@@ -31,7 +33,7 @@ function coneWrenches(contact) {
   return {forces, torques, poles};
 }
 
-// A fan from the origin over a closed curve, and spikes.
+// Triangles from the origin to a closed curve, and arrows from the origin to the points `spikes`.
 function fan(curve, spikes) {
   const group = new THREE.Group();
   const positions = [];
@@ -97,7 +99,7 @@ class WrenchSection {
     this.content.add(pointer);
   }
 
-  // What one contact can exert alone; null for none.
+  // Overlays the forces or torques that one contact can exert by itself; null for none.
   highlight(contact) {
     dispose(this.contribution);
     this.contribution.remove(...this.contribution.children);
@@ -137,7 +139,7 @@ class WrenchView {
     this.draw();
   }
 
-  // Seen from where the scene is seen from.
+  // Turns the camera to the same direction as in the scene.
   follow() {
     const direction = this.view.direction();
     const turned = this.camera.position.clone().normalize().distanceTo(direction) > 1e-6;

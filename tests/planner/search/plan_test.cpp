@@ -6,11 +6,11 @@
 
 #include "planner/files/grasps_file.h"
 #include "sim/geometry/object_generator.h"
+#include "sim/json/json_field.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/robot/robot_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
-#include "sim/json/json_field.h"
 
 namespace prehend {
 namespace {
