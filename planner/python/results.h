@@ -23,7 +23,7 @@ struct PlanHandle {
   RunRecord record;
 };
 
-pybind11::dict trial_dict(const TrialHandle& trial);
+pybind11::dict trial_dict(const TrialHandle& handle);
 pybind11::dict grasp_dict(const PlanHandle& plan, std::size_t grasp);
 pybind11::dict result_dict(const PlanHandle& plan);  // all but the grasps
 pybind11::dict primitive_dict(const Primitive& primitive);
