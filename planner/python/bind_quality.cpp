@@ -6,7 +6,6 @@
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/bindings.h"
-#include "planner/python/enum_names.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/parallel/parallel.h"
@@ -102,7 +101,7 @@ py::dict epsilon_of(const ContactSets& sets, const WrenchSpaceOptions& space,
     lower.push_back(bracket.lower);
     upper.push_back(bracket.upper);
     weakest.push_back(bracket.weakest);
-    status.emplace_back(status_name(bracket.status));
+    status.emplace_back(epsilon_status_name(bracket.status));
   }
   py::dict fields;
   fields["lower"] = to_array(lower);
@@ -156,7 +155,7 @@ Doubles robust_epsilon_of(const ContactSets& sets, const WrenchSpaceOptions& spa
 
 py::dict forces_dict(const ContactForces& found) {
   py::dict fields;
-  fields["outcome"] = std::string(outcome_name(found.outcome));
+  fields["outcome"] = std::string(force_outcome_name(found.outcome));
   fields["components"] = to_array(Eigen::MatrixXd(found.components.transpose()));
   fields["forces"] = to_array(Eigen::MatrixXd(found.forces.transpose()));
   fields["largest_normal"] = found.largest_normal;

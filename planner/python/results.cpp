@@ -4,7 +4,6 @@
 #include <pybind11/stl.h>
 
 #include "planner/python/arrays.h"
-#include "planner/python/enum_names.h"
 #include "planner/search/grasp_words.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
@@ -92,7 +91,7 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["outcome"] = text(outcome_name(trial.outcome));
   fields["epsilon"] = trial.epsilon.lower;
   fields["epsilon_upper"] = trial.epsilon.upper;
-  fields["epsilon_status"] = text(status_name(trial.epsilon.status));
+  fields["epsilon_status"] = text(epsilon_status_name(trial.epsilon.status));
   fields["weakest_wrench"] =
       to_array(std::vector<double>(trial.epsilon.weakest.begin(), trial.epsilon.weakest.end()));
   fields["X_OH"] = to_array(trial.X_OH);
