@@ -81,8 +81,7 @@ Json blocked_json(const CompiledScene& scene, const Trial& trial) {
 
 // Degrees of freedom that reach the given joints: the farthest of their joints decides.
 std::vector<double> dofs_of_joints(const std::vector<double>& joints, const Robot& hand) {
-  std::vector<double> dofs;
-  for (const DegreeOfFreedom& dof : hand.dofs) dofs.push_back(dof.initial);
+  std::vector<double> dofs = initial_dofs(hand);
   std::vector<bool> known(dofs.size(), false);
   for (std::size_t j = 0; j < joints.size(); ++j) {
     const Joint& joint = hand.joints[j];

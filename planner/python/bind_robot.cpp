@@ -30,12 +30,6 @@ Doubles dof_limits(const Robot& robot) {
   return to_array(limits, 2);
 }
 
-std::vector<double> initial_dofs(const Robot& robot) {
-  std::vector<double> values;
-  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
-  return values;
-}
-
 py::list preshapes(const Robot& robot) {
   py::list list;
   if (!robot.hand) return list;

@@ -10,10 +10,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
+
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
@@ -226,6 +229,19 @@ void drop_unused_vertices(TriangleMesh& mesh) {
   for (Triangle& t : mesh.triangles) {
     for (int& v : t) v = place[static_cast<std::size_t>(v)];
   }
+}
+
+WeldedMesh weld_to_scale(const TriangleMesh& mesh, double fraction) {
+  if (!(fraction > 0.0) || !(fraction < 0.01)) {
+    throw InputError("weld_fraction: must be above 0 and below 0.01 (" + std::to_string(fraction) +
+                     ")");
+  }
+  const double diagonal = bounds(mesh).diagonal();
+  // weld needs a tolerance above 0.
+  if (!(diagonal > 0.0)) throw InputError("all vertices are at one point");
+  WeldedMesh welded = weld(mesh, fraction * diagonal);
+  if (welded.mesh.empty()) throw InputError("no triangle has an area");
+  return welded;
 }
 
 }  // namespace prehend

@@ -24,6 +24,15 @@ bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle);
 // same tolerance changes nothing.
 WeldedMesh weld(const TriangleMesh& mesh, double tolerance);
 
+// As weld, with a tolerance of `fraction` (> 0, < 0.01) of the mesh's bounding-box diagonal. Throws
+// InputError for another fraction, for a mesh whose vertices are all at one point, and when no
+// triangle with an area is left.
+WeldedMesh weld_to_scale(const TriangleMesh& mesh, double fraction);
+
+// Vertices must not be farther out than this [m]: beyond it the squares and cubes of lengths leave
+// the range of double.
+inline constexpr double kFarthestVertex = 1e30;
+
 // Removes vertices that no triangle uses; the others and the triangles stay in order.
 void drop_unused_vertices(TriangleMesh& mesh);
 

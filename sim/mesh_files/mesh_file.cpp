@@ -51,13 +51,11 @@ std::string read_bytes(const std::filesystem::path& file) {
 }
 
 void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
-  // Beyond these the squares and cubes of lengths leave the range of double.
-  constexpr double kFarthest = 1e30;
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     Vector3& p = mesh.vertices[i];
     if (!p.allFinite()) throw InputError("vertex " + std::to_string(i) + " is not finite");
     p *= metres_per_unit;
-    if (p.cwiseAbs().maxCoeff() > kFarthest) {
+    if (p.cwiseAbs().maxCoeff() > kFarthestVertex) {
       throw InputError("vertex " + std::to_string(i) + " is farther out than 1e30 m");
     }
   }
@@ -78,10 +76,6 @@ LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& option
     throw InputError("metres_per_unit: must be positive and finite (" +
                      std::to_string(options.metres_per_unit) + ")");
   }
-  if (!(options.weld_fraction > 0.0) || !(options.weld_fraction < 0.01)) {
-    throw InputError("weld_fraction: must be above 0 and below 0.01 (" +
-                     std::to_string(options.weld_fraction) + ")");
-  }
   const std::string extension = extension_of(file);
   TriangleMesh raw = read_raw(file, extension);
   if (raw.empty()) throw InputError("no triangles");
@@ -89,11 +83,7 @@ LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& option
   // box that sets the weld tolerance.
   drop_unused_vertices(raw);
   scale_to_metres(raw, options.metres_per_unit);
-
-  const double diagonal = bounds(raw).diagonal();
-  if (!(diagonal > 0.0)) throw InputError("all vertices are at one point");
-  WeldedMesh welded = weld(raw, options.weld_fraction * diagonal);
-  if (welded.mesh.empty()) throw InputError("no triangle has an area");
+  WeldedMesh welded = weld_to_scale(raw, options.weld_fraction);
   return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed};
 }
 

@@ -8,8 +8,6 @@ namespace {
 
 // Directions typed with few digits are still meant to be orthogonal.
 constexpr double kOrthogonal = 1e-6;
-// Limits and values pass through different sums; a limit itself must count as inside.
-constexpr double kRounding = 1e-9;  // rad or m
 
 Vector3 direction(const JsonField& field) {
   const Vector3 v = field.vector3();
@@ -25,13 +23,12 @@ std::size_t find_dof(const JsonField& field, const std::string& name, const Robo
 }
 
 std::vector<double> read_dofs(const JsonField& field, const FileUnits& units, const Robot& robot) {
-  std::vector<double> values;
-  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
+  std::vector<double> values = initial_dofs(robot);
   for (const std::string& name : field.keys()) {
     const std::size_t d = find_dof(field[name], name, robot);
     const DegreeOfFreedom& dof = robot.dofs[d];
     values[d] = field[name].number() * value_unit(robot, d, units);
-    if (values[d] < dof.lower - kRounding || values[d] > dof.upper + kRounding) {
+    if (!within_limits(dof, values[d])) {
       field[name].fail("outside the degree of freedom's limits " + std::to_string(dof.lower) +
                        " to " + std::to_string(dof.upper) + " rad or m");
     }

@@ -33,9 +33,6 @@ constexpr int kRelaxSteps = 12;
 // Random starts lie within this of the given start [rad or m]. Limits may be far wider: those of a
 // mobile base can span a whole hall, and hardly any start drawn from there would converge.
 constexpr double kNearby = 4.0;
-// Tolerance of the limits [rad or m], so that a value at a limit counts as inside although limits
-// and values were computed by different sums.
-constexpr double kRounding = 1e-9;  // rad or m
 // Solutions that differ by less in every degree of freedom count as the same [rad or m].
 constexpr double kSame = 1e-3;
 
@@ -326,7 +323,7 @@ void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target
       const double value = (branches.joints[index(b)][k] - joint.offset) / joint.ratio;
       // The closed form knows the limits of the joints; those of the degrees of freedom may be
       // narrower.
-      inside = inside && value >= dof.lower - kRounding && value <= dof.upper + kRounding;
+      inside = inside && within_limits(dof, value);
       branch[index(joint.dof)] = std::clamp(value, dof.lower, dof.upper);
     }
     if (inside) found.add(branch);

@@ -75,6 +75,14 @@ AssembledPlatform assemble(const Platform& platform) {
   return assembled;
 }
 
+std::vector<double> initial_dofs(const Platform& platform) {
+  std::vector<double> values;
+  for (const MountedRobot& mounted : platform.robots) {
+    for (const double value : initial_dofs(mounted.robot)) values.push_back(value);
+  }
+  return values;
+}
+
 int hand_of(const Platform& platform) {
   int hand = -1;
   for (std::size_t r = 0; r < platform.robots.size(); ++r) {

@@ -46,6 +46,9 @@ struct AssembledPlatform {
 // joint that carries it. Throws InputError for a robot whose joints are no tree (require_tree).
 AssembledPlatform assemble(const Platform& platform);
 
+// The initial values of all degrees of freedom, in the order of the assembled platform [rad or m].
+std::vector<double> initial_dofs(const Platform& platform);
+
 // The only robot of the platform that is a hand.
 // Throws InputError when there is none or more than one.
 int hand_of(const Platform& platform);

@@ -47,6 +47,17 @@ void require_chain(const Robot& robot, const Chain& chain) {
 
 }  // namespace
 
+bool within_limits(const DegreeOfFreedom& dof, double value) {
+  constexpr double kRounding = 1e-9;  // rad or m
+  return value >= dof.lower - kRounding && value <= dof.upper + kRounding;
+}
+
+std::vector<double> initial_dofs(const Robot& robot) {
+  std::vector<double> values;
+  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
+  return values;
+}
+
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs) {
   assert(dofs.size() == robot.dofs.size());
   std::vector<double> values;

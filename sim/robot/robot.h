@@ -87,6 +87,10 @@ struct DegreeOfFreedom {
   Coupling coupling = Coupling::rigid;
 };
 
+// Whether a value is inside the limits of its degree of freedom, to 1e-9 rad or m: a limit itself
+// counts as inside although limits and values come from different sums.
+bool within_limits(const DegreeOfFreedom& dof, double value);
+
 // A rigid body of the robot. Its mesh is given in the frame after `joint`, or in the base frame for
 // joint -1.
 struct Link {
@@ -126,6 +130,9 @@ struct Robot {
   std::vector<Link> links;  // links[0] is the base link
   std::optional<Hand> hand;
 };
+
+// The initial value of every degree of freedom [rad or m].
+std::vector<double> initial_dofs(const Robot& robot);
 
 // The value of every joint, ratio * dof + offset, for one value per degree of freedom [rad or m].
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs);

@@ -16,8 +16,6 @@ namespace prehend {
 namespace {
 
 constexpr int kUndriven = -1;
-// Limits and values pass through different sums; a limit itself must count as inside.
-constexpr double kRounding = 1e-9;  // rad or m
 // Directions typed with few digits are still meant to be opposite [length of their sum].
 constexpr double kOpposed = 1e-6;
 
@@ -218,7 +216,7 @@ void RobotReader::read_motion(const JsonField& field, int dof) {
   motion.initial = std::clamp(0.0, motion.lower, motion.upper);
   if (field.has("initial")) {
     const double value = field["initial"].number() * unit;
-    if (value < motion.lower - kRounding || value > motion.upper + kRounding) {
+    if (!within_limits(motion, value)) {
       field["initial"].fail("outside the limits " + std::to_string(motion.lower) + " to " +
                             std::to_string(motion.upper) + " rad or m");
     }

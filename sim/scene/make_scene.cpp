@@ -9,22 +9,29 @@
 #include "sim/robot/robot_file.h"
 
 namespace prehend {
-namespace {
-
-// As scenes keep it (Scene::hand_source): a path is made absolute; a name stays.
-std::string source_of(const std::string& name_or_file) {
+std::string robot_source(const std::string& name_or_file) {
   if (!std::filesystem::is_regular_file(name_or_file)) return name_or_file;
   return std::filesystem::absolute(name_or_file).lexically_normal().string();
 }
 
-}  // namespace
+Carrier find_carrier(const std::string& platform) {
+  Carrier carrier;
+  carrier.source = robot_source(platform);
+  carrier.platform = find_platform(platform);
+  carrier.hand = hand_of(carrier.platform);
+  if (carrier.platform.robots[index(carrier.hand)].parent < 0) {
+    throw InputError("nothing carries the hand");
+  }
+  carrier.start = initial_dofs(carrier.platform);
+  return carrier;
+}
 
 Scene make_scene(GraspableBody object, const std::string& hand) {
   Scene scene;
   scene.name = object.name;
   scene.object = std::move(object);
   scene.hand = find_robot(hand);
-  scene.hand_source = source_of(hand);
+  scene.hand_source = robot_source(hand);
   return scene;
 }
 
@@ -45,21 +52,19 @@ void add_obstacle(Scene& scene, std::string name, TriangleMesh mesh, const Pose&
 }
 
 void mount(Scene& scene, const std::string& platform, const Pose& X_WB, const std::string& hand) {
-  Carrier carrier;
-  carrier.source = source_of(platform);
-  carrier.platform = find_platform(platform);
-  carrier.hand = hand_of(carrier.platform);
+  Carrier carrier = [&] {
+    try {
+      return find_carrier(platform);
+    } catch (const InputError& error) {
+      throw InputError(scene.name + ": robot: " + platform + ": " + error.what());
+    }
+  }();
   carrier.X_WB = X_WB;
-  MountedRobot& mounted = carrier.platform.robots[index(carrier.hand)];
-  if (mounted.parent < 0) {
-    throw InputError(scene.name + ": robot: nothing carries the hand (" + platform + ")");
-  }
-  if (!hand.empty()) mounted.robot = find_robot(hand);
-  for (const MountedRobot& robot : carrier.platform.robots) {
-    for (const DegreeOfFreedom& dof : robot.robot.dofs) carrier.start.push_back(dof.initial);
-  }
-  scene.hand = mounted.robot;
-  scene.hand_source = source_of(hand);
+  Robot& mounted = carrier.platform.robots[index(carrier.hand)].robot;
+  if (!hand.empty()) mounted = find_robot(hand);
+  carrier.start = initial_dofs(carrier.platform);
+  scene.hand = mounted;
+  scene.hand_source = robot_source(hand);
   scene.carrier = std::move(carrier);
 }
 

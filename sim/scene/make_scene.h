@@ -7,6 +7,15 @@
 
 namespace prehend {
 
+// How a scene names a robot or a platform (Scene::hand_source, Carrier::source): a name of the
+// library as it is, a file by its absolute path.
+std::string robot_source(const std::string& name_or_file);
+
+// A platform as the carrier of its hand, with its base at the world's origin, where its file says
+// that it starts. `platform` as in mount. Throws InputError for an unknown platform, one without
+// exactly one hand, and one whose hand stands on no other robot.
+Carrier find_carrier(const std::string& platform);
+
 // A scene in which `object` (make_graspable in scene.h) is grasped by a hand that no arm carries.
 // `hand` is a name of the library ("franka_hand") or a robot file. Throws InputError that lists the
 // names when it is neither.

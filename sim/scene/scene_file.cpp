@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
@@ -13,6 +14,7 @@
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_geometry.h"
 #include "sim/scene/json_primitive.h"
+#include "sim/scene/make_scene.h"
 #include "sim/scene/scene_library.h"
 
 namespace prehend {
@@ -75,14 +77,8 @@ ShapeSource read_source(const JsonField& body) {
   return WrittenShapesSource{body["geometry"].json()};
 }
 
-// A path is made absolute; a name stays.
-std::string robot_source(const std::string& name_or_file) {
-  if (!std::filesystem::is_regular_file(name_or_file)) return name_or_file;
-  return absolute_path(name_or_file);
-}
-
 // A name of the library, or the absolute path of a file: beside the scene if there is one.
-std::string robot_source(const JsonField& field) {
+std::string read_robot_source(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
   if (std::filesystem::is_regular_file(beside)) {
     return absolute_path(beside);
@@ -184,10 +180,7 @@ void narrow_limits(const JsonField& limits, Platform& platform) {
 }
 
 std::vector<double> read_start(const JsonField& robot, Platform& platform) {
-  std::vector<double> start;
-  for (const MountedRobot& mounted : platform.robots) {
-    for (const DegreeOfFreedom& dof : mounted.robot.dofs) start.push_back(dof.initial);
-  }
+  std::vector<double> start = initial_dofs(platform);
   if (!robot.has("start")) return start;
   for (const std::string& name : robot["start"].keys()) {
     const JsonField field = robot["start"][name];
@@ -204,15 +197,12 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 // `hand` replaces the platform's own; empty: as it is.
 Carrier read_carrier(const JsonField& field, const std::string& hand) {
   field.allow_only({"platform", "hand", "pose", "start", "limits"});
-  Carrier carrier;
-  carrier.source = robot_source(field["platform"]);
-  carrier.platform = named_by(field["platform"], [&] { return find_platform(carrier.source); });
-  carrier.hand = named_by(field["platform"], [&] { return hand_of(carrier.platform); });
+  Carrier carrier = named_by(field["platform"],
+                             [&] { return find_carrier(read_robot_source(field["platform"])); });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
-  if (mounted.parent < 0) field["platform"].fail("nothing carries the hand");
   if (!hand.empty()) {
     const auto find = [&] { return find_robot(hand); };
-    const bool asked_here = field.has("hand") && hand == robot_source(field["hand"]);
+    const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
     mounted.robot = asked_here ? named_by(field["hand"], find) : find();
   }
   if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
@@ -235,14 +225,14 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
     }
   }
   if (root.has("robot")) {
-    if (root["robot"].has("hand")) scene.hand_source = robot_source(root["robot"]["hand"]);
+    if (root["robot"].has("hand")) scene.hand_source = read_robot_source(root["robot"]["hand"]);
     if (!source.hand.empty()) scene.hand_source = robot_source(source.hand);
     scene.carrier = read_carrier(root["robot"], scene.hand_source);
     const Carrier& carrier = *scene.carrier;
     scene.hand = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)].robot;
   } else {
     scene.hand_source = !source.hand.empty() ? robot_source(source.hand)
-                        : root.has("hand")   ? robot_source(root["hand"])
+                        : root.has("hand")   ? read_robot_source(root["hand"])
                                              : kDefaultHand;
     const auto find = [&] { return find_robot(scene.hand_source); };
     const bool asked_here = source.hand.empty() && root.has("hand");
@@ -267,13 +257,10 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
     const JsonFile json(file);
     return read_scene(json.root(), source);
   }
-  Scene scene;
-  scene.name = file.stem().string();
-  scene.object = make_graspable(scene.name, mesh_from_file(file, source.unit), Material::plastic);
-  scene.object.source = MeshFileSource{absolute_path(file), source.unit};
-  scene.hand_source = source.hand.empty() ? kDefaultHand : robot_source(source.hand);
-  scene.hand = find_robot(scene.hand_source);
-  return scene;
+  GraspableBody object =
+      make_graspable(file.stem().string(), mesh_from_file(file, source.unit), Material::plastic);
+  object.source = MeshFileSource{absolute_path(file), source.unit};
+  return make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand);
 }
 
 }  // namespace prehend
