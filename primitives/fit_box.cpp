@@ -4,16 +4,12 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Cholesky>
-
 #include "primitives/fit_shapes.h"
+#include "primitives/normal_equations.h"
 #include "primitives/ranked_starts.h"
 
 namespace prehend {
 namespace {
-
-using Vector9 = Eigen::Matrix<double, 9, 1>;
-using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
 // A box is fitted by robust Gauss-Newton from several starts. The starts are the best of many
 // frames (principal axes of points and normals, each axis turned in steps, directions of the
@@ -30,14 +26,14 @@ struct Slabs {
 
 // A point relative to the box. Of the six signed distances from the face planes (positive outside)
 // the largest counts: inside the box that is the nearest face.
-struct Seen {
+struct BoxPoint {
   Vector3 q = Vector3::Zero();  // in the frame of the box
   int face = 0;                 // 0 to 2: high side of that axis, 3 to 5: low side
   double residual = 0.0;        // signed distance from the plane of the face
 };
 
-Seen seen_from(const Slabs& box, const Vector3& p_O) {
-  Seen seen;
+BoxPoint seen_from(const Slabs& box, const Vector3& p_O) {
+  BoxPoint seen;
   seen.q = box.R_OP.transpose() * p_O;
   Eigen::Matrix<double, 6, 1> beyond;
   beyond << seen.q - box.high, box.low - seen.q;
@@ -93,7 +89,7 @@ std::vector<Matrix3> starting_frames(std::span<const SurfacePoint> points, bool 
   return frames;
 }
 
-std::vector<Slabs> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+std::vector<Slabs> box_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
   return ranked_starts(
       starting_frames(points, options.thorough), points, options, slabs_in_frame,
       [](const Slabs& box, const Vector3& p_O) { return seen_from(box, p_O).residual; });
@@ -117,14 +113,10 @@ std::array<bool, 6> open_faces(const Slabs& box, const std::array<double, 6>& su
   return open;
 }
 
-// The normal equations of a step.
-struct System {
-  Matrix9 normal = Matrix9::Zero();
-  Vector9 right = Vector9::Zero();
-};
+// Unknowns: a small turn about each axis (0-2), high faces (3-5), low faces (6-8).
+using BoxEquations = NormalEquations<9>;
 
-// Adds one point. Unknowns: a small turn about each axis (0-2), high faces (3-5), low faces (6-8).
-void add_point(System& system, const Seen& seen, double weight) {
+void add_point(BoxEquations& equations, const BoxPoint& seen, double weight) {
   const int axis = seen.face % 3;
   const int u = (axis + 1) % 3;
   const int v = (axis + 2) % 3;
@@ -135,27 +127,19 @@ void add_point(System& system, const Seen& seen, double weight) {
   const std::array<double, 3> slope = {-sign * seen.q[v], sign * seen.q[u], -sign};
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
-      system.normal(unknown[i], unknown[j]) += weight * slope[i] * slope[j];
+      equations.normal(unknown[i], unknown[j]) += weight * slope[i] * slope[j];
     }
-    system.right[unknown[i]] -= weight * slope[i] * seen.residual;
+    equations.right[unknown[i]] -= weight * slope[i] * seen.residual;
   }
-}
-
-// Takes an unknown out of the step: its equation becomes 1 * change = 0.
-void fix_unknown(System& system, int k) {
-  system.normal.row(k).setZero();
-  system.normal.col(k).setZero();
-  system.normal(k, k) = 1.0;
-  system.right[k] = 0.0;
 }
 
 // Moves an uncovered face to where the surface of the faces beside it ends: to the extreme of the
 // points near those faces, without the outermost 0.5 %.
-void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff) {
+void close_face(Slabs& box, int face, std::span<const BoxPoint> seen, double cutoff) {
   constexpr double kTail = 0.005;
   const int axis = face % 3;
   std::vector<double> along;
-  for (const Seen& s : seen) {
+  for (const BoxPoint& s : seen) {
     Vector3 beyond = (s.q - box.high).cwiseMax(box.low - s.q);
     beyond[axis] = -std::numeric_limits<double>::infinity();
     if (std::abs(beyond.maxCoeff()) < cutoff) along.push_back(s.q[axis]);
@@ -172,14 +156,14 @@ void close_face(Slabs& box, int face, std::span<const Seen> seen, double cutoff)
 // distance of each point from the face it is nearest to. Which face that is, and the weights, are
 // computed anew in every step.
 Step improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions& options) {
-  std::vector<Seen> seen;
+  std::vector<BoxPoint> seen;
   std::vector<double> residuals;
   for (const SurfacePoint& s : points) {
     seen.push_back(seen_from(box, s.p_O));
     residuals.push_back(seen.back().residual);
   }
   const double cutoff = robust_cutoff(residuals, options);
-  System system;
+  BoxEquations equations;
   Step step;
   std::array<double, 6> support{};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -188,27 +172,17 @@ Step improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions&
     const double weight = biweight(residuals[i], cutoff) * facing;
     step.loss_before += facing * point_loss(residuals[i], options.outlier);
     support[static_cast<std::size_t>(seen[i].face)] += weight;
-    add_point(system, seen[i], weight);
+    add_point(equations, seen[i], weight);
   }
   const std::array<bool, 6> open = open_faces(box, support);
   for (int face = 0; face < 6; ++face) {
     if (!open[static_cast<std::size_t>(face)]) continue;
-    fix_unknown(system, 3 + face);
+    equations.fix(3 + face);
     close_face(box, face, seen, cutoff);
   }
-  // Relative damping (Marquardt) keeps the step finite where the points leave a direction open,
-  // such as the turn of a square face. Larger turns than a quarter radian leave the linearisation.
-  constexpr double kDamping = 1e-4;
-  constexpr double kLargestTurn = 0.25;
-  system.normal.diagonal() *= 1.0 + kDamping;
-  system.normal.diagonal().array() += 1e-12;
-  const Vector9 change = system.normal.ldlt().solve(system.right);
+  const BoxEquations::Vector change = equations.damped_change();
   if (!change.allFinite()) return step;
-  Vector3 turn = change.head<3>();
-  if (turn.norm() > kLargestTurn) turn *= kLargestTurn / turn.norm();
-  if (turn.norm() > 0.0) {
-    box.R_OP = box.R_OP * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-  }
+  turn_frame(box.R_OP, change.head<3>());
   box.high += change.segment<3>(3);
   box.low += change.segment<3>(6);
   step.change = change.norm();
@@ -227,7 +201,7 @@ Primitive fit_box(std::span<const SurfacePoint> points, const FitOptions& option
 
   Slabs best;
   double best_loss = std::numeric_limits<double>::infinity();
-  for (Slabs box : best_starts(centered, options)) {
+  for (Slabs box : box_starts(centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
       const Slabs before = box;
       const Step step = improve(box, centered, options);

@@ -2,17 +2,13 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Cholesky>
-
 #include "primitives/fit_circle.h"
 #include "primitives/fit_shapes.h"
+#include "primitives/normal_equations.h"
 #include "primitives/ranked_starts.h"
 
 namespace prehend {
 namespace {
-
-using Vector7 = Eigen::Matrix<double, 7, 1>;
-using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
 // Like the box (fit_box.cpp): robust Gauss-Newton from the best of many starting axes. For a given
 // axis, a circle through the projected points of the side gives the start; each step assigns every
@@ -31,15 +27,15 @@ enum class Part { side, high, low };
 
 // A point relative to the cylinder. Of the signed distances from side and caps (positive outside)
 // the largest counts: inside the cylinder that is the nearest part.
-struct Seen {
+struct TubePoint {
   Vector3 q = Vector3::Zero();  // in the frame of the cylinder, from its base
   double rho = 0.0;             // distance from the axis
   Part part = Part::side;
   double residual = 0.0;  // signed distance from that part
 };
 
-Seen seen_from(const Tube& tube, const Vector3& p_O) {
-  Seen seen;
+TubePoint seen_from(const Tube& tube, const Vector3& p_O) {
+  TubePoint seen;
   seen.q = tube.R_OP.transpose() * (p_O - tube.base);
   seen.rho = std::hypot(seen.q.x(), seen.q.y());
   seen.residual = seen.rho - tube.radius;
@@ -55,7 +51,7 @@ Seen seen_from(const Tube& tube, const Vector3& p_O) {
 }
 
 // The outward normal, in O, of the part that the point belongs to.
-Vector3 outward(const Tube& tube, const Seen& seen) {
+Vector3 outward(const Tube& tube, const TubePoint& seen) {
   switch (seen.part) {
     case Part::high:
       return tube.R_OP.col(2);
@@ -105,7 +101,7 @@ Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, doubl
   return tube;
 }
 
-std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+std::vector<Tube> tube_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
   constexpr int kDirections = 32;
   std::vector<Vector3> axes;
   for (const Matrix3& frame : {point_axes(points), normal_axes(points)}) {
@@ -120,10 +116,13 @@ std::vector<Tube> best_starts(std::span<const SurfacePoint> points, const FitOpt
 }
 
 // Unknowns: turns about the first two axes (0, 1), the base across the axis (2, 3), radius (4),
-// caps (5 high, 6 low). A turn w of the frame moves the point's coordinates by q x w.
-// The slope is the derivative of the point's residual by each unknown.
-Vector7 slope_of(const Seen& seen) {
-  Vector7 slope = Vector7::Zero();
+// caps (5 high, 6 low).
+using TubeEquations = NormalEquations<7>;
+
+// The derivative of the point's residual by each unknown. A turn w of the frame moves the point's
+// coordinates by q x w.
+TubeEquations::Vector slope_of(const TubePoint& seen) {
+  TubeEquations::Vector slope = TubeEquations::Vector::Zero();
   if (seen.part == Part::side) {
     if (!(seen.rho > 0.0)) return slope;
     const double ux = seen.q.x() / seen.rho;
@@ -140,10 +139,10 @@ Vector7 slope_of(const Seen& seen) {
 
 // Moves an uncovered cap (the open end of a cup) to where the points near the side end, without the
 // outermost 0.5 %.
-void close_end(Tube& tube, Part end, std::span<const Seen> seen, double cutoff) {
+void close_end(Tube& tube, Part end, std::span<const TubePoint> seen, double cutoff) {
   constexpr double kTail = 0.005;
   std::vector<double> along;
-  for (const Seen& s : seen) {
+  for (const TubePoint& s : seen) {
     if (std::abs(s.rho - tube.radius) < cutoff) along.push_back(s.q.z());
   }
   if (along.empty()) return;
@@ -154,18 +153,17 @@ void close_end(Tube& tube, Part end, std::span<const Seen> seen, double cutoff) 
   }
 }
 
-struct System {
-  Matrix7 normal = Matrix7::Zero();
-  Vector7 right = Vector7::Zero();
+struct TubeSystem {
+  TubeEquations equations;
   double side = 0.0;  // weight of the points on each part
   double high = 0.0;
   double low = 0.0;
   double loss = 0.0;  // as Step::loss_before
 };
 
-System system_of(const Tube& tube, std::span<const SurfacePoint> points, std::span<const Seen> seen,
-                 double cutoff, const FitOptions& options) {
-  System system;
+TubeSystem system_of(const Tube& tube, std::span<const SurfacePoint> points,
+                     std::span<const TubePoint> seen, double cutoff, const FitOptions& options) {
+  TubeSystem system;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double facing = facing_weight(points[i], outward(tube, seen[i]));
     const double weight = biweight(seen[i].residual, cutoff) * facing;
@@ -174,18 +172,11 @@ System system_of(const Tube& tube, std::span<const SurfacePoint> points, std::sp
     if (seen[i].part == Part::side) system.side += weight;
     if (seen[i].part == Part::high) system.high += weight;
     if (seen[i].part == Part::low) system.low += weight;
-    const Vector7 slope = slope_of(seen[i]);
-    system.normal += weight * slope * slope.transpose();
-    system.right -= (weight * seen[i].residual) * slope;
+    const TubeEquations::Vector slope = slope_of(seen[i]);
+    system.equations.normal += weight * slope * slope.transpose();
+    system.equations.right -= (weight * seen[i].residual) * slope;
   }
   return system;
-}
-
-void fix_unknown(System& system, int k) {
-  system.normal.row(k).setZero();
-  system.normal.col(k).setZero();
-  system.normal(k, k) = 1.0;
-  system.right[k] = 0.0;
 }
 
 // One Gauss-Newton step of iteratively reweighted least squares, as in fit_box.cpp: each point
@@ -193,16 +184,14 @@ void fix_unknown(System& system, int k) {
 // step.
 Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions& options) {
   constexpr double kCovered = 0.25;
-  constexpr double kDamping = 1e-4;
-  constexpr double kLargestTurn = 0.25;
-  std::vector<Seen> seen;
+  std::vector<TubePoint> seen;
   std::vector<double> residuals;
   for (const SurfacePoint& s : points) {
     seen.push_back(seen_from(tube, s.p_O));
     residuals.push_back(seen.back().residual);
   }
   const double cutoff = robust_cutoff(residuals, options);
-  System system = system_of(tube, points, seen, cutoff, options);
+  TubeSystem system = system_of(tube, points, seen, cutoff, options);
   // A cap counts as open when it has less than a quarter of the points that its share of the area
   // would give it; a rim alone still leaves it some. Areas in units of pi * radius: a cap is
   // pi r^2 / (pi r) = r, the side 2 pi r h / (pi r) = 2 h.
@@ -211,23 +200,17 @@ Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions&
   const double expected =
       (system.side + system.high + system.low) * cap / std::max(side + 2.0 * cap, 1e-300);
   if (!(system.high > kCovered * expected)) {
-    fix_unknown(system, 5);
+    system.equations.fix(5);
     close_end(tube, Part::high, seen, cutoff);
   }
   if (!(system.low > kCovered * expected)) {
-    fix_unknown(system, 6);
+    system.equations.fix(6);
     close_end(tube, Part::low, seen, cutoff);
   }
-  system.normal.diagonal() *= 1.0 + kDamping;
-  system.normal.diagonal().array() += 1e-12;
-  const Vector7 change = system.normal.ldlt().solve(system.right);
+  const TubeEquations::Vector change = system.equations.damped_change();
   if (!change.allFinite()) return {system.loss, 0.0};
-  Vector3 turn(change[0], change[1], 0.0);
-  if (turn.norm() > kLargestTurn) turn *= kLargestTurn / turn.norm();
   tube.base += tube.R_OP.col(0) * change[2] + tube.R_OP.col(1) * change[3];
-  if (turn.norm() > 0.0) {
-    tube.R_OP = tube.R_OP * Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix();
-  }
+  turn_frame(tube.R_OP, Vector3(change[0], change[1], 0.0));
   tube.radius += change[4];
   tube.high += change[5];
   tube.low += change[6];
@@ -251,7 +234,7 @@ Primitive fit_cylinder(std::span<const SurfacePoint> points, const FitOptions& o
   }
   Tube best;
   double best_loss = std::numeric_limits<double>::infinity();
-  for (Tube tube : best_starts(centered, options)) {
+  for (Tube tube : tube_starts(centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
       const Tube before = tube;
       const Step step = improve(tube, centered, options);

@@ -1,33 +1,22 @@
 #include "planner/main/result_table.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "planner/search/grasp_words.h"
+#include "sim/base/formatted.h"
 
 namespace prehend {
-namespace {
-
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-  const int size = std::snprintf(nullptr, 0, pattern, values...);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  std::snprintf(text.data(), text.size() + 1, pattern, values...);
-  return text;
-}
-
-}  // namespace
-
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
-  std::string text = format("%4s  %8s  %9s  %8s  %-17s  %-16s  %s\n", "rank", "epsilon", "volume",
-                            "contacts", "outcome", "preshape", "primitive");
+  std::string text = formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s\n", "rank", "epsilon",
+                               "volume", "contacts", "outcome", "preshape", "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
     const std::string preshape = preshape_name(scene, grasp.candidate);
-    text += format("%4zu  %8.4f  %9.3g  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
-                   grasp.volume.value_or(0.0), grasp.trial.contacts.size(),
-                   std::string(outcome_name(grasp.trial.outcome)).c_str(),
-                   preshape.empty() ? "-" : preshape.c_str(), origin_words(grasp, result).c_str());
+    text +=
+        formatted("%4zu  %8.4f  %9.3g  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
+                  grasp.volume.value_or(0.0), grasp.trial.contacts.size(),
+                  std::string(outcome_name(grasp.trial.outcome)).c_str(),
+                  preshape.empty() ? "-" : preshape.c_str(), origin_words(grasp, result).c_str());
   }
   return text;
 }
@@ -69,8 +58,9 @@ std::string blocker_line(const PlanResult& result) {
 }
 
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {
-  return format("rank %zu   epsilon %.4f   volume %.3g   %zu contacts", rank,
-                grasp.trial.epsilon.lower, grasp.volume.value_or(0.0), grasp.trial.contacts.size());
+  return formatted("rank %zu   epsilon %.4f   volume %.3g   %zu contacts", rank,
+                   grasp.trial.epsilon.lower, grasp.volume.value_or(0.0),
+                   grasp.trial.contacts.size());
 }
 
 }  // namespace prehend

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <iostream>
 
 #include "planner/files/grasps_file.h"
@@ -7,6 +6,7 @@
 #include "planner/show/contact_sheet.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
+#include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/json/json_field.h"
@@ -25,32 +25,19 @@ struct DrawnGrasp {
   std::string numbers;  // lines for the contact sheet
 };
 
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[96];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
-std::string numbered(const char* pattern, std::size_t number) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, number);
-  return text;
-}
-
 std::string title_of(const ScoredGrasp& grasp, bool judged, std::size_t number) {
   std::string title = "grasp " + std::to_string(number);
   if (!judged) return title;
-  title += format("   epsilon %.4f", grasp.trial.epsilon.lower);
+  title += formatted("   epsilon %.4f", grasp.trial.epsilon.lower);
   return title + "   " + std::string(outcome_name(grasp.trial.outcome));
 }
 
 // What the file knows of it, in lines that are short enough for a cell.
 std::string numbers_of(const ScoredGrasp& grasp, bool judged, std::size_t number) {
   std::string text = "grasp " + std::to_string(number);
-  if (judged) text += format("   epsilon %.4f", grasp.trial.epsilon.lower);
+  if (judged) text += formatted("   epsilon %.4f", grasp.trial.epsilon.lower);
   std::string second;
-  if (grasp.volume) second += format("volume %.3g", *grasp.volume);
+  if (grasp.volume) second += formatted("volume %.3g", *grasp.volume);
   const std::size_t contacts = grasp.trial.contacts.size();
   if (judged || contacts > 0) {
     second += (second.empty() ? "" : "   ") + std::to_string(contacts) + " contacts";
@@ -91,7 +78,7 @@ void write_each(const std::filesystem::path& folder, const CompiledScene& scene,
                 const std::vector<DrawnGrasp>& grasps, Interrupts& interrupts) {
   std::vector<std::string> names(grasps.size());
   for_each_in_parallel(grasps.size(), 0, [&](std::size_t i) {
-    names[i] = numbered("grasp_%03zu.png", grasps[i].number);
+    names[i] = formatted("grasp_%03zu.png", grasps[i].number);
     interrupts.write(
         folder / names[i],
         png_bytes(grasp_from_four_sides(scene, grasps[i].posed, {.width = 1400, .height = 1100})));
@@ -124,12 +111,12 @@ void remove_frames(const std::filesystem::path& folder, const std::string& start
 std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::size_t number,
                         std::size_t count) {
   return "grasp " + std::to_string(grasp.number) + "   frame " + std::to_string(number) + " of " +
-         std::to_string(count) + "\n" + frame.segment + format("   %.2f s", frame.frame.time);
+         std::to_string(count) + "\n" + frame.segment + formatted("   %.2f s", frame.frame.time);
 }
 
 void write_frames(const std::filesystem::path& folder, const CompiledScene& scene,
                   const DrawnGrasp& grasp, int count, Interrupts& interrupts) {
-  const std::string start = numbered("approach_%03zu_frame_", grasp.number);
+  const std::string start = formatted("approach_%03zu_frame_", grasp.number);
   remove_frames(folder, start);
   if (count == 0) return;
   const ScoredGrasp& result = grasp.result;
@@ -149,7 +136,7 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
     PosedGrasp moment = posed_at(frames[i].frame);
     moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
     if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
-    names[i] = start + numbered(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
+    names[i] = start + formatted(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
     interrupts.write(folder / names[i],
                      png_bytes(motion_picture(scene, moment, view, kFramePicture)));
   });

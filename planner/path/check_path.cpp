@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 
 namespace prehend {
@@ -145,9 +145,7 @@ class PathChecker {
     const std::string met = what_meets();
     if (met.empty()) return;
     if (++check_.collisions > 1) return;
-    char when[32];
-    std::snprintf(when, sizeof when, " at %.3f s", time);
-    check_.first_collision = met + when;
+    check_.first_collision = met + formatted(" at %.3f s", time);
   }
 
   // "LINK meets BODY" for the first collision in the current posture, empty if there is none.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +9,7 @@
 #include "planner/report/packed_mesh.h"
 #include "planner/report/robot_json.h"
 #include "planner/show/palette.h"
+#include "sim/base/formatted.h"
 
 namespace prehend {
 namespace {
@@ -27,10 +27,7 @@ constexpr std::size_t kLeastFrames = 24;
 
 std::string hex(const Color& color) {
   const auto byte = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(color.red), byte(color.green),
-                byte(color.blue));
-  return text;
+  return formatted("#%02x%02x%02x", byte(color.red), byte(color.green), byte(color.blue));
 }
 
 Json look_json(const Color& color) { return {{"color", hex(color)}, {"opacity", color.opacity}}; }

@@ -1,11 +1,11 @@
 #include "planner/report/robot_json.h"
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 
 #include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
+#include "sim/base/formatted.h"
 #include "sim/base/quaternion.h"
 
 namespace prehend {
@@ -64,11 +64,7 @@ Json rounded(const Pose& pose) {
   return json;
 }
 
-double significant(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return std::strtod(text, nullptr);
-}
+double significant(double value) { return std::strtod(formatted("%.6g", value).c_str(), nullptr); }
 
 Json robot_json(const Robot& robot) {
   Json links = Json::array();

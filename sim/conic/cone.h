@@ -59,4 +59,10 @@ void for_each_second_order(const ConeSizes& cone, Visit visit) {
 // difference; NaN outside the cone.
 double cone_root(const Eigen::Ref<const Eigen::VectorXd>& v);
 
+// The largest magnitude of all entries of a matrix or vector; 0 for one without entries.
+template <typename Derived>
+double largest_entry(const Eigen::MatrixBase<Derived>& m) {
+  return m.size() > 0 ? m.cwiseAbs().maxCoeff() : 0.0;
+}
+
 }  // namespace prehend

@@ -15,8 +15,6 @@ constexpr double kDependent = 1e-13;
 // A dependent equation is consistent if its error is at most this part of b.
 constexpr double kInconsistent = 1e-10;
 
-double largest(const Eigen::MatrixXd& m) { return m.size() > 0 ? m.cwiseAbs().maxCoeff() : 0.0; }
-
 // The power of two nearest to 1 / sqrt(size); 1 for 0.
 double inverse_root(double size) {
   return size > 0.0 ? std::exp2(-std::round(std::log2(size) / 2.0)) : 1.0;
@@ -53,8 +51,8 @@ Equilibration::Equilibration(const ConicProgram& program)
   scaled_.b = rows_of_A_.cwiseProduct(scaled_.b);
   scaled_.h = rows_of_G_.cwiseProduct(scaled_.h);
   scaled_.c = columns_.cwiseProduct(scaled_.c);
-  right_ = power_of_two(std::max(largest(scaled_.b), largest(scaled_.h)));
-  objective_ = power_of_two(largest(scaled_.c));
+  right_ = power_of_two(std::max(largest_entry(scaled_.b), largest_entry(scaled_.h)));
+  objective_ = power_of_two(largest_entry(scaled_.c));
   scaled_.b /= right_;
   scaled_.h /= right_;
   scaled_.c /= objective_;
@@ -67,15 +65,16 @@ void Equilibration::scale_once() {
   Eigen::VectorXd row_of_A(scaled_.b.size());
   Eigen::VectorXd row_of_G(scaled_.h.size());
   for (Eigen::Index j = 0; j < column.size(); ++j) {
-    column[j] = inverse_root(std::max(largest(scaled_.A.col(j)), largest(scaled_.G.col(j))));
+    column[j] =
+        inverse_root(std::max(largest_entry(scaled_.A.col(j)), largest_entry(scaled_.G.col(j))));
   }
   for (Eigen::Index i = 0; i < row_of_A.size(); ++i)
-    row_of_A[i] = inverse_root(largest(scaled_.A.row(i)));
+    row_of_A[i] = inverse_root(largest_entry(scaled_.A.row(i)));
   for (Eigen::Index i = 0; i < row_of_G.size(); ++i)
-    row_of_G[i] = inverse_root(largest(scaled_.G.row(i)));
+    row_of_G[i] = inverse_root(largest_entry(scaled_.G.row(i)));
   for_each_second_order(scaled_.cone, [&](Eigen::Index first, Eigen::Index rows) {
     row_of_G.segment(first, rows)
-        .setConstant(inverse_root(largest(scaled_.G.middleRows(first, rows))));
+        .setConstant(inverse_root(largest_entry(scaled_.G.middleRows(first, rows))));
   });
   scaled_.A = row_of_A.asDiagonal() * scaled_.A * column.asDiagonal();
   scaled_.G = row_of_G.asDiagonal() * scaled_.G * column.asDiagonal();
@@ -102,7 +101,7 @@ Reduction::Reduction(const ConicProgram& program) : reduced_(program), rows_(pro
 void Reduction::drop_rows(const ConicProgram& program) {
   kept_ = Eigen::VectorXi::LinSpaced(rows_, 0, static_cast<int>(rows_) - 1);
   if (rows_ == 0) return;
-  const Eigen::Index rank = largest(program.A) > 0.0 ? factors_of(program.A).rank() : 0;
+  const Eigen::Index rank = largest_entry(program.A) > 0.0 ? factors_of(program.A).rank() : 0;
   if (rank == rows_) return;
   Eigen::VectorXd error = program.b;
   if (rank > 0) {
@@ -132,7 +131,7 @@ void Reduction::drop_directions(const ConicProgram& program) {
   const Eigen::Index n = program.c.size();
   Eigen::MatrixXd all(n, reduced_.A.rows() + reduced_.G.rows());
   all << reduced_.A.transpose(), reduced_.G.transpose();
-  const Eigen::Index rank = largest(all) > 0.0 ? factors_of(all).rank() : 0;
+  const Eigen::Index rank = largest_entry(all) > 0.0 ? factors_of(all).rank() : 0;
   if (rank == n) return;
   Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(n, n);
   if (rank > 0) basis = full_q(factors_of(all));

@@ -10,8 +10,6 @@
 namespace prehend {
 namespace {
 
-double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
-
 void require(bool condition, const std::string& field, const std::string& problem,
              const std::string& value = {}) {
   if (!condition) throw InputError({.field = field, .problem = problem, .value = value});
@@ -52,8 +50,9 @@ void measure(const ConicProgram& p, ConicSolution& solution) {
   if (!no_objective) dual += p.c;
   solution.primal_value = p.c.dot(solution.x);
   solution.dual_value = -p.b.dot(solution.y) - p.h.dot(solution.z);
-  solution.primal_residual = no_objective ? 0.0 : std::max(largest(equations), largest(cone));
-  solution.dual_residual = homogeneous ? 0.0 : largest(dual);
+  solution.primal_residual =
+      no_objective ? 0.0 : std::max(largest_entry(equations), largest_entry(cone));
+  solution.dual_residual = homogeneous ? 0.0 : largest_entry(dual);
   solution.gap = solution.s.dot(solution.z);
 }
 

@@ -31,8 +31,6 @@ constexpr double kStepBack = 0.99;
 constexpr double kSmallestStep = 1e-7;  // shorter steps make no progress beyond rounding
 constexpr int kPatience = 12;           // iterations without a better iterate before giving up
 
-double largest(const Eigen::VectorXd& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
-
 // A point of the embedding: the program's variables times tau, and kappa.
 struct Point {
   KktSystem::Vector v;
@@ -54,8 +52,8 @@ class InteriorPoint {
         options_(options),
         identity_(cone_identity(program.cone)),
         kkt_(program.A, program.G),
-        c_size_(std::max(1.0, largest(program.c))),
-        b_size_(std::max({1.0, largest(program.b), largest(program.h)})) {}
+        c_size_(std::max(1.0, largest_entry(program.c))),
+        b_size_(std::max({1.0, largest_entry(program.b), largest_entry(program.h)})) {}
 
   ConicSolution run() {
     start();
@@ -93,7 +91,7 @@ class InteriorPoint {
   // v if it is well inside the cone, else v moved along the identity until its margin is 1.
   Eigen::VectorXd inside(const Eigen::VectorXd& v) const {
     const double margin = cone_margin(p_.cone, v);
-    if (margin > 1e-3 * largest(v)) return v;
+    if (margin > 1e-3 * largest_entry(v)) return v;
     return v + (1.0 - margin) * identity_;
   }
 
@@ -117,15 +115,15 @@ class InteriorPoint {
   double proof_error() const {
     const double value = -p_.b.dot(point_.v.y) - p_.h.dot(point_.v.z);
     if (!(value > 0.0)) return std::numeric_limits<double>::infinity();
-    return largest(residual_.v.x + p_.c * point_.tau) / value;
+    return largest_entry(residual_.v.x + p_.c * point_.tau) / value;
   }
 
   // Whether x and s are a certificate of dual infeasibility within the tolerance.
   bool dual_infeasible() const {
     const double value = -p_.c.dot(point_.v.x);
     if (value <= 0.0) return false;
-    const double error = std::max(largest(residual_.v.y + p_.b * point_.tau),
-                                  largest(residual_.v.z + p_.h * point_.tau));
+    const double error = std::max(largest_entry(residual_.v.y + p_.b * point_.tau),
+                                  largest_entry(residual_.v.z + p_.h * point_.tau));
     return error <= options_.infeasible_tolerance * value;
   }
 
@@ -133,8 +131,9 @@ class InteriorPoint {
   // the program's size. Infinite where it is not a number.
   double measure() const {
     const double tau = point_.tau;
-    const double primal = std::max(largest(residual_.v.y), largest(residual_.v.z)) / tau / b_size_;
-    const double dual = largest(residual_.v.x) / tau / c_size_;
+    const double primal =
+        std::max(largest_entry(residual_.v.y), largest_entry(residual_.v.z)) / tau / b_size_;
+    const double dual = largest_entry(residual_.v.x) / tau / c_size_;
     const double primal_value = p_.c.dot(point_.v.x) / tau;
     const double dual_value = -(p_.b.dot(point_.v.y) + p_.h.dot(point_.v.z)) / tau;
     const double size = std::max({1.0, std::abs(primal_value), std::abs(dual_value)});

@@ -21,7 +21,7 @@ double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
 
 // The polygon that remains: corners not yet clipped, in order, and the quality of the ear at each
 // of them (0: not an ear).
-struct Ring {
+struct Remainder {
   const std::vector<Vector2d>& corners;
   std::vector<int> left;
   std::vector<double> quality;
@@ -76,17 +76,19 @@ double doubled_area(const std::vector<Vector2d>& corners) {
 
 std::vector<Triangle> triangulate_polygon(const std::vector<Vector2d>& corners) {
   if (corners.size() < 3 || !(doubled_area(corners) > 0.0)) return {};
-  Ring ring{corners, std::vector<int>(corners.size()), {}};
-  std::iota(ring.left.begin(), ring.left.end(), 0);
-  for (std::size_t i = 0; i < corners.size(); ++i) ring.quality.push_back(ring.ear_quality(i));
+  Remainder remainder{corners, std::vector<int>(corners.size()), {}};
+  std::iota(remainder.left.begin(), remainder.left.end(), 0);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    remainder.quality.push_back(remainder.ear_quality(i));
 
   std::vector<Triangle> triangles;
-  while (ring.left.size() >= 3) {
-    const auto best = std::max_element(ring.quality.begin(), ring.quality.end());
+  while (remainder.left.size() >= 3) {
+    const auto best = std::max_element(remainder.quality.begin(), remainder.quality.end());
     if (!(*best > 0.0)) return {};
-    const std::size_t i = static_cast<std::size_t>(best - ring.quality.begin());
-    triangles.push_back({ring.left[ring.before(i)], ring.left[i], ring.left[ring.after(i)]});
-    ring.clip(i);
+    const std::size_t i = static_cast<std::size_t>(best - remainder.quality.begin());
+    triangles.push_back({remainder.left[remainder.before(i)], remainder.left[i],
+                         remainder.left[remainder.after(i)]});
+    remainder.clip(i);
   }
   return triangles;
 }

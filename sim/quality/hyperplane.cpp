@@ -8,9 +8,9 @@ namespace {
 
 // Edges of a facet whose remainders are shorter than this, relative to the longest edge, have no
 // direction to rely on: planes fitted to them scatter, and growth stalls on near-duplicates.
-constexpr double kThin = 1e-10;
+constexpr double kShortRemainder = 1e-10;
 // Remainders of a unit vector below this are rounding.
-constexpr double kRounding = 1e-15;
+constexpr double kNoDirection = 1e-15;
 
 using Directions = Eigen::Matrix<double, 6, 5>;
 
@@ -28,7 +28,7 @@ int orthonormalise(Directions& edges) {
       edges.col(rank) -= done * (done.transpose() * edges.col(rank));
     }
     const double length = edges.col(rank).norm();
-    if (length <= kThin * longest) return rank;
+    if (length <= kShortRemainder * longest) return rank;
     edges.col(rank) /= length;
     for (int k = rank + 1; k < 5; ++k) {
       edges.col(k) -= edges.col(rank).dot(edges.col(k)) * edges.col(rank);
@@ -68,7 +68,7 @@ FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners) {
     normal -= span * (span.transpose() * normal);
     const double length = normal.norm();
     // The guess lies in the facet: nothing better to say than the guess itself.
-    if (!(length > kRounding)) return fit_offset(guess, corners);
+    if (!(length > kNoDirection)) return fit_offset(guess, corners);
     normal /= length;
   }
   return fit_offset(normal, corners);

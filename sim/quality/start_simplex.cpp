@@ -10,7 +10,7 @@ namespace {
 // Points farther from the span than this part of the scale are taken as they are. If none is, a
 // new one is asked for along a direction orthogonal to the span: a simplex thinner than that would
 // start the search with ill-conditioned facets.
-constexpr double kThin = 1e-2;
+constexpr double kThinStart = 1e-2;
 
 // Support along a unit direction; keeps the smallest value in `start`.
 Wrench probe(const SupportMap& set, const Wrench& direction, StartSimplex& start) {
@@ -83,7 +83,7 @@ StartSimplex start_simplex(const SupportMap& set, bool stop_outside) {
   start.points[0] = candidates.front();
   for (int rank = 0; rank < 6; ++rank) {
     Wrench rest = take_farthest(candidates, start.points[0], basis, rank);
-    if (rest.norm() <= kThin * start.scale) {
+    if (rest.norm() <= kThinStart * start.scale) {
       const Wrench direction = orthogonal_direction(basis, rank);
       candidates.push_back(probe(set, direction, start));
       candidates.push_back(probe(set, -direction, start));

@@ -20,7 +20,7 @@ namespace {
 // poles as short as possible.
 
 // Sections thinner than this part of the hull's size are flat.
-constexpr double kThin = 1e-9;
+constexpr double kFlat = 1e-9;
 
 // normals.col(i) . x <= offsets[i]; normals are unit.
 struct HalfSpaces {
@@ -65,7 +65,7 @@ std::optional<HalfSpaces> cut_facets(const PointHull& hull, const FixedCoordinat
       offset -= hull.normals(fixed.coordinates[i], f) * fixed.values[static_cast<Eigen::Index>(i)];
     }
     const double length = normal.norm();
-    if (length < kThin) {
+    if (length < kFlat) {
       if (offset < 0.0) return std::nullopt;
       continue;
     }
@@ -187,7 +187,7 @@ WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
   const double size = std::frexp(hull.reach, &exponent);
   scale(cut->offsets, -exponent);
   const Ball ball = inscribed_ball(*cut, 1.1 * size);
-  if (!(ball.radius > kThin * size)) return slice;
+  if (!(ball.radius > kFlat * size)) return slice;
   add_surface(corners(*cut, ball.center), slice);
   scale(slice.vertices, exponent);
   slice.volume = std::ldexp(slice.volume, 3 * exponent);

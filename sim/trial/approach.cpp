@@ -9,7 +9,7 @@ namespace prehend {
 namespace {
 
 // One link against the object or an obstacle. Travels in metres along the approach.
-struct Pairing {
+struct ApproachPair {
   LinkId link;
   BodyId body;
   GapTracker tracker;
@@ -17,8 +17,8 @@ struct Pairing {
   double safe_until = 0.0;  // proven free of contact up to this travel
 };
 
-std::vector<Pairing> pairings(const CompiledScene& scene, const TrialOptions& options) {
-  std::vector<Pairing> all;
+std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const TrialOptions& options) {
+  std::vector<ApproachPair> all;
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
       all.push_back({link_id(l), BodyId::at(b),
@@ -41,19 +41,19 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   link_poses(scene.scene.hand, joints, X_HL);
   ApproachResult result;
   result.object_clearance.assign(scene.links.size(), 0.0);
-  std::vector<Pairing> all = pairings(scene, options);
-  for (const Pairing& pairing : all) {
+  std::vector<ApproachPair> all = approach_pairs(scene, options);
+  for (const ApproachPair& pair : all) {
     // The loop below finds surfaces that cross, because their gap is 0. It would miss a link wholly
     // inside a body or around it: there the surfaces have a gap, and the hand seems free to move.
-    const Pose X_OL = motion.at(0.0) * X_HL[index(pairing.link)];
-    if (one_contains_other(scene.body(pairing.body), scene.links[index(pairing.link)],
-                           scene.pose_in(pairing.body, X_OL))) {
+    const Pose X_OL = motion.at(0.0) * X_HL[index(pair.link)];
+    if (one_contains_other(scene.body(pair.body), scene.links[index(pair.link)],
+                           scene.pose_in(pair.body, X_OL))) {
       result.end = ApproachEnd::starts_in_collision;
-      result.touch = {pairing.link, pairing.body};
+      result.touch = {pair.link, pair.body};
       return result;
     }
   }
-  const auto earlier = [](const Pairing& a, const Pairing& b) {
+  const auto earlier = [](const ApproachPair& a, const ApproachPair& b) {
     return a.safe_until < b.safe_until;
   };
   // Conservative advancement. The hand only translates, so no gap shrinks by more than the hand
@@ -64,7 +64,7 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   // also when the distance is 0.
   while (true) {
     context.cancellation.check();
-    Pairing& next = *std::min_element(all.begin(), all.end(), earlier);
+    ApproachPair& next = *std::min_element(all.begin(), all.end(), earlier);
     if (next.safe_until >= motion.distance && next.tracker.queries() > 0) {
       result.travel = motion.distance;
       break;
@@ -95,10 +95,9 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   }
   // What is left of each proof bounds the gap at the end from below, which saves the closing hand
   // its first queries.
-  for (const Pairing& pairing : all) {
-    if (pairing.body.is_object()) {
-      result.object_clearance[index(pairing.link)] =
-          std::max(0.0, pairing.safe_until - result.travel);
+  for (const ApproachPair& pair : all) {
+    if (pair.body.is_object()) {
+      result.object_clearance[index(pair.link)] = std::max(0.0, pair.safe_until - result.travel);
     }
   }
   return result;

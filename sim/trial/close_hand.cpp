@@ -122,7 +122,7 @@ class ClosingMotion {
 };
 
 // A link against another link, or against the object or an obstacle.
-struct Pairing {
+struct ClosingPair {
   LinkId link;
   std::variant<LinkId, BodyId> other;
   GapTracker tracker;
@@ -144,12 +144,12 @@ class Closing {
   }
 
   ClosedHand run() {
-    const auto earlier = [](const Pairing& a, const Pairing& b) {
+    const auto earlier = [](const ClosingPair& a, const ClosingPair& b) {
       return a.safe_until < b.safe_until;
     };
     while (!pairings_.empty()) {
       context_.cancellation.check();
-      Pairing& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
+      ClosingPair& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
       if (next.safe_until >= motion_.end()) break;
       advance(next);
     }
@@ -157,7 +157,7 @@ class Closing {
     motion_.joints_at(kNever, closed.joints);
     closed.dofs = motion_.dofs_at_end(start_.dofs);
     closed.stopped_by_contact = motion_.stopped_by_contact();
-    for (const Pairing& pairing : pairings_) closed.gap_queries += pairing.tracker.queries();
+    for (const ClosingPair& pairing : pairings_) closed.gap_queries += pairing.tracker.queries();
     return closed;
   }
 
@@ -170,8 +170,8 @@ class Closing {
       if (motion_.speed(link, 0.0) == 0.0) continue;
       for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
         const BodyId body = BodyId::at(b);
-        Pairing pairing{link_id(l), body,
-                        GapTracker(scene_.bodies[b].mesh, link.mesh, options_.gaps)};
+        ClosingPair pairing{link_id(l), body,
+                            GapTracker(scene_.bodies[b].mesh, link.mesh, options_.gaps)};
         const bool known = body.is_object() && !start_.object_clearance.empty();
         start_pairing(pairing, known ? start_.object_clearance[l] : 0.0);
       }
@@ -181,25 +181,25 @@ class Closing {
       const CompiledLink& a = scene_.links[index(pair.a)];
       const CompiledLink& b = scene_.links[index(pair.b)];
       if (motion_.speed(a, 0.0) + motion_.speed(b, 0.0) == 0.0) continue;
-      Pairing pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh, options_.gaps)};
+      ClosingPair pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh, options_.gaps)};
       start_pairing(pairing, start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
     }
   }
 
-  void start_pairing(Pairing& pairing, double clearance) {
+  void start_pairing(ClosingPair& pairing, double clearance) {
     pairing.speed_when_asked = speed(pairing, 0.0);
     pairing.safe_until = std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;
     pairings_.push_back(std::move(pairing));
   }
 
-  double speed(const Pairing& pairing, double t) const {
+  double speed(const ClosingPair& pairing, double t) const {
     const LinkId* other = std::get_if<LinkId>(&pairing.other);
     return motion_.speed(scene_.links[index(pairing.link)], t) +
            (other != nullptr ? motion_.speed(scene_.links[index(*other)], t) : 0.0);
   }
 
   // The link's pose in the frame of what it is paired with, at time t.
-  Pose relative_pose(const Pairing& pairing, double t) {
+  Pose relative_pose(const ClosingPair& pairing, double t) {
     motion_.joints_at(t, joints_);
     link_poses(scene_.scene.hand, joints_, X_HL_);
     const Pose& X_HL = X_HL_[index(pairing.link)];
@@ -212,7 +212,7 @@ class Closing {
   // Queries the gap where the last proof ends. A contact stops the joints of both links; otherwise
   // the proof is extended by the time in which the gap could close at the present bound on the
   // speed. Joints stop and never start, so that the bound stays valid.
-  void advance(Pairing& pairing) {
+  void advance(ClosingPair& pairing) {
     const double t = pairing.safe_until;
     const double speed_now = speed(pairing, t);
     // All joints of the pair have stopped since the last query: nothing can close the gap.
@@ -244,7 +244,7 @@ class Closing {
   const TrialOptions& options_;
   const RunContext& context_;
   ClosingMotion motion_;
-  std::vector<Pairing> pairings_;
+  std::vector<ClosingPair> pairings_;
   std::vector<double> joints_;
   std::vector<Pose> X_HL_;
 };

@@ -15,6 +15,8 @@
 
 namespace prehend::test {
 
+inline const TrialOptions kDefaultTrial;
+
 // A scene of a free hand and a plastic object at the world's origin.
 inline Scene scene_with(Robot hand, TriangleMesh object, std::vector<StaticBody> obstacles = {}) {
   Scene scene;

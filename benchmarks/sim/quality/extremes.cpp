@@ -12,6 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/formatted.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/start_simplex.h"
 #include "sim/quality/wrench_hull.h"
@@ -45,17 +46,10 @@ const char* name_of(EpsilonStatus status) {
   return "";
 }
 
-template <typename... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[128];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
-
-std::string number(double value) { return value == 0.0 ? "0" : format("%.12g", value); }
+std::string number(double value) { return value == 0.0 ? "0" : prehend::formatted("%.12g", value); }
 
 std::string relative(double error, double value) {
-  return error == 0.0 ? "0" : format("%.0e", error / value);
+  return error == 0.0 ? "0" : prehend::formatted("%.0e", error / value);
 }
 
 double number_at(const json& oracle, const char* field) {
@@ -68,7 +62,7 @@ std::string closure(const EpsilonBracket& bracket, const json& oracle, const Wre
   if (bracket.force_closure() == exact) return exact ? "yes" : "no";
   const double part = number_at(oracle, "epsilon") / wrenches.cwiseAbs().maxCoeff();
   return std::string(bracket.force_closure() ? "yes" : "no") +
-         format(", exact: %s, by %.0e of the size", exact ? "yes" : "no", part);
+         prehend::formatted(", exact: %s, by %.0e of the size", exact ? "yes" : "no", part);
 }
 
 // The larger difference of the bracket's ends from the exact value, relative to that.
@@ -83,7 +77,7 @@ std::string difference(const EpsilonBracket& bracket, const json& oracle) {
 std::string exact_value(const json& oracle) {
   const double low = number_at(oracle, "epsilon");
   const double high = number_at(oracle, "upper");
-  return low == high ? number(low) : format("%.4g to %.4g", low, high);
+  return low == high ? number(low) : prehend::formatted("%.4g to %.4g", low, high);
 }
 
 // What the full hull says: its difference from the exact value.

@@ -111,8 +111,7 @@ void decompose_alone() {
 
 void solve_kinematics_alone() {
   const prehend::Robot arm = prehend::find_robot("puma560");
-  std::vector<double> start;
-  for (const prehend::DegreeOfFreedom& dof : arm.dofs) start.push_back(dof.initial);
+  const std::vector<double> start = prehend::initial_dofs(arm);
   std::vector<double> turned = start;
   for (double& value : turned) value += 0.2;
   std::vector<Pose> frames;

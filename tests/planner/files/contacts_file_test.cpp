@@ -42,13 +42,13 @@ TEST(ContactsFile, ReadsEverything) {
   EXPECT_EQ(file.hand->jacobian(8, 1), 5.0);
 }
 
-struct Mistake {
+struct WrittenMistake {
   const char* name;
   const char* text;
   const char* complaint;
 };
 
-class ContactsFileMistakes : public testing::TestWithParam<Mistake> {};
+class ContactsFileMistakes : public testing::TestWithParam<WrittenMistake> {};
 
 TEST_P(ContactsFileMistakes, AreNamed) {
   const std::filesystem::path file = testing::TempDir() + "/mistake_" + GetParam().name + ".json";
@@ -66,33 +66,35 @@ TEST_P(ContactsFileMistakes, AreNamed) {
 INSTANTIATE_TEST_SUITE_P(
     Corpus, ContactsFileMistakes,
     testing::Values(
-        Mistake{"NoContacts", R"({"torque_scale": 1})", "contacts"},
-        Mistake{"Misspelt", R"({"contacts": [], "torque_scal": 1})", "torque_scal"},
-        Mistake{"Scale", R"({"contacts": [], "torque_scale": 0})", "torque_scale"},
-        Mistake{"ZeroNormal",
-                R"({"contacts": [{"position": [0,0,0], "normal": [0,0,0], "friction": 1}]})",
-                "contacts[0].normal: not unit (0, 0, 0)"},
-        Mistake{"NegativeFriction",
-                R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": -1}]})",
-                "contacts[0].friction: must be finite and not negative (-1)"},
-        Mistake{
+        WrittenMistake{"NoContacts", R"({"torque_scale": 1})", "contacts"},
+        WrittenMistake{"Misspelt", R"({"contacts": [], "torque_scal": 1})", "torque_scal"},
+        WrittenMistake{"Scale", R"({"contacts": [], "torque_scale": 0})", "torque_scale"},
+        WrittenMistake{"ZeroNormal",
+                       R"({"contacts": [{"position": [0,0,0], "normal": [0,0,0], "friction": 1}]})",
+                       "contacts[0].normal: not unit (0, 0, 0)"},
+        WrittenMistake{
+            "NegativeFriction",
+            R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": -1}]})",
+            "contacts[0].friction: must be finite and not negative (-1)"},
+        WrittenMistake{
             "ContactField",
             R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1, "mu": 1}]})",
             "contacts[0].mu: unknown field"},
-        Mistake{"NoFriction", R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1]}]})",
-                "needs friction"},
-        Mistake{"NoTorsion",
-                R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
+        WrittenMistake{"NoFriction", R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1]}]})",
+                       "needs friction"},
+        WrittenMistake{"NoTorsion",
+                       R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
                     "model": "soft_finger"}]})",
-                "contacts[0]: a soft_finger needs torsion"},
-        Mistake{"Model",
-                R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
+                       "contacts[0]: a soft_finger needs torsion"},
+        WrittenMistake{
+            "Model",
+            R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
                     "model": "sticky"}]})",
-                "contacts[0].model: must be one of frictionless, point, soft_finger (\"sticky\")"},
-        Mistake{"Jacobian",
-                R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1}],
+            "contacts[0].model: must be one of frictionless, point, soft_finger (\"sticky\")"},
+        WrittenMistake{"Jacobian",
+                       R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1}],
                     "hand": {"torque_limits": [1], "jacobian": [[1], [2]]}})",
-                "needs 3 rows"}),
+                       "needs 3 rows"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace

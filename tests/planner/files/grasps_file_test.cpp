@@ -147,7 +147,7 @@ TEST(GraspsFile, OfAnArmPostureAndPathComeBack) {
   const Robot& robot = scene.arm->robot();
   PlanResult result = some_result(scene);
   ScoredGrasp& grasp = result.grasps[0];
-  for (const DegreeOfFreedom& dof : robot.dofs) grasp.trial.arm_dofs.push_back(dof.initial);
+  grasp.trial.arm_dofs = initial_dofs(robot);
   const std::vector<double> posture = joint_values(robot, grasp.trial.arm_dofs);
   grasp.path.emplace();
   for (const Joint& joint : robot.joints) grasp.path->joints.push_back(joint.name);

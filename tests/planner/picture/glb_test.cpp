@@ -24,7 +24,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr Color kOrange = {0.8, 0.4, 0.2, 1.0};
+constexpr Color kPaint = {0.8, 0.4, 0.2, 1.0};
 constexpr Color kGlass = {0.8, 0.4, 0.2, 0.25};
 
 template <typename Number>
@@ -110,11 +110,11 @@ Glb read(const std::vector<DrawnBody>& bodies) { return Glb(glb_bytes(bodies, "b
 std::vector<DrawnBody> samples() {
   Random random(7);
   return {{make_sphere(0.1, 2), random.pose(2.0), kGlass, "ball"},
-          {make_box(Vector3(0.1, 0.2, 0.3)), random.pose(2.0), kOrange, "box"},
-          {make_cylinder(0.05, 0.2, 15, 3), random.pose(2.0), kOrange, "can"},
+          {make_box(Vector3(0.1, 0.2, 0.3)), random.pose(2.0), kPaint, "box"},
+          {make_cylinder(0.05, 0.2, 15, 3), random.pose(2.0), kPaint, "can"},
           // An odd number of 16-bit indices ends between two words.
           {TriangleMesh{{Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY()}, {{0, 1, 2}}},
-           random.pose(2.0), kOrange, "leaf"}};
+           random.pose(2.0), kPaint, "leaf"}};
 }
 
 TEST(GlbTest, EveryTriangleIsWhereItsBodyHasIt) {
@@ -201,7 +201,7 @@ TEST(GlbTest, DataIsAlignedBoundedAndComplete) {
 }
 
 TEST(GlbTest, MoreVerticesThanSixteenBitsCount) {
-  const DrawnBody body{make_box(Vector3(1, 1, 1), 110), Pose::Identity(), kOrange, "box"};
+  const DrawnBody body{make_box(Vector3(1, 1, 1), 110), Pose::Identity(), kPaint, "box"};
   const Glb glb = read({body});
   const std::vector<std::size_t> indices = glb.indices(glb.node(0));
   ASSERT_EQ(indices.size(), 3 * body.mesh->triangles.size());
@@ -215,7 +215,7 @@ TEST(GlbTest, ColorsAreLightAndMaterialsAreShared) {
   for (const bool glass : {false, true}) {
     const Json& material = glb.material(glb.node(glass ? 0 : 1));
     const Json& look = material["pbrMetallicRoughness"];
-    const Light light = light_of(kOrange);
+    const Light light = light_of(kPaint);
     for (std::size_t k = 0; k < 3; ++k) {
       EXPECT_EQ(look["baseColorFactor"][k].get<float>(), light[k]);
     }
@@ -228,8 +228,8 @@ TEST(GlbTest, ColorsAreLightAndMaterialsAreShared) {
 
 TEST(GlbTest, AMeshIsStoredOnce) {
   const TriangleMesh ball = make_sphere(0.1, 2);
-  const Glb glb = read({{ball, Pose::Identity(), kOrange, "a"},
-                        {ball, translation(Vector3::UnitX()), kOrange, "b"},
+  const Glb glb = read({{ball, Pose::Identity(), kPaint, "a"},
+                        {ball, translation(Vector3::UnitX()), kPaint, "b"},
                         {ball, translation(Vector3::UnitY()), kGlass, "c"}});
   EXPECT_EQ(glb.document["bufferViews"].size(), 3U);
   EXPECT_EQ(glb.document["meshes"].size(), 2U);
@@ -248,9 +248,9 @@ TEST(GlbTest, NamesMayHoldAnything) {
                                           "cup"};
   std::vector<DrawnBody> bodies;
   for (const std::string& name : names) {
-    bodies.push_back({make_box(Vector3(1, 1, 1)), Pose::Identity(), kOrange, name});
+    bodies.push_back({make_box(Vector3(1, 1, 1)), Pose::Identity(), kPaint, name});
   }
-  bodies.push_back({make_box(Vector3(1, 1, 1)), Pose::Identity(), kOrange, "a\xff\xc3(b\xe2\x82"});
+  bodies.push_back({make_box(Vector3(1, 1, 1)), Pose::Identity(), kPaint, "a\xff\xc3(b\xe2\x82"});
   const Glb glb = read(bodies);
   for (std::size_t b = 0; b < names.size(); ++b) EXPECT_EQ(glb.node(b)["name"], names[b]);
   const std::string replaced = glb.node(names.size())["name"];
@@ -271,7 +271,7 @@ TEST(GlbTest, TheRootSaysWhatItIs) {
 TEST(GlbTest, WhatHasNoAreaIsLeftOut) {
   const TriangleMesh thin{{Vector3::Zero(), Vector3::UnitX(), 2.0 * Vector3::UnitX()},
                           {{0, 1, 2}, {0, 0, 1}}};
-  const DrawnBody box{make_box(Vector3(1, 1, 1)), Pose::Identity(), kOrange, "box"};
+  const DrawnBody box{make_box(Vector3(1, 1, 1)), Pose::Identity(), kPaint, "box"};
   const Glb glb = read({{{}, Pose::Identity(), kGlass, "nothing"},
                         {thin, Pose::Identity(), kGlass, "thin"},
                         box,

@@ -11,7 +11,7 @@
 namespace prehend {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kRuleRounding = 1e-12;
 
 std::map<std::string, int> count_by_rule(const std::vector<AimedGrasp>& grasps) {
   std::map<std::string, int> counts;
@@ -21,9 +21,9 @@ std::map<std::string, int> count_by_rule(const std::vector<AimedGrasp>& grasps) 
 
 void expect_orthonormal(const std::vector<AimedGrasp>& grasps) {
   for (const AimedGrasp& grasp : grasps) {
-    EXPECT_NEAR(grasp.approach_O.norm(), 1.0, kRounding);
-    EXPECT_NEAR(grasp.closing_O.norm(), 1.0, kRounding);
-    EXPECT_NEAR(grasp.approach_O.dot(grasp.closing_O), 0.0, kRounding);
+    EXPECT_NEAR(grasp.approach_O.norm(), 1.0, kRuleRounding);
+    EXPECT_NEAR(grasp.closing_O.norm(), 1.0, kRuleRounding);
+    EXPECT_NEAR(grasp.approach_O.dot(grasp.closing_O), 0.0, kRuleRounding);
   }
 }
 
@@ -31,9 +31,9 @@ void expect_orthonormal(const std::vector<AimedGrasp>& grasps) {
 void expect_thumb_on_either_side(const std::vector<AimedGrasp>& grasps) {
   for (const AimedGrasp& a : grasps) {
     const auto is_other_side = [&](const AimedGrasp& b) {
-      return (a.target_O - b.target_O).norm() < kRounding &&
-             (a.approach_O - b.approach_O).norm() < kRounding &&
-             (a.closing_O + b.closing_O).norm() < kRounding && a.width == b.width;
+      return (a.target_O - b.target_O).norm() < kRuleRounding &&
+             (a.approach_O - b.approach_O).norm() < kRuleRounding &&
+             (a.closing_O + b.closing_O).norm() < kRuleRounding && a.width == b.width;
     };
     EXPECT_TRUE(std::any_of(grasps.begin(), grasps.end(), is_other_side)) << a.rule;
   }
@@ -55,12 +55,12 @@ TEST(GraspRules, ABoxIsHeldByOppositeFacesFromTheFourOtherSides) {
     const Vector3 approach = X_PO.linear() * grasp.approach_O;
     const Vector3 target = X_PO * grasp.target_O;
     // Along an axis of the box, as wide as the box is there.
-    EXPECT_NEAR(closing.cwiseAbs().maxCoeff(), 1.0, kRounding);
-    EXPECT_NEAR(approach.cwiseAbs().maxCoeff(), 1.0, kRounding);
-    EXPECT_NEAR(closing.cwiseAbs().dot(size), grasp.width, kRounding);
+    EXPECT_NEAR(closing.cwiseAbs().maxCoeff(), 1.0, kRuleRounding);
+    EXPECT_NEAR(approach.cwiseAbs().maxCoeff(), 1.0, kRuleRounding);
+    EXPECT_NEAR(closing.cwiseAbs().dot(size), grasp.width, kRuleRounding);
     // On the line through the middle along the remaining axis, inside the box.
-    EXPECT_NEAR(target.dot(closing), 0.0, kRounding);
-    EXPECT_NEAR(target.dot(approach), 0.0, kRounding);
+    EXPECT_NEAR(target.dot(closing), 0.0, kRuleRounding);
+    EXPECT_NEAR(target.dot(approach), 0.0, kRuleRounding);
     EXPECT_LT((target.cwiseAbs() - 0.5 * size).maxCoeff(), 0.0);
   }
 }
@@ -82,11 +82,11 @@ TEST(GraspRules, ACylinderIsHeldFromItsSideAndItsEnds) {
   for (const AimedGrasp& grasp : grasps) {
     const Vector3 target = X_PO * grasp.target_O;
     const Vector3 approach = X_PO.linear() * grasp.approach_O;
-    EXPECT_NEAR(target.head<2>().norm(), 0.0, kRounding) << "off the axis";
+    EXPECT_NEAR(target.head<2>().norm(), 0.0, kRuleRounding) << "off the axis";
     if (grasp.rule == "cylinder end") {
-      EXPECT_NEAR(target.z(), -0.06 * approach.z(), kRounding) << "comes from inside";
+      EXPECT_NEAR(target.z(), -0.06 * approach.z(), kRuleRounding) << "comes from inside";
     } else {
-      EXPECT_NEAR(approach.z(), 0.0, kRounding);
+      EXPECT_NEAR(approach.z(), 0.0, kRuleRounding);
       EXPECT_LT(std::abs(target.z()), 0.06);
     }
     EXPECT_EQ(grasp.width, grasp.rule == "cylinder side, thumb along" ? 0.12 : 0.06);
@@ -113,7 +113,7 @@ TEST(GraspRules, ASphereIsHeldFromAllDirections) {
     EXPECT_GT(nearest, std::cos(0.55));
   }
   for (const AimedGrasp& grasp : grasps) {
-    EXPECT_LT((grasp.target_O - Vector3(0.1, 0.2, 0.3)).norm(), kRounding);
+    EXPECT_LT((grasp.target_O - Vector3(0.1, 0.2, 0.3)).norm(), kRuleRounding);
     EXPECT_EQ(grasp.width, 0.08);
   }
 }

@@ -29,12 +29,6 @@ PlanOptions few_candidates(int count) {
   return options;
 }
 
-RunContext on_threads(int threads) {
-  RunContext context;
-  context.threads = threads;
-  return context;
-}
-
 RunContext cancelled_beforehand() {
   RunContext context;
   context.cancellation.request();
@@ -43,7 +37,7 @@ RunContext cancelled_beforehand() {
 
 // Requests its own cancellation once `done` pieces of `stage` are done.
 RunContext cancelled_after(Stage stage, int done, int threads) {
-  RunContext context = on_threads(threads);
+  RunContext context = RunContext{.threads = threads};
   context.progress = [stage, done, flag = context.cancellation](const Progress& progress) {
     if (progress.stage == stage && progress.done == done) flag.request();
   };
@@ -124,7 +118,7 @@ TEST(CancelledPlan, KeepsThePathsThatWereFound) {
   PlanOptions options = few_candidates(80);
   options.rank.top = 3;
   options.paths.emplace();
-  const PlanResult all = plan(mug_on_table(), options, on_threads(2));
+  const PlanResult all = plan(mug_on_table(), options, RunContext{.threads = 2});
   ASSERT_EQ(all.grasps.size(), 3U);
   for (const int found : {1, 2}) {
     const PlanResult some = plan(mug_on_table(), options, cancelled_after(Stage::paths, found, 1));
@@ -210,7 +204,7 @@ TEST(Context, DoesNotChangeTheResult) {
   const std::string bare = grasps_json(mug(), plan(mug(), few_candidates(30)), {});
   for (const int threads : {1, 2}) {
     int calls = 0;
-    RunContext context = on_threads(threads);
+    RunContext context = RunContext{.threads = threads};
     context.progress = [&](const Progress&) { ++calls; };
     EXPECT_EQ(grasps_json(mug(), plan(mug(), few_candidates(30), context), {}), bare);
     EXPECT_GE(calls, 30);
@@ -219,7 +213,7 @@ TEST(Context, DoesNotChangeTheResult) {
 
 TEST(Context, ProgressCountsEveryTrialOnce) {
   std::vector<int> done;
-  RunContext context = on_threads(2);
+  RunContext context = RunContext{.threads = 2};
   context.progress = [&](const Progress& progress) {
     if (progress.stage == Stage::trials) done.push_back(progress.done);
   };
@@ -229,7 +223,7 @@ TEST(Context, ProgressCountsEveryTrialOnce) {
 }
 
 TEST(Context, AnExceptionOfTheProgressCallEndsThePlan) {
-  RunContext context = on_threads(2);
+  RunContext context = RunContext{.threads = 2};
   context.progress = [](const Progress& progress) {
     if (progress.stage == Stage::trials && progress.done == 3) throw std::range_error("enough");
   };
@@ -241,7 +235,8 @@ std::ptrdiff_t threads_of_this_process() {
 }
 
 TEST(Context, CancelledPlansLeaveNoThreads) {
-  (void)plan(mug(), few_candidates(30), on_threads(2));  // starts the workers of the pool
+  (void)plan(mug(), few_candidates(30),
+             RunContext{.threads = 2});  // starts the workers of the pool
   const std::ptrdiff_t before = threads_of_this_process();
   for (int k = 0; k < 10; ++k) {
     (void)plan(mug(), few_candidates(30), cancelled_after(Stage::trials, k, 2));

@@ -23,16 +23,10 @@ PlanOptions few_candidates() {
   return options;
 }
 
-RunContext on_threads(int threads) {
-  RunContext context;
-  context.threads = threads;
-  return context;
-}
-
 TEST(Plan, SameBytesOnOneAndTwoThreads) {
   const CompiledScene scene = default_scene();
-  const PlanResult one = plan(scene, few_candidates(), on_threads(1));
-  const PlanResult two = plan(scene, few_candidates(), on_threads(2));
+  const PlanResult one = plan(scene, few_candidates(), RunContext{.threads = 1});
+  const PlanResult two = plan(scene, few_candidates(), RunContext{.threads = 2});
   ASSERT_FALSE(one.grasps.empty());
   EXPECT_EQ(grasps_json(scene, one, {}), grasps_json(scene, two, {}));
 }
@@ -52,7 +46,7 @@ TEST(Plan, OneSeedGoesToAllThatIsRandom) {
 }
 
 TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
-  const PlanResult result = plan(default_scene(), few_candidates(), on_threads(2));
+  const PlanResult result = plan(default_scene(), few_candidates(), RunContext{.threads = 2});
   int total = 0;
   for (int count : result.outcomes) total += count;
   EXPECT_EQ(total, 40);
@@ -69,7 +63,7 @@ TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
 // quaternion, so to rounding.
 TEST(Plan, EvaluateRepeatsWhatPlanFound) {
   const CompiledScene scene = default_scene();
-  const PlanResult planned = plan(scene, few_candidates(), on_threads(2));
+  const PlanResult planned = plan(scene, few_candidates(), RunContext{.threads = 2});
   const std::filesystem::path file = testing::TempDir() + "/planned.json";
   std::ofstream(file) << grasps_json(scene, planned, {});
   const std::vector<Candidate> candidates =
@@ -88,7 +82,7 @@ TEST(Plan, EvaluateRepeatsWhatPlanFound) {
 // The epsilon that ranks is that of the full hull.
 TEST(Plan, RanksAsTheFullHullWould) {
   const CompiledScene scene = default_scene();
-  const PlanResult result = plan(scene, few_candidates(), on_threads(2));
+  const PlanResult result = plan(scene, few_candidates(), RunContext{.threads = 2});
   ASSERT_FALSE(result.grasps.empty());
   for (const ScoredGrasp& grasp : result.grasps) {
     const Wrenches wrenches =
@@ -101,7 +95,8 @@ TEST(Plan, RanksAsTheFullHullWould) {
 TEST(Plan, GivenPrimitivesAreUsed) {
   Scene scene = load_scene(find_scene("mug"));
   scene.primitives = {{Cylinder{0.052, 0.1}, translation({0, 0, 0.05})}};
-  const PlanResult result = plan(compile(std::move(scene)), few_candidates(), on_threads(2));
+  const PlanResult result =
+      plan(compile(std::move(scene)), few_candidates(), RunContext{.threads = 2});
   ASSERT_EQ(result.primitives.size(), 1U);
   EXPECT_EQ(result.stages.front().what, PlanCount::primitives_given);
   EXPECT_EQ(plan_count_name(result.stages.front().what), "primitives given");

@@ -8,6 +8,7 @@
 
 #include "sim/geometry/basic_shapes.h"
 #include "tests/sim/contact/touching.h"
+#include "tests/support/turns.h"
 
 namespace prehend {
 namespace {
@@ -17,11 +18,8 @@ using test::expect_places;
 using test::expect_sound;
 using test::Touching;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 // From a link above the object into it.
 const Vector3 kDown(0.0, 0.0, -1.0);
-
-Pose turned(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
 
 // The mesh moved so that its lowest vertex is at height z.
 TriangleMesh lowered_to(double z, const TriangleMesh& mesh) {
@@ -56,7 +54,7 @@ TEST(ContactRegion, BoxOnBoxHasTheCornersOfTheOverlap) {
 TEST(ContactRegion, TurnedTessellatedFacesHaveTheCornersOfTheSmaller) {
   const TriangleMesh object = table(6);
   each_frame(52, 15, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
-    const Pose X = translation({0.004, -0.003, 0.0}) * turned(0.4, Vector3::UnitZ());
+    const Pose X = translation({0.004, -0.003, 0.0}) * test::turned(0.4, Vector3::UnitZ());
     const TriangleMesh link =
         lowered_to(gap, transformed(make_box_grid({0.03, 0.04, 0.02}, {5, 4, 2}), X));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
@@ -74,17 +72,17 @@ TEST(ContactRegion, TiltedFacesTouchAlongTheLowEdgeAndWithinTheThreshold) {
   Random random(53);
   each_frame(53, 40, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
     // Over 40 mm, 0.05 degrees are 35 um: more than the evenness, less than the threshold.
-    const double tilt = random.uniform(0.0, 0.05) * kDegree;
-    const TriangleMesh link = lowered_to(
-        gap,
-        transformed(make_box_grid({0.04, 0.04, 0.02}, {2, 3, 1}), turned(tilt, Vector3::UnitX())));
+    const double tilt = random.uniform(0.0, 0.05) * test::kDegree;
+    const TriangleMesh link =
+        lowered_to(gap, transformed(make_box_grid({0.04, 0.04, 0.02}, {2, 3, 1}),
+                                    test::turned(tilt, Vector3::UnitX())));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
     ASSERT_GE(contacts.size(), 2U);
     double left = 1.0;
     double right = -1.0;
     for (const SurfaceContact& contact : contacts) {
-      EXPECT_LT((contact.normal - kDown).norm(), 0.05 * kDegree + 1e-9);
+      EXPECT_LT((contact.normal - kDown).norm(), 0.05 * test::kDegree + 1e-9);
       if (contact.gap > gap + 1e-6) continue;
       left = std::min(left, contact.position.x());
       right = std::max(right, contact.position.x());
@@ -97,7 +95,8 @@ TEST(ContactRegion, TiltedFacesTouchAlongTheLowEdgeAndWithinTheThreshold) {
 TEST(ContactRegion, BoxOnItsEdgeHasTheTwoEndsOfTheEdge) {
   const TriangleMesh object = table(3);
   each_frame(54, 15, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
-    const Pose X = turned(0.3, Vector3::UnitZ()) * turned(37.0 * kDegree, Vector3::UnitX());
+    const Pose X =
+        test::turned(0.3, Vector3::UnitZ()) * test::turned(37.0 * test::kDegree, Vector3::UnitX());
     const TriangleMesh link = transformed(make_box({0.06, 0.03, 0.03}, 2), X);
     const double lowest = bounds(link).lower.z();
     std::vector<Vector3> ends;
@@ -116,9 +115,10 @@ TEST(ContactRegion, BoxOnItsEdgeHasTheTwoEndsOfTheEdge) {
 TEST(ContactRegion, AnEdgeLongerThanTheFaceEndsWhereTheFaceDoes) {
   const TriangleMesh object = table();
   each_frame(55, 15, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
-    const TriangleMesh link = lowered_to(
-        gap, transformed(make_box({0.3, 0.03, 0.03}),
-                         translation({0.0, 0.01, 0.0}) * turned(45.0 * kDegree, Vector3::UnitX())));
+    const TriangleMesh link =
+        lowered_to(gap, transformed(make_box({0.3, 0.03, 0.03}),
+                                    translation({0.0, 0.01, 0.0}) *
+                                        test::turned(45.0 * test::kDegree, Vector3::UnitX())));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
     expect_places(contacts, {{-0.05, 0.01, 0.0}, {0.05, 0.01, 0.0}}, kDown);
@@ -128,9 +128,9 @@ TEST(ContactRegion, AnEdgeLongerThanTheFaceEndsWhereTheFaceDoes) {
 TEST(ContactRegion, ABoxOnItsCornerHasOnePoint) {
   const TriangleMesh object = table(4);
   each_frame(56, 15, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
-    const TriangleMesh link =
-        lowered_to(gap, transformed(make_box({0.03, 0.03, 0.03}),
-                                    turned(0.6, Vector3::UnitX()) * turned(0.5, Vector3::UnitY())));
+    const TriangleMesh link = lowered_to(
+        gap, transformed(make_box({0.03, 0.03, 0.03}), test::turned(0.6, Vector3::UnitX()) *
+                                                           test::turned(0.5, Vector3::UnitY())));
     const auto lowest =
         std::min_element(link.vertices.begin(), link.vertices.end(),
                          [](const Vector3& p, const Vector3& q) { return p.z() < q.z(); });
@@ -145,9 +145,9 @@ TEST(ContactRegion, ACylinderLyingOnAnEdgeOfItsSideHasTheEndsOfALine) {
   each_frame(57, 15, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
     // The first corner of the polygon turned down, the axis along x. Neighbouring facets rise by
     // 3.75 degrees, more than the angular tolerance.
-    const TriangleMesh link = lowered_to(
-        gap,
-        transformed(make_cylinder(0.02, 0.06, 48, 2), turned(90.0 * kDegree, Vector3::UnitY())));
+    const TriangleMesh link =
+        lowered_to(gap, transformed(make_cylinder(0.02, 0.06, 48, 2),
+                                    test::turned(90.0 * test::kDegree, Vector3::UnitY())));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
     expect_places(contacts, {{-0.03, 0.0, 0.0}, {0.03, 0.0, 0.0}}, kDown);
@@ -158,8 +158,9 @@ TEST(ContactRegion, AFineCylinderLyingHasANarrowStrip) {
   const TriangleMesh object = table(2);
   const ContactOptions options;
   each_frame(58, 8, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
-    const TriangleMesh link = lowered_to(
-        gap, transformed(make_cylinder(0.02, 0.06, 400), turned(90.0 * kDegree, Vector3::UnitY())));
+    const TriangleMesh link =
+        lowered_to(gap, transformed(make_cylinder(0.02, 0.06, 400),
+                                    test::turned(90.0 * test::kDegree, Vector3::UnitY())));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
     double left = 1.0;
@@ -245,7 +246,8 @@ TEST(ContactRegion, OfAGridIsItsFourCornersHoweverItIsTurned) {
   }
   for (int n = 0; n < 200; ++n) {
     // Turned about the normal only, rounding decides which points of a side come first.
-    const Pose X = n % 2 == 0 ? random.pose(0.2) : turned(n * kDegree, Vector3::UnitZ());
+    const Pose X =
+        n % 2 == 0 ? random.pose(0.2) : test::turned(n * test::kDegree, Vector3::UnitZ());
     for (std::size_t i = grid.size(); i-- > 1;) std::swap(grid[i], grid[random.index(i + 1)]);
     const auto region = contact_regions(on_plane(grid, X), {});
     std::vector<Vector3> expected;
@@ -258,8 +260,8 @@ TEST(ContactRegion, OfAGridIsItsFourCornersHoweverItIsTurned) {
 TEST(ContactRegion, KeepsTheCornersThatMatterMost) {
   std::vector<Vector3> circle;
   for (int i = 0; i < 90; ++i) {
-    circle.emplace_back(0.03 * std::cos(4.0 * i * kDegree), 0.03 * std::sin(4.0 * i * kDegree),
-                        0.0);
+    circle.emplace_back(0.03 * std::cos(4.0 * i * test::kDegree),
+                        0.03 * std::sin(4.0 * i * test::kDegree), 0.0);
   }
   const auto contacts = on_plane(circle, Pose::Identity());
   for (const int most : {3, 4, 8, 16}) {

@@ -9,6 +9,7 @@
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/object_generator.h"
 #include "tests/sim/contact/touching.h"
+#include "tests/support/turns.h"
 
 namespace prehend {
 namespace {
@@ -18,31 +19,29 @@ using test::expect_places;
 using test::expect_sound;
 using test::Touching;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-const Vector3 kDown(0.0, 0.0, -1.0);
-
-Pose turned(double angle, const Vector3& axis) { return Pose(Eigen::AngleAxisd(angle, axis)); }
+const Vector3 kDownwards(0.0, 0.0, -1.0);
 
 // A bar along x whose lowest (or highest) edge is the x axis.
 TriangleMesh bar_above() {
-  return transformed(make_box({0.08, 0.02, 0.02}), translation({0.0, 0.0, 0.01 * std::sqrt(2.0)}) *
-                                                       turned(45.0 * kDegree, Vector3::UnitX()));
+  return transformed(make_box({0.08, 0.02, 0.02}),
+                     translation({0.0, 0.0, 0.01 * std::sqrt(2.0)}) *
+                         test::turned(45.0 * test::kDegree, Vector3::UnitX()));
 }
 TriangleMesh bar_below() {
-  return transformed(bar_above(), turned(std::numbers::pi, Vector3::UnitX()));
+  return transformed(bar_above(), test::turned(std::numbers::pi, Vector3::UnitX()));
 }
 
 TEST(SurfaceContact, EdgeAcrossEdgeIsOnePointWithTheNormalOfBoth) {
   Random random(61);
   const TriangleMesh object = bar_below();
   each_frame(61, 40, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
-    const double angle = random.uniform(5.0, 175.0) * kDegree;
+    const double angle = random.uniform(5.0, 175.0) * test::kDegree;
     const Vector3 at(random.uniform(-0.02, 0.02), 0.0, 0.0);
-    const TriangleMesh link = transformed(
-        bar_above(), translation(at + gap * Vector3::UnitZ()) * turned(angle, Vector3::UnitZ()));
+    const TriangleMesh link = transformed(bar_above(), translation(at + gap * Vector3::UnitZ()) *
+                                                           test::turned(angle, Vector3::UnitZ()));
     const auto contacts = Touching(object, link, X_WO, X_WL).regions();
     expect_sound(contacts, object, link);
-    expect_places(contacts, {at}, kDown);
+    expect_places(contacts, {at}, kDownwards);
   });
 }
 
@@ -54,8 +53,8 @@ TEST(SurfaceContact, ACornerNearAFlatEdgeIsOnePoint) {
   each_frame(62, 60, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
     TriangleMesh link =
         transformed(make_box({0.03, 0.03, 0.03}),
-                    turned(random.uniform(0.0, 6.2), Vector3::UnitZ()) *
-                        turned(0.4, Vector3::UnitX()) * turned(0.7, Vector3::UnitY()));
+                    test::turned(random.uniform(0.0, 6.2), Vector3::UnitZ()) *
+                        test::turned(0.4, Vector3::UnitX()) * test::turned(0.7, Vector3::UnitY()));
     const auto lowest =
         std::min_element(link.vertices.begin(), link.vertices.end(),
                          [](const Vector3& p, const Vector3& q) { return p.z() < q.z(); });
@@ -64,7 +63,7 @@ TEST(SurfaceContact, ACornerNearAFlatEdgeIsOnePoint) {
     link = transformed(link, translation(at + gap * Vector3::UnitZ() - *lowest));
     const auto contacts = Touching(object, link, X_WO, X_WL).points();
     expect_sound(contacts, object, link);
-    expect_places(contacts, {at}, kDown);
+    expect_places(contacts, {at}, kDownwards);
   });
 }
 
@@ -72,8 +71,8 @@ TEST(SurfaceContact, AReEntrantEdgeGivesTheContactsOfItsFacesOnly) {
   // An L: a floor at z = 0 and a wall at x = 0, meeting in a re-entrant edge along y.
   const std::vector<Eigen::Vector2d> outline = {{-0.02, -0.02}, {0.06, -0.02}, {0.06, 0.0},
                                                 {0.0, 0.0},     {0.0, 0.05},   {-0.02, 0.05}};
-  const TriangleMesh object =
-      transformed(make_prism(outline, -0.03, 0.03), turned(90.0 * kDegree, Vector3::UnitX()));
+  const TriangleMesh object = transformed(make_prism(outline, -0.03, 0.03),
+                                          test::turned(90.0 * test::kDegree, Vector3::UnitX()));
   each_frame(63, 20, [&](const Pose& X_WO, const Pose& X_WL, double gap) {
     const TriangleMesh link =
         transformed(make_box({0.02, 0.03, 0.02}), translation({0.01 + gap, 0.0, 0.01 + gap}));
@@ -82,7 +81,7 @@ TEST(SurfaceContact, AReEntrantEdgeGivesTheContactsOfItsFacesOnly) {
     EXPECT_EQ(contacts.size(), 8U) << test::described(contacts);
     int floor = 0;
     for (const SurfaceContact& contact : contacts) {
-      const bool on_floor = (contact.normal - kDown).norm() < 1e-6;
+      const bool on_floor = (contact.normal - kDownwards).norm() < 1e-6;
       const bool on_wall = (contact.normal + Vector3::UnitX()).norm() < 1e-6;
       EXPECT_TRUE(on_floor || on_wall) << contact.normal.transpose();
       floor += on_floor;

@@ -14,7 +14,7 @@ namespace prehend {
 namespace {
 
 // Centre and half size are each rounded once: a few units in the last place of a coordinate.
-constexpr double kRounding = 1e-16;
+constexpr double kBoxRounding = 1e-16;
 
 TEST(BoxTree, EveryBoxHoldsItsTrianglesAndEveryTriangleIsALeafOnce) {
   for (const char* name : {"mug", "ball", "phone"}) {
@@ -38,7 +38,7 @@ TEST(BoxTree, EveryBoxHoldsItsTrianglesAndEveryTriangleIsALeafOnce) {
         const Vector3& p = mesh.vertices[static_cast<std::size_t>(v)];
         for (int box : above) {
           const BoxNode& holder = tree[static_cast<std::size_t>(box)];
-          EXPECT_LE(((p - holder.center).cwiseAbs() - holder.half).maxCoeff(), kRounding);
+          EXPECT_LE(((p - holder.center).cwiseAbs() - holder.half).maxCoeff(), kBoxRounding);
         }
       }
     };
@@ -79,7 +79,7 @@ TEST(BoxDistance, NeverExceedsTheDistanceOfAnyTwoPoints) {
       };
       const Vector3 p = point_of(a);
       const Vector3 q = X_AB * point_of(b);
-      ASSERT_LE(squared, (p - q).squaredNorm() + kRounding);
+      ASSERT_LE(squared, (p - q).squaredNorm() + kBoxRounding);
     }
   }
   EXPECT_GT(positive, 200);

@@ -17,7 +17,7 @@ namespace prehend {
 namespace {
 
 // Coordinates of up to a metre: products and their cancellation leave 1e-12 m.
-constexpr double kRounding = 1e-12;
+constexpr double kDistanceRounding = 1e-12;
 
 struct MeshPair {
   std::string name;
@@ -53,9 +53,10 @@ TEST(FindGap, IsTheBruteForceGapWithoutRelativeError) {
       const double expected =
           test::surface_gap(test::soup(pair.a.mesh()), test::soup(pair.b.mesh(), X_AB));
       const Gap gap = find_gap(pair.a, pair.b, X_AB);
-      ASSERT_NEAR(gap.upper, expected, kRounding) << pair.name << " pose " << i;
-      ASSERT_NEAR(gap.lower, expected, kRounding) << pair.name << " pose " << i;
-      ASSERT_NEAR(triangle_gap(pair.a, pair.b, X_AB, gap.pair).distance, expected, kRounding);
+      ASSERT_NEAR(gap.upper, expected, kDistanceRounding) << pair.name << " pose " << i;
+      ASSERT_NEAR(gap.lower, expected, kDistanceRounding) << pair.name << " pose " << i;
+      ASSERT_NEAR(triangle_gap(pair.a, pair.b, X_AB, gap.pair).distance, expected,
+                  kDistanceRounding);
       ASSERT_EQ(surfaces_cross(pair.a, pair.b, X_AB), expected == 0.0)
           << pair.name << " pose " << i;
       ++(expected > 0.0 ? apart : meeting);
@@ -80,12 +81,12 @@ TEST(FindGap, BracketsTheGapWithinTheRelativeErrorAndTheCap) {
                         static_cast<int>(random.index(pair.b.mesh().triangles.size()))};
       }
       const Gap gap = find_gap(pair.a, pair.b, X_AB, options);
-      ASSERT_LE(gap.lower, expected + kRounding) << pair.name;
-      ASSERT_GE(gap.upper, expected - kRounding) << pair.name;
+      ASSERT_LE(gap.lower, expected + kDistanceRounding) << pair.name;
+      ASSERT_GE(gap.upper, expected - kDistanceRounding) << pair.name;
       const double wanted = std::min(options.cap, gap.upper / (1.0 + options.relative_error));
-      ASSERT_GE(gap.lower, wanted - kRounding) << pair.name;
+      ASSERT_GE(gap.lower, wanted - kDistanceRounding) << pair.name;
       if (std::isinf(gap.upper)) {
-        ASSERT_GE(expected, options.cap - kRounding);
+        ASSERT_GE(expected, options.cap - kDistanceRounding);
         ASSERT_EQ(gap.pair.a, -1);
       }
     }
@@ -184,7 +185,7 @@ TEST(TriangleGap, IsRightBetweenParallelFacesAndEdges) {
     }
     const TriangleGap gap =
         triangle_gap(one_triangle(u), one_triangle(v), Pose::Identity(), {0, 0});
-    ASSERT_NEAR(gap.distance, test::triangle_to_triangle(s, t), kRounding) << "pair " << i;
+    ASSERT_NEAR(gap.distance, test::triangle_to_triangle(s, t), kDistanceRounding) << "pair " << i;
   }
 }
 

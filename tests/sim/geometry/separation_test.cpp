@@ -16,7 +16,7 @@ namespace prehend {
 namespace {
 
 // A few products of coordinates below a metre.
-constexpr double kRounding = 1e-15;
+constexpr double kSeparationRounding = 1e-15;
 
 TriangleMesh cloud_hull(Random& random, int count) {
   std::vector<Vector3> points;
@@ -49,7 +49,7 @@ TEST(Separation, IsALowerBoundNearTheDistanceAndNotPositiveWhereSetsMeet) {
             separation(points_of(meshes[i]), points_of(meshes[k]), X_AB, direction);
         const std::string what =
             std::to_string(i) + " and " + std::to_string(k) + ", pose " + std::to_string(n);
-        ASSERT_LE(bound, distance + kRounding) << what;
+        ASSERT_LE(bound, distance + kSeparationRounding) << what;
         if (meet) continue;
         ++apart;
         ASSERT_GE(bound, 0.85 * distance) << what << ", distance " << distance;
@@ -78,7 +78,7 @@ TEST(Separation, IsNearTheDistanceOfSetsThatNearlyTouch) {
         Vector3 direction = Vector3::Zero();
         const double bound =
             separation(points_of(meshes[i]), points_of(meshes[k]), X_AB, direction);
-        ASSERT_LE(bound, distance + kRounding);
+        ASSERT_LE(bound, distance + kSeparationRounding);
         ASSERT_GE(bound, 0.85 * distance) << i << " and " << k << ", pose " << n;
       }
     }
@@ -99,9 +99,10 @@ TEST(Separation, LeavesADirectionThatGivesItsBound) {
       farthest_a = std::max(farthest_a, direction.dot(p));
       nearest_b = std::min(nearest_b, direction.dot(X_AB * p));
     }
-    EXPECT_NEAR(nearest_b - farthest_a, bound, kRounding);
+    EXPECT_NEAR(nearest_b - farthest_a, bound, kSeparationRounding);
     // The bound found once is at least found again from where it was left.
-    EXPECT_GE(separation(points_of(box), points_of(box), X_AB, direction), bound - kRounding);
+    EXPECT_GE(separation(points_of(box), points_of(box), X_AB, direction),
+              bound - kSeparationRounding);
   }
 }
 

@@ -11,7 +11,7 @@
 namespace prehend::test {
 namespace {
 
-Wrench random_direction(Random& random) {
+Wrench random_normal(Random& random) {
   Wrench direction;
   for (double& entry : direction) entry = random.uniform(-1.0, 1.0);
   return direction;
@@ -21,10 +21,10 @@ TEST(ColumnSupport, IsTheBestColumn) {
   Random random(3);
   for (int columns = 1; columns < 40; ++columns) {
     Wrenches wrenches(6, columns);
-    for (Eigen::Index j = 0; j < columns; ++j) wrenches.col(j) = random_direction(random);
+    for (Eigen::Index j = 0; j < columns; ++j) wrenches.col(j) = random_normal(random);
     const ColumnSupport set(wrenches);
     for (int i = 0; i < 20; ++i) {
-      const Wrench direction = random_direction(random);
+      const Wrench direction = random_normal(random);
       Eigen::Index best = 0;
       (direction.transpose() * wrenches).maxCoeff(&best);
       EXPECT_EQ(set.support(direction), wrenches.col(best)) << columns << " columns";

@@ -2,22 +2,21 @@
 // README says.
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "sim/robot/robot_file.h"
 #include "tests/sim/robot/hand_shape.h"
+#include "tests/support/turns.h"
 
 namespace prehend {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kMillimetre = 1e-3;
 constexpr int kFingers = 3;
 // Distal links stand upright where 5 + q + 40 + q / 3 = 90 degrees.
-constexpr double kUpright = 33.75 * kDegree;
+constexpr double kUpright = 33.75 * test::kDegree;
 
 class Barrett {
  public:
@@ -51,7 +50,7 @@ class Barrett {
   // The bend at which the tip is `radius` from the axis; reach falls all the way from upright.
   double bend_for(int finger, double radius) const {
     double open = kUpright;
-    double closed = 144.0 * kDegree;
+    double closed = 144.0 * test::kDegree;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (open + closed);
       (reach(finger, middle) > radius ? open : closed) = middle;
@@ -102,7 +101,7 @@ TEST(BarrettPreshapes, WidthsAndDepthsFollowFromTheFingers) {
 }
 
 TEST(BarrettPreshapes, SpreadOfSixtyDegreesSpacesTheFingersEvenly) {
-  const double spread = 60.0 * kDegree;
+  const double spread = 60.0 * test::kDegree;
   const Vector3 sum = Vector3(std::sin(spread), std::cos(spread), 0.0) +
                       Vector3(-std::sin(spread), std::cos(spread), 0.0) + Vector3(0.0, -1.0, 0.0);
   EXPECT_LT(sum.norm(), 1e-15);
@@ -119,7 +118,7 @@ TEST(BarrettPreshapes, SpreadOfSixtyDegreesSpacesTheFingersEvenly) {
 // The fully closed hand comes to rest on itself or on the palm, not through its limits.
 TEST(BarrettPreshapes, FingersMeetBeforeTheirLimits) {
   for (const double spread : {0.0, 45.0, 60.0, 90.0}) {
-    const Barrett hand(spread * kDegree);
+    const Barrett hand(spread * test::kDegree);
     const double limit = hand.robot().dofs[1].upper;
     EXPECT_NE(test::self_collisions(hand.robot(), hand.dofs({limit, limit, limit})), "") << spread;
   }

@@ -10,18 +10,18 @@
 namespace prehend {
 namespace {
 
-constexpr const char* kReference = "reference/graspit/fk/Barrett.json";
+constexpr const char* kBarrettReference = "reference/graspit/fk/Barrett.json";
 
 TEST(BarrettReference, LinkPosesAgree) {
-  PREHEND_NEEDS_SHARED(kReference);
+  PREHEND_NEEDS_SHARED(kBarrettReference);
   const Robot robot = find_robot("barrett");
-  test::expect_link_poses_agree(robot, test::reference(kReference));
+  test::expect_link_poses_agree(robot, test::reference(kBarrettReference));
 }
 
 TEST(BarrettReference, JointValuesAgree) {
-  PREHEND_NEEDS_SHARED(kReference);
+  PREHEND_NEEDS_SHARED(kBarrettReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = test::reference(kReference);
+  const nlohmann::json json = test::reference(kBarrettReference);
   ASSERT_EQ(json["poses"].size(), 5U);
   for (const nlohmann::json& pose : json["poses"]) {
     const auto expected = pose["joints"].get<std::vector<double>>();
@@ -32,9 +32,9 @@ TEST(BarrettReference, JointValuesAgree) {
 }
 
 TEST(BarrettReference, DegreesOfFreedomAgree) {
-  PREHEND_NEEDS_SHARED(kReference);
+  PREHEND_NEEDS_SHARED(kBarrettReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = test::reference(kReference);
+  const nlohmann::json json = test::reference(kBarrettReference);
   test::expect_limits_agree(robot, json);
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     const nlohmann::json& dof = json["dofs"][d];
@@ -53,9 +53,9 @@ void expect_same_box(const Link& link, const nlohmann::json& json) {
 }
 
 TEST(BarrettReference, LinkBoxesAgree) {
-  PREHEND_NEEDS_SHARED(kReference);
+  PREHEND_NEEDS_SHARED(kBarrettReference);
   const Robot robot = find_robot("barrett");
-  const nlohmann::json json = test::reference(kReference);
+  const nlohmann::json json = test::reference(kBarrettReference);
   expect_same_box(robot.links[0], json["palm"]);
   ASSERT_EQ(json["links"].size() + 1, robot.links.size());
   for (std::size_t l = 1; l < robot.links.size(); ++l) {

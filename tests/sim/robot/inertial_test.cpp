@@ -14,7 +14,7 @@ namespace prehend {
 namespace {
 
 // Relative, of sums over a few hundred triangles.
-constexpr double kRounding = 1e-12;
+constexpr double kInertialRounding = 1e-12;
 
 Matrix3 diagonal(double x, double y, double z) { return Vector3(x, y, z).asDiagonal(); }
 
@@ -32,8 +32,8 @@ Inertial box(const Vector3& s, double mass) {
 TEST(Inertial, OfABox) {
   const Vector3 size(0.1, 0.2, 0.3);
   const double mass = 2700.0 * size.prod();
-  expect_near(inertial_of_density(make_box(size), 2700.0), box(size, mass), kRounding);
-  expect_near(inertial_of_mass(make_box(size), 3.5), box(size, 3.5), kRounding);
+  expect_near(inertial_of_density(make_box(size), 2700.0), box(size, mass), kInertialRounding);
+  expect_near(inertial_of_mass(make_box(size), 3.5), box(size, 3.5), kInertialRounding);
 }
 
 // A prism of n sides with its corners on the circle: area n/2 r^2 sin(2 pi / n), and the polar

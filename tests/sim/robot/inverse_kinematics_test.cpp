@@ -33,12 +33,6 @@ void expect_inside_limits(const Robot& robot, const DofValues& values) {
   }
 }
 
-DofValues initial_values(const Robot& robot) {
-  DofValues values;
-  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
-  return values;
-}
-
 DofValues random_values(const Robot& robot, Random& random) {
   DofValues values;
   for (const DegreeOfFreedom& dof : robot.dofs) {
@@ -106,9 +100,9 @@ TEST(SphericalWrist, AStraightWristKeepsItsFirstJoint) {
 TEST(SphericalWrist, OutOfReachIsNoSolution) {
   const Robot puma = find_robot("puma560");
   IkTarget target{5, Pose::Identity(), translation({1.2, 0.0, 0.0})};
-  EXPECT_TRUE(solve_all(puma, {target}, initial_values(puma)).empty());
+  EXPECT_TRUE(solve_all(puma, {target}, initial_dofs(puma)).empty());
   target.X_BT = translation({0.0, 0.05, 0.3});  // inside the cylinder that the offset keeps free
-  EXPECT_TRUE(solve_all(puma, {target}, initial_values(puma)).empty());
+  EXPECT_TRUE(solve_all(puma, {target}, initial_dofs(puma)).empty());
 }
 
 // The numeric solver alone must do nearly as well on every arm and platform of the library.
@@ -122,7 +116,7 @@ void check_numeric(Robot robot, int joint, const Pose& X_JT) {
     const IkTarget target = where_it_is(robot, joint, X_JT, random_values(robot, random));
     IkOptions options;
     options.max_solutions = 1;
-    const auto found = solve_all(robot, {target}, initial_values(robot), options);
+    const auto found = solve_all(robot, {target}, initial_dofs(robot), options);
     if (found.empty()) continue;
     ++solved;
     const Miss missed = miss(robot, target, found[0]);
@@ -150,7 +144,7 @@ TEST(InverseKinematics, RedundantRobotsStayAwayFromLimits) {
   const AssembledPlatform whole = assemble(platform);
   const PlatformPart& hand = whole.parts.back();
   const std::vector<int> dofs = dofs_to(whole.robot, hand.joint);
-  DofValues start = initial_values(whole.robot);
+  DofValues start = initial_dofs(whole.robot);
   start[0] = start[1] = 3.0;
   Random random(5);
   int roomy = 0;
@@ -180,7 +174,7 @@ TEST(InverseKinematics, SolvesATreeOfChains) {
     DofValues asked = random_values(hand, random);
     const std::vector<IkTarget> targets = {where_it_is(hand, 2, Pose::Identity(), asked),
                                            where_it_is(hand, 5, Pose::Identity(), asked)};
-    const auto found = solve_all(hand, targets, initial_values(hand));
+    const auto found = solve_all(hand, targets, initial_dofs(hand));
     if (found.empty()) continue;
     ++solved;
     for (const IkTarget& target : targets) EXPECT_LE(miss(hand, target, found[0]).position, 1e-8);
@@ -198,7 +192,7 @@ TEST(InverseKinematics, SolvesABranchingFinger) {
     const DofValues asked = random_values(hand, random);
     const std::vector<IkTarget> targets = {where_it_is(hand, 3, random.pose(0.01), asked),
                                            where_it_is(hand, 2, Pose::Identity(), asked)};
-    const auto found = solve_all(hand, targets, initial_values(hand));
+    const auto found = solve_all(hand, targets, initial_dofs(hand));
     ASSERT_FALSE(found.empty()) << i;
     for (const IkTarget& target : targets) EXPECT_LE(miss(hand, target, found[0]).position, 1e-8);
     for (std::size_t d = 0; d < 4; ++d) EXPECT_NEAR(found[0][d], asked[d], 1e-6);
@@ -237,7 +231,7 @@ TEST(InverseKinematics, SameSeedSameSolutions) {
   const Platform platform = find_platform("obelix");
   const AssembledPlatform whole = assemble(platform);
   const PlatformPart& hand = whole.parts.back();
-  DofValues start = initial_values(whole.robot);
+  DofValues start = initial_dofs(whole.robot);
   const IkTarget target = where_it_is(whole.robot, hand.joint, hand.X_JR, start);
   EXPECT_EQ(solve_all(whole.robot, {target}, start), solve_all(whole.robot, {target}, start));
 }

@@ -9,7 +9,7 @@
 namespace prehend {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kJawRounding = 1e-12;
 
 // Bounds of all rubber links on the side of the sign of x, in the base frame.
 Bounds rubber_bounds(const Robot& robot, const std::vector<double>& dofs, double side) {
@@ -34,11 +34,11 @@ TEST(FrankaHand, HasTheFrameOfPublishedGrasps) {
   EXPECT_EQ(robot.hand->approach, Vector3::UnitZ());
   EXPECT_EQ(robot.hand->closing, Vector3::UnitX());
   const std::vector<double> open = {0.04};
-  EXPECT_NEAR(gap(robot, open), 0.08, kRounding);
+  EXPECT_NEAR(gap(robot, open), 0.08, kJawRounding);
   for (const double side : {-1.0, 1.0}) {
     const Bounds pad = rubber_bounds(robot, open, side);
-    EXPECT_NEAR(pad.upper.z(), 0.112, kRounding);
-    EXPECT_NEAR(pad.lower.y() + pad.upper.y(), 0.0, kRounding);
+    EXPECT_NEAR(pad.upper.z(), 0.112, kJawRounding);
+    EXPECT_NEAR(pad.lower.y() + pad.upper.y(), 0.0, kJawRounding);
   }
 }
 
@@ -48,8 +48,8 @@ TEST(FrankaHand, FingersMirrorEachOther) {
   EXPECT_EQ(robot.dofs[0].coupling, Coupling::self_centering);
   EXPECT_LT(robot.dofs[0].closing_velocity, 0.0);
   for (const double opening : {0.001, 0.013, 0.04}) {
-    EXPECT_NEAR(gap(robot, {opening}), 2.0 * opening, kRounding);
-    EXPECT_NEAR(rubber_bounds(robot, {opening}, 1.0).lower.x(), opening, kRounding);
+    EXPECT_NEAR(gap(robot, {opening}), 2.0 * opening, kJawRounding);
+    EXPECT_NEAR(rubber_bounds(robot, {opening}, 1.0).lower.x(), opening, kJawRounding);
   }
 }
 
@@ -59,7 +59,7 @@ TEST(FrankaHand, PadsLeadTheMetalBehindThem) {
   for (std::size_t l = 1; l < robot.links.size(); ++l) {
     if (robot.links[l].material != "metal") continue;
     const Bounds box = bounds(transformed(robot.links[l].mesh, X_BL[l]));
-    EXPECT_GE(std::min(std::abs(box.lower.x()), std::abs(box.upper.x())), 0.042 - kRounding);
+    EXPECT_GE(std::min(std::abs(box.lower.x()), std::abs(box.upper.x())), 0.042 - kJawRounding);
   }
 }
 
@@ -81,16 +81,16 @@ TEST_P(ParallelJaw, PlatesMoveIndependently) {
   const Robot robot = find_robot(GetParam().name);
   ASSERT_EQ(robot.dofs.size(), 2U);
   const double half = 0.5 * GetParam().opening;
-  EXPECT_NEAR(robot.dofs[0].upper, half, kRounding);
-  EXPECT_NEAR(gap(robot, {half, half}), GetParam().opening, kRounding);
-  EXPECT_NEAR(rubber_bounds(robot, {0.01, 0.03}, 1.0).lower.x(), 0.01, kRounding);
-  EXPECT_NEAR(rubber_bounds(robot, {0.01, 0.03}, -1.0).upper.x(), -0.03, kRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, half, kJawRounding);
+  EXPECT_NEAR(gap(robot, {half, half}), GetParam().opening, kJawRounding);
+  EXPECT_NEAR(rubber_bounds(robot, {0.01, 0.03}, 1.0).lower.x(), 0.01, kJawRounding);
+  EXPECT_NEAR(rubber_bounds(robot, {0.01, 0.03}, -1.0).upper.x(), -0.03, kJawRounding);
 }
 
 TEST_P(ParallelJaw, PlatesReachPastTheMiddleOfWhatFitsBetweenThem) {
   const Robot robot = find_robot(GetParam().name);
   const Preshape& open = robot.hand->preshapes[0];
-  EXPECT_NEAR(open.max_width, GetParam().opening, kRounding);
+  EXPECT_NEAR(open.max_width, GetParam().opening, kJawRounding);
   const Bounds plate = rubber_bounds(robot, open.dofs, 1.0);
   EXPECT_GT(plate.upper.z() - robot.hand->origin.z(), 0.5 * GetParam().opening);
   EXPECT_LT(open.depth, plate.upper.z());

@@ -17,7 +17,7 @@ namespace {
 using Matrix4 = Eigen::Matrix4d;
 
 // Sums of a few products of numbers up to 1: a few units in the last place each, over a few joints.
-constexpr double kRounding = 1e-13;
+constexpr double kJointRounding = 1e-13;
 
 DhParameters random_parameters(Random& random) {
   return {random.uniform(-3.0, 3.0), random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5),
@@ -95,7 +95,8 @@ TEST(Joint, WrittenEitherWayItIsTheSameArm) {
     std::vector<Pose> found;
     joint_poses(by_parameters, values, expected);
     joint_poses(by_axes, values, found);
-    EXPECT_LT(((found[5] * X_before).matrix() - expected[5].matrix()).norm(), 10.0 * kRounding);
+    EXPECT_LT(((found[5] * X_before).matrix() - expected[5].matrix()).norm(),
+              10.0 * kJointRounding);
   }
 }
 
@@ -115,8 +116,8 @@ TEST(Joint, TreesFollowAProductOfMatrices) {
         expected = joint.X_PJ.matrix() * motion(joint, values[index(k)] + joint.zero) *
                    joint.X_JA.matrix() * expected;
       }
-      EXPECT_LT((X_BJ[j].matrix() - expected).norm(), kRounding);
-      EXPECT_LT((X_BL[j + 1].matrix() - expected).norm(), kRounding);
+      EXPECT_LT((X_BJ[j].matrix() - expected).norm(), kJointRounding);
+      EXPECT_LT((X_BL[j + 1].matrix() - expected).norm(), kJointRounding);
     }
   }
 }
@@ -126,11 +127,11 @@ TEST(Joint, SlidesAlongItsAxisAndTurnsAboutIt) {
   for (int i = 0; i < 20; ++i) {
     const Vector3 axis = random.direction();
     const Joint slide{.name = "s", .type = JointType::prismatic, .axis = axis};
-    EXPECT_LT((across(slide, 0.3).translation() - 0.3 * axis).norm(), kRounding);
+    EXPECT_LT((across(slide, 0.3).translation() - 0.3 * axis).norm(), kJointRounding);
     EXPECT_EQ(across(slide, 0.3).linear(), Matrix3::Identity());
     const Joint turn{.name = "t", .axis = axis};
-    EXPECT_LT((across(turn, 1.1) * axis - axis).norm(), kRounding);
-    EXPECT_NEAR(across(turn, 1.1).linear().trace(), 1.0 + 2.0 * std::cos(1.1), kRounding);
+    EXPECT_LT((across(turn, 1.1) * axis - axis).norm(), kJointRounding);
+    EXPECT_NEAR(across(turn, 1.1).linear().trace(), 1.0 + 2.0 * std::cos(1.1), kJointRounding);
   }
 }
 
@@ -175,7 +176,7 @@ TEST(StepBetweenAxes, GivesParametersAsTheyAreWritten) {
   EXPECT_EQ(step.dh.theta, 0.0);
   EXPECT_EQ(step.dh.d, p.d);
   EXPECT_EQ(step.dh.a, p.a);
-  EXPECT_NEAR(step.dh.alpha, p.alpha, kRounding);
+  EXPECT_NEAR(step.dh.alpha, p.alpha, kJointRounding);
   EXPECT_EQ(step.beyond, 0.0);
   EXPECT_EQ(step.twist, 0.0);
 }

@@ -12,12 +12,6 @@
 namespace prehend {
 namespace {
 
-std::vector<double> initial(const Robot& robot) {
-  std::vector<double> values;
-  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
-  return values;
-}
-
 std::size_t index_of(const Robot& robot, const std::string& link) {
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     if (robot.links[l].name == link) return l;
@@ -32,7 +26,7 @@ class LibraryPlatform : public testing::TestWithParam<std::string> {
   const Robot robot_ = assemble(platform_).robot;
 
   double gap_between(const std::string& a, const std::string& b) const {
-    const std::vector<Pose> X_BL = test::poses_at(robot_, initial(robot_));
+    const std::vector<Pose> X_BL = test::poses_at(robot_, initial_dofs(robot_));
     const std::size_t i = index_of(robot_, a);
     const std::size_t j = index_of(robot_, b);
     return find_gap(ProximityMesh(robot_.links[i].mesh), ProximityMesh(robot_.links[j].mesh),
@@ -59,7 +53,7 @@ TEST_P(LibraryPlatform, LinksAreClosedAndOutward) {
 }
 
 TEST_P(LibraryPlatform, InitialPostureIsFreeOfSelfCollision) {
-  EXPECT_EQ(test::self_collisions(robot_, initial(robot_)), "");
+  EXPECT_EQ(test::self_collisions(robot_, initial_dofs(robot_)), "");
 }
 
 TEST_P(LibraryPlatform, TheMountFillsTheSpaceBetweenFlangeAndPalm) {

@@ -7,12 +7,6 @@
 namespace prehend {
 namespace {
 
-std::vector<double> initial_values(const Robot& robot) {
-  std::vector<double> values;
-  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
-  return values;
-}
-
 Pose base_of(const AssembledPlatform& platform, int part, const DofValues& dofs) {
   std::vector<Pose> X_BJ;
   joint_poses(platform.robot, joint_values(platform.robot, dofs), X_BJ);
@@ -23,7 +17,7 @@ Pose base_of(const AssembledPlatform& platform, int part, const DofValues& dofs)
 // Obelix: base, arm, hand.
 TEST(MoveRobot, AnArmIsMovedByTheBaseBelowIt) {
   const AssembledPlatform obelix = assemble(find_platform("obelix"));
-  const DofValues now = initial_values(obelix.robot);
+  const DofValues now = initial_dofs(obelix.robot);
   const Pose X_BA = base_of(obelix, 1, now);
   const Pose X_BH = base_of(obelix, 2, now);
   const Pose move = translation({1.5, 0.7, 0.0}) * Eigen::AngleAxisd(0.4, Vector3::UnitZ());
@@ -36,13 +30,13 @@ TEST(MoveRobot, AnArmIsMovedByTheBaseBelowIt) {
 
 TEST(MoveRobot, TheBaseDoesNotLiftTheArm) {
   const AssembledPlatform obelix = assemble(find_platform("obelix"));
-  const DofValues now = initial_values(obelix.robot);
+  const DofValues now = initial_dofs(obelix.robot);
   EXPECT_FALSE(move_robot(obelix, 1, translation({0.0, 0.0, 0.1}) * base_of(obelix, 1, now), now));
 }
 
 TEST(MoveRobot, AHandIsMovedByAllBelowIt) {
   const AssembledPlatform obelix = assemble(find_platform("obelix"));
-  const DofValues now = initial_values(obelix.robot);
+  const DofValues now = initial_dofs(obelix.robot);
   const Pose X_BH = translation({3.0, 2.0, -0.1}) * base_of(obelix, 2, now);
   const auto moved = move_robot(obelix, 2, X_BH, now);
   ASSERT_TRUE(moved.has_value());
@@ -51,7 +45,7 @@ TEST(MoveRobot, AHandIsMovedByAllBelowIt) {
 
 TEST(MoveRobot, WhatStandsOnNothingStays) {
   const AssembledPlatform obelix = assemble(find_platform("obelix"));
-  EXPECT_FALSE(move_robot(obelix, 0, Pose::Identity(), initial_values(obelix.robot)));
+  EXPECT_FALSE(move_robot(obelix, 0, Pose::Identity(), initial_dofs(obelix.robot)));
 }
 
 }  // namespace

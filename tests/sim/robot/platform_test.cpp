@@ -18,7 +18,7 @@ namespace prehend {
 namespace {
 
 // Rounding of a chain of a few metres and a dozen joints.
-constexpr double kRounding = 1e-12;
+constexpr double kMountRounding = 1e-12;
 
 MountedRobot child(const char* name, int parent, int chain, const Pose& X_MR) {
   MountedRobot mounted;
@@ -98,7 +98,7 @@ void expect_same_points(const TriangleMesh& a, const Pose& X_a, const TriangleMe
   for (std::size_t v = 0; v < a.vertices.size(); ++v) {
     farthest = std::max(farthest, (X_a * a.vertices[v] - X_b * b.vertices[v]).norm());
   }
-  EXPECT_LT(farthest, 10.0 * kRounding) << name;
+  EXPECT_LT(farthest, 10.0 * kMountRounding) << name;
 }
 
 // Every vertex of every link, mounts too, is where the robots on their own have it.
@@ -181,9 +181,9 @@ void expect_rigid(const Robot& robot, const std::string& dof, const std::vector<
     const std::string part = owner(robot.links[l]);
     if (contains(moved, part)) {
       if (!motion) motion = moved_by;
-      EXPECT_TRUE(moved_by.isApprox(*motion, kRounding)) << dof << ' ' << robot.links[l].name;
+      EXPECT_TRUE(moved_by.isApprox(*motion, kMountRounding)) << dof << ' ' << robot.links[l].name;
     } else if (contains(still, part)) {
-      EXPECT_TRUE(moved_by.isApprox(Pose::Identity(), kRounding)) << robot.links[l].name;
+      EXPECT_TRUE(moved_by.isApprox(Pose::Identity(), kMountRounding)) << robot.links[l].name;
     }
   }
   ASSERT_TRUE(motion.has_value());

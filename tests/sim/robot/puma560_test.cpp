@@ -1,23 +1,22 @@
 // The Puma 560 against a closed form, against numbers that another simulator printed, and its
 // shape.
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "sim/robot/robot_file.h"
 #include "tests/sim/robot/reference_robot.h"
+#include "tests/support/turns.h"
 
 namespace prehend {
 namespace {
 
-constexpr const char* kReference = "reference/graspit/fk/Puma560.json";
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr const char* kPumaReference = "reference/graspit/fk/Puma560.json";
 
 using Posture = std::vector<double>;
 
 Posture degrees(Posture angles) {
-  for (double& angle : angles) angle *= kDegree;
+  for (double& angle : angles) angle *= test::kDegree;
   return angles;
 }
 
@@ -37,12 +36,6 @@ Pose closed_form(const Posture& q) {
                    waist * Vector3(out, -0.149, up));
 }
 
-Posture initial(const Robot& robot) {
-  Posture posture;
-  for (const DegreeOfFreedom& dof : robot.dofs) posture.push_back(dof.initial);
-  return posture;
-}
-
 TEST(Puma560, AtZeroTheForearmStandsUp) {
   const Robot robot = find_robot("puma560");
   const Pose expected = translation(Vector3(0.4521, -0.149, 0.4318));
@@ -60,20 +53,20 @@ TEST(Puma560, ForwardKinematicsAreTheClosedForm) {
 }
 
 TEST(Puma560, LinkPosesAgreeWithTheReference) {
-  PREHEND_NEEDS_SHARED(kReference);
-  test::expect_link_poses_agree(find_robot("puma560"), test::reference(kReference));
+  PREHEND_NEEDS_SHARED(kPumaReference);
+  test::expect_link_poses_agree(find_robot("puma560"), test::reference(kPumaReference));
 }
 
 TEST(Puma560, LimitsAgreeWithTheReference) {
-  PREHEND_NEEDS_SHARED(kReference);
-  test::expect_limits_agree(find_robot("puma560"), test::reference(kReference));
+  PREHEND_NEEDS_SHARED(kPumaReference);
+  test::expect_limits_agree(find_robot("puma560"), test::reference(kPumaReference));
 }
 
 // Within the differences that its README lists.
 TEST(Puma560, LinkBoxesAgreeWithTheReference) {
-  PREHEND_NEEDS_SHARED(kReference);
+  PREHEND_NEEDS_SHARED(kPumaReference);
   const Robot robot = find_robot("puma560");
-  const nlohmann::json json = test::reference(kReference);
+  const nlohmann::json json = test::reference(kPumaReference);
   ASSERT_EQ(json["links"].size() + 1, robot.links.size());
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const nlohmann::json& expected = l == 0 ? json["palm"] : json["links"][l - 1];
@@ -90,10 +83,10 @@ TEST(Puma560, LinkBoxesAgreeWithTheReference) {
 TEST(Puma560, StartsFarFromItsLimitsWithTheHandForwardAndDown) {
   const Robot robot = find_robot("puma560");
   for (const DegreeOfFreedom& dof : robot.dofs) {
-    EXPECT_GT(dof.initial - dof.lower, 40.0 * kDegree) << dof.name;
-    EXPECT_GT(dof.upper - dof.initial, 40.0 * kDegree) << dof.name;
+    EXPECT_GT(dof.initial - dof.lower, 40.0 * test::kDegree) << dof.name;
+    EXPECT_GT(dof.upper - dof.initial, 40.0 * test::kDegree) << dof.name;
   }
-  const Pose X_BF = test::poses_at(robot, initial(robot)).back();
+  const Pose X_BF = test::poses_at(robot, initial_dofs(robot)).back();
   const Vector3 approach = X_BF.linear().col(2);
   EXPECT_LT((approach - Vector3(std::sqrt(0.5), 0.0, -std::sqrt(0.5))).norm(), 1e-9);
 }
@@ -124,8 +117,8 @@ TEST(Puma560, IsSolvedInClosedForm) {
 
 TEST(Puma560, SpeedsAreReadInRadians) {
   const Robot robot = find_robot("puma560");
-  EXPECT_NEAR(robot.dofs[0].max_velocity, 82.0 * kDegree, 1e-12);
-  EXPECT_NEAR(robot.dofs[0].max_acceleration, 205.0 * kDegree, 1e-12);
+  EXPECT_NEAR(robot.dofs[0].max_velocity, 82.0 * test::kDegree, 1e-12);
+  EXPECT_NEAR(robot.dofs[0].max_acceleration, 205.0 * test::kDegree, 1e-12);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace prehend {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using test::complaint_about;
 using test::small_robot;
 using test::write_robot_text;
@@ -129,12 +129,12 @@ std::vector<BadField> bad_fields() {
 class BadRobotField : public testing::TestWithParam<BadField> {};
 
 TEST_P(BadRobotField, IsNamed) {
-  json robot = small_robot();
-  const json::json_pointer pointer(GetParam().pointer);
+  Json robot = small_robot();
+  const Json::json_pointer pointer(GetParam().pointer);
   if (GetParam().value == "REMOVE") {
     robot.at(pointer.parent_pointer()).erase(pointer.back());
   } else {
-    robot[pointer] = json::parse(GetParam().value);
+    robot[pointer] = Json::parse(GetParam().value);
   }
   const std::string complaint = complaint_about(write_robot_text(robot.dump(1)));
   EXPECT_EQ(complaint.rfind(GetParam().complaint, 0), 0U)
@@ -183,7 +183,7 @@ TEST(BadRobotFile, Folder) {
 }
 
 TEST(BadRobotFile, LongValuesAreCutShort) {
-  json robot = small_robot();
+  Json robot = small_robot();
   robot["name"] = std::vector<int>(1000, 7);
   EXPECT_LT(complaint_about(write_robot_text(robot.dump())).size(), 150U);
 }

@@ -2,11 +2,11 @@
 #include "sim/robot/robot_file.h"
 
 #include <fstream>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
 #include "tests/sim/robot/robot_files.h"
+#include "tests/support/turns.h"
 
 namespace prehend {
 namespace {
@@ -14,23 +14,22 @@ namespace {
 using test::load_robot_json;
 using test::small_robot;
 
-constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr double kRounding = 1e-15;
+constexpr double kUnitRounding = 1e-15;
 
 TEST(RobotFile, ConvertsUnitsToMetresAndRadians) {
   const Robot robot = load_robot_json(small_robot());
   EXPECT_EQ(robot.name, "small");
-  EXPECT_NEAR(robot.joints[0].X_JA.translation().x(), 0.3, kRounding);
-  EXPECT_NEAR(robot.joints[2].zero, 0.005, kRounding);
-  EXPECT_NEAR(robot.joints[0].lower, -90.0 * kDegree, kRounding);
-  EXPECT_NEAR(robot.joints[2].upper, 0.04, kRounding);
-  EXPECT_NEAR(robot.joints[1].offset, 10.0 * kDegree, kRounding);
-  EXPECT_NEAR(robot.dofs[0].closing_velocity, 90.0 * kDegree, kRounding);
-  EXPECT_NEAR(robot.dofs[1].closing_velocity, -0.05, kRounding);
-  EXPECT_NEAR(bounds(robot.links[0].mesh).size().x(), 0.01, kRounding);
+  EXPECT_NEAR(robot.joints[0].X_JA.translation().x(), 0.3, kUnitRounding);
+  EXPECT_NEAR(robot.joints[2].zero, 0.005, kUnitRounding);
+  EXPECT_NEAR(robot.joints[0].lower, -90.0 * test::kDegree, kUnitRounding);
+  EXPECT_NEAR(robot.joints[2].upper, 0.04, kUnitRounding);
+  EXPECT_NEAR(robot.joints[1].offset, 10.0 * test::kDegree, kUnitRounding);
+  EXPECT_NEAR(robot.dofs[0].closing_velocity, 90.0 * test::kDegree, kUnitRounding);
+  EXPECT_NEAR(robot.dofs[1].closing_velocity, -0.05, kUnitRounding);
+  EXPECT_NEAR(bounds(robot.links[0].mesh).size().x(), 0.01, kUnitRounding);
   ASSERT_TRUE(robot.hand.has_value());
-  EXPECT_NEAR(robot.hand->origin.z(), 0.003, kRounding);
-  EXPECT_NEAR(robot.hand->preshapes[0].max_width, 0.08, kRounding);
+  EXPECT_NEAR(robot.hand->origin.z(), 0.003, kUnitRounding);
+  EXPECT_NEAR(robot.hand->preshapes[0].max_width, 0.08, kUnitRounding);
 }
 
 TEST(RobotFile, DefaultUnitsAreMetresAndRadians) {
@@ -68,14 +67,14 @@ TEST(RobotFile, JoinsChainsJointsAndLinks) {
   EXPECT_EQ(robot.links[2].joint, 1);
   EXPECT_EQ(robot.links[3].material, "rubber");
   const Vector3 along_x = robot.joints[2].X_PJ.linear() * robot.joints[2].axis;
-  EXPECT_LT((along_x - Vector3::UnitX()).norm(), kRounding);
+  EXPECT_LT((along_x - Vector3::UnitX()).norm(), kUnitRounding);
 }
 
 TEST(RobotFile, LimitsOfADegreeOfFreedomKeepEveryJointInside) {
   // shoulder: -90 <= q <= 90; elbow: -30 <= q / 2 + 10 <= 60, so -80 <= q <= 100.
   const Robot robot = load_robot_json(small_robot());
-  EXPECT_NEAR(robot.dofs[0].lower, -80.0 * kDegree, kRounding);
-  EXPECT_NEAR(robot.dofs[0].upper, 90.0 * kDegree, kRounding);
+  EXPECT_NEAR(robot.dofs[0].lower, -80.0 * test::kDegree, kUnitRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, 90.0 * test::kDegree, kUnitRounding);
 }
 
 TEST(RobotFile, NegativeRatioTurnsLimitsRound) {
@@ -83,15 +82,15 @@ TEST(RobotFile, NegativeRatioTurnsLimitsRound) {
   nlohmann::json json = small_robot();
   json["dofs"][0]["drives"][1]["ratio"] = -0.5;
   const Robot robot = load_robot_json(json);
-  EXPECT_NEAR(robot.dofs[0].lower, -90.0 * kDegree, kRounding);
-  EXPECT_NEAR(robot.dofs[0].upper, 80.0 * kDegree, kRounding);
+  EXPECT_NEAR(robot.dofs[0].lower, -90.0 * test::kDegree, kUnitRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, 80.0 * test::kDegree, kUnitRounding);
 }
 
 TEST(RobotFile, InitialValueIsZeroOrTheLimitNearestToZero) {
   nlohmann::json json = small_robot();
   EXPECT_EQ(load_robot_json(json).dofs[0].initial, 0.0);
   json["chains"][0]["joints"][0]["limits"] = {20, 90};
-  EXPECT_NEAR(load_robot_json(json).dofs[0].initial, 20.0 * kDegree, kRounding);
+  EXPECT_NEAR(load_robot_json(json).dofs[0].initial, 20.0 * test::kDegree, kUnitRounding);
 }
 
 TEST(RobotFile, PreshapeLeavesUnnamedDegreesOfFreedomAtTheirInitialValue) {
@@ -100,12 +99,13 @@ TEST(RobotFile, PreshapeLeavesUnnamedDegreesOfFreedomAtTheirInitialValue) {
   const Robot robot = load_robot_json(json);
   const std::vector<double>& dofs = robot.hand->preshapes[0].dofs;
   ASSERT_EQ(dofs.size(), 2U);
-  EXPECT_NEAR(dofs[0], 45.0 * kDegree, kRounding);
-  EXPECT_NEAR(dofs[1], 0.02, kRounding);
+  EXPECT_NEAR(dofs[0], 45.0 * test::kDegree, kUnitRounding);
+  EXPECT_NEAR(dofs[1], 0.02, kUnitRounding);
 }
 
 TEST(RobotFile, DirectionsAreMadeUnit) {
-  EXPECT_LT((load_robot_json(small_robot()).hand->approach - Vector3::UnitZ()).norm(), kRounding);
+  EXPECT_LT((load_robot_json(small_robot()).hand->approach - Vector3::UnitZ()).norm(),
+            kUnitRounding);
 }
 
 TEST(RobotFile, SelfCenteringFingersShareOneDegreeOfFreedom) {
@@ -130,9 +130,10 @@ TEST(RobotFile, ShapesAreMovedByTheirPoseAndAppended) {
      "pose": [{"rotate_z": 90}, {"translate": [3, 0, 0]}]},
     {"shape": "sphere", "radius": 2, "pose": [{"translate": [0, 0, -20]}]}])");
   const Bounds box = bounds(load_robot_json(json).links[0].mesh);
-  EXPECT_NEAR(box.upper.x(), 0.011, kRounding);
-  EXPECT_NEAR(box.upper.y(), 0.004, kRounding);  // the cylinder went along y: turned, then moved
-  EXPECT_NEAR(box.upper.z(), 0.004, kRounding);
+  EXPECT_NEAR(box.upper.x(), 0.011, kUnitRounding);
+  EXPECT_NEAR(box.upper.y(), 0.004,
+              kUnitRounding);  // the cylinder went along y: turned, then moved
+  EXPECT_NEAR(box.upper.z(), 0.004, kUnitRounding);
   EXPECT_NEAR(box.lower.z(), -0.022, 2e-4);  // a sphere of triangles
 }
 
@@ -151,7 +152,7 @@ TEST_P(PrismPlane, SweepsTheProfileAlongTheThirdAxisInEitherSense) {
     json["base"]["geometry"] = {
         {{"shape", "prism"}, {"plane", GetParam().plane}, {"profile", profile}, {"sweep", {1, 4}}}};
     const TriangleMesh mesh = load_robot_json(json).links[0].mesh;
-    EXPECT_LT((bounds(mesh).size() - 1e-3 * GetParam().size).norm(), kRounding);
+    EXPECT_LT((bounds(mesh).size() - 1e-3 * GetParam().size).norm(), kUnitRounding);
     double six_volumes = 0.0;
     for (const Triangle& t : mesh.triangles) {
       const auto at = [&](int k) {

@@ -12,7 +12,7 @@ namespace prehend {
 namespace {
 
 // Sums of a few products of numbers up to 1: a few units in the last place.
-constexpr double kRounding = 1e-14;
+constexpr double kPoseRounding = 1e-14;
 
 Robot planar_arm(double first, double second) {
   Robot robot;
@@ -47,10 +47,10 @@ TEST(ForwardKinematics, PlanarArmFollowsItsClosedForm) {
       ASSERT_EQ(X_BL.size(), 3U);
       const Vector3 elbow(0.3 * std::cos(q0), 0.3 * std::sin(q0), 0.0);
       const Vector3 tip = elbow + 0.2 * Vector3(std::cos(q0 + q1), std::sin(q0 + q1), 0.0);
-      EXPECT_LT((X_BL[0].matrix() - Pose::Identity().matrix()).norm(), kRounding);
-      EXPECT_LT((X_BL[1].translation() - tip).norm(), kRounding);
-      EXPECT_LT((X_BL[2].translation() - elbow).norm(), kRounding);
-      EXPECT_LT((X_BL[1].linear().col(0) - (tip - elbow) / 0.2).norm(), kRounding);
+      EXPECT_LT((X_BL[0].matrix() - Pose::Identity().matrix()).norm(), kPoseRounding);
+      EXPECT_LT((X_BL[1].translation() - tip).norm(), kPoseRounding);
+      EXPECT_LT((X_BL[2].translation() - elbow).norm(), kPoseRounding);
+      EXPECT_LT((X_BL[1].linear().col(0) - (tip - elbow) / 0.2).norm(), kPoseRounding);
     }
   }
 }
@@ -61,7 +61,7 @@ TEST(ForwardKinematics, StandardDenavitHartenbergOrder) {
   const Pose expected = Pose(Eigen::AngleAxisd(0.4 + 0.3, Vector3::UnitZ())) *
                         translation({0.0, 0.0, 0.1}) * translation({0.2, 0.0, 0.0}) *
                         Eigen::AngleAxisd(-0.9, Vector3::UnitX());
-  EXPECT_LT((one_joint(joint, 0.3).matrix() - expected.matrix()).norm(), kRounding);
+  EXPECT_LT((one_joint(joint, 0.3).matrix() - expected.matrix()).norm(), kPoseRounding);
 }
 
 TEST(ForwardKinematics, PrismaticJointSlidesAlongZOfTheFrameBefore) {
@@ -69,9 +69,9 @@ TEST(ForwardKinematics, PrismaticJointSlidesAlongZOfTheFrameBefore) {
                                          {.theta = 0.4, .d = 0.1, .a = 0.2, .alpha = -0.9});
   const Pose at_rest = one_joint(joint, 0.0);
   const Pose moved = one_joint(joint, 0.25);
-  EXPECT_LT((moved.linear() - at_rest.linear()).norm(), kRounding);
+  EXPECT_LT((moved.linear() - at_rest.linear()).norm(), kPoseRounding);
   EXPECT_LT((moved.translation() - at_rest.translation() - Vector3(0.0, 0.0, 0.25)).norm(),
-            kRounding);
+            kPoseRounding);
 }
 
 TEST(ForwardKinematics, ChainsStartAtTheirOwnBase) {
@@ -84,8 +84,8 @@ TEST(ForwardKinematics, ChainsStartAtTheirOwnBase) {
   std::vector<Pose> X_BJ;
   joint_poses(robot, {0.0, 0.0, 0.07}, X_BJ);
   ASSERT_EQ(X_BJ.size(), 3U);
-  EXPECT_LT((X_BJ[2].translation() - Vector3(0.07, 0.0, 0.5)).norm(), kRounding);
-  EXPECT_LT((X_BJ[1].translation() - Vector3(0.5, 0.0, 0.0)).norm(), kRounding);
+  EXPECT_LT((X_BJ[2].translation() - Vector3(0.07, 0.0, 0.5)).norm(), kPoseRounding);
+  EXPECT_LT((X_BJ[1].translation() - Vector3(0.5, 0.0, 0.0)).norm(), kPoseRounding);
 }
 
 TEST(JointValues, AreLinearInTheDegreesOfFreedom) {

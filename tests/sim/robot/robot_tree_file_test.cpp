@@ -7,6 +7,7 @@
 #include "sim/base/material.h"
 #include "sim/robot/robot_file.h"
 #include "tests/sim/robot/robot_files.h"
+#include "tests/support/turns.h"
 
 namespace prehend {
 namespace {
@@ -16,8 +17,7 @@ using test::load_robot_json;
 using test::small_robot;
 using test::write_robot_text;
 
-constexpr double kRounding = 1e-12;
-constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kTreeRounding = 1e-12;
 
 // The sliding finger stands on the joint `shoulder`, in the middle of the arm.
 nlohmann::json branching_robot() {
@@ -36,7 +36,7 @@ TEST(RobotTreeFile, AChainStandsOnAJointOfAnEarlierOne) {
   const Pose expected = X_BJ[0] * translation({0.0, 0.0, 0.01}) *
                         Eigen::AngleAxisd(std::numbers::pi / 2.0, Vector3::UnitY()) *
                         translation({0.0, 0.0, 0.035});
-  EXPECT_LT((X_BJ[2].matrix() - expected.matrix()).norm(), kRounding);
+  EXPECT_LT((X_BJ[2].matrix() - expected.matrix()).norm(), kTreeRounding);
 }
 
 TEST(RobotTreeFile, ChainsStandOnChainsThatStandOnChains) {
@@ -60,16 +60,16 @@ TEST(RobotTreeFile, AJointHasAnAxisAndAnOrigin) {
      "origin": [{"translate": [5, 0, 0]}, {"rotate_z": 90}]})");
   const Robot robot = load_robot_json(json);
   const Joint& joint = robot.joints[2];
-  EXPECT_LT((joint.axis - Vector3(0.0, 0.6, 0.8)).norm(), kRounding);
+  EXPECT_LT((joint.axis - Vector3(0.0, 0.6, 0.8)).norm(), kTreeRounding);
   EXPECT_EQ(joint.zero, 0.0);
   const Pose expected =
-      translation({0.0, 0.0, 0.01}) * Eigen::AngleAxisd(90.0 * kDegree, Vector3::UnitY()) *
-      translation({0.005, 0.0, 0.0}) * Eigen::AngleAxisd(90.0 * kDegree, Vector3::UnitZ());
-  EXPECT_LT((joint.X_PJ.matrix() - expected.matrix()).norm(), kRounding);
+      translation({0.0, 0.0, 0.01}) * Eigen::AngleAxisd(90.0 * test::kDegree, Vector3::UnitY()) *
+      translation({0.005, 0.0, 0.0}) * Eigen::AngleAxisd(90.0 * test::kDegree, Vector3::UnitZ());
+  EXPECT_LT((joint.X_PJ.matrix() - expected.matrix()).norm(), kTreeRounding);
   std::vector<Pose> X_BJ;
   joint_poses(robot, {0.0, 0.0, 0.02}, X_BJ);
   const Pose moved = expected * translation(0.02 * Vector3(0.0, 0.6, 0.8));
-  EXPECT_LT((X_BJ[2].matrix() - moved.matrix()).norm(), kRounding);
+  EXPECT_LT((X_BJ[2].matrix() - moved.matrix()).norm(), kTreeRounding);
 }
 
 TEST(RobotTreeFile, AJointMaySayItsEffortAndFriction) {
@@ -92,10 +92,10 @@ TEST(LinkMass, ComesFromTheMeshAndTheMaterial) {
   json["chains"][0]["links"][1]["mass"] = "mesh";
   json["chains"][1]["links"][0]["density"] = 5000;
   const Robot robot = load_robot_json(json);
-  EXPECT_NEAR(robot.links[0].inertial.mass, 2700.0 * kVolume, kRounding) << "metal";
-  EXPECT_NEAR(robot.links[1].inertial.mass, 700.0 * kVolume, kRounding) << "wood";
-  EXPECT_NEAR(robot.links[2].inertial.mass, 700.0 * kVolume, kRounding) << "wood";
-  EXPECT_NEAR(robot.links[3].inertial.mass, 5000.0 * kVolume, kRounding);
+  EXPECT_NEAR(robot.links[0].inertial.mass, 2700.0 * kVolume, kTreeRounding) << "metal";
+  EXPECT_NEAR(robot.links[1].inertial.mass, 700.0 * kVolume, kTreeRounding) << "wood";
+  EXPECT_NEAR(robot.links[2].inertial.mass, 700.0 * kVolume, kTreeRounding) << "wood";
+  EXPECT_NEAR(robot.links[3].inertial.mass, 5000.0 * kVolume, kTreeRounding);
   const double moment = robot.links[3].inertial.mass * (16e-6 + 16e-6) / 12.0;
   EXPECT_NEAR(robot.links[3].inertial.inertia(0, 0), moment, 1e-9 * moment);
 }
@@ -110,13 +110,13 @@ TEST(LinkMass, IsStatedInTheUnitsOfTheFile) {
   json["base"]["mass"] = 50;
   const Robot robot = load_robot_json(json);
   const Inertial& inertial = robot.links[1].inertial;
-  EXPECT_NEAR(inertial.mass, 0.2, kRounding);
-  EXPECT_LT((inertial.center_of_mass - Vector3(0.001, 0.002, 0.003)).norm(), kRounding);
+  EXPECT_NEAR(inertial.mass, 0.2, kTreeRounding);
+  EXPECT_LT((inertial.center_of_mass - Vector3(0.001, 0.002, 0.003)).norm(), kTreeRounding);
   Matrix3 expected;
   expected << 100, 5, 6, 5, 200, 7, 6, 7, 250;  // g mm^2
   EXPECT_LT((inertial.inertia - 1e-9 * expected).norm(), 1e-18);
   // The rest comes from the mesh.
-  EXPECT_NEAR(robot.links[0].inertial.mass, 0.05, kRounding);
+  EXPECT_NEAR(robot.links[0].inertial.mass, 0.05, kTreeRounding);
   EXPECT_NEAR(robot.links[0].inertial.inertia(0, 0), 0.05 * 32e-6 / 12.0, 1e-15);
 }
 
@@ -126,8 +126,8 @@ TEST(LinkMass, InertiaMayBeThreeRows) {
   json["base"]["center_of_mass"] = {0, 0, 0};
   json["base"]["inertia"] = nlohmann::json::parse("[[3, 1, 0], [1, 4, 0], [0, 0, 5]]");
   const Matrix3 inertia = load_robot_json(json).links[0].inertial.inertia;
-  EXPECT_NEAR(inertia(0, 1), 1e-6, kRounding);
-  EXPECT_NEAR(inertia(2, 2), 5e-6, kRounding);
+  EXPECT_NEAR(inertia(0, 1), 1e-6, kTreeRounding);
+  EXPECT_NEAR(inertia(2, 2), 5e-6, kTreeRounding);
 }
 
 TEST(LinkMass, OfAFlatLinkIsNothingUnlessItIsStated) {

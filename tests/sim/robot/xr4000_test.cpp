@@ -9,7 +9,7 @@
 namespace prehend {
 namespace {
 
-constexpr const char* kReference = "reference/graspit/fk/XR4000.json";
+constexpr const char* kXr4000Reference = "reference/graspit/fk/XR4000.json";
 
 Pose drum_at(const Robot& robot, const std::vector<double>& dofs) {
   return test::poses_at(robot, dofs).back();
@@ -26,9 +26,9 @@ TEST(Xr4000, SlidesAlongXAndYAndTurnsAboutZ) {
 }
 
 TEST(Xr4000, PosesAgreeWithTheReference) {
-  PREHEND_NEEDS_SHARED(kReference);
+  PREHEND_NEEDS_SHARED(kXr4000Reference);
   const Robot robot = find_robot("xr4000");
-  const nlohmann::json json = test::reference(kReference);
+  const nlohmann::json json = test::reference(kXr4000Reference);
   ASSERT_EQ(json["poses"].size(), 5U);
   for (const nlohmann::json& pose : json["poses"]) {
     test::expect_same_pose(drum_at(robot, test::reference_dofs(robot, pose)),
@@ -37,8 +37,8 @@ TEST(Xr4000, PosesAgreeWithTheReference) {
 }
 
 TEST(Xr4000, LimitsAgreeWithTheReference) {
-  PREHEND_NEEDS_SHARED(kReference);
-  test::expect_limits_agree(find_robot("xr4000"), test::reference(kReference));
+  PREHEND_NEEDS_SHARED(kXr4000Reference);
+  test::expect_limits_agree(find_robot("xr4000"), test::reference(kXr4000Reference));
 }
 
 TEST(Xr4000, TheDrumStandsClearOfTheFloorAndPassesOverTheMarker) {

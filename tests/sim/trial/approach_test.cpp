@@ -13,8 +13,6 @@ namespace {
 using test::block;
 using test::compiled;
 
-const TrialOptions kOptions;
-
 std::vector<double> open_joints(const Robot& hand) {
   return joint_values(hand, hand.hand->preshapes.front().dofs);
 }
@@ -30,7 +28,7 @@ ApproachMotion from_above(const Robot& hand, double start, double end) {
 }
 
 ApproachResult approach_open(const CompiledScene& scene, const ApproachMotion& motion) {
-  return approach(scene, open_joints(scene.scene.hand), motion, kOptions);
+  return approach(scene, open_joints(scene.scene.hand), motion, test::kDefaultTrial);
 }
 
 double least(const std::vector<double>& values) {
@@ -50,7 +48,7 @@ TEST(Approach, EndsWithinTheContactGapOfABox) {
       EXPECT_TRUE(result.touch->body.is_object());
       const auto gaps = test::object_gaps(scene, motion.at(result.travel), open_joints(hand));
       EXPECT_GT(least(gaps), 0.0);
-      EXPECT_LE(least(gaps), kOptions.closed_gap() + 1e-12);
+      EXPECT_LE(least(gaps), test::kDefaultTrial.closed_gap() + 1e-12);
       EXPECT_NEAR(gaps[index(result.touch->link)], least(gaps), 1e-12) << name;
     }
   }
@@ -95,7 +93,7 @@ TEST(Approach, StopsAtAnObstacle) {
       test::surface_gap(links[index(result.touch->link)],
                         test::soup(scene.obstacles()[1].mesh.mesh(), scene.obstacles()[1].X_RB));
   EXPECT_GT(gap, 0.0);
-  EXPECT_LE(gap, kOptions.closed_gap() + 1e-12);
+  EXPECT_LE(gap, test::kDefaultTrial.closed_gap() + 1e-12);
 }
 
 TEST(Approach, ThatStartsInAnObstacleSaysSo) {

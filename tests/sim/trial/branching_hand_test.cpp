@@ -15,12 +15,10 @@ namespace {
 
 using test::block;
 
-const TrialOptions kOptions;
-
 ClosedHand close_from_straight(const CompiledScene& scene) {
   ClosingStart start;
   start.dofs = std::vector<double>(5, 0.0);
-  return close_hand(scene, start, kOptions);
+  return close_hand(scene, start, test::kDefaultTrial);
 }
 
 // In the way of the upper branch only.
@@ -37,7 +35,7 @@ TEST(BranchingHand, ABranchThatIsStoppedLeavesTheOtherToGoOn) {
   EXPECT_DOUBLE_EQ(closed.joints[2], 1.5) << "to its limit";
   const auto gaps = test::object_gaps(scene, Pose::Identity(), closed.joints);
   EXPECT_GT(gaps[2], 0.0);
-  EXPECT_LE(gaps[2], kOptions.closed_gap() + 1e-12);
+  EXPECT_LE(gaps[2], test::kDefaultTrial.closed_gap() + 1e-12);
   EXPECT_EQ(test::collision(scene, Pose::Identity(), closed.joints), "");
 }
 
@@ -49,7 +47,7 @@ TEST(BranchingHand, BothBranchesCloseOnABarAcrossThem) {
   EXPECT_TRUE(closed.stopped_by_contact[1] && closed.stopped_by_contact[2]);
   for (const std::size_t tip : {2U, 3U}) {
     EXPECT_GT(gaps[tip], 0.0);
-    EXPECT_LE(gaps[tip], kOptions.closed_gap() + 1e-12) << scene.links[tip].name;
+    EXPECT_LE(gaps[tip], test::kDefaultTrial.closed_gap() + 1e-12) << scene.links[tip].name;
   }
 }
 

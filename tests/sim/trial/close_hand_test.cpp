@@ -16,15 +16,13 @@ using test::block;
 using test::compiled;
 using test::finger_hand;
 
-const TrialOptions kOptions;
-
 ClosedHand close_from(const CompiledScene& scene, const Pose& X_OH, std::vector<double> dofs,
                       std::vector<double> object_clearance = {}) {
   ClosingStart start;
   start.X_OH = X_OH;
   start.dofs = std::move(dofs);
   start.object_clearance = std::move(object_clearance);
-  return close_hand(scene, start, kOptions);
+  return close_hand(scene, start, test::kDefaultTrial);
 }
 
 // In the way of the proximal bar, of the distal bar only, and of nothing.
@@ -40,7 +38,7 @@ void expect_touches(const CompiledScene& scene, const Pose& X_OH, const ClosedHa
                     std::size_t link) {
   const double gap = test::object_gaps(scene, X_OH, closed.joints)[link];
   EXPECT_GT(gap, 0.0);
-  EXPECT_LE(gap, kOptions.closed_gap() + 1e-12) << scene.links[link].name;
+  EXPECT_LE(gap, test::kDefaultTrial.closed_gap() + 1e-12) << scene.links[link].name;
 }
 
 TEST(CloseHand, JointsEndAtTheirLimitsWhenNothingIsTouched) {
@@ -87,7 +85,7 @@ TEST(CloseHand, GoesOnFromJointsThatHaveParted) {
   ClosingStart start;
   start.dofs = once.dofs;
   start.joints = once.joints;
-  const ClosedHand again = close_hand(scene, start, kOptions);
+  const ClosedHand again = close_hand(scene, start, test::kDefaultTrial);
   for (std::size_t j = 0; j < again.joints.size(); ++j) {
     EXPECT_NEAR(again.joints[j], once.joints[j], 1e-4);
   }
@@ -103,7 +101,7 @@ TEST(CloseHand, FingersStopOnEachOther) {
       // What is known about the gaps at the start must not change where they end.
       for (const bool known : {false, true}) {
         start.self_clearance = known ? scene.preshape_gaps[s] : std::vector<double>{};
-        const ClosedHand closed = close_hand(scene, start, kOptions);
+        const ClosedHand closed = close_hand(scene, start, test::kDefaultTrial);
         EXPECT_EQ(test::collision(scene, Pose::Identity(), closed.joints), "") << name << " " << s;
         const auto links = test::link_soups(scene, Pose::Identity(), closed.joints);
         double least = 1.0;
@@ -112,7 +110,7 @@ TEST(CloseHand, FingersStopOnEachOther) {
                                                     links[static_cast<std::size_t>(pair.b)]));
         }
         EXPECT_GT(least, 0.0);
-        EXPECT_LE(least, kOptions.closed_gap() + 1e-12) << name << " " << s;
+        EXPECT_LE(least, test::kDefaultTrial.closed_gap() + 1e-12) << name << " " << s;
       }
     }
   }
@@ -127,7 +125,7 @@ TEST(CloseHand, StopsAtObstaclesAndTheStillLinksStay) {
   EXPECT_EQ(test::collision(scene, Pose::Identity(), closed.joints), "");
   const auto links = test::link_soups(scene, Pose::Identity(), closed.joints);
   const auto bar = test::soup(scene.obstacles()[0].mesh.mesh(), scene.obstacles()[0].X_RB);
-  EXPECT_LE(test::surface_gap(links[1], bar), kOptions.closed_gap() + 1e-12)
+  EXPECT_LE(test::surface_gap(links[1], bar), test::kDefaultTrial.closed_gap() + 1e-12)
       << "the plate on the obstacle's side";
   EXPECT_EQ(links[0][0][0], test::soup(scene.links[0].mesh.mesh())[0][0]) << "the palm moved";
 }
@@ -185,7 +183,8 @@ TEST(CloseHand, StopsAtOnceWhereItAlreadyTouches) {
   const ClosedHand closed = close_from(scene, Pose::Identity(), {at, 0.04});
   EXPECT_EQ(closed.joints[0], at);
   EXPECT_TRUE(closed.stopped_by_contact[0]);
-  EXPECT_NEAR(closed.joints[1], 0.015 + kOptions.contact_gap, 0.1 * kOptions.contact_gap + 1e-12);
+  EXPECT_NEAR(closed.joints[1], 0.015 + test::kDefaultTrial.contact_gap,
+              0.1 * test::kDefaultTrial.contact_gap + 1e-12);
 }
 
 }  // namespace

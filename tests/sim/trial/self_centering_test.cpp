@@ -12,8 +12,6 @@
 namespace prehend {
 namespace {
 
-const TrialOptions kOptions;
-
 // Pads meet 50 mm or so in front of the aimed point, the box is `off` aside along closing.
 Candidate beside(const Robot& hand, const Vector3& off) {
   Candidate candidate;
@@ -32,7 +30,8 @@ TEST(SelfCentering, EndsWithEqualJointsAndBothPadsOnTheBox) {
     EXPECT_EQ(trial.joints[0], trial.joints[1]);
     EXPECT_EQ(trial.dofs[0], trial.joints[0]);
     // Half the box and the gap of each pad.
-    EXPECT_NEAR(trial.joints[0], 0.015 + kOptions.contact_gap, 0.1 * kOptions.contact_gap + 1e-12);
+    EXPECT_NEAR(trial.joints[0], 0.015 + test::kDefaultTrial.contact_gap,
+                0.1 * test::kDefaultTrial.contact_gap + 1e-12);
     EXPECT_LT(std::abs(trial.X_OH.translation().x()), 1e-5) << off;
     EXPECT_EQ(test::collision(scene, trial.X_OH, trial.joints), "");
     const auto gaps = test::object_gaps(scene, trial.X_OH, trial.joints);
@@ -52,7 +51,7 @@ TEST(SelfCentering, FingersStayWhereTheyTouch) {
     ClosingStart start;
     start.X_OH = X_OH;
     start.dofs = {0.04};
-    ClosedHand closed = close_hand(scene, start, kOptions);
+    ClosedHand closed = close_hand(scene, start, test::kDefaultTrial);
     const auto before = test::link_poses_in_object(scene, X_OH, closed.joints);
     ASSERT_TRUE(center_hand(scene, X_OH, closed));
     const auto after = test::link_poses_in_object(scene, X_OH, closed.joints);
@@ -86,7 +85,8 @@ TEST(SelfCentering, TakesAPlateBeyondTheMiddleOfItsFingers) {
     const Trial trial = run_trial(scene, beside(hand, off * hand.hand->closing));
     ASSERT_EQ(trial.outcome, Outcome::stable) << off;
     EXPECT_EQ(trial.joints[0], trial.joints[1]);
-    EXPECT_NEAR(trial.joints[0], 0.002 + kOptions.contact_gap, 0.1 * kOptions.contact_gap + 1e-12);
+    EXPECT_NEAR(trial.joints[0], 0.002 + test::kDefaultTrial.contact_gap,
+                0.1 * test::kDefaultTrial.contact_gap + 1e-12);
     EXPECT_EQ(test::collision(scene, trial.X_OH, trial.joints), "");
   }
 }
