@@ -10,3 +10,5 @@ add_custom_command(OUTPUT ${page_source}
   DEPENDS ${page_parts} ${three_scripts} ${CMAKE_CURRENT_LIST_DIR}/embed_page.cmake
   VERBATIM)
 target_sources(prehend_report PRIVATE ${page_source})
+# So that checks of the sources do without it.
+set_source_files_properties(${page_source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)

@@ -28,6 +28,30 @@ std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const Trial
   return all;
 }
 
+// A pair whose link starts wholly inside the body or around it, null: none. Conservative
+// advancement finds surfaces that cross, because their gap is 0. It would miss such a pair: the
+// surfaces have a gap, and the hand seems free to move.
+const ApproachPair* enclosed_at_start(const CompiledScene& scene, const ApproachMotion& motion,
+                                      const std::vector<Pose>& X_HL,
+                                      const std::vector<ApproachPair>& pairs) {
+  for (const ApproachPair& pair : pairs) {
+    const Pose X_OL = motion.at(0.0) * X_HL[index(pair.link)];
+    if (one_contains_other(scene.body(pair.body), scene.links[index(pair.link)],
+                           scene.pose_in(pair.body, X_OL))) {
+      return &pair;
+    }
+  }
+  return nullptr;
+}
+
+// How the approach ends with this gap of a pair. A hand that starts near a body but apart from it
+// touches it; only an overlap is an error of the start.
+ApproachEnd end_at(const ApproachPair& pair, const Gap& gap) {
+  const bool at_start = pair.tracker.queries() == 1;
+  if (at_start && !(gap.lower > 0.0)) return ApproachEnd::starts_in_collision;
+  return pair.body.is_object() ? ApproachEnd::touched_object : ApproachEnd::touched_obstacle;
+}
+
 }  // namespace
 
 Pose ApproachMotion::at(double travel) const {
@@ -42,16 +66,10 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   ApproachResult result;
   result.object_clearance.assign(scene.links.size(), 0.0);
   std::vector<ApproachPair> all = approach_pairs(scene, options);
-  for (const ApproachPair& pair : all) {
-    // The loop below finds surfaces that cross, because their gap is 0. It would miss a link wholly
-    // inside a body or around it: there the surfaces have a gap, and the hand seems free to move.
-    const Pose X_OL = motion.at(0.0) * X_HL[index(pair.link)];
-    if (one_contains_other(scene.body(pair.body), scene.links[index(pair.link)],
-                           scene.pose_in(pair.body, X_OL))) {
-      result.end = ApproachEnd::starts_in_collision;
-      result.touch = {pair.link, pair.body};
-      return result;
-    }
+  if (const ApproachPair* enclosed = enclosed_at_start(scene, motion, X_HL, all)) {
+    result.end = ApproachEnd::starts_in_collision;
+    result.touch = {enclosed->link, enclosed->body};
+    return result;
   }
   const auto earlier = [](const ApproachPair& a, const ApproachPair& b) {
     return a.safe_until < b.safe_until;
@@ -76,16 +94,10 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
     const double left = motion.distance - travel + options.contact.threshold;
     const Gap gap = next.tracker.query(X_TL, travel - next.asked_at, left);
     next.asked_at = travel;
-    const bool first = next.tracker.queries() == 1;
     // A pair that slides along a narrow gap would take very many short steps: after too many
     // queries it counts as a contact.
     if (gap.upper <= options.closed_gap() || next.tracker.queries() > options.max_gap_queries) {
-      // A hand that starts near a body but apart from it touches it; only an overlap is an error of
-      // the start.
-      const bool free = gap.lower > 0.0;
-      result.end = first && !free          ? ApproachEnd::starts_in_collision
-                   : next.body.is_object() ? ApproachEnd::touched_object
-                                           : ApproachEnd::touched_obstacle;
+      result.end = end_at(next, gap);
       result.touch = {next.link, next.body};
       result.travel = travel;
       next.safe_until = travel;
