@@ -37,12 +37,6 @@ DofValues random_values(const Robot& robot, Random& random) {
   return values;
 }
 
-DofValues initial_values(const Robot& robot) {
-  DofValues values;
-  for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);
-  return values;
-}
-
 // Random reachable poses of the frame X_JT after `joint`; microseconds.
 void measure_kinematics(const std::string& name, const Robot& robot, int joint, const Pose& X_JT,
                         int count) {
@@ -55,7 +49,7 @@ void measure_kinematics(const std::string& name, const Robot& robot, int joint, 
     std::vector<Pose> X_BJ;
     joint_poses(robot, joint_values(robot, random_values(robot, random)), X_BJ);
     const IkTarget target{joint, X_JT, X_BJ[static_cast<std::size_t>(joint)] * X_JT};
-    const DofValues start = initial_values(robot);
+    const DofValues start = initial_dofs(robot);
     const Clock::time_point begin = Clock::now();
     solved += !solve_all(robot, {target}, start, options).empty();
     times.push_back(1e3 * milliseconds_since(begin));
