@@ -158,13 +158,17 @@ class TileLists {
 
 }  // namespace
 
-Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const DrawOptions& options) {
+Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const DrawOptions& options,
+           const RunContext& context) {
   check(options);
   for (std::size_t i = 0; i < bodies.size(); ++i) check(bodies[i], i);
   const Projection projection(camera, options.width, options.height);
   const Lights lights(options.lighting, projection.X_CW().linear() * camera.up);
   std::vector<ScreenTriangle> triangles;
-  for (const DrawnBody& body : bodies) append_body(body, options, projection, triangles);
+  for (const DrawnBody& body : bodies) {
+    context.cancellation.check();
+    append_body(body, options, projection, triangles);
+  }
 
   const TileLists lists(triangles, options.width, options.height);
   Image image{options.width, options.height, {}};
@@ -173,6 +177,7 @@ Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const Dra
   Tile tile(projection, lights, options.samples, light_of(options.background));
   for (int row = 0; row < lists.rows(); ++row) {
     for (int column = 0; column < lists.columns(); ++column) {
+      context.cancellation.check();
       tile.move_to(column * Tile::kSize, row * Tile::kSize);
       for (const ScreenTriangle* triangle : lists.at(column, row)) tile.add(*triangle);
       tile.write_to(image);

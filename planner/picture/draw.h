@@ -7,6 +7,7 @@
 #include "planner/picture/drawn_body.h"
 #include "planner/picture/image.h"
 #include "planner/picture/lighting.h"
+#include "sim/base/run_context.h"
 
 namespace prehend {
 
@@ -30,9 +31,9 @@ struct DrawOptions {
 // surfaces behind one another in one sample, only the nearest 24 are kept. Triangles without area
 // are skipped; those nearer than Projection::near_depth() are cut off there. Throws InputError for
 // options out of range, a camera that sees nothing, and meshes with vertices that are not finite or
-// indices out of range.
+// indices out of range; and Cancelled. It draws on one thread.
 Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera,
-           const DrawOptions& options = {});
+           const DrawOptions& options = {}, const RunContext& context = {});
 
 // camera_around of camera.h for a picture of the size in `options`: about the vertices of the
 // bodies that are not invisible, or about a box. The vertices fill the picture better than their

@@ -3,7 +3,8 @@
 namespace prehend {
 
 Report contacts_report(const std::string& name, const ContactsFile& file,
-                       const JudgedContacts& judged, std::uint64_t seed) {
+                       const JudgedContacts& judged, std::uint64_t seed,
+                       const RunContext& context) {
   const bool each = judged.space.norm == WrenchNorm::linf;
   const bool exact = judged.space.cone == FrictionCone::exact;
   Report report;
@@ -21,7 +22,7 @@ Report contacts_report(const std::string& name, const ContactsFile& file,
   grasp.volume = judged.volume;
   grasp.origin = "given contacts";
   for (const Contact& contact : file.contacts) grasp.contacts.push_back({contact});
-  grasp.detail = grasp_detail(file.contacts, {}, file.frame, judged.space, seed);
+  grasp.detail = grasp_detail(file.contacts, {}, file.frame, judged.space, seed, context);
   grasp.detail->sections = space_sections(file.contacts, file.frame, judged.space);
   report.grasps.push_back(std::move(grasp));
   report.grasps_in_all = 1;

@@ -18,6 +18,7 @@ struct JudgedContacts {
 // The report with the title `name`. `seed` is that of the noise in the robustness estimate
 // (grasp_detail). Throws as grasp_detail.
 Report contacts_report(const std::string& name, const ContactsFile& file,
-                       const JudgedContacts& judged, std::uint64_t seed);
+                       const JudgedContacts& judged, std::uint64_t seed,
+                       const RunContext& context = {});
 
 }  // namespace prehend

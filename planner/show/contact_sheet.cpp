@@ -44,7 +44,7 @@ Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& g
     PosedGrasp untitled = grasps[i];
     untitled.title.clear();
     const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled, {}, context),
-                                        {options.width, options.height});
+                                        {options.width, options.height}, context);
     cells[i] = cell(picture, grasps[i].title, strip);
   });
   return grid(cells, options.columns);

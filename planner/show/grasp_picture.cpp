@@ -12,9 +12,10 @@ namespace {
 
 // All bodies, from a camera so near that `framed` fill the picture.
 Image view(const std::vector<DrawnBody>& all, const std::vector<DrawnBody>& framed,
-           const Vector3& direction, const GraspPictureOptions& options) {
+           const Vector3& direction, const GraspPictureOptions& options,
+           const RunContext& context) {
   const DrawOptions draw_options{.width = options.width, .height = options.height};
-  return draw(all, camera_around(framed, direction, draw_options), draw_options);
+  return draw(all, camera_around(framed, direction, draw_options), draw_options, context);
 }
 
 }  // namespace
@@ -27,15 +28,15 @@ void write_title(Image& image, const std::string& title) {
 }
 
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
-                    const GraspPictureOptions& options) {
+                    const GraspPictureOptions& options, const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);
-  Image image = view(bodies.all(), bodies.grasp(), direction, options);
+  Image image = view(bodies.all(), bodies.grasp(), direction, options, context);
   write_title(image, grasp.title);
   return image;
 }
 
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
-                  const GraspPictureOptions& options) {
+                  const GraspPictureOptions& options, const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);
   std::vector<DrawnBody> all = bodies.grasp_and_arm();
   all.insert(all.end(), bodies.obstacles.begin(), bodies.obstacles.end());
@@ -44,20 +45,20 @@ Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
   Vector3 aside = Vector3::UnitZ().cross(way);
   if (!(aside.norm() > 1e-6)) aside = Vector3::UnitX();
   const Vector3 direction = aside.normalized() - 0.3 * way.normalized() + 0.5 * Vector3::UnitZ();
-  Image image = view(all, bodies.grasp_and_arm(), direction, options);
+  Image image = view(all, bodies.grasp_and_arm(), direction, options, context);
   write_title(image, grasp.title);
   return image;
 }
 
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
-                            const GraspPictureOptions& options) {
+                            const GraspPictureOptions& options, const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);
   std::vector<Image> views;
   for (int side = 0; side < 4; ++side) {
     const double angle = (0.25 + 0.5 * side) * std::numbers::pi;
     views.push_back(view(bodies.all(), bodies.grasp(),
                          Vector3(std::cos(angle), std::sin(angle), 0.55),
-                         {options.width / 2, options.height / 2}));
+                         {options.width / 2, options.height / 2}, context));
   }
   Image image = grid(views, 2);
   write_title(image, grasp.title);

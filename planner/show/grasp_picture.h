@@ -1,4 +1,4 @@
-// Pictures of a grasp.
+// Pictures of a grasp. All throw Cancelled.
 #pragma once
 
 #include <string>
@@ -20,14 +20,15 @@ void write_title(Image& image, const std::string& title);
 // One view from `direction` (to the eye, any length, in the world's frame; telling_side has one
 // that shows much). What stands around is drawn as far as it is in the picture.
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
-                    const GraspPictureOptions& options = {});
+                    const GraspPictureOptions& options = {}, const RunContext& context = {});
 
 // One view of the arm that holds the object; needs arm_joints.
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
-                  const GraspPictureOptions& options = {});
+                  const GraspPictureOptions& options = {}, const RunContext& context = {});
 
 // Four views around the vertical in one picture, half as wide and high each.
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
-                            const GraspPictureOptions& options = {});
+                            const GraspPictureOptions& options = {},
+                            const RunContext& context = {});
 
 }  // namespace prehend

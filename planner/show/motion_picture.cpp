@@ -36,7 +36,7 @@ double hand_seen(const GraspBodies& bodies, const Camera& camera) {
 // Across the hand's way, where the hand is hidden least at the start, half way and at the end.
 // `points` are to be in the picture.
 Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
-                    const std::vector<Vector3>& points) {
+                    const std::vector<Vector3>& points, const RunContext& context) {
   const Pose& X_WO = scene.scene.object.X_WO;
   const Vector3 way =
       X_WO.linear() * (frames.back().X_OH.translation() - frames.front().X_OH.translation());
@@ -48,6 +48,7 @@ Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& 
   Vector3 best = directions.front();
   double best_score = 0.0;
   for (const Vector3& direction : directions) {
+    context.cancellation.check();
     const Camera camera = camera_around(points, direction, kCountWidth, kCountHeight);
     double score = 0.0;
     for (const GraspBodies& moment : moments) score += hand_seen(moment, camera);
@@ -63,32 +64,35 @@ Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& 
 }  // namespace
 
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
-                       const PosedGrasp& grasp, const GraspPictureOptions& options) {
+                       const PosedGrasp& grasp, const GraspPictureOptions& options,
+                       const RunContext& context) {
   MotionView view;
   view.with_arm = !frames.back().arm_joints.empty();
   std::vector<Vector3> whole;
   std::vector<Vector3> close;
   for (const MotionFrame& frame : frames) {
+    context.cancellation.check();
     PosedGrasp moment = posed_at(frame);
     if (view.with_arm) append_points(grasp_bodies(scene, moment).grasp_and_arm(), whole);
     // The hand comes into the close picture; all that it does there is in it.
     if (view.with_arm) moment.X_OH = grasp.X_OH;
     append_points(grasp_bodies(scene, moment).grasp(), close);
   }
-  view.close = camera_around(close, telling_side(scene, grasp), options.width, options.height);
+  view.close =
+      camera_around(close, telling_side(scene, grasp, {}, context), options.width, options.height);
   if (!view.with_arm) return view;
-  view.whole =
-      camera_around(whole, side_of_way(scene, frames, whole), options.width, options.height);
+  view.whole = camera_around(whole, side_of_way(scene, frames, whole, context), options.width,
+                             options.height);
   return view;
 }
 
 Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,
-                     const GraspPictureOptions& options) {
+                     const GraspPictureOptions& options, const RunContext& context) {
   const std::vector<DrawnBody> bodies = grasp_bodies(scene, moment).all();
   const DrawOptions draw_options{.width = options.width, .height = options.height};
   std::vector<Image> pictures;
-  if (view.with_arm) pictures.push_back(draw(bodies, view.whole, draw_options));
-  pictures.push_back(draw(bodies, view.close, draw_options));
+  if (view.with_arm) pictures.push_back(draw(bodies, view.whole, draw_options, context));
+  pictures.push_back(draw(bodies, view.close, draw_options, context));
   Image image = grid(pictures, 2);
   write_title(image, moment.title);
   return image;

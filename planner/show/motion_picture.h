@@ -18,12 +18,14 @@ struct MotionView {
 };
 
 // Sees all of the frames (at least one; the last is `grasp`). The side of the arm's picture is one
-// across the hand's way on which the hand is hidden least; the other's is the telling side.
+// across the hand's way on which the hand is hidden least; the other's is the telling side. Throws
+// Cancelled.
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
-                       const PosedGrasp& grasp, const GraspPictureOptions& options = {});
+                       const PosedGrasp& grasp, const GraspPictureOptions& options = {},
+                       const RunContext& context = {});
 
-// A moment of the motion, with its title.
+// A moment of the motion, with its title. Throws Cancelled.
 Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,
-                     const GraspPictureOptions& options = {});
+                     const GraspPictureOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

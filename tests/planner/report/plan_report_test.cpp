@@ -70,6 +70,14 @@ void expect_numbers_of(const nlohmann::json& grasp) {
 
 PlanResult planned(const CompiledScene& scene) { return plan(scene, few_candidates()); }
 
+TEST(PlanReport, CancelledBeforehandThrows) {
+  const CompiledScene scene = held_cube().scene;
+  const PlanResult result = planned(scene);
+  RunContext context;
+  context.cancellation.request();
+  EXPECT_THROW(plan_report(scene, result, {}, {}, context), Cancelled);
+}
+
 TEST(PlanReport, IsTheSameOnOneAndTwoThreads) {
   const CompiledScene scene = held_cube().scene;
   const PlanResult result = planned(scene);

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/show/contact_sheet.h"
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/motion_frames.h"
+#include "planner/show/telling_side.h"
 #include "tests/support/held_cube.h"
 
 namespace prehend {
@@ -35,6 +37,24 @@ TEST(MotionPicture, OneCameraSeesAllFrames) {
   EXPECT_EQ(first.width, 160);
   EXPECT_EQ(first.height, 120);
   EXPECT_NE(first.rgb, last.rgb);
+}
+
+TEST(CancelledBeforehand, PicturesThrow) {
+  const HeldCube held = held_cube();
+  std::vector<MotionFrame> frames;
+  for (const NamedFrame& named : named_frames(motion_of(held), 2)) frames.push_back(named.frame);
+  const GraspPictureOptions size{160, 120};
+  const MotionView view = motion_view(held.scene, frames, held.grasp, size);
+  RunContext context;
+  context.cancellation.request();
+  const Vector3 side = Vector3::UnitX();
+  EXPECT_THROW(grasp_picture(held.scene, held.grasp, side, size, context), Cancelled);
+  EXPECT_THROW(grasp_from_four_sides(held.scene, held.grasp, size, context), Cancelled);
+  EXPECT_THROW(telling_side(held.scene, held.grasp, {}, context), Cancelled);
+  EXPECT_THROW(contact_sheet(held.scene, {held.grasp}, {}, context), Cancelled);
+  EXPECT_THROW(motion_view(held.scene, frames, held.grasp, size, context), Cancelled);
+  EXPECT_THROW(motion_picture(held.scene, posed_at(frames.front()), view, size, context),
+               Cancelled);
 }
 
 }  // namespace
