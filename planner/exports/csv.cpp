@@ -1,7 +1,7 @@
 #include "planner/exports/csv.h"
 
 #include "planner/exports/number_text.h"
-#include "sim/base/quaternion.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "planner/exports/yaml_text.h"
-#include "sim/base/quaternion.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 namespace {

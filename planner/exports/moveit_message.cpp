@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/base/input_error.h"
-#include "sim/base/quaternion.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

@@ -16,7 +16,7 @@
 
 #include "planner/picture/vertex_arrays.h"
 #include "sim/base/input_error.h"
-#include "sim/base/quaternion.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 namespace {

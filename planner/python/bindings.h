@@ -15,4 +15,8 @@ void bind_plan(pybind11::module_& core);             // decompose, propose, tria
 void bind_files(pybind11::module_& core);            // grasps.json, report, exports, pictures
 void bind_quality(pybind11::module_& core);          // measures of many grasps at a time
 
+// From then on InputError and std::invalid_argument are prehend.InputError, Cancelled is
+// prehend.Cancelled (prehend/_errors.py); what pybind11 knows stays as it is.
+void translate_errors();
+
 }  // namespace prehend::python

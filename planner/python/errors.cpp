@@ -1,9 +1,8 @@
-#include "planner/python/errors.h"
-
 #include <exception>
 #include <stdexcept>
 #include <string>
 
+#include "planner/python/bindings.h"
 #include "sim/base/input_error.h"
 #include "sim/base/run_context.h"
 

@@ -1,7 +1,6 @@
 // The extension module prehend._core: what the Python package prehend is made of.
 
 #include "planner/python/bindings.h"
-#include "planner/python/errors.h"
 
 PYBIND11_MODULE(_core, core) {
   using namespace prehend::python;  // NOLINT(google-build-using-namespace): the macro's function

@@ -6,7 +6,7 @@
 #include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 #include "sim/base/formatted.h"
-#include "sim/base/quaternion.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 namespace {

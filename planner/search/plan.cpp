@@ -11,7 +11,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
-#include "sim/base/run_seed.h"
+#include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
 #include "sim/quality/wrench_hull.h"
 

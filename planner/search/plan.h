@@ -24,7 +24,7 @@ namespace prehend {
 
 // Options of every stage of plan().
 struct PlanOptions {
-  // Everything random in the plan derives from it (run_seed.h): seeds in the options below are set
+  // Everything random in the plan derives from it (random.h): seeds in the options below are set
   // from it, whatever they are.
   std::uint64_t seed = 1;
   DecomposeOptions primitives;

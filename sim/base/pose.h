@@ -27,4 +27,13 @@ inline Pose pose_from(const Matrix3& rotation, const Vector3& p) {
 // that runs repeat.
 inline Vector3 any_orthogonal(const Vector3& v) { return v.unitOrthogonal(); }
 
+// The rotation of `pose` as a unit quaternion, the form in which all files state rotations. Two
+// quaternions, q and -q, stand for one rotation; this is the one with w >= 0. Its length is 1 up to
+// rounding; writers of formats that need exact unit length normalise it.
+inline Eigen::Quaterniond quaternion_of(const Pose& pose) {
+  Eigen::Quaterniond q(pose.linear());
+  if (q.w() < 0.0) q.coeffs() *= -1.0;
+  return q;
+}
+
 }  // namespace prehend

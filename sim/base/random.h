@@ -1,4 +1,5 @@
-// Pseudorandom numbers that are the same on every machine and with every standard library.
+// Pseudorandom numbers that are the same on every machine and with every standard library, and the
+// seeds of a run, which all derive from one.
 #pragma once
 
 #include <cmath>
@@ -73,5 +74,13 @@ class Random {
  private:
   std::mt19937_64 engine_;
 };
+
+// The seed of one of a run's random generators, from the run's seed `run`. It depends on nothing
+// else, so that a run gives the same result on any number of threads. `item` distinguishes
+// generators that serve the same purpose, such as the path planners of different grasps. Generators
+// of different purposes may share a seed: they use the stream for different quantities.
+constexpr std::uint64_t derived_seed(std::uint64_t run, std::uint64_t item = 0) {
+  return run + item;
+}
 
 }  // namespace prehend

@@ -18,7 +18,7 @@ namespace prehend {
 //     visit("inner", inner);                   // has settings of its own: visit_settings goes on
 //   }
 //
-// It visits all fields except seeds, which derive from the seed of the run (run_seed.h). SettingsOf
+// It visits all fields except seeds, which derive from the seed of the run (random.h). SettingsOf
 // accepts the struct both const (for writing a file) and mutable (for reading one).
 template <typename T, typename Options>
 concept SettingsOf = std::same_as<std::remove_const_t<T>, Options>;

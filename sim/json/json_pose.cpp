@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/base/quaternion.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 

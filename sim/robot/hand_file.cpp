@@ -1,7 +1,7 @@
-#include "sim/robot/hand_file.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "sim/robot/robot_file_parts.h"
 
 namespace prehend {
 namespace {

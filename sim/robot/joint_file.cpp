@@ -1,6 +1,5 @@
-#include "sim/robot/joint_file.h"
-
 #include "sim/robot/denavit_hartenberg.h"
+#include "sim/robot/robot_file_parts.h"
 
 namespace prehend {
 namespace {

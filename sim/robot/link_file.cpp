@@ -1,7 +1,6 @@
-#include "sim/robot/link_file.h"
-
 #include "sim/base/input_error.h"
 #include "sim/base/material.h"
+#include "sim/robot/robot_file_parts.h"
 
 namespace prehend {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
-#include "sim/robot/link_file.h"
 #include "sim/robot/robot_file.h"
+#include "sim/robot/robot_file_parts.h"
 
 namespace prehend {
 namespace {

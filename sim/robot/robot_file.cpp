@@ -7,9 +7,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
-#include "sim/robot/hand_file.h"
-#include "sim/robot/joint_file.h"
-#include "sim/robot/link_file.h"
+#include "sim/robot/robot_file_parts.h"
 #include "sim/robot/spherical_wrist.h"
 
 namespace prehend {
