@@ -45,6 +45,7 @@ std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOption
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (trials[i].outcome == Outcome::stable) order.push_back(i);
   }
+  // Trials are in the order of their candidates, which the stable sort keeps for equal epsilons.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return trials[a].epsilon.lower > trials[b].epsilon.lower;
   });
