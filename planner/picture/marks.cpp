@@ -8,6 +8,7 @@
 namespace prehend {
 namespace {
 
+// Of the polygon that stands for a circle.
 constexpr int kSides = 32;
 
 // A point of a profile: `along` the axis, at distance `radius` from it.
@@ -34,6 +35,8 @@ TriangleMesh revolved(const std::vector<ProfilePoint>& profile, const Vector3& o
   }
   mesh.vertices.push_back(origin + profile.back().along * axis);
 
+  // Triangles are counter-clockwise from outside: a fan around the first pole, two triangles for
+  // each side between neighbouring rings, and a fan around the last pole.
   const int rings = static_cast<int>(profile.size()) - 2;
   const int last = static_cast<int>(mesh.vertices.size()) - 1;
   for (int i = 0; i < kSides; ++i) {

@@ -86,6 +86,8 @@ std::vector<std::array<Vector3, 3>> corner_normals(const TriangleMesh& mesh,
   for (const Corner& corner : corners) ++start[index(corner.vertex) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
 
+  // Only faces that meet this one at less than the crease angle are averaged. A corner of a box
+  // thus keeps three normals, one for each face.
   const double least_cosine = std::cos(crease_angle);
   std::vector<std::array<Vector3, 3>> normals(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
