@@ -19,8 +19,9 @@ namespace prehend {
 namespace {
 
 // plan() runs the stages primitives, candidates, trials, ranking, paths and volumes one after the
-// other; each works in parallel by itself. evaluate() starts at the trials. A cancelled stage
-// leaves what it has finished in the result, and the stages behind it are skipped or end at once.
+// other; trials, paths and volumes are computed in parallel. evaluate() starts at the trials. A
+// cancelled stage leaves what it has finished in the result, and the stages behind it are skipped
+// or end at once.
 
 // The trials that were finished, each with the place of its candidate.
 struct Finished {

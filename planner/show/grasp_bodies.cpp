@@ -73,7 +73,7 @@ DrawnBody contact_body(const CompiledScene& scene, const Contact& point) {
 
 // Two arrows from the torque origin (the centre of mass), for force and torque. Torques of a wrench
 // are scaled to forces, so the lengths of both can be compared: they are in proportion to the two
-// parts, and the root of the sum of their squares is kArrowLength.
+// parts, and the root of the sum of their squares is kArrowLength times the radius.
 std::vector<DrawnBody> weakest_bodies(const CompiledScene& scene, const Wrench& wrench) {
   if (wrench.isZero(0.0)) return {};
   const double radius = object_radius(scene);

@@ -207,7 +207,7 @@ std::vector<Vector3> viewing_directions() {
 Vector3 telling_side(const CompiledScene& scene, const PosedGrasp& grasp,
                      const TellingSideOptions& options, const RunContext& context) {
   const Choice side = best_side(scene, grasp, true, options, context);
-  // From everywhere obstacles hide the grasp, as in a closed box. They are then left out.
+  // Where obstacles hide the grasp from every side, as a closed box does, they are left out.
   if (side.score > 0.0 || !scene.has_obstacles()) return side.direction;
   return best_side(scene, grasp, false, options, context).direction;
 }
