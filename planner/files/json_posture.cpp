@@ -5,6 +5,7 @@
 namespace prehend {
 namespace {
 
+// Files state numbers in decimal and may have been rounded, hence the tolerance.
 bool within(double value, double lower, double upper) {
   return value >= lower - kLimitTolerance && value <= upper + kLimitTolerance;
 }
