@@ -117,6 +117,7 @@ std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::s
 void write_frames(const std::filesystem::path& folder, const CompiledScene& scene,
                   const DrawnGrasp& grasp, int count, Interrupts& interrupts) {
   const std::string start = formatted("approach_%03zu_frame_", grasp.number);
+  // An earlier run may have written more frames of this grasp.
   remove_frames(folder, start);
   if (count == 0) return;
   const ScoredGrasp& result = grasp.result;
@@ -135,7 +136,9 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
   for_each_in_parallel(frames.size(), 0, [&](std::size_t i) {
     PosedGrasp moment = posed_at(frames[i].frame);
     moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
+    // The last frame is the grasp; in earlier ones nothing touches.
     if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
+    // Fixed width, so that the names sort in the order of the frames.
     names[i] = start + formatted(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
     interrupts.write(folder / names[i],
                      png_bytes(motion_picture(scene, moment, view, kFramePicture)));

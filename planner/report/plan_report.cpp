@@ -11,7 +11,8 @@
 namespace prehend {
 namespace {
 
-// Enough to choose a side by.
+// Pictures in which visible pixels are counted. Smaller than by default, because a report needs a
+// side for each of its detailed grasps.
 constexpr TellingSideOptions kSmall{96, 80};
 
 std::string words_of(const Blame& blame) {
@@ -67,9 +68,12 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
     links.push_back(contact.link);
   }
   WrenchSpaceOptions space;
+  // The space in which the trial judged the grasp: L1 norm and pyramids.
   space.edges = record.options.trial.cone_edges;
   GraspDetail detail =
       grasp_detail(contacts, links, scene.wrench_frame, space, record.options.seed, context);
+  // Sections were computed with the volume, from the same hull, for as many grasps as were asked
+  // for.
   if (scored.sections) detail.sections = *scored.sections;
   return detail;
 }
@@ -87,6 +91,7 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
   }
   report.candidates_in_all = result.tried.size();
   const std::size_t count = std::min(result.tried.size(), options.most_candidates);
+  // Candidates are in the order of primitives and rules; every n-th one represents all of them.
   for (std::size_t i = 0; i < count; ++i) {
     const Tried& tried = result.tried[i * result.tried.size() / count];
     report.candidates.push_back({tried.X_OH * scene.scene.hand.hand->origin, tried.approach_O,
