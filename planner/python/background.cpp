@@ -10,6 +10,10 @@
 namespace prehend::python {
 namespace {
 
+// The work runs in a second thread without the GIL. The calling thread waits for it and takes the
+// GIL now and then, to let Python handle signals and to call the callback. The two threads exchange
+// the latest progress, not a queue of all: a slow callback must not hold up the work.
+
 // How long a signal may wait while the work reports nothing.
 constexpr std::chrono::milliseconds kPatience(20);
 
@@ -26,6 +30,7 @@ class Mailbox {
       const std::lock_guard lock(mutex_);
       news_.progress = progress;
     }
+    // After the lock is released, so that the woken thread need not wait for it.
     arrived_.notify_one();
   }
 
@@ -52,7 +57,8 @@ class Mailbox {
   News news_;
 };
 
-// Takes the GIL for it. Throws py::error_already_set where Python raised an exception.
+// Lets Python handle signals and calls the callback, with the GIL. Throws py::error_already_set
+// where either raises an exception.
 void listen(const std::optional<Progress>& progress, const py::object& callback) {
   const py::gil_scoped_acquire gil;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -95,7 +101,8 @@ void run_in_background(const CallOptions& options,
     }
     worker.join();
   }
-  // Python's exception is the cause where both are there.
+  // Where both are there, Python's exception is the cause: it cancelled the work, which may have
+  // thrown Cancelled for that reason. Both are thrown here, with the GIL held again.
   if (of_python) std::rethrow_exception(of_python);
   if (of_work) std::rethrow_exception(of_work);
 }
