@@ -70,6 +70,8 @@ double excess(const TimedPath& path, const JointLimits& limits) {
       if (speed > factor * limits.velocity[j]) factor = speed / limits.velocity[j];
       if (i == 0) continue;
       const double change = std::abs(path.velocities[i][j] - path.velocities[i - 1][j]);
+      // The mean acceleration between two samples is what is limited. Between them it may be higher
+      // (time_path.h).
       const double rate = change / (path.times[i] - path.times[i - 1]);
       if (rate > factor * factor * limits.acceleration[j]) {
         factor = std::sqrt(rate / limits.acceleration[j]);

@@ -92,9 +92,13 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
   const bool solid = opacity >= 1.0F;
   const SurfaceDetail detail = surface_detail(*body.mesh, options.crease_angle);
   const Pose X_CB = projection.X_CW() * body.X_WB;
+  // Triangles share vertices, so these are transformed once. Normals differ by triangle and are set
+  // below.
   std::vector<CameraVertex> vertices(body.mesh->vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].p_C = X_CB * body.mesh->vertices[v];
 
+  // The back of a solid surface is as solid as its front: meshes need not be closed, so a back may
+  // be seen.
   const SurfaceLook look{light_of(body.color), opacity, solid ? opacity : kBackOpacity * opacity};
   for (std::size_t t = 0; t < body.mesh->triangles.size(); ++t) {
     // Without area: it has no normal to be shaded with.

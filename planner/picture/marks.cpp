@@ -55,6 +55,8 @@ TriangleMesh revolved(const std::vector<ProfilePoint>& profile, const Vector3& o
 
 }  // namespace
 
+// The profile of an arrow: tip, rim of the head, end of the shaft in the head, other end of the
+// shaft, centre of that end.
 TriangleMesh arrow_mesh(const Vector3& from, const Vector3& to, double radius) {
   constexpr double kHeadRadius = 2.4;  // in shaft radii
   constexpr double kHeadLength = 6.0;
@@ -66,6 +68,7 @@ TriangleMesh arrow_mesh(const Vector3& from, const Vector3& to, double radius) {
       from, (to - from) / length);
 }
 
+// The profile of a cone: the centre of its base, the rim, the apex.
 TriangleMesh cone_mesh(const Vector3& apex, const Vector3& axis, double slope, double length) {
   const double norm = axis.norm();
   if (!(norm > 0.0) || !(slope > 0.0) || !(length > 0.0)) return {};

@@ -26,6 +26,7 @@ std::vector<int> welded_vertices(const std::vector<Vector3>& vertices) {
   });
   std::vector<int> first(vertices.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
+    // Sorted by place and then by index, so the first of equal places has the lowest index.
     const bool repeated = k > 0 && place(order[k]) == place(order[k - 1]);
     first[index(order[k])] = repeated ? first[index(order[k - 1])] : order[k];
   }

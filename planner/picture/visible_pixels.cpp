@@ -48,6 +48,8 @@ class Pixels {
         const double inverse_depth = a * depths[0] + b * depths[1] + c * depths[2];
         const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                         static_cast<std::size_t>(x);
+        // Strictly nearer: of two bodies at the same depth the first one counts. A translucent
+        // surface dims a pixel only where it is before the solid one; several multiply.
         if (!(inverse_depth > inverse_depths_[at])) continue;
         if (triangle.solid()) {
           inverse_depths_[at] = inverse_depth;
@@ -107,6 +109,8 @@ std::vector<double> visible_pixels(const std::vector<DrawnBody>& seen,
                                    int width, int height) {
   const Projection projection(camera, width, height);
   Pixels pixels(width, height);
+  // Bodies have the same number in both passes: first those that are counted, then those around
+  // them, which are cut off at the end.
   for (const bool solid : {true, false}) {
     int number = 0;
     for (const std::vector<DrawnBody>* bodies : {&seen, &around}) {

@@ -133,6 +133,7 @@ class PathSearch {
   // result is the same, on any number of threads. Grasps without a path are left out and counted
   // as Outcome::no_path.
   void run() {
+    // result_.grasps is refilled with those that have a path, in the order of their rank.
     all_ = std::move(result_.grasps);
     result_.grasps.clear();
     const std::size_t wanted = std::min(index(options_.rank.top), all_.size());
@@ -141,6 +142,7 @@ class PathSearch {
     std::size_t next = 0;
     while (next < all_.size() && result_.grasps.size() < wanted &&
            result_.status != PlanStatus::cancelled) {
+      // Depends on results of earlier groups only, never on the number of threads.
       const std::size_t count = std::min(wanted - result_.grasps.size(), all_.size() - next);
       // Bytes instead of vector<bool>, whose elements share words and must not be written by
       // several threads.
@@ -212,6 +214,7 @@ class PlanRun {
   PlanRun(const CompiledScene& scene, const PlanOptions& options, const RunContext& context)
       : scene_(scene), options_(options), context_(context) {}
 
+  // plan() does not throw Cancelled: from here on it returns what it has.
   PlanResult run() {
     try {
       find_primitives();

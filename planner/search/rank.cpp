@@ -12,6 +12,7 @@ namespace {
 
 bool is_same_pose(const Pose& a, const Pose& b, const RankOptions& options) {
   if ((a.translation() - b.translation()).norm() > options.same_distance) return false;
+  // The angle of the rotation from one pose to the other, R_a^T R_b.
   const Eigen::AngleAxisd turn(a.linear().transpose() * b.linear());
   return std::abs(turn.angle()) <= options.same_angle;
 }

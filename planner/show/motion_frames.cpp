@@ -33,6 +33,7 @@ MotionFrame frame_at(const GraspMotion& motion, double time) {
   const auto after =
       std::lower_bound(motion.frames.begin(), motion.frames.end(), time,
                        [](const MotionFrame& frame, double moment) { return frame.time < moment; });
+  // Times at the ends come from the frames themselves, so this only guards against rounding.
   if (after == motion.frames.end()) return motion.frames.back();
   if (after == motion.frames.begin() || after->time == time) return *after;
   const MotionFrame& a = *(after - 1);

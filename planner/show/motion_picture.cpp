@@ -28,6 +28,7 @@ double sum(const std::vector<double>& values) {
 // over those that it has with nothing around it.
 double hand_seen(const GraspBodies& bodies, const Camera& camera) {
   const double alone = sum(visible_pixels(bodies.hand, {}, camera, kCountWidth, kCountHeight));
+  // Outside the picture or too small to be seen.
   if (alone == 0.0) return 0.0;
   std::vector<DrawnBody> around = bodies.surroundings();
   for (DrawnBody& body : around) body.color.opacity = 1.0;  // little is seen through an obstacle
@@ -55,6 +56,7 @@ Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& 
     const Camera camera = camera_around(points, direction, kCountWidth, kCountHeight);
     double score = 0.0;
     for (const GraspBodies& moment : moments) score += hand_seen(moment, camera);
+    // A hand that does not move (1e-9 m is rounding) has no way to be seen from the side.
     if (way.norm() > 1e-9) score *= way.normalized().cross(direction).norm();
     // Scores that differ by rounding count as equal, and the first direction is kept.
     if (score > best_score + 1e-9) {
