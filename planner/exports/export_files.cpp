@@ -69,6 +69,7 @@ std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResul
                                      const std::string& format) {
   const ExportHeader header = header_of(scene);
   std::vector<ExportGrasp> grasps;
+  // Ranks count from 1.
   for (const ScoredGrasp& grasp : result.grasps) {
     grasps.push_back(export_of(scene, grasp, static_cast<int>(grasps.size()) + 1));
   }

@@ -100,7 +100,8 @@ Json grasps_list_json(const CompiledScene& scene, const PlanResult& result) {
   return list;
 }
 
-// The scene is a text or an object in files that somebody else wrote, and so is the hand.
+// "scene" is an object in files that prehend writes. In files of other programs it may also be a
+// text, a name or a path, and "hand" may stand beside it.
 void read_scene(const JsonField& root, SceneReference& reference) {
   if (root.has("scene") && root["scene"].is_text()) {
     reference.scene = root["scene"].text();
@@ -127,7 +128,7 @@ void scene_field(auto& fields, auto& record) {
     if (!reference.unit.empty()) record.unit = reference.unit;
   } else {
     fields.object("scene", [&](auto& inner) {
-      // A scene that a program made has no file.
+      // A scene that was made in code has no file.
       if (!record.scene.empty()) inner("file", record.scene);
       inner("unit", record.unit);
       if (!record.hand.empty()) inner("hand", record.hand);
@@ -186,7 +187,7 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   file_fields(fields, record, result, scene);
   fields.derived("primitives", [&] { return primitives_json(result.primitives); });
   fields.derived("grasps", [&] { return grasps_list_json(scene, result); });
-  // Names of files need not be text in UTF-8.
+  // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return std::move(fields).json().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

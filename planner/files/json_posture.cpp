@@ -23,6 +23,7 @@ std::vector<double> read_dofs(const JsonField& field, const Robot& robot) {
 }
 
 std::vector<double> read_joints(const JsonField& field, const Robot& robot) {
+  // Joints are not clamped, unlike degrees of freedom: they are read back as they were written.
   std::vector<double> joints = field.numbers(robot.joints.size());
   check_joint_limits(field, robot);
   return joints;
