@@ -76,7 +76,7 @@ void Interrupts::react() {
   const std::lock_guard lock(lock_);
   cancellation_.request();
   if (cancels_) return;
-  // A progress bar may stand on the line.
+  // A progress bar may be on the current line of the terminal.
   const char* start = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
   std::fprintf(stderr, "%sprehend: interrupted, %s\n", start, words_.c_str());
   // _Exit runs no destructors: other threads are still working with what these would destroy.

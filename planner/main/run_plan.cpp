@@ -103,7 +103,7 @@ class PlanProgram {
     return result;
   }
 
-  // What is quick: neither exports, nor report and pictures.
+  // Writes what is quick to make: no exports, no report and no pictures.
   int write_cancelled(const CompiledScene& scene, const PlanResult& result,
                       const RunRecord& record) {
     const std::size_t tried = result.tried.size();

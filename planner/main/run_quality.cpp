@@ -46,8 +46,8 @@ WrenchSpaceOptions read_space(const QualityCommand& command) {
   return space;
 }
 
-// force: the forces without torque; torque: the other way round; or three of fx fy fz tx ty tz with
-// their values, as in "tx=0,ty=0,fz=0.5".
+// What --project fixes. "force": the torques are 0, which leaves the forces; "torque": the forces
+// are 0. Else three of fx fy fz tx ty tz with their values, as in "tx=0,ty=0,fz=0.5".
 FixedCoordinates read_fixed(const std::string& words) {
   if (words == "force") return {{3, 4, 5}, Eigen::Vector3d::Zero()};
   if (words == "torque") return {{0, 1, 2}, Eigen::Vector3d::Zero()};
@@ -150,7 +150,7 @@ void write_slice(const QualityCommand& command, const ContactsFile& file,
   interrupts.write(command.out / "slice.ply", ply_text(slice.vertices, slice.triangles));
 }
 
-// Words go to stderr: stdout is JSON.
+// Messages go to stderr, because the output of the command on stdout is JSON.
 void write_report(const QualityCommand& command, const std::string& report,
                   Interrupts& interrupts) {
   remove_file(command.out / "report.html");

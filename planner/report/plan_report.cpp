@@ -114,6 +114,8 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.primitives = result.primitives;
   report.grasps_in_all = result.grasps.size();
   report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
+  // Each grasp has its own place in the list, so the report is the same on any number of threads.
+  // Only the first ones are analysed in detail (PlanReportOptions).
   for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
     context.cancellation.check();
     report.grasps[i] = grasp_of(scene, result, result.grasps[i]);

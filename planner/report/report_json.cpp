@@ -33,7 +33,7 @@ std::string hex(const Color& color) {
 
 Json look_json(const Color& color) { return {{"color", hex(color)}, {"opacity", color.opacity}}; }
 
-// All colours of the page that mean something.
+// The colours that have a meaning. Pictures use the same palette.
 Json palette_json() {
   Json axes = Json::array();
   for (const Color& axis : palette::kAxes) axes.push_back(hex(axis));
@@ -251,7 +251,7 @@ std::string report_json(const Report& report) {
                                 {"count", blocker.count}});
   }
   json["candidates"] = candidates_json(report);
-  // File names need not be text in UTF-8.
+  // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
