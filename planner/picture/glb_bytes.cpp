@@ -242,7 +242,7 @@ std::string GlbDocument::bytes(const std::string& name, const Json& extras) {
   list("accessors", accessors_);
   list("bufferViews", views_);
   if (!buffer_.empty()) document["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
-  // Names may contain bytes that are not UTF-8, for which dump() would throw.
+  // Names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return glb_file(document.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_);
 }
 

@@ -77,8 +77,8 @@ bool has_dot(unsigned char letter, int column, int row) {
   return kFont[static_cast<std::size_t>(at)] == '#';
 }
 
-// Blending is done in linear light, as everywhere in pictures: averages of sRGB bytes are too dark.
-// Blends `ink` over a square of `size` pixels, as far as it lies in the image.
+// Blends `ink` over a square of `size` pixels, as far as it lies in the image. Blending is done in
+// linear light, as everywhere in pictures: averages of sRGB bytes are too dark.
 void fill_square(Image& image, int left, int top, int size, const Light& ink, double opacity) {
   for (int y = std::max(top, 0); y < std::min(top + size, image.height); ++y) {
     for (int x = std::max(left, 0); x < std::min(left + size, image.width); ++x) {

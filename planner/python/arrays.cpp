@@ -6,9 +6,10 @@
 namespace prehend::python {
 namespace {
 
+// Doubles and Integers are contiguous in C order (arrays.h), so that the functions below may read
+// data() row by row.
+
 // A negative size in `shape` stands for any number.
-// The Doubles and Integers of this file are contiguous in C order (arrays.h), so that data() and
-// data(i, ...) may be read row by row.
 void expect_shape(const py::array& array, const std::vector<py::ssize_t>& shape) {
   bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size());
   for (std::size_t d = 0; fits && d < shape.size(); ++d) {

@@ -17,7 +17,7 @@ namespace {
 // How long a signal may wait while the work reports nothing.
 constexpr std::chrono::milliseconds kPatience(20);
 
-// What the working thread has to say to the waiting one.
+// Messages from the working thread to the waiting one.
 class Mailbox {
  public:
   struct News {
@@ -42,7 +42,7 @@ class Mailbox {
     arrived_.notify_one();
   }
 
-  // What came since the last call; nothing after kPatience.
+  // What came since the last call. Waits for something to come, for kPatience at most.
   News take() {
     std::unique_lock lock(mutex_);
     arrived_.wait_for(lock, kPatience, [&] { return news_.progress || news_.done; });
@@ -91,7 +91,7 @@ void run_in_background(const CallOptions& options,
     for (bool done = false; !done;) {
       const Mailbox::News news = mailbox.take();
       done = news.done;
-      if (of_python) continue;  // the work is on its way out
+      if (of_python) continue;  // only the end of the work is waited for
       try {
         listen(news.progress, options.progress);
       } catch (...) {

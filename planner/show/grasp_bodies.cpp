@@ -10,7 +10,7 @@
 namespace prehend {
 namespace {
 
-// A link whose box has a shorter diagonal only marks a place [m].
+// Diagonal of the bounding box below which a link of the arm only marks a place [m].
 constexpr double kMarker = 0.01;
 
 // Sizes of marks as parts of the object's radius.

@@ -28,7 +28,7 @@ constexpr std::size_t kMostTriangles = 2000;
 // Scores closer than this count as equal, so that rounding does not choose between symmetric sides.
 constexpr double kSameScore = 1e-9;
 
-// The bodies of the small pictures, by the part that they play.
+// The bodies of the small pictures, by their role.
 struct SmallScene {
   std::vector<DrawnBody> framed;     // fills the picture: object, hand and cones
   std::vector<DrawnBody> seen;       // the hand's links, then the cones
