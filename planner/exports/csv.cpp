@@ -6,7 +6,8 @@
 namespace prehend {
 namespace {
 
-// A row that grows; texts are quoted where they must be (RFC 4180, section 2).
+// A row that grows. A text with a comma, a quote or a line break is put in quotes, with quotes
+// inside it doubled (RFC 4180, section 2).
 class Row {
  public:
   void text(const std::string& value) {
@@ -54,6 +55,8 @@ class Row {
   bool first_ = true;
 };
 
+// The columns of the header must be those of grasp_row, in the same order. Units and frames are in
+// docs/exports.md.
 std::string grasps_header(const ExportHeader& header) {
   Row row;
   row.texts("", {"rank", "outcome", "epsilon", "volume"}, "");
@@ -111,6 +114,8 @@ std::string path_csv(const Trajectory& path) {
   std::string text = header.line();
   std::size_t segment = 0;
   for (std::size_t i = 0; i < path.times.size(); ++i) {
+    // Neighbouring segments share a sample. It is written with the earlier one: the next segment
+    // begins only behind its `last`.
     while (segment < path.segments.size() &&
            static_cast<std::size_t>(path.segments[segment].last) < i) {
       ++segment;

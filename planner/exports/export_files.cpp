@@ -13,11 +13,15 @@
 namespace prehend {
 namespace {
 
+// What the formats need is gathered once (ExportHeader, ExportGrasp), so that they know neither
+// scenes nor trials. Files are made in memory; the caller writes them.
+
 ExportHeader header_of(const CompiledScene& scene) {
   const Robot& hand = scene.scene.hand;
   ExportHeader header;
   header.object = scene.scene.object.name;
   header.hand = hand.name;
+  // Poses of the hand are those of its base link, which is the first (Robot::links).
   header.hand_base = hand.links[0].name;
   for (const DegreeOfFreedom& dof : hand.dofs) header.hand_dofs.push_back(dof.name);
   for (const Joint& joint : hand.joints) header.hand_joints.push_back(joint.name);
@@ -35,6 +39,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   exported.X_WH = scene.scene.object.X_WO * trial.X_OH;
   exported.preshape = preshape_name(scene, grasp.candidate);
   exported.dofs = trial.dofs;
+  // The joints with which the hand started: of the preshape, or as given with the candidate.
   exported.pregrasp_joints = approach_line(scene, grasp.candidate, trial).hand_joints;
   exported.closed_joints = trial.joints;
   exported.approach_O = grasp.candidate.approach_O;
@@ -64,6 +69,7 @@ std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResul
                                      const std::string& format) {
   const ExportHeader header = header_of(scene);
   std::vector<ExportGrasp> grasps;
+  // Ranks count from 1.
   for (const ScoredGrasp& grasp : result.grasps) {
     grasps.push_back(export_of(scene, grasp, static_cast<int>(grasps.size()) + 1));
   }
@@ -73,6 +79,7 @@ std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResul
       if (grasp.path) files.push_back({name_of(grasp.rank), text_of(*grasp.path)});
     }
   };
+  // grasps.json is written in any case, so it is accepted as a format and adds nothing.
   if (format == "json") return files;
   if (format == "csv") {
     files.push_back({"grasps.csv", grasps_csv(header, grasps)});

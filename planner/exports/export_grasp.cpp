@@ -13,6 +13,8 @@ void check(const std::string& what, std::size_t values, std::size_t names) {
 
 }  // namespace
 
+// The formats write names and values side by side; with a number of values that differs they would
+// write wrong pairs, or read beyond the end.
 void check_sizes(const ExportHeader& header, const ExportGrasp& grasp) {
   const std::string name = "grasp " + std::to_string(grasp.rank);
   check(name + ": dofs", grasp.dofs.size(), header.hand_dofs.size());

@@ -21,10 +21,12 @@ void put_joints(YAML::Emitter& yaml, const std::vector<std::string>& names,
 }
 
 void put_grasp(YAML::Emitter& yaml, const ExportHeader& header, const ExportGrasp& grasp) {
+  // Normalised, because the quaternion of a rotation matrix is of unit length only up to rounding.
   const Eigen::Quaterniond q = quaternion_of(grasp.X_OH).normalized();
   const Vector3 p = grasp.X_OH.translation();
   yaml << YAML::BeginMap;
   yaml << YAML::Key << "confidence" << YAML::Value;
+  // Epsilon is not a probability, but larger is better for both (docs/exports.md).
   put_number(yaml, std::clamp(grasp.epsilon, 0.0, 1.0));
   yaml << YAML::Key << "position" << YAML::Value;
   put_numbers(yaml, {p.x(), p.y(), p.z()});
@@ -49,7 +51,7 @@ std::string isaac_grasps_yaml(const ExportHeader& header, const std::vector<Expo
   yaml << YAML::Key << "format" << YAML::Value << "isaac_grasp";
   yaml << YAML::Key << "format_version" << YAML::Value;
   put_number(yaml, 1.0);
-  // Both spellings are documented; readers take them as remarks.
+  // Both spellings of these keys are documented. Isaac Sim does not look the names up.
   for (const std::string suffix : {"", "_link"}) {
     yaml << YAML::Key << "object_frame" + suffix << YAML::Value;
     put_text(yaml, header.object);

@@ -21,18 +21,23 @@ class GraspWriter {
     yaml_ << YAML::BeginMap;
     message_.header(frame());
     key("pose");
+    // The message has the pose of the link that carries the hand (P), not of the hand's base.
     message_.pose((in_world() ? grasp.X_WH : grasp.X_OH) * options_.X_HP);
     yaml_ << YAML::EndMap;
     key("grasp_quality");
     put_number(yaml_, grasp.epsilon);
+    // Directions have a header of their own; they are given in the frame of the pose. With the pose
+    // in the world, the rotation from object to world is R_WH R_OH^T.
     const Vector3 direction =
         in_world()
             ? Vector3(grasp.X_WH.linear() * (grasp.X_OH.linear().transpose() * grasp.approach_O))
             : grasp.approach_O;
     translation("pre_grasp_approach", direction, grasp.approach_distance);
+    // Back along the approach, for both retreats.
     translation("post_grasp_retreat", -direction, grasp.approach_distance);
     translation("post_place_retreat", -direction, grasp.approach_distance);
     key("max_contact_force");
+    // 0 stands for no limit.
     put_number(yaml_, 0.0);
     key("allowed_touch_objects");
     put_texts(yaml_, {header_.object});
@@ -99,6 +104,8 @@ std::string moveit_trajectory_yaml(const Trajectory& path, const MoveitOptions& 
   }
   yaml << YAML::EndSeq << YAML::EndMap;
   yaml << YAML::Key << "multi_dof_joint_trajectory" << YAML::Value << YAML::BeginMap;
+  // RobotTrajectory has this part in any case. The platform has no joints of several degrees of
+  // freedom, so it is empty.
   message.header("");
   yaml << YAML::Key << "joint_names" << YAML::Value;
   put_texts(yaml, {});

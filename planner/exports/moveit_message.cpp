@@ -18,6 +18,7 @@ void MoveitMessage::time(long long seconds, long long nanoseconds) {
 void MoveitMessage::header(const std::string& frame) {
   yaml_ << YAML::Key << "header" << YAML::Value << YAML::BeginMap;
   yaml_ << YAML::Key << "stamp" << YAML::Value;
+  // A stamp of 0 stands for no particular time.
   time(0, 0);
   yaml_ << YAML::Key << "frame_id" << YAML::Value;
   put_text(yaml_, frame);
@@ -31,6 +32,8 @@ void MoveitMessage::duration(double seconds) {
   }
   constexpr long long kNanoseconds = 1000000000;
   const auto whole = static_cast<long long>(seconds);
+  // Rounding may give a whole second (0.9999999996 s), which must be carried: nanoseconds are below
+  // 10^9.
   const long long rest = std::llround((seconds - static_cast<double>(whole)) * 1e9);
   time(whole + rest / kNanoseconds, rest % kNanoseconds);
 }
@@ -43,6 +46,8 @@ void MoveitMessage::point(double time, const std::vector<double>& positions,
   yaml_ << YAML::Key << "velocities" << YAML::Value;
   put_numbers(yaml_, velocities);
   yaml_ << YAML::Key << "accelerations" << YAML::Value;
+  // Without accelerations controllers interpolate with cubics between positions and velocities,
+  // which is the planned motion (Trajectory).
   put_numbers(yaml_, {});
   yaml_ << YAML::Key << "effort" << YAML::Value;
   put_numbers(yaml_, {});
@@ -56,6 +61,7 @@ void MoveitMessage::pose(const Pose& pose) {
   yaml_ << YAML::BeginMap << YAML::Key << "position" << YAML::Value;
   put_vector(yaml_, pose.translation());
   yaml_ << YAML::Key << "orientation" << YAML::Value << YAML::Flow << YAML::BeginMap;
+  // ROS has w last and names all four.
   yaml_ << YAML::Key << "x" << YAML::Value;
   put_number(yaml_, q.x());
   yaml_ << YAML::Key << "y" << YAML::Value;

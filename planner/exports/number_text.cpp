@@ -13,6 +13,8 @@ std::string number_text(double value) {
     throw InputError("export: a number is not finite (" + std::to_string(value) + ")");
   }
   std::array<char, 32> buffer{};
+  // Without a precision to_chars gives the shortest text that reads back as the same double. It may
+  // have no point ("1", "1e-05"), which is then inserted.
   const auto end = std::to_chars(buffer.begin(), buffer.end(), value).ptr;
   std::string text(buffer.begin(), end);
   if (text.find('.') == std::string::npos) {

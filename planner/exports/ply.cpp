@@ -7,6 +7,7 @@ namespace prehend {
 
 std::string ply_text(const Eigen::Matrix3Xd& vertices, const Eigen::Matrix3Xi& triangles) {
   std::ostringstream text;
+  // Enough digits to read back the same double.
   text.precision(std::numeric_limits<double>::max_digits10);
   text << "ply\nformat ascii 1.0\nelement vertex " << vertices.cols()
        << "\nproperty double x\nproperty double y\nproperty double z\nelement face "

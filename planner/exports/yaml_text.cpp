@@ -8,6 +8,8 @@ namespace prehend {
 
 void put_text(YAML::Emitter& yaml, const std::string& text) { yaml << YAML::DoubleQuoted << text; }
 
+// As plain text, not through the emitter's own conversion of doubles: number_text writes numbers
+// that readers of YAML 1.1 take for numbers.
 void put_number(YAML::Emitter& yaml, double value) { yaml << number_text(value); }
 
 void put_numbers(YAML::Emitter& yaml, const std::vector<double>& values) {

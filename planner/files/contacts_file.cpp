@@ -5,6 +5,9 @@
 namespace prehend {
 namespace {
 
+// Every object is read with the list of its permitted fields, so that a misspelt optional field is
+// refused instead of ignored.
+
 std::vector<Contact> read_contacts(const JsonField& list) {
   std::vector<Contact> contacts;
   for (const JsonField& field : list.items()) {
@@ -15,7 +18,8 @@ std::vector<Contact> read_contacts(const JsonField& list) {
   return contacts;
 }
 
-// {"force", "torque"}: torques in N m, scaled here.
+// {"force", "torque"}, each zero where it is missing. Files have torques in N m. Inside, the
+// torques of a wrench are multiplied by the torque scale.
 Wrench read_wrench(const JsonField& field, const WrenchFrame& frame) {
   field.allow_only({"force", "torque"});
   Wrench wrench = Wrench::Zero();
@@ -35,6 +39,7 @@ Task read_task(const JsonField& field, const WrenchFrame& frame) {
   }
   if (field.has("ellipsoid")) {
     const std::vector<JsonField> axes = field["ellipsoid"].items();
+    // Each axis is a wrench; together they are the columns of a 6 x 6 matrix.
     if (axes.size() != 6) field["ellipsoid"].fail("needs six axes");
     TaskEllipsoid task;
     for (std::size_t i = 0; i < 6; ++i) {
@@ -60,6 +65,7 @@ Eigen::MatrixXd read_matrix(const JsonField& field, std::size_t rows, std::size_
   return matrix;
 }
 
+// The number of joints is that of the torque limits; the matrices must have as many columns.
 HandTorques read_hand(const JsonField& field, std::size_t contacts) {
   field.allow_only({"jacobian", "torque_limits", "spin"});
   HandTorques hand;
@@ -79,6 +85,7 @@ ContactsFile load_contacts(const std::filesystem::path& file) {
   root.allow_only(
       {"contacts", "torque_origin", "torque_scale", "task", "surface", "hand", "external", "name"});
   ContactsFile read;
+  // The wrench frame comes first: the wrenches of task and external are scaled by it.
   if (root.has("torque_origin")) read.frame.torque_origin = root["torque_origin"].vector3();
   read.frame.torque_scale = root.number_or("torque_scale", 1.0);
   if (!(read.frame.torque_scale > 0.0)) root["torque_scale"].fail("must be above 0");

@@ -16,6 +16,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// Most functions below visit the fields of an object for a FieldWriter or a FieldReader
+// (json_fields.h), so that reading and writing cannot differ. `kReads` marks the few places where
+// they do. What follows from the scene is written for other readers and not read back (derived).
+
 constexpr int kVersion = 1;
 
 constexpr std::array kPlanStatuses = {PlanStatus::complete, PlanStatus::cancelled,
@@ -96,7 +100,8 @@ Json grasps_list_json(const CompiledScene& scene, const PlanResult& result) {
   return list;
 }
 
-// The scene is a text or an object in files that somebody else wrote, and so is the hand.
+// "scene" is an object in files that prehend writes. In files of other programs it may also be a
+// text, a name or a path, and "hand" may stand beside it.
 void read_scene(const JsonField& root, SceneReference& reference) {
   if (root.has("scene") && root["scene"].is_text()) {
     reference.scene = root["scene"].text();
@@ -114,6 +119,8 @@ void read_scene(const JsonField& root, SceneReference& reference) {
 void scene_field(auto& fields, auto& record) {
   if constexpr (kReads<decltype(fields)>) {
     SceneReference reference;
+    // "scene" may be a text or an object and "hand" may stand beside it, which the visitor has no
+    // function for. knows() makes the field a permitted one.
     (void)fields.knows("scene");
     read_scene(fields.field(), reference);
     record.scene = reference.scene;
@@ -121,7 +128,7 @@ void scene_field(auto& fields, auto& record) {
     if (!reference.unit.empty()) record.unit = reference.unit;
   } else {
     fields.object("scene", [&](auto& inner) {
-      // A scene that a program made has no file.
+      // A scene that was made in code has no file.
       if (!record.scene.empty()) inner("file", record.scene);
       inner("unit", record.unit);
       if (!record.hand.empty()) inner("hand", record.hand);
@@ -143,6 +150,8 @@ void file_fields(auto& fields, auto& record, auto& result, const CompiledScene& 
   scene_field(fields, record);
   fields.derived("object", [&] { return object_json(scene.scene.object); });
   fields.derived("hand", [&] { return names_json(scene.scene.hand); });
+  // When read, the field is permitted in every scene; when written, it is there only where it means
+  // something.
   if (kReads<decltype(fields)> || scene.arm) {
     fields.derived("robot", [&] { return robot_json(*scene.arm); });
   }
@@ -162,6 +171,7 @@ void read_lists(FieldReader& fields, GraspFile& file, const CompiledScene& scene
   }
   fields.needs("grasps");
   (void)fields.knows("grasps");
+  // Primitives come first: grasps refer to them by index.
   for (const JsonField& field : root["grasps"].items()) {
     ReadGrasp read = read_grasp(field, scene, file.result.primitives);
     file.result.grasps.push_back(std::move(read.grasp));
@@ -177,13 +187,15 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
   file_fields(fields, record, result, scene);
   fields.derived("primitives", [&] { return primitives_json(result.primitives); });
   fields.derived("grasps", [&] { return grasps_list_json(scene, result); });
-  // Names of files need not be text in UTF-8.
+  // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return std::move(fields).json().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 SceneReference read_scene_reference(const JsonFile& file) {
   SceneReference reference;
   read_scene(file.root(), reference);
+  // A path that is relative to the grasp file is preferred to one that is relative to the working
+  // directory, and to a library scene of that name.
   const std::filesystem::path beside = file.path().parent_path() / reference.scene;
   if (!reference.scene.empty() && std::filesystem::exists(beside)) {
     reference.scene = beside.string();
@@ -205,6 +217,8 @@ std::vector<Candidate> given_candidates(const GraspFile& file, const CompiledSce
   for (const ScoredGrasp& grasp : file.result.grasps) {
     Candidate candidate = grasp.candidate;
     candidate.approach_O = candidate.X_OH.linear() * scene.scene.hand.hand->approach;
+    // The hand is placed at the pose and closes there. Without an approach it does not back off
+    // either.
     candidate.approach_distance = 0.0;
     candidates.push_back(std::move(candidate));
   }

@@ -15,6 +15,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// A grasp is written and read by the same visitors (json_fields.h). The order of the visitors in
+// grasp_fields matters for reading: the pose gives the approach that approach_fields may replace,
+// and pose, posture and approach together give the line that the arm has to follow.
+
 ValueNames<LinkId> link_names(const CompiledScene& scene) {
   ValueNames<LinkId> names;
   for (const auto& link : scene.links) names.emplace_back(link.name, link_id(names.size()));
@@ -40,7 +44,8 @@ void approach_fields(auto& fields, auto& grasp) {
   fields("direction", grasp.candidate.approach_O);
   const double length = grasp.candidate.approach_O.norm();
   fields.require("direction", length > 0.0, "must not be zero");
-  // What is unit to rounding stays as it is, bit for bit.
+  // Directions written by hand need not be unit and are normalised. One that is unit up to rounding
+  // stays as it is, so that writing and reading back does not change any bit.
   if constexpr (kReads<decltype(fields)>) {
     if (std::abs(length - 1.0) > 1e-12) grasp.candidate.approach_O /= length;
   }
@@ -52,7 +57,7 @@ void approach_fields(auto& fields, auto& grasp) {
   fields("turned", grasp.trial.turned);
 }
 
-// Null where the grasp was given and not proposed.
+// "index", "shape" and "rule": the primitive that the grasp was proposed for.
 void primitive_fields(auto& fields, auto& grasp, const std::vector<Primitive>& primitives) {
   for (const char* name : {"index", "rule"}) fields.needs(name);
   int place = grasp.primitive.value_or(-1);
@@ -73,13 +78,16 @@ void weakest_wrench_fields(auto& fields, auto& wrench) {
   if constexpr (kReads<decltype(fields)>) wrench << force, torque;
 }
 
+// Written for information only: link and body are names, from which the trial is not rebuilt.
 Json blocked_json(const CompiledScene& scene, const Trial& trial) {
   const Blame blocked = blame(scene, trial);
   if (blocked.link.empty()) return nullptr;
   return {{"link", blocked.link}, {"by", blocked.by}};
 }
 
-// Degrees of freedom that reach the given joints: the farthest of their joints decides.
+// Degrees of freedom for given joints. The joints of one degree of freedom may stand at different
+// values of it, because a finger stops when it touches while others close on. The value that is
+// farthest in the closing direction is taken.
 std::vector<double> dofs_of_joints(const std::vector<double>& joints, const Robot& hand) {
   std::vector<double> dofs = initial_dofs(hand);
   std::vector<bool> known(dofs.size(), false);
@@ -129,6 +137,7 @@ struct PostureFields {
     } else {
       field.fail("needs a preshape, dofs or joints");
     }
+    // What is missing of the final posture: the fingers are where they start.
     if (trial.dofs.empty()) {
       trial.dofs =
           has_preshape ? hand.hand->preshapes[index(*candidate.preshape)].dofs : candidate.dofs;
@@ -172,6 +181,7 @@ void outcome_fields(auto& fields, auto& grasp) {
   fields.derived("force_closure", [&] { return trial.outcome == Outcome::stable; });
   if constexpr (kReads<decltype(fields)>) {
     trial.epsilon.lower = epsilon;
+    // A file of another program may have a quality but no outcome.
     if (fields.knows("epsilon") && !fields.knows("outcome")) {
       trial.outcome = epsilon > 0.0 ? Outcome::stable : Outcome::not_force_closure;
     }
@@ -185,8 +195,9 @@ bool is_same(const DofValues& a, const DofValues& b) {
                     [](double x, double y) { return std::abs(x - y) <= kSamePosture; });
 }
 
-// A file without "arm_line" says only how the arm holds the hand in the end: the approach that ends
-// so is found again.
+// A file without "arm_line" says only how the arm holds the hand in the end. An approach that ends
+// in this posture is computed backwards from it; where there is none, the arm is shown in this
+// posture only.
 void read_arm(const JsonField& grasp, const CompiledArm& arm, const HandLine& line, Trial& trial) {
   if (grasp.has("arm_dofs")) trial.arm_dofs = read_dofs(grasp["arm_dofs"], arm.robot());
   if (grasp.has("arm_line")) {
@@ -205,6 +216,7 @@ void read_arm(const JsonField& grasp, const CompiledArm& arm, const HandLine& li
 
 void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
   if constexpr (kReads<decltype(fields)>) {
+    // Permitted in every scene, and ignored in one without an arm.
     for (const char* name : {"arm_dofs", "arm_line", "path"}) (void)fields.knows(name);
     if (!scene.arm) return;
     const JsonField& field = fields.field();
@@ -217,6 +229,7 @@ void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
   }
 }
 
+// Null where the grasp was not proposed for a primitive but given by the caller.
 void primitive_field(auto& fields, auto& grasp, const std::vector<Primitive>& primitives) {
   bool proposed = grasp.primitive.has_value();
   if constexpr (kReads<decltype(fields)>) {

@@ -5,6 +5,7 @@
 namespace prehend {
 namespace {
 
+// Files state numbers in decimal and may have been rounded, hence the tolerance.
 bool within(double value, double lower, double upper) {
   return value >= lower - kLimitTolerance && value <= upper + kLimitTolerance;
 }
@@ -22,6 +23,7 @@ std::vector<double> read_dofs(const JsonField& field, const Robot& robot) {
 }
 
 std::vector<double> read_joints(const JsonField& field, const Robot& robot) {
+  // Joints are not clamped, unlike degrees of freedom: they are read back as they were written.
   std::vector<double> joints = field.numbers(robot.joints.size());
   check_joint_limits(field, robot);
   return joints;

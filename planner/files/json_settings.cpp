@@ -32,6 +32,7 @@ void settings_fields(auto& fields, auto& record) {
   fields.named("contacts", options.trial.soft_fingers,
                ValueNames<bool>{{"soft", true}, {"hard", false}});
   if constexpr (kReads<decltype(fields)>) {
+    // The object "paths" is there where paths were planned, so its presence is a setting as well.
     if (fields.knows("paths")) options.paths.emplace();
   }
   if (options.paths) {

@@ -8,6 +8,10 @@
 namespace prehend {
 namespace {
 
+// All fields are needed, since a motion makes no sense without one of them. What they must satisfy
+// together (rows as long as lists, increasing times, segments without gaps) is checked after all of
+// them were read.
+
 void trajectory_fields(auto& fields, auto& trajectory) {
   for (const char* name : {"joints", "times", "positions", "velocities", "segments"}) {
     fields.needs(name);
@@ -24,6 +28,7 @@ void trajectory_fields(auto& fields, auto& trajectory) {
   });
 }
 
+// The order of the joints is part of the motion: rows are numbers without names.
 void check_joints(const JsonField& field, const std::vector<std::string>& joints,
                   const Robot& robot) {
   for (std::size_t j = 0; j < joints.size() && j < robot.joints.size(); ++j) {
@@ -43,7 +48,7 @@ void check_times(const JsonField& field, const std::vector<double>& times) {
   }
 }
 
-// A row a sample, a number a joint.
+// One row for each sample, one number for each joint.
 void check_rows(const JsonField& field, std::size_t samples, std::size_t joints) {
   const std::vector<JsonField> rows = field.items();
   if (rows.size() != samples) {
@@ -53,6 +58,7 @@ void check_rows(const JsonField& field, std::size_t samples, std::size_t joints)
   for (const JsonField& row : rows) (void)row.numbers(joints);
 }
 
+// Segments share the sample at which they meet, begin at the first sample and end at the last.
 void check_segments(const JsonField& field, const std::vector<TrajectorySegment>& segments,
                     std::size_t samples) {
   const int end = static_cast<int>(samples) - 1;

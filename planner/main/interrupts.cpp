@@ -15,7 +15,7 @@ bool is_ignored(int signal) {
   return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
-// Wakes the waiter at the end of the program; sent to its thread alone.
+// The destructor sends this signal to the waiting thread alone, to end its wait.
 constexpr int kWake = SIGUSR1;
 
 }  // namespace
@@ -26,12 +26,16 @@ Interrupts::Interrupts() {
   for (const int signal : {SIGINT, SIGTERM}) {
     if (!is_ignored(signal)) ::sigaddset(&watched_, signal);
   }
-  // sigwait takes signals that are blocked in every thread.
+  // sigwait gets a signal only if it is blocked in all threads; otherwise it may be delivered to
+  // another one. Threads inherit the mask of the one that starts them, so it is set before the
+  // first is started.
   ::pthread_sigmask(SIG_BLOCK, &watched_, &before_);
   waiter_ = std::thread([this] { wait(); });
 }
 
 Interrupts::~Interrupts() {
+  // In this order: the waiter looks at is_over_ when the signal wakes it. The mask is restored once
+  // no thread waits any more.
   is_over_ = true;
   ::pthread_kill(waiter_.native_handle(), kWake);
   waiter_.join();
@@ -58,6 +62,7 @@ void Interrupts::wait() {
   int signal = 0;
   while (::sigwait(&watched_, &signal) == 0) {
     if (is_over_) return;
+    // Sent by someone else.
     if (signal == kWake) continue;
     signal_ = signal;
     react();
@@ -65,14 +70,16 @@ void Interrupts::wait() {
 }
 
 void Interrupts::react() {
-  // The second one does not even wait for a file that is being written.
+  // A second signal ends the program without waiting for the lock, that is, for a file that is
+  // being written.
   if (cancellation_.requested()) std::_Exit(exit_status());
   const std::lock_guard lock(lock_);
   cancellation_.request();
   if (cancels_) return;
-  // A progress bar may stand on the line.
+  // A progress bar may be on the current line of the terminal.
   const char* start = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
   std::fprintf(stderr, "%sprehend: interrupted, %s\n", start, words_.c_str());
+  // _Exit runs no destructors: other threads are still working with what these would destroy.
   std::_Exit(exit_status());
 }
 

@@ -11,6 +11,7 @@
 
 namespace {
 
+// Exit statuses besides 0, and those of interrupted programs (Interrupts::exit_status).
 constexpr int kCallersMistake = 2;
 constexpr int kFailure = 1;
 
@@ -53,6 +54,7 @@ struct Program {
   prehend::RenderCommand render;
   prehend::InspectCommand inspect;
   prehend::QualityCommand quality;
+  // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(prehend::Interrupts&)> chosen;
 
   Program() {
@@ -177,10 +179,12 @@ int main(int argc, char** argv) {
     try {
       program.app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
+      // --help is reported as an error with the exit code 0.
       if (error.get_exit_code() == 0) return program.app.exit(error);
       std::cerr << "prehend: " << error.what() << " (see --help)\n";
       return kCallersMistake;
     }
+    // Made before any other thread, as its constructor demands.
     prehend::Interrupts interrupts;
     return program.chosen(interrupts);
   } catch (const prehend::InputError& error) {

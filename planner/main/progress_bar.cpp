@@ -27,6 +27,7 @@ void ProgressBar::show(const Progress& progress) {
   if (!lines_ && !on_terminal_) return;
   const auto now = Clock::now();
   const bool first = progress.stage != stage_ || progress.done == 0;
+  // Start and end of a stage are always shown, what lies between at intervals of kSecondsBetween.
   const bool last = progress.done == progress.total;
   if (first) start_ = now;
   stage_ = progress.stage;
@@ -42,7 +43,9 @@ void ProgressBar::show(const Progress& progress) {
     const double elapsed = std::chrono::duration<double>(now - start_).count();
     const auto filled = static_cast<std::size_t>(part * kCells);
     const std::string bar = std::string(filled, '#') + std::string(kCells - filled, '.');
+    // Back to the start of the line and erase it (ANSI escape sequence).
     std::fprintf(stderr, "\r\033[K[%s] %s", bar.c_str(), words.c_str());
+    // Estimated from the mean time of the pieces that are done.
     if (part > 0.0) std::fprintf(stderr, ", %.0f s left ", elapsed * (1.0 - part) / part);
   }
   std::fflush(stderr);

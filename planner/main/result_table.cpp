@@ -35,7 +35,8 @@ std::string outcome_line(const PlanResult& result) {
 }
 
 std::string blocker_line(const PlanResult& result) {
-  // Links are in the file; here it is about what is in the way.
+  // Counts are by link and body in the file. This line is about what is in the way, so the counts
+  // of all links are added up.
   std::vector<Blocker> bodies;
   for (const Blocker& blocker : result.blockers) {
     const auto known = std::find_if(bodies.begin(), bodies.end(), [&](const Blocker& body) {

@@ -40,6 +40,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
     watch.lap(Stage::report);
   }
   make_folder(command.common.out);
+  // A report of an earlier run would not match the new grasps.json.
   remove_file(command.common.out / "report.html");
   if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
   interrupts.write(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));

@@ -17,6 +17,8 @@
 namespace prehend {
 namespace {
 
+// Lengths are in metres inside; they are printed in millimetres, areas in square centimetres,
+// volumes in litres.
 constexpr double kMillimetres = 1000.0;
 constexpr double kLitres = 1000.0;
 
@@ -169,6 +171,7 @@ bool is_robot_name(const std::string& name) {
 }  // namespace
 
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
+  // A file is preferred to a robot of the library of the same name.
   if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
     print_platform(find_platform(command.file));
     return 0;
@@ -186,6 +189,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     return 0;
   }
   const JsonFile json(file);
+  // Robot files have chains, platform files robots; other JSON files are scenes.
   if (json.root().has("chains") || json.root().has("robots")) {
     print_platform(load_platform(file));
     return 0;

@@ -32,7 +32,8 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   return pictures;
 }
 
-// What this run may not write does not stay behind from an earlier one.
+// Removes the files of an earlier run that this one may not write: a picture or report of other
+// grasps must not stand beside the new grasps.json.
 void remove_earlier(const std::filesystem::path& folder) {
   for (const char* name : {"best.png", "best_arm.png", "report.html"}) remove_file(folder / name);
 }
@@ -50,6 +51,7 @@ PlanOptions options_of(const PlanCommand& command) {
   options.rank.top = command.top;
   if (command.path) {
     options.paths.emplace();
+    // Paths look for postures of the arm with the same options as trials.
     options.paths->reach = options.trial.reach;
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();
   }
@@ -74,11 +76,13 @@ class PlanProgram {
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     if (result.status != PlanStatus::complete) throw InputError(no_candidates_words(scene, result));
     write_grasps(scene, result, record);
-    // What is still to come can be made again from grasps.json: it need not be waited for.
+    // Report and pictures can be made from grasps.json later, so an interrupt does not wait for
+    // them.
     interrupts_.end_at_once("the grasps are written, not the report and the pictures");
     if (interrupts_.cancellation().requested()) return say_interrupted("no report, no pictures");
     write_report(scene, result, record);
     const std::string pictures = write_pictures(scene, result);
+    // Written again with the times of report and pictures.
     write_timings(result);
     std::cout << "wrote " << folder_.string() << ": " << written_ << ", timings.json" << pictures
               << "\n";
@@ -88,6 +92,8 @@ class PlanProgram {
  private:
   PlanResult plan_grasps(const CompiledScene& scene, const PlanOptions& options) {
     ProgressBar bar(command_.common.progress);
+    // During planning an interrupt keeps what was found: the first one cancels, and plan() returns
+    // its finished trials.
     interrupts_.cancel_first();
     PlanResult result = plan(scene, options,
                              {command_.common.threads, interrupts_.cancellation(),
@@ -97,7 +103,7 @@ class PlanProgram {
     return result;
   }
 
-  // What is quick: neither exports, nor report and pictures.
+  // Writes what is quick to make: no exports, no report and no pictures.
   int write_cancelled(const CompiledScene& scene, const PlanResult& result,
                       const RunRecord& record) {
     const std::size_t tried = result.tried.size();

@@ -28,6 +28,7 @@ void read_cone(const std::string& word, WrenchSpaceOptions& space) {
   space.cone = FrictionCone::pyramid;
   if (word == "pyramid") return;
   std::istringstream number(word.rfind(prefix, 0) == 0 ? word.substr(prefix.size()) : "");
+  // eof: nothing may follow the number.
   if (!(number >> space.edges) || !number.eof() || space.edges < 3) {
     throw InputError({.field = "--cone",
                       .problem = "pyramid:EDGES with at least 3 edges, or exact",
@@ -45,8 +46,8 @@ WrenchSpaceOptions read_space(const QualityCommand& command) {
   return space;
 }
 
-// force: the forces without torque; torque: the other way round; or three of fx fy fz tx ty tz with
-// their values, as in "tx=0,ty=0,fz=0.5".
+// What --project fixes. "force": the torques are 0, which leaves the forces; "torque": the forces
+// are 0. Else three of fx fy fz tx ty tz with their values, as in "tx=0,ty=0,fz=0.5".
 FixedCoordinates read_fixed(const std::string& words) {
   if (words == "force") return {{3, 4, 5}, Eigen::Vector3d::Zero()};
   if (words == "torque") return {{0, 1, 2}, Eigen::Vector3d::Zero()};
@@ -56,6 +57,7 @@ FixedCoordinates read_fixed(const std::string& words) {
   std::string word;
   std::size_t count = 0;
   while (std::getline(list, word, ',')) {
+    // Names start at multiples of three; other places where two letters are found are no names.
     const auto at = kNames.find(word.substr(0, 2));
     std::istringstream number(word.size() > 3 && word[2] == '=' ? word.substr(3) : "");
     double value = 0.0;
@@ -128,7 +130,8 @@ void add_measures(const QualityCommand& command, const ContactsFile& file,
   }
 }
 
-// The section as a mesh file; its three axes are the coordinates that are not fixed.
+// Writes the section as a mesh file. Its axes x, y, z are the three coordinates that are not fixed,
+// in their order.
 void write_slice(const QualityCommand& command, const ContactsFile& file,
                  const MeasureOptions& options, Interrupts& interrupts) {
   const FixedCoordinates fixed = read_fixed(command.project);
@@ -147,7 +150,7 @@ void write_slice(const QualityCommand& command, const ContactsFile& file,
   interrupts.write(command.out / "slice.ply", ply_text(slice.vertices, slice.triangles));
 }
 
-// Words go to stderr: stdout is JSON.
+// Messages go to stderr, because the output of the command on stdout is JSON.
 void write_report(const QualityCommand& command, const std::string& report,
                   Interrupts& interrupts) {
   remove_file(command.out / "report.html");
@@ -198,7 +201,8 @@ int run_quality(const QualityCommand& command, Interrupts& interrupts) {
     write_report(command, report, interrupts);
     std::cout << json.dump(1) << "\n";
   } catch (const InputError& error) {
-    // What the command line says is refused for itself, all else is about the contacts.
+    // Errors in an option name the option. All others are about the contents of the contacts file,
+    // which the functions that throw do not know.
     if (error.field().starts_with("--")) throw;
     throw error.in_file(command.contacts.string());
   }

@@ -98,7 +98,8 @@ void write_sheet(const std::filesystem::path& folder, const CompiledScene& scene
   print_written(folder, {"contact_sheet.png"});
 }
 
-// Those of an earlier run do not stay behind.
+// Removes the frames of an earlier run. Names are collected first, since it is unspecified what the
+// listing of a folder shows that changes meanwhile.
 void remove_frames(const std::filesystem::path& folder, const std::string& start) {
   std::vector<std::filesystem::path> old;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -117,6 +118,7 @@ std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::s
 void write_frames(const std::filesystem::path& folder, const CompiledScene& scene,
                   const DrawnGrasp& grasp, int count, Interrupts& interrupts) {
   const std::string start = formatted("approach_%03zu_frame_", grasp.number);
+  // An earlier run may have written more frames of this grasp than this one will.
   remove_frames(folder, start);
   if (count == 0) return;
   const ScoredGrasp& result = grasp.result;
@@ -130,12 +132,15 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
   }
   std::vector<MotionFrame> postures;
   for (const NamedFrame& frame : frames) postures.push_back(frame.frame);
+  // One view for all frames, so that only the robot moves from one picture to the next.
   const MotionView view = motion_view(scene, postures, grasp.posed, kFramePicture);
   std::vector<std::string> names(frames.size());
   for_each_in_parallel(frames.size(), 0, [&](std::size_t i) {
     PosedGrasp moment = posed_at(frames[i].frame);
     moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
+    // The last frame is the grasp; in earlier ones nothing touches.
     if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
+    // Fixed width, so that the names sort in the order of the frames.
     names[i] = start + formatted(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
     interrupts.write(folder / names[i],
                      png_bytes(motion_picture(scene, moment, view, kFramePicture)));

@@ -9,6 +9,11 @@
 namespace prehend {
 namespace {
 
+// The planner proves its paths free of collision by bounds on distances and motions
+// (motion_check.h). This check samples postures along the cubics between the samples and tests all
+// triangles for intersection, without any such bound. It is not a proof: a collision between two
+// postures that are less than PathCheckOptions::step apart can be missed.
+
 // Excess over a limit that is taken for rounding: relative for velocities and accelerations, in rad
 // or m for positions.
 constexpr double kRounding = 1e-6;
@@ -64,12 +69,17 @@ class PathChecker {
 
   PathCheck run() {
     check_limits();
+    // walk(i) tests the postures after sample i. The one before all of them is tested here.
     look(path_.positions.front(), path_.times.front());
     for (std::size_t i = 0; i + 1 < path_.times.size(); ++i) walk(i);
     return check_;
   }
 
  private:
+  // Limits are stated for degrees of freedom, the path has joint values. A joint moves `ratio`
+  // times as fast as its degree of freedom, so its rates are divided by the ratio. Velocities are
+  // compared at the samples, accelerations as mean values between two samples, which is also what
+  // time_path keeps inside the limits.
   void check_limits() {
     const Robot& robot = arm_.robot();
     for (std::size_t i = 0; i < path_.times.size(); ++i) {

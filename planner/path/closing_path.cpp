@@ -5,6 +5,9 @@
 
 namespace prehend {
 
+// The final joint values do not say when each joint stopped. The motion is reconstructed from the
+// closing velocities: a joint moves from `from` at the rate ratio * closing_velocity, arrives after
+// (to - from) / rate, and rests from then on while others still move.
 ClosingPath closing_path(const Robot& hand, const std::vector<double>& from,
                          const std::vector<double>& to) {
   std::vector<double> rate(from.size(), 0.0);

@@ -22,6 +22,7 @@ MotionFrame frame_of(const CompiledScene& scene, double time, std::vector<double
   return frame;
 }
 
+// The samples of a planned path, one frame each. Segments keep their indices.
 GraspMotion motion_along(const CompiledScene& scene, const Trajectory& path) {
   GraspMotion motion;
   for (std::size_t i = 0; i < path.times.size(); ++i) {
@@ -33,6 +34,11 @@ GraspMotion motion_along(const CompiledScene& scene, const Trajectory& path) {
 
 }  // namespace
 
+// Without a path there are two segments. Approach: with an arm one frame for each posture of
+// trial.arm_line, which follows the hand's line in steps of equal length, so that equal times
+// between them are a constant speed; without an arm its start only, since the hand's motion to the
+// grasp is linear and frames are interpolated. Close: the stops of closing_path. The frame in which
+// the approach ends is the first of the closing, so the approach adds all postures but its last.
 GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const Trajectory* path, const GraspMotionOptions& options) {
   if (path != nullptr && scene.arm) return motion_along(scene, *path);
@@ -52,6 +58,8 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
   if (seconds > 0.0) {
     for (std::size_t i = 0; i + 1 < postures; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(postures - 1);
+      // Without postures of an arm there is only i = 0, the pre-grasp. With them the pose of the
+      // hand follows from forward kinematics, and X_OH_from is not used.
       add(part * seconds, line.X_OH_from, line.hand_joints,
           arm_line.empty() ? nullptr : &arm_line[i]);
     }
@@ -67,6 +75,8 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
   return motion;
 }
 
+// Every step-th frame of each segment, counted from its first. The last index of a segment is
+// clamped, so that its end is always kept and the next segment starts at the same frame.
 GraspMotion thinned(const GraspMotion& motion, int most) {
   const auto count = static_cast<int>(motion.frames.size());
   const int step = std::max(1, (count + most - 1) / most);

@@ -43,10 +43,15 @@ class GraspPathPlanner {
     const std::vector<double> start = joint_values(arm_.robot(), arm_.start);
     const auto first = start.begin() + arm_.hand_part().first_joint;
     start_hand_.assign(first, first + static_cast<std::ptrdiff_t>(line_.hand_joints.size()));
+    // first_blocked compares surfaces only. That no body is inside another is checked at the start
+    // posture (compile_arm). It stays true, because all motions join up from there and no surfaces
+    // cross on the way.
     pairs_ = arm_.arm_pairs;
     pairs_.insert(pairs_.end(), arm_.hand_pairs.begin(), arm_.hand_pairs.end());
   }
 
+  // The trial's own line comes first: other lines cost a search by inverse kinematics, which is
+  // left out where the first succeeds.
   std::optional<Trajectory> plan() {
     if (!trial_.arm_line.empty()) {
       if (std::optional<Trajectory> path = along(trial_.arm_line)) return path;
@@ -64,6 +69,7 @@ class GraspPathPlanner {
     std::vector<std::vector<DofValues>> lines;
     const std::size_t tried = trial_.arm_line.empty() ? 0 : 1;
     for (Reach& way : find_reaches(arm_, line_, options_.alternatives, options_.reach, context_)) {
+      // This search may find the trial's own line again, which has already been tried.
       if (way.end != ReachEnd::reached || starts_as_the_trial(way.line)) continue;
       if (lines.size() + tried == index(options_.alternatives)) break;
       lines.push_back(std::move(way.line));
@@ -82,6 +88,7 @@ class GraspPathPlanner {
   // that works, else at the pre-grasp.
   std::optional<Trajectory> along(const std::vector<DofValues>& line) const {
     for (const bool opens_first : {true, false}) {
+      // With nothing to open, both orders are the same path.
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
       std::optional<Trajectory> path = along(line, opens_first);
       if (path && check_path(scene_, *path, options_.check, context_).ok()) return path;
@@ -110,6 +117,8 @@ class GraspPathPlanner {
     if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
     // The line is densely sampled along a smooth motion, so it is run through without stops.
     add(path, "approach", with_hand(line, line_.hand_joints), PathKind::smooth);
+    // The arm rests while the fingers close. The closing is not proven free: it ends at gaps that
+    // are smaller than the proof resolves (MotionCheckOptions::tightest). check_path tests it.
     JointPath closing;
     for (const auto& hand :
          closing_path(scene_.scene.hand, line_.hand_joints, trial_.joints).postures) {

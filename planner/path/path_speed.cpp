@@ -7,6 +7,11 @@
 namespace prehend {
 namespace {
 
+// Time-optimal path parameterisation by reachability analysis. Along a given curve q(s) the only
+// freedom is the speed s'. With x = s'^2, both the acceleration limits and the relation between
+// neighbouring stations are linear in x, so that each step of the passes below is a linear program
+// in one or two variables.
+
 // Keeps the speed finite at a station where q' = 0: the velocity limits say nothing there. The
 // curves of this library are parametrised in seconds at full speed, so that ds/dt is of the order
 // of 1 and the bound of 100 does not slow down an ordinary motion.

@@ -63,6 +63,7 @@ std::vector<double> spline_slopes(const std::vector<double>& knots, const std::v
 
 }  // namespace
 
+// The joints are independent: each has a system of equations of its own, with the same knots.
 PathSpline::PathSpline(std::vector<double> knots, std::vector<std::vector<double>> points)
     : knots_(std::move(knots)), points_(std::move(points)), slopes_(points_) {
   assert(knots_.size() >= 2 && knots_.size() == points_.size());

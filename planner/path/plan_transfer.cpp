@@ -87,9 +87,10 @@ class TransferSpace {
     for (std::size_t k = 0; k < size(); ++k) values[k] = scale_[k] * dofs[index(arm_.dofs[k])];
   }
 
-  // OMPL owns states by bare pointers that an exception thrown through it would leak. So nothing is
-  // free any more once the context is cancelled, which brings the planner to its next question to
-  // `after` quickly; whoever started it looks at the context when it has returned.
+  // Cancellation must not be an exception here: OMPL owns states by bare pointers, which an
+  // exception thrown through it would leak. Instead every state and motion counts as blocked once
+  // the context is cancelled. The planner then soon asks its termination condition (`after`) and
+  // returns, and search() throws Cancelled.
   bool is_free(const ob::State* state) const {
     if (is_cancelled()) return false;
     return !first_meeting(arm_, pairs_, joints(dofs(state)));
@@ -177,6 +178,8 @@ ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t
   return information;
 }
 
+// LazyPRM needs no seed: unlike the other two it has no generator of its own and draws from the
+// sampler of the space only.
 ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
                           const TransferOptions& options) {
   const auto with_range = [&options](auto planner) -> ob::PlannerPtr {
@@ -202,6 +205,9 @@ ob::PlannerTerminationCondition after(int iterations, const TransferSpace& space
       [left, &space] { return --*left < 0 || space.is_cancelled(); });
 }
 
+// One run of the planner, and shortening of the path that it finds. Planner and simplifier check
+// states and motions through TransferSpace, so every edge of the path is proven free. Empty when
+// the iterations were used up.
 std::vector<DofValues> search(const TransferSpace& space, const Transfer& transfer,
                               const TransferOptions& options) {
   const ob::SpaceInformationPtr information = information_of(space, options.seed);
@@ -218,6 +224,7 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   planner->setup();
   planner->solve(after(options.max_iterations, space));
   space.check_cancellation();
+  // Planners also report approximate solutions, which end near the goal but not at it.
   if (!problem->hasExactSolution()) return {};
   auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
   SeededSimplifier simplifier(information, options.seed);
@@ -236,6 +243,7 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   return waypoints;
 }
 
+// In the order of the enum, by which path_planner_name looks names up.
 constexpr std::array<std::pair<PathPlanner, std::string_view>, 3> kNames = {
     {{PathPlanner::rrt_connect, "rrt_connect"},
      {PathPlanner::roadmap, "roadmap"},

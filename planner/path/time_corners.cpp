@@ -7,6 +7,10 @@
 namespace prehend {
 namespace {
 
+// On a straight line in joint space all joints move in proportion to one scalar, the fraction of
+// the line that is covered. The profile is computed once for this fraction, with the tightest
+// velocity and acceleration limit of all joints, and every joint follows it.
+
 // A trapezoidal speed profile from rest to rest: accelerating takes `ramp` seconds, and so does
 // braking; between them the speed is constant for `cruise` seconds. Without cruise it is a
 // triangle.
@@ -73,6 +77,7 @@ class LineSampler {
       const double left = 1.0 - t;
       return LinePoint{1.0 - ramp_fraction * (left * left), peak * left};
     });
+    // The end to the bit: the sums above round, and the next line starts at exactly this waypoint.
     path_.positions.back() = to_;
   }
 
@@ -116,6 +121,7 @@ TimedPath time_corners(const std::vector<std::vector<double>>& waypoints, const 
   path.positions.push_back(waypoints.front());
   path.velocities.emplace_back(waypoints.front().size(), 0.0);
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    // On a line of no length nothing limits the speed.
     if (waypoints[i] == waypoints[i - 1]) continue;
     Trapezoid trapezoid = fastest_trapezoid(waypoints[i - 1], waypoints[i], limits);
     trapezoid.ramp *= slower;

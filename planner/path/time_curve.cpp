@@ -63,6 +63,8 @@ Points distinct_points(const Points& points, const std::vector<double>& velocity
   for (std::size_t i = 1; i < points.size(); ++i) {
     total += distance(points[i - 1], points[i], velocity);
   }
+  // Distances are to the last kept point, not to the neighbour: a long chain of tiny steps must not
+  // be dropped as a whole.
   Points kept{points.front()};
   for (std::size_t i = 1; i < points.size(); ++i) {
     if (distance(kept.back(), points[i], velocity) > kSamePoint * total) kept.push_back(points[i]);
@@ -110,6 +112,8 @@ std::vector<PathStation> stations_along(const PathSpline& curve) {
 
 }  // namespace
 
+// All of this is independent of the sampling, which time_path may repeat several times at lower
+// speed.
 CurveRun::CurveRun(const Points& waypoints, const JointLimits& limits)
     : moving_(moving_joints(waypoints)),
       start_(waypoints.front()),
@@ -140,6 +144,8 @@ void CurveRun::add_sample(TimedPath& path, double s, double speed) const {
   path.velocities.push_back(std::move(velocity));
 }
 
+// A motion that is slower by a factor passes the same points at proportional times, so the samples
+// are read from the fastest motion at the same fraction of its duration.
 TimedPath CurveRun::sample(double slower, double sample_time) const {
   const double fastest = times_.back();
   const double duration = std::max(slower * fastest, kShortestMotion);

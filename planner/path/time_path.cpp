@@ -25,6 +25,8 @@ void check_limit(const char* name, double limit, std::size_t joint) {
        std::to_string(limit) + ")");
 }
 
+// Refuses what the timing cannot handle, before any work. Only joints that move need limits: a
+// robot may have none (0) for the others.
 void check(const Points& waypoints, const JointLimits& limits, const TimePathOptions& options) {
   if (!(std::isfinite(options.sample_time) && options.sample_time > 0.0)) {
     fail("sample_time is not positive (" + std::to_string(options.sample_time) + ")");
@@ -64,9 +66,12 @@ double excess(const TimedPath& path, const JointLimits& limits) {
   for (std::size_t i = 0; i < path.times.size(); ++i) {
     for (std::size_t j = 0; j < limits.velocity.size(); ++j) {
       const double speed = std::abs(path.velocities[i][j]);
+      // Compared as products, so that a joint at rest without limits (0) is not divided by.
       if (speed > factor * limits.velocity[j]) factor = speed / limits.velocity[j];
       if (i == 0) continue;
       const double change = std::abs(path.velocities[i][j] - path.velocities[i - 1][j]);
+      // The mean acceleration between two samples is what is limited. Between them it may be higher
+      // (time_path.h).
       const double rate = change / (path.times[i] - path.times[i - 1]);
       if (rate > factor * factor * limits.acceleration[j]) {
         factor = std::sqrt(rate / limits.acceleration[j]);
@@ -110,6 +115,8 @@ int step_count(double duration, double sample_time) {
 }
 
 void append(Trajectory& trajectory, const std::string& segment, const TimedPath& path) {
+  // [rad or m] Segments that follow each other share a waypoint. A larger gap is a mistake of the
+  // caller: the robot would have to jump.
   constexpr double kSamePlace = 1e-9;
   const std::size_t joints = trajectory.joints.size();
   if (path.positions.empty() || path.positions.front().size() != joints) {
@@ -125,6 +132,8 @@ void append(Trajectory& trajectory, const std::string& segment, const TimedPath&
   }
   const double start = first ? 0.0 : trajectory.times.back();
   const int begin = first ? 0 : static_cast<int>(trajectory.times.size()) - 1;
+  // The first sample of a later segment repeats the last one of the trajectory and is left out.
+  // Both are at rest.
   for (std::size_t i = first ? 0 : 1; i < path.times.size(); ++i) {
     trajectory.times.push_back(start + path.times[i]);
     trajectory.positions.push_back(path.positions[i]);

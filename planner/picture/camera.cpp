@@ -11,10 +11,15 @@
 namespace prehend {
 namespace {
 
+// A pinhole camera: a point (x, y, z) in the camera frame is seen at the pixel
+// center + focal_length (x, y) / z. The focal length is in pixels, so that half of the picture's
+// height is seen under half of the vertical field of view.
+
 // Rows: the axes of the camera frame (right, down, forward) in the world. `forward` is unit.
 Matrix3 camera_axes(const Vector3& forward, const Vector3& up) {
   constexpr double kParallel = 1e-9;
   Vector3 right = forward.cross(up);
+  // Looking along `up`, there is no horizontal direction; any right will do.
   if (!(right.norm() > kParallel * up.norm())) right = any_orthogonal(forward);
   right.normalize();
   Matrix3 axes;
@@ -69,16 +74,20 @@ Camera camera_around(const std::vector<Vector3>& points, const Vector3& directio
   constexpr double kLeastDepth = 1e-3;  // for points that are one
   const Vector3 backward = direction / norm;
   Camera camera;
+  // Near the z axis, z as up would let the picture turn by a large angle for a small change of the
+  // direction.
   if (std::abs(backward.z()) > kAlongZ) camera.up = Vector3::UnitY();
   const Matrix3 axes = camera_axes(-backward, camera.up);
   Eigen::Vector2d slope;  // of the four planes that bound the view, against the line of sight
   slope.y() = kUsedPart * std::tan(0.5 * camera.vertical_field_of_view);
   slope.x() = slope.y() * width / height;
 
-  // The eye is placed exactly, without iteration. With the eye at (e, -d) in axes through the first
-  // point, a point (p, z) is inside when |p - e| <= slope (z + d), for x and y apart: an upper
-  // bound on -slope d - e and one on -slope d + e. Both are met with equality at the least
-  // distance, by the eye in the middle.
+  // The eye is placed exactly, without iteration. Along x and y apart, with the eye at (e, -d) in
+  // axes through the first point, a point (p, z) is inside the view when |p - e| <= slope (z + d),
+  // that is slope d >= (p - slope z) - e and slope d >= (-p - slope z) + e. `high` and `low` are
+  // the largest of the two brackets over all points. The smallest d that meets slope d >= high - e
+  // and slope d >= low + e has both equal: e = (high - low) / 2, slope d = (high + low) / 2. The
+  // larger d of x and y is taken.
   Eigen::Vector2d low = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
   Eigen::Vector2d high = low;
   Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());

@@ -17,8 +17,10 @@ double decoded(double part) {
   return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
 }
 
-// Byte `i` ends where the encoding passes (i + 1/2) / 255. The steepest part of the curve spans
-// about 1 / 3300 a byte, so 2^14 cells hold at most one such border each.
+// A call of pow for each pixel would be slow, so bytes are looked up. Byte i gives way to the next
+// one where the encoding passes (i + 1/2) / 255. Where the curve is steepest, a byte spans about
+// 1/3300 of the range of light, so a cell of 2^-14 contains at most one such border: the byte at
+// the lower end of a cell needs one comparison to be corrected.
 constexpr std::size_t kCells = 1U << 14U;
 
 struct ByteTable {

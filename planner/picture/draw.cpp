@@ -70,6 +70,7 @@ void append_lines(const SurfaceDetail& detail, const std::vector<CameraVertex>& 
   const double least_cosine = std::cos(crease_angle);
   for (const SurfaceEdge& edge : detail.edges) {
     const auto first = static_cast<std::size_t>(edge.first);
+    // Borders are always drawn.
     if (edge.second >= 0) {
       const auto second = static_cast<std::size_t>(edge.second);
       const bool crease =
@@ -91,11 +92,16 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
   const bool solid = opacity >= 1.0F;
   const SurfaceDetail detail = surface_detail(*body.mesh, options.crease_angle);
   const Pose X_CB = projection.X_CW() * body.X_WB;
+  // Triangles share vertices, so these are transformed once. Normals differ by triangle and are set
+  // below.
   std::vector<CameraVertex> vertices(body.mesh->vertices.size());
   for (std::size_t v = 0; v < vertices.size(); ++v) vertices[v].p_C = X_CB * body.mesh->vertices[v];
 
+  // The back of a solid surface is as solid as its front: meshes need not be closed, so a back may
+  // be seen.
   const SurfaceLook look{light_of(body.color), opacity, solid ? opacity : kBackOpacity * opacity};
   for (std::size_t t = 0; t < body.mesh->triangles.size(); ++t) {
+    // Without area: it has no normal to be shaded with.
     if (detail.face_normals[t].isZero(0.0)) continue;
     std::array<CameraVertex, 3> triangle;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -105,14 +111,18 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
     append_triangle(triangle, look, projection, out);
   }
   if (options.line_width == 0.0) return;
-  // Lines have the hue of their body, much darker. The root keeps those of faint bodies legible.
+  // Lines have the hue of their body, much darker. Lines of a translucent body are translucent too;
+  // the square root makes them more opaque than its surface, so that they stay visible on faint
+  // bodies.
   LineLook line{look.albedo, solid ? 1.0F : std::sqrt(opacity), options.line_width};
   for (float& part : line.color) part *= kLineBrightness;
   append_lines(detail, vertices, *body.mesh, X_CB.linear(), options.crease_angle, line, projection,
                out);
 }
 
-// The triangles that may touch each tile, solid ones first, tiles in reading order.
+// The triangles whose bounding box touches each tile, solid ones first, tiles in reading order.
+// Solid triangles come first because a translucent one is compared with the nearest solid surface
+// (Tile::add).
 class TileLists {
  public:
   TileLists(const std::vector<ScreenTriangle>& triangles, int width, int height)
@@ -133,7 +143,8 @@ class TileLists {
   }
 
  private:
-  // Clamped before the conversion, because a corner may be anywhere.
+  // Clamped while it is a double: a corner just beyond the near plane may project to a pixel that
+  // is outside the range of int.
   static int tile_of(double pixel, int count) {
     return static_cast<int>(std::clamp(std::floor(pixel / Tile::kSize), -1.0, double(count)));
   }
@@ -174,6 +185,8 @@ Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const Dra
   Image image{options.width, options.height, {}};
   image.rgb.resize(3 * static_cast<std::size_t>(options.width) *
                    static_cast<std::size_t>(options.height));
+  // One tile serves the whole picture in turn, on one thread: callers that draw many pictures
+  // distribute those over threads (contact_sheet).
   Tile tile(projection, lights, options.samples, light_of(options.background));
   for (int row = 0; row < lists.rows(); ++row) {
     for (int column = 0; column < lists.columns(); ++column) {

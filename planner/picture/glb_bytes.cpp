@@ -35,7 +35,9 @@ constexpr int kIndexData = 34963;
 // Roughness of the material: a matt surface with a faint highlight.
 constexpr double kRoughness = 0.7;
 
-// Chunks and accessors must start at multiples of four bytes.
+// Chunks must start at multiples of four bytes (4.4.3), accessors at multiples of the size of their
+// components (3.6.2.4), which is at most four. The padding is blanks after JSON and zeros after
+// data.
 void pad(std::string& bytes, char with) { bytes.resize((bytes.size() + 3) / 4 * 4, with); }
 
 template <typename Element>
@@ -53,6 +55,7 @@ Json corner_json(const std::array<float, 3>& corner) {
 
 // Header, a chunk of JSON, a chunk of data where there is any (4.4).
 std::string glb_file(std::string json, const std::string& data) {
+  // Chunk types: the bytes "JSON" and "BIN\0" as little-endian numbers.
   constexpr std::uint32_t kJson = 0x4E4F534A;
   constexpr std::uint32_t kBinary = 0x004E4942;
   constexpr std::size_t kHeader = 12;
@@ -66,6 +69,7 @@ std::string glb_file(std::string json, const std::string& data) {
   const auto word = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
   std::string file = "glTF";
   file.reserve(total);
+  // Version 2 and the length of the file, then the length and type of the chunk.
   append_raw<std::uint32_t>(file, {2, word(total), word(json.size()), kJson});
   file += json;
   if (data.empty()) return file;
@@ -126,6 +130,7 @@ std::size_t GlbDocument::accessor_of(const std::vector<Element>& elements, int t
                     {"byteOffset", start},
                     {"byteLength", buffer_.size() - start},
                     {"target", target}});
+  // Padding between accessors is not part of a view, whose length is set above.
   pad(buffer_, '\0');
   accessor["bufferView"] = views_.size() - 1;
   accessors_.push_back(std::move(accessor));
@@ -151,7 +156,8 @@ Json GlbDocument::primitive_of(const VertexArrays& arrays) {
   vectors["max"] = corner_json(upper);
   primitive["attributes"]["POSITION"] = accessor_of(arrays.positions, kVertexData, vectors);
 
-  // The largest value of a type must not occur (3.7.2.1): it restarts strips.
+  // The largest value of an index type must not occur as an index (3.7.2.1), because it restarts
+  // strips. With 65535 vertices the largest index is 65534.
   const bool small = vertices <= std::numeric_limits<std::uint16_t>::max();
   const Json indices = {{"componentType", small ? kUnsignedShort : kUnsignedInt},
                         {"count", 3 * arrays.triangles.size()},
@@ -205,6 +211,7 @@ int GlbDocument::material_of(const Color& color) {
   material["pbrMetallicRoughness"] = {{"baseColorFactor", {light[0], light[1], light[2], opacity}},
                                       {"metallicFactor", 0.0},
                                       {"roughnessFactor", kRoughness}};
+  // Without this readers take the material for opaque and ignore the fourth component.
   if (opacity < 1.0) material["alphaMode"] = "BLEND";
   material["doubleSided"] = true;
   const auto known = std::find(materials_.begin(), materials_.end(), material);
@@ -219,6 +226,7 @@ std::string GlbDocument::bytes(const std::string& name, const Json& extras) {
   document["asset"] = {{"version", "2.0"}, {"generator", "prehend"}};
   document["scene"] = 0;
   document["scenes"] = Json::array({{{"nodes", Json::array({nodes_.size()})}}});
+  // Turns the world's z axis to glTF's y axis.
   const Eigen::Quaterniond y_up(Eigen::AngleAxisd(-0.5 * std::numbers::pi, Vector3::UnitX()));
   Json root = {{"name", name}, {"rotation", rotation_json(y_up.normalized())}};
   for (std::size_t n = 0; n < nodes_.size(); ++n) root["children"].push_back(n);
@@ -234,6 +242,7 @@ std::string GlbDocument::bytes(const std::string& name, const Json& extras) {
   list("accessors", accessors_);
   list("bufferViews", views_);
   if (!buffer_.empty()) document["buffers"] = Json::array({{{"byteLength", buffer_.size()}}});
+  // Names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return glb_file(document.dump(-1, ' ', false, Json::error_handler_t::replace), buffer_);
 }
 

@@ -9,6 +9,7 @@
 namespace prehend {
 namespace {
 
+// The part must lie within the whole. Rows are contiguous, so each is copied at once.
 void paste(const Image& part, int left, int top, Image& whole) {
   const auto row_bytes = 3 * static_cast<std::ptrdiff_t>(part.width);
   for (int y = 0; y < part.height; ++y) {
@@ -24,6 +25,7 @@ Image grid(const std::vector<Image>& images, int columns) {
   if (columns < 1)
     throw InputError("grid: columns: must be positive (" + std::to_string(columns) + ")");
   const int count = static_cast<int>(images.size());
+  // Fewer images than columns make a narrower picture, not one with empty cells.
   columns = std::min(columns, std::max(count, 1));
   const int rows = (count + columns - 1) / columns;
   int cell_width = 0;

@@ -77,7 +77,8 @@ bool has_dot(unsigned char letter, int column, int row) {
   return kFont[static_cast<std::size_t>(at)] == '#';
 }
 
-// Blends `ink` over a square of `size` pixels, as far as it lies in the image.
+// Blends `ink` over a square of `size` pixels, as far as it lies in the image. Blending is done in
+// linear light, as everywhere in pictures: averages of sRGB bytes are too dark.
 void fill_square(Image& image, int left, int top, int size, const Light& ink, double opacity) {
   for (int y = std::max(top, 0); y < std::min(top + size, image.height); ++y) {
     for (int x = std::max(left, 0); x < std::min(left + size, image.width); ++x) {
@@ -121,6 +122,7 @@ void label(Image& image, int x, int y, const std::string& text, const Color& col
     }
     for (int row = 0; row < kGlyphHeight; ++row) {
       for (int column = 0; column < kGlyphWidth; ++column) {
+        // char may be signed: bytes from 128 on must not become negative numbers of glyphs.
         if (!has_dot(static_cast<unsigned char>(letter), column, row)) continue;
         fill_square(image, left + column * scale, y + row * scale, scale, ink, opacity);
       }

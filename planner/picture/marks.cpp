@@ -8,6 +8,7 @@
 namespace prehend {
 namespace {
 
+// Of the polygon that stands for a circle.
 constexpr int kSides = 32;
 
 // A point of a profile: `along` the axis, at distance `radius` from it.
@@ -34,6 +35,8 @@ TriangleMesh revolved(const std::vector<ProfilePoint>& profile, const Vector3& o
   }
   mesh.vertices.push_back(origin + profile.back().along * axis);
 
+  // Triangles are counter-clockwise from outside: a fan around the first pole, two triangles for
+  // each side between neighbouring rings, and a fan around the last pole.
   const int rings = static_cast<int>(profile.size()) - 2;
   const int last = static_cast<int>(mesh.vertices.size()) - 1;
   for (int i = 0; i < kSides; ++i) {
@@ -52,6 +55,8 @@ TriangleMesh revolved(const std::vector<ProfilePoint>& profile, const Vector3& o
 
 }  // namespace
 
+// The profile of an arrow: tip, rim of the head, end of the shaft in the head, other end of the
+// shaft, centre of that end.
 TriangleMesh arrow_mesh(const Vector3& from, const Vector3& to, double radius) {
   constexpr double kHeadRadius = 2.4;  // in shaft radii
   constexpr double kHeadLength = 6.0;
@@ -63,6 +68,7 @@ TriangleMesh arrow_mesh(const Vector3& from, const Vector3& to, double radius) {
       from, (to - from) / length);
 }
 
+// The profile of a cone: the centre of its base, the rim, the apex.
 TriangleMesh cone_mesh(const Vector3& apex, const Vector3& axis, double slope, double length) {
   const double norm = axis.norm();
   if (!(norm > 0.0) || !(slope > 0.0) || !(length > 0.0)) return {};

@@ -5,8 +5,9 @@
 namespace prehend {
 namespace {
 
-// Where the way from `inside` to `outside` passes the near plane. Always reckoned from the inside,
-// so that two triangles at an edge are cut at the same point.
+// Where the edge from `inside` to `outside` passes the near plane. The interpolation always starts
+// at the inner vertex, so that two triangles with a common edge are cut at exactly the same point
+// and no gap opens between them.
 CameraVertex cut(const CameraVertex& inside, const CameraVertex& outside, double near_depth) {
   const double part = (near_depth - inside.p_C.z()) / (outside.p_C.z() - inside.p_C.z());
   CameraVertex vertex;
@@ -24,6 +25,8 @@ struct Polygon {
   void add(const CameraVertex& vertex) { corners[count++] = vertex; }
 };
 
+// Clipping comes before projection, because 1 / depth has no meaning for what is behind the eye.
+// Only the near plane needs it: the rasterisers skip what lies outside the picture.
 Polygon beyond_near_plane(const std::array<CameraVertex, 3>& triangle, double near_depth) {
   Polygon polygon;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -49,6 +52,9 @@ double doubled_area(const std::array<Eigen::Vector2d, 3>& corners) {
 void append_triangle(const std::array<CameraVertex, 3>& triangle, const SurfaceLook& look,
                      const Projection& projection, std::vector<ScreenTriangle>& out) {
   const Polygon polygon = beyond_near_plane(triangle, projection.near_depth());
+  // The polygon as a fan of triangles. Which side of the surface is seen follows from the sense of
+  // rotation on the screen. Front faces have their corners exchanged, back faces their normals
+  // reversed, so that all screen triangles have the same sense and normals towards the viewer.
   for (std::size_t k = 2; k < polygon.count; ++k) {
     std::array<CameraVertex, 3> part = {polygon.corners[0], polygon.corners[k - 1],
                                         polygon.corners[k]};
@@ -73,6 +79,8 @@ void append_triangle(const std::array<CameraVertex, 3>& triangle, const SurfaceL
 
 void append_line(const Vector3& from_C, const Vector3& to_C, const LineLook& look,
                  const Projection& projection, std::vector<ScreenTriangle>& out) {
+  // A line lies in the surfaces that it belongs to. It is drawn 0.05 % nearer, so that the depth
+  // test does not hide it there.
   constexpr double kNearer = 1.0 + 5e-4;
   const double near_depth = projection.near_depth();
   CameraVertex from{from_C, Vector3::Zero()};
@@ -89,6 +97,8 @@ void append_line(const Vector3& from_C, const Vector3& to_C, const LineLook& loo
   const Eigen::Vector2d aside = 0.5 * look.width * Eigen::Vector2d(-along.y(), along.x());
   const double at_a = kNearer / from.p_C.z();
   const double at_b = kNearer / to.p_C.z();
+  // The strip is two triangles in the picture plane, so its width in pixels is the same at both
+  // ends. It is not lit; the normal is only a placeholder.
   ScreenTriangle half;
   half.albedo = look.color;
   half.opacity = look.opacity;

@@ -21,6 +21,9 @@ TriangleMesh evenly_picked(const TriangleMesh& mesh, std::size_t most) {
 
 }  // namespace
 
+// Vertex clustering: vertices within a cell size of each other are merged, and triangles that lose
+// their area thereby disappear. Which cell size leaves the wanted number of triangles is found by
+// trying larger ones.
 TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most) {
   if (mesh.triangles.size() <= most) return mesh;
   TriangleMesh coarse = mesh;
@@ -37,6 +40,7 @@ TriangleMesh simplified(const TriangleMesh& mesh, std::size_t most) {
     coarse = std::move(next);
     // The number of triangles falls with the square of the cell size.
     const double excess = static_cast<double>(coarse.triangles.size()) / static_cast<double>(most);
+    // At least 10 % larger in each round, so that the loop ends.
     cell *= std::max(1.1, std::sqrt(excess));
   }
   return coarse;

@@ -26,6 +26,7 @@ std::vector<int> welded_vertices(const std::vector<Vector3>& vertices) {
   });
   std::vector<int> first(vertices.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
+    // Sorted by place and then by index, so the first of equal places has the lowest index.
     const bool repeated = k > 0 && place(order[k]) == place(order[k - 1]);
     first[index(order[k])] = repeated ? first[index(order[k - 1])] : order[k];
   }
@@ -86,6 +87,8 @@ std::vector<std::array<Vector3, 3>> corner_normals(const TriangleMesh& mesh,
   for (const Corner& corner : corners) ++start[index(corner.vertex) + 1];
   std::partial_sum(start.begin(), start.end(), start.begin());
 
+  // Only faces that meet this one at less than the crease angle are averaged. A corner of a box
+  // thus keeps three normals, one for each face.
   const double least_cosine = std::cos(crease_angle);
   std::vector<std::array<Vector3, 3>> normals(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

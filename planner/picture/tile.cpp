@@ -65,8 +65,10 @@ struct Covered {
 
 Tile::Tile(const Projection& projection, const Lights& lights, int samples, const Light& background)
     : projection_(projection), lights_(lights), background_(background) {
-  // A sheared grid: row j is shifted by a fraction of a cell to the right, column i up, so that
-  // all x and all y are different.
+  // A sheared grid of samples x samples positions: the positions in row j are shifted to the right
+  // by (j + 1/2) / samples of a cell, those in column i up by (i + 1/2) / samples, so that all x
+  // and all y are different. A nearly vertical or horizontal edge then crosses the samples one by
+  // one, not a whole row at once.
   for (int j = 0; j < samples; ++j) {
     for (int i = 0; i < samples; ++i) {
       offsets_.emplace_back((i + (j + 0.5) / samples) / samples,

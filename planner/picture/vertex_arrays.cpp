@@ -9,6 +9,8 @@
 namespace prehend {
 namespace {
 
+// Coordinates are checked as they will be stored: large doubles become infinite in single
+// precision.
 void check(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (!mesh.vertices[v].cast<float>().allFinite()) {
@@ -31,10 +33,15 @@ std::array<float, 3> single(const Vector3& v) {
 
 }  // namespace
 
+// Graphics hardware has one index for position and normal together, while corner_normals has a
+// normal for each corner of a triangle. Corners with equal position and normal become one vertex,
+// in the order in which the triangles first use them.
 VertexArrays vertex_arrays(const TriangleMesh& mesh, double crease_angle) {
   check(mesh);
   const SurfaceDetail detail = surface_detail(mesh, crease_angle);
   VertexArrays arrays;
+  // Compared in single precision, as they are stored: two vertices that differ less are written as
+  // one.
   std::map<std::array<std::array<float, 3>, 2>, std::uint32_t> known;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (detail.face_normals[t].isZero(0.0)) continue;

@@ -12,6 +12,9 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
+// A renderer reduced to what counting needs: one sample at the centre of each pixel, no shading and
+// no antialiasing. It runs for many directions for each picture (telling_side).
+
 // For each pixel, which solid body is the nearest there, and how much of it can be seen.
 class Pixels {
  public:
@@ -22,11 +25,15 @@ class Pixels {
         inverse_depths_(bodies_.size(), 0.0),
         uncovered_(bodies_.size(), 1.0) {}
 
-  // Solid triangles come first.
+  // All solid triangles must be added before the first translucent one, which counts only where no
+  // solid one is nearer.
   void add(const ScreenTriangle& triangle, int body) {
     const auto& p = triangle.corners;
     const Eigen::Vector2d low = p[0].cwiseMin(p[1]).cwiseMin(p[2]);
     const Eigen::Vector2d high = p[0].cwiseMax(p[1]).cwiseMax(p[2]);
+    // Barycentric coordinates of the pixel centre are signed areas over the whole area, which is
+    // positive and not 0 (ScreenTriangle). A centre exactly on a common edge belongs to both
+    // triangles. For solid ones that changes nothing; two translucent ones both dim it.
     const double area = cross(p[1] - p[0], p[2] - p[0]);
     const int end_x = pixel_end(high.x(), width_);
     const int end_y = pixel_end(high.y(), height_);
@@ -41,6 +48,8 @@ class Pixels {
         const double inverse_depth = a * depths[0] + b * depths[1] + c * depths[2];
         const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
                         static_cast<std::size_t>(x);
+        // Strictly nearer: of two bodies at the same depth the first one counts. A translucent
+        // surface dims a pixel only where it is before the solid one; several multiply.
         if (!(inverse_depth > inverse_depths_[at])) continue;
         if (triangle.solid()) {
           inverse_depths_[at] = inverse_depth;
@@ -61,7 +70,7 @@ class Pixels {
   }
 
  private:
-  // Clamped before the conversion, because a corner may be anywhere.
+  // Clamped while it is a double: a corner may project to a pixel that is outside the range of int.
   static int pixel_first(double at, int count) {
     return static_cast<int>(std::clamp(std::floor(at), 0.0, double(count)));
   }
@@ -78,6 +87,7 @@ class Pixels {
 
 void add_body(const DrawnBody& body, int number, const Projection& projection, Pixels& pixels) {
   const auto opacity = static_cast<float>(body.color.opacity);
+  // As in draw.cpp: the back of a translucent surface covers half as much as its front.
   const SurfaceLook look{{}, opacity, opacity >= 1.0F ? opacity : 0.5F * opacity};
   const Pose X_CB = projection.X_CW() * body.X_WB;
   std::vector<CameraVertex> vertices(body.mesh->vertices.size());
@@ -99,6 +109,8 @@ std::vector<double> visible_pixels(const std::vector<DrawnBody>& seen,
                                    int width, int height) {
   const Projection projection(camera, width, height);
   Pixels pixels(width, height);
+  // Bodies have the same number in both passes: first those that are counted, then those around
+  // them, which are cut off at the end.
   for (const bool solid : {true, false}) {
     int number = 0;
     for (const std::vector<DrawnBody>* bodies : {&seen, &around}) {

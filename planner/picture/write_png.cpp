@@ -15,7 +15,8 @@ namespace {
 
 using ErrorText = std::array<char, 200>;
 
-// libpng must not return from an error: keep its words, then jump back into encode().
+// libpng requires that an error handler does not return. It keeps the message and jumps back to
+// setjmp in encode(). An exception instead would have to pass through libpng's C code.
 void keep_error(png_structp png, png_const_charp message) {
   auto& text = *static_cast<ErrorText*>(png_get_error_ptr(png));
   std::snprintf(text.data(), text.size(), "%s", message);
@@ -35,8 +36,10 @@ void flush_nothing(png_structp) {}
 bool encode(const Image& image, std::string& bytes, ErrorText& text) {
   png_structp png =
       png_create_write_struct(PNG_LIBPNG_VER_STRING, &text, keep_error, ignore_warning);
+  // `text` keeps what the caller put there ("out of memory"), unless libpng reported an error.
   if (png == nullptr) return false;
   png_infop info = png_create_info_struct(png);
+  // Both ways of failing end here: png_destroy_write_struct accepts a null info.
   if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
     png_destroy_write_struct(&png, &info);
     return false;
@@ -45,6 +48,8 @@ bool encode(const Image& image, std::string& bytes, ErrorText& text) {
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width),
                static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  // The bytes are sRGB; without this chunk a viewer may interpret them in the colour space of its
+  // screen.
   png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
   png_write_info(png, info);
   const std::size_t row_bytes = 3 * static_cast<std::size_t>(image.width);

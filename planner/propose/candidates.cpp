@@ -7,6 +7,9 @@
 namespace prehend {
 namespace {
 
+// A rule gives a target point, a direction of approach and one of closing. Together with the same
+// three of the hand (Hand::origin, approach, closing) they determine the pose of the hand's base.
+
 // How far the hand at a preshape reaches beyond its origin along the approach [m].
 double reach_of(const Robot& robot, const Preshape& preshape) {
   std::vector<Pose> X_HL;
@@ -87,10 +90,13 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
       for (std::size_t s = 0; s < hand.preshapes.size(); ++s) {
         const Preshape& preshape = hand.preshapes[s];
         if (aimed.width < preshape.min_width || aimed.width > preshape.max_width) continue;
+        // Two depths: the palm aimed at the target, for a grasp that encloses the primitive, and
+        // the meeting point of the fingers aimed at it, for a grasp with the fingertips.
         for (const double stand_off : {0.0, preshape.depth}) {
           Candidate candidate;
           candidate.X_OH = hand_pose(hand, aimed, stand_off);
           candidate.approach_O = aimed.approach_O;
+          // A hand that stops short by stand_off reaches less far by that much.
           candidate.approach_distance =
               std::max(0.0, depth + reach[s] - stand_off + options.start_clearance);
           candidate.preshape = static_cast<int>(s);

@@ -18,7 +18,9 @@ std::vector<double> places_along(double length, int count) {
   return places;
 }
 
-// Collects grasps given in the primitive's frame P; the thumb goes on either side.
+// Collects grasps, which the rules state in the primitive's frame P, expressed in the object's
+// frame O. Each is added with both signs of the closing direction: a hand has its thumb on one
+// side, so turning it by half a turn about the approach is another grasp.
 class Aims {
  public:
   explicit Aims(const Pose& X_OP) : X_OP_(X_OP) {}

@@ -6,6 +6,9 @@
 namespace prehend::python {
 namespace {
 
+// Doubles and Integers are contiguous in C order (arrays.h), so that the functions below may read
+// data() row by row.
+
 // A negative size in `shape` stands for any number.
 void expect_shape(const py::array& array, const std::vector<py::ssize_t>& shape) {
   bool fits = array.ndim() == static_cast<py::ssize_t>(shape.size());
@@ -33,6 +36,7 @@ void write(const Pose& pose, double* data) {
 
 template <class Array, class Row>
 Array rows_of_three(const std::vector<Row>& rows) {
+  // With an explicit shape, so that an empty list is 0 x 3 as well.
   Array array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
   auto* next = array.mutable_data();
   for (const Row& row : rows) next = std::copy(row.begin(), row.end(), next);
@@ -77,6 +81,7 @@ std::vector<double> numbers_of(const Doubles& array) {
 Eigen::MatrixXd matrix_of(const Doubles& array) {
   expect_shape(array, {-1, -1});
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  // The conversion to a column-major matrix copies the numbers.
   return Eigen::Map<const RowMajor>(array.data(), array.shape(0), array.shape(1));
 }
 
@@ -119,6 +124,7 @@ Doubles to_array(const std::vector<std::vector<double>>& rows, std::size_t colum
   Doubles array({static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(columns)});
   double* next = array.mutable_data();
   for (const std::vector<double>& row : rows) {
+    // A bug, not a mistake of the caller: rows are made in C++.
     if (row.size() != columns) throw std::logic_error("rows of different lengths");
     next = std::copy(row.begin(), row.end(), next);
   }

@@ -10,10 +10,14 @@
 namespace prehend::python {
 namespace {
 
+// The work runs in a second thread without the GIL. The calling thread waits for it and takes the
+// GIL now and then, to let Python handle signals and to call the callback. The two threads exchange
+// the latest progress, not a queue of all: a slow callback must not hold up the work.
+
 // How long a signal may wait while the work reports nothing.
 constexpr std::chrono::milliseconds kPatience(20);
 
-// What the working thread has to say to the waiting one.
+// Messages from the working thread to the waiting one.
 class Mailbox {
  public:
   struct News {
@@ -26,6 +30,7 @@ class Mailbox {
       const std::lock_guard lock(mutex_);
       news_.progress = progress;
     }
+    // After the lock is released, so that the woken thread need not wait for it.
     arrived_.notify_one();
   }
 
@@ -37,7 +42,7 @@ class Mailbox {
     arrived_.notify_one();
   }
 
-  // What came since the last call; nothing after kPatience.
+  // What came since the last call. Waits for something to come, for kPatience at most.
   News take() {
     std::unique_lock lock(mutex_);
     arrived_.wait_for(lock, kPatience, [&] { return news_.progress || news_.done; });
@@ -52,7 +57,8 @@ class Mailbox {
   News news_;
 };
 
-// Takes the GIL for it. Throws py::error_already_set where Python raised an exception.
+// Lets Python handle signals and calls the callback, with the GIL. Throws py::error_already_set
+// where either raises an exception.
 void listen(const std::optional<Progress>& progress, const py::object& callback) {
   const py::gil_scoped_acquire gil;
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
@@ -85,7 +91,7 @@ void run_in_background(const CallOptions& options,
     for (bool done = false; !done;) {
       const Mailbox::News news = mailbox.take();
       done = news.done;
-      if (of_python) continue;  // the work is on its way out
+      if (of_python) continue;  // only the end of the work is waited for
       try {
         listen(news.progress, options.progress);
       } catch (...) {
@@ -95,7 +101,8 @@ void run_in_background(const CallOptions& options,
     }
     worker.join();
   }
-  // Python's exception is the cause where both are there.
+  // Where both are there, Python's exception is the cause: it cancelled the work, which may have
+  // thrown Cancelled for that reason. Both are thrown here, with the GIL held again.
   if (of_python) std::rethrow_exception(of_python);
   if (of_work) std::rethrow_exception(of_work);
 }

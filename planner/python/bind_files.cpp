@@ -44,6 +44,7 @@ std::string report_in_python(const PlanHandle& plan, const CallOptions& call) {
   return html;
 }
 
+// Contents are bytes, because glTF files are binary.
 std::vector<std::pair<std::string, py::bytes>> exports_in_python(const PlanHandle& plan,
                                                                  const std::string& format) {
   std::vector<ExportFile> files;
@@ -59,6 +60,7 @@ std::vector<std::pair<std::string, py::bytes>> exports_in_python(const PlanHandl
 // `direction` empty: from the most telling side.
 Pixels grasp_picture_in_python(const TrialHandle& trial, const std::string& title,
                                std::pair<int, int> size, const std::optional<Doubles>& direction) {
+  // Arguments are converted while the GIL is held; without it no Python object may be touched.
   std::optional<Vector3> to_eye;
   if (direction) to_eye = vector_of(*direction);
   Image image;

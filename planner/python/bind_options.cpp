@@ -5,7 +5,7 @@
 namespace prehend::python {
 namespace {
 
-// Fractions that must leave something; the largest double below 1.
+// Fractions in [0, 1). A Range includes its upper end, so that is the largest double below 1.
 constexpr Range kPart{.upper = 0.9999999999999999};
 
 void bind_proposal_options(py::module_& core) {

@@ -37,7 +37,8 @@ std::vector<Candidate> candidates_from(const CompiledScene& scene, const py::lis
     candidates.push_back(candidate_from(fields.cast<py::dict>()));
     const Candidate& candidate = candidates.back();
     const Robot& hand = scene.scene.hand;
-    // Python has looked names and sizes up (prehend/_candidates.py).
+    // prehend/_candidates.py has refused these cases with the name of the argument. They are tested
+    // again, because run_trial requires them and looks no further.
     const bool sound =
         candidate.preshape.has_value()
             ? index(*candidate.preshape) < hand.hand->preshapes.size()
@@ -56,6 +57,8 @@ PlanHandle evaluate_in_python(const CompiledHandle& scene, const py::list& list,
   run_in_background(call, [&](const RunContext& context) {
     result = evaluate(*scene.scene, candidates, options, context);
   });
+  // Files state settings as PlanOptions. An evaluation has only these of them; the others keep
+  // their defaults.
   PlanOptions recorded;
   recorded.seed = options.seed;
   recorded.trial = options.trial;
@@ -66,6 +69,7 @@ PlanHandle evaluate_in_python(const CompiledHandle& scene, const py::list& list,
 
 py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields,
                              const TrialOptions& options, const CallOptions& call) {
+  // Through the checks that a list of candidates goes through.
   py::list list;
   list.append(fields);
   auto grasp = std::make_shared<ScoredGrasp>();
@@ -120,7 +124,7 @@ py::dict propose_in_python(const CompiledHandle& scene, const py::list& list,
 py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions& options,
                                const CallOptions& call) {
   const ScoredGrasp& grasp = *trial.grasp;
-  // plan_grasp_path asserts both; prehend/_plan.py says so in words.
+  // plan_grasp_path requires both. prehend/_plan.py refuses them before, with a message in words.
   if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {
     throw std::invalid_argument("no stable grasp of an arm");
   }

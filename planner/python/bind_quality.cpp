@@ -14,6 +14,9 @@
 namespace prehend::python {
 namespace {
 
+// Measures take many grasps in one call, so that a data set is judged in parallel and without a
+// Python call for each grasp. Results are arrays with one entry or row for each grasp.
+
 // The contacts of many grasps, each with its frame of wrenches.
 struct ContactSets {
   std::vector<std::vector<Contact>> contacts;
@@ -51,8 +54,9 @@ ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Do
   return sets;
 }
 
-// Calls `judge` for each grasp without the GIL, on several threads where there are several; Python
-// can interrupt. What one of many throws names it.
+// Calls `judge` for each grasp without the GIL. Several grasps are judged on several threads,
+// Python can interrupt between them, and errors name the grasp. A single grasp is judged in the
+// calling thread, where nothing interrupts it.
 void for_each_grasp(const ContactSets& sets, const CallOptions& call,
                     const std::function<void(std::size_t)>& judge) {
   if (sets.size() == 1) {

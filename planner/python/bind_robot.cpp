@@ -39,7 +39,8 @@ py::list preshapes(const Robot& robot) {
   return list;
 }
 
-// What Python has checked: as many values as the robot has degrees of freedom or joints.
+// Values of joints or degrees of freedom. Python has checked their number with the name of the
+// argument; the functions below would read beyond the end.
 std::vector<double> sized(const Doubles& values, std::size_t size) {
   std::vector<double> numbers = numbers_of(values);
   if (numbers.size() != size) throw std::invalid_argument("another number of values");
@@ -88,7 +89,8 @@ Doubles solve_all_in_python(const Robot& robot, const std::vector<int>& joints, 
   return to_array(found, robot.dofs.size());
 }
 
-// What a user of the class sees.
+// The public attributes of the class. bind_robot adds those with an underscore, which only the
+// package itself uses.
 py::class_<Robot> bind_robot_class(py::module_& core) {
   return py::class_<Robot>(
              core, "Robot",

@@ -22,7 +22,8 @@ py::tuple mesh_tuple(const TriangleMesh& mesh) {
   return py::make_tuple(to_array(mesh.vertices), to_array(mesh.triangles));
 }
 
-// As a mesh file's: equal vertices joined, triangles turned outward.
+// Arrays are treated as the contents of a mesh file: equal vertices are joined and triangles turned
+// outward.
 TriangleMesh cleaned(const Doubles& vertices, const Integers& faces) {
   TriangleMesh raw = mesh_of(vertices, faces);
   return make_mesh(std::move(raw.vertices), std::move(raw.triangles));
@@ -49,8 +50,8 @@ SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
   return {make_scene(std::move(object), hand), {}};
 }
 
-// A grasp file says what the program would have to read to get the same scene: after a change, no
-// file says that.
+// The origin of a scene is what a grasp file states, so that the program can load the same scene.
+// After a change no file describes the scene, so the origin is cleared.
 void add_obstacle_in_python(SceneHandle& self, const std::string& name, const Doubles& vertices,
                             const Integers& faces, const Doubles& X_WB,
                             const std::string& material) {
@@ -85,9 +86,10 @@ std::vector<double> start_of(const Platform& platform, std::map<std::string, dou
 
 void mount_in_python(SceneHandle& self, const std::string& platform, const std::string& hand,
                      const Doubles& X_WB, const std::map<std::string, double>& start) {
-  Scene mounted = self.scene;  // as it was where something is refused
+  Scene mounted = self.scene;
   mount(mounted, platform, pose_of(X_WB), hand);
   mounted.carrier->start = start_of(mounted.carrier->platform, start);
+  // Assigned last: where something above throws, the scene is as it was.
   self = {std::move(mounted), {}};
 }
 

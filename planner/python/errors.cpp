@@ -11,7 +11,7 @@ namespace {
 
 namespace py = pybind11;
 
-// An exception of a class of prehend/_errors.py, whose arguments are `problem` and the keywords.
+// Sets a Python exception of a class of prehend/_errors.py, made from `problem` and the keywords.
 void raise(const char* type, const std::string& problem, const py::dict& keywords = {}) {
   const py::object error = py::module_::import("prehend._errors").attr(type);
   PyErr_SetObject(error.ptr(), error(problem, **keywords).ptr());
@@ -37,6 +37,8 @@ void translate_errors() {
   // NOLINTNEXTLINE(performance-unnecessary-value-param)
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
+      // InputError is a std::invalid_argument, so it must be caught first: only then its parts are
+      // kept.
       if (thrown) std::rethrow_exception(thrown);
     } catch (const Cancelled& error) {
       raise("Cancelled", error.what());

@@ -17,6 +17,7 @@ py::object name_or_none(const std::string& name) {
   return name.empty() ? py::none() : py::object(py::str(name));
 }
 
+// Arrays by field instead of objects by contact: NumPy users work on all contacts at once.
 py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContact>& contacts) {
   std::vector<Vector3> positions;
   std::vector<Vector3> normals;
@@ -112,9 +113,12 @@ py::dict trial_dict(const TrialHandle& handle) {
 
 py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
   const ScoredGrasp& scored = plan.result->grasps.at(grasp);
+  // Refers to the grasp inside the result and keeps the whole result alive, without copying the
+  // grasp.
   const std::shared_ptr<const ScoredGrasp> shared(plan.result, &scored);
   const TrialHandle handle{plan.scene, shared};
   py::dict fields = trial_dict(handle);
+  // Not computed: the run was cancelled before.
   fields["volume"] = scored.volume.value_or(std::numeric_limits<double>::quiet_NaN());
   fields["primitive"] = scored.primitive;
   fields["rule"] = scored.rule;

@@ -21,6 +21,8 @@ Report contacts_report(const std::string& name, const ContactsFile& file,
   grasp.epsilon = judged.epsilon;
   grasp.volume = judged.volume;
   grasp.origin = "given contacts";
+  // Without a hand there are no links, gaps or motion: a report of contacts has one grasp with its
+  // wrench space only.
   for (const Contact& contact : file.contacts) grasp.contacts.push_back({contact});
   grasp.detail = grasp_detail(file.contacts, {}, file.frame, judged.space, seed, context);
   grasp.detail->sections = space_sections(file.contacts, file.frame, judged.space);

@@ -37,6 +37,7 @@ double epsilon_where(std::span<const Contact> contacts, const WrenchFrame& frame
   return grasp_epsilon(some, frame, space).lower;
 }
 
+// Importance by leaving out: epsilon without each contact, and without all contacts of each link.
 void add_shares(std::span<const Contact> contacts, std::span<const std::string> links,
                 const WrenchFrame& frame, const WrenchSpaceOptions& space,
                 const RunContext& context, GraspDetail& detail) {

@@ -6,6 +6,8 @@
 namespace prehend {
 namespace {
 
+// The lowest byte first, whatever the byte order of this machine: the page reads the bytes as
+// little-endian arrays.
 void put(std::uint32_t word, std::vector<std::uint8_t>& bytes) {
   for (int shift = 0; shift < 32; shift += 8) {
     bytes.push_back(static_cast<std::uint8_t>(word >> shift & 0xffU));
@@ -19,6 +21,8 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
   std::string text;
   text.reserve((bytes.size() + 2) / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    // Three bytes become four digits of six bits. A last group of one or two bytes is filled with
+    // zeros and gives two or three digits; "=" stands for the others.
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t group = 0;
     for (std::size_t k = 0; k < 3; ++k) group = group << 8U | (k < count ? bytes[i + k] : 0U);

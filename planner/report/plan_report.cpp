@@ -11,7 +11,8 @@
 namespace prehend {
 namespace {
 
-// Enough to choose a side by.
+// Pictures in which visible pixels are counted. Smaller than by default, because a report needs a
+// side for each of its detailed grasps.
 constexpr TellingSideOptions kSmall{96, 80};
 
 std::string words_of(const Blame& blame) {
@@ -67,9 +68,12 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
     links.push_back(contact.link);
   }
   WrenchSpaceOptions space;
+  // The space in which the trial judged the grasp: L1 norm and pyramids.
   space.edges = record.options.trial.cone_edges;
   GraspDetail detail =
       grasp_detail(contacts, links, scene.wrench_frame, space, record.options.seed, context);
+  // Sections were computed with the volume, from the same hull, for as many grasps as were asked
+  // for.
   if (scored.sections) detail.sections = *scored.sections;
   return detail;
 }
@@ -87,6 +91,7 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
   }
   report.candidates_in_all = result.tried.size();
   const std::size_t count = std::min(result.tried.size(), options.most_candidates);
+  // Candidates are in the order of primitives and rules; every n-th one represents all of them.
   for (std::size_t i = 0; i < count; ++i) {
     const Tried& tried = result.tried[i * result.tried.size() / count];
     report.candidates.push_back({tried.X_OH * scene.scene.hand.hand->origin, tried.approach_O,
@@ -109,6 +114,8 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.primitives = result.primitives;
   report.grasps_in_all = result.grasps.size();
   report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
+  // Each grasp has its own place in the list, so the report is the same on any number of threads.
+  // Only the first ones are analysed in detail (PlanReportOptions).
   for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
     context.cancellation.check();
     report.grasps[i] = grasp_of(scene, result, result.grasps[i]);

@@ -5,7 +5,8 @@
 namespace prehend {
 namespace {
 
-// Inside a script element only "<" can end it or open a comment; JSON has another way to write it.
+// Makes JSON safe inside a script element, where "</script" would end the element and "<!--" begin
+// a comment. In JSON text "<" occurs in strings only, where it may also be written as \u003c.
 std::string script_safe(const std::string& json) {
   std::string safe;
   safe.reserve(json.size());

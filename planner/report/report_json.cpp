@@ -16,11 +16,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// What a page draws in software at an interactive rate.
+// Triangles of one mesh: what a browser draws at an interactive rate without graphics hardware.
 constexpr std::size_t kMostTriangles = 60000;
 
-// Frames of one motion, of all together, and of one however many there are; the page draws what
-// lies between.
+// Frames limit the size of a report: at most kMostFrames for each motion and about kAllFrames for
+// all motions together, but at least kLeastFrames for each, however many there are. The page
+// interpolates between frames.
 constexpr std::size_t kMostFrames = 160;
 constexpr std::size_t kAllFrames = 32000;
 constexpr std::size_t kLeastFrames = 24;
@@ -32,7 +33,7 @@ std::string hex(const Color& color) {
 
 Json look_json(const Color& color) { return {{"color", hex(color)}, {"opacity", color.opacity}}; }
 
-// All colours of the page that mean something.
+// The colours that have a meaning. Pictures use the same palette.
 Json palette_json() {
   Json axes = Json::array();
   for (const Color& axis : palette::kAxes) axes.push_back(hex(axis));
@@ -100,8 +101,9 @@ Json scene_json(const CompiledScene& scene) {
   return json;
 }
 
-// Corners of a polyhedron, and triples of them. Scaled torques have no unit either: at least four
-// digits of the largest coordinate.
+// Corners of a polyhedron, and triples of their indices, in flat lists. Numbers are rounded to at
+// least four digits of the largest coordinate: a fixed number of decimals would not do, because the
+// size of a wrench space depends on the contacts and, in the torques, on their scale.
 Json slice_json(const WrenchSlice& slice) {
   Json json{{"vertices", Json::array()}, {"triangles", Json::array()}};
   if (slice.empty()) return json;
@@ -142,11 +144,14 @@ Json contact_json(const ReportContact& contact) {
             {"model", contact_model_name(point.model)}};
   if (point.model == ContactModel::soft_finger) json["torsion"] = rounded(point.torsion);
   if (!contact.link.empty()) json["link"] = contact.link;
+  // Gaps are at most a tenth of a millimetre, so they need more decimals.
   if (contact.gap) json["gap"] = rounded(*contact.gap, 1e8);
   return json;
 }
 
-// On an arm a row has the joints of the whole platform; without, the hand's position and joints.
+// On an arm a row has the joints of the whole platform, from which the page computes the hand's
+// pose. Without an arm it has the hand's position and joints; the hand's rotation is the same in
+// all frames and given once, by X_OH.
 Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
   const GraspMotion motion = thinned(whole, static_cast<int>(most_frames));
   Json rows = Json::array();
@@ -155,6 +160,7 @@ Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
   for (const MotionFrame& frame : motion.frames) {
     Json row = on_arm ? Json::array() : rounded(Vector3(frame.X_OH.translation()));
     for (const double joint : on_arm ? frame.arm_joints : frame.joints) {
+      // To 1e-5 rad or m, times to 1e-4 s.
       row.push_back(rounded(joint, 1e5));
     }
     rows.push_back(std::move(row));
@@ -192,7 +198,9 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   return json;
 }
 
-// Rows of eight: the aimed point, the approach, the outcome and what is to blame, by number.
+// There may be thousands of candidates, so each is a row of eight numbers: the aimed point (3), the
+// approach (3), the index of the outcome and that of the text in `blames`, of which many candidates
+// share one.
 Json candidates_json(const Report& report) {
   Json rows = Json::array();
   std::vector<std::string> blames;
@@ -243,7 +251,7 @@ std::string report_json(const Report& report) {
                                 {"count", blocker.count}});
   }
   json["candidates"] = candidates_json(report);
-  // File names need not be text in UTF-8.
+  // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 // Links of real robots come with more detail than a picture of the whole shows.
 constexpr std::size_t kMostLinkTriangles = 8000;
 
+// Many poses are the identity and most axes are z. Null stands for these.
 Json pose_or_null(const Pose& pose) {
   return pose.isApprox(Pose::Identity(), 1e-12) ? Json() : rounded(pose);
 }
@@ -27,7 +28,9 @@ Json axis_or_null(const Vector3& axis) {
 Json joints_json(const Robot& robot) {
   Json joints = Json::array();
   for (const Joint& joint : robot.joints) {
-    // Motions about or along one axis may change places: at value 0 the rest of the joint follows.
+    // The page computes before * motion(axis, value) * after. A joint may have a zero position:
+    // motion(axis, value + zero) is motion(axis, value) * motion(axis, zero), and across(joint, 0)
+    // contains the second factor.
     joints.push_back({{"parent", joint.parent},
                       {"type", joint.type == JointType::revolute ? "r" : "p"},
                       {"axis", axis_or_null(joint.axis)},
@@ -48,6 +51,7 @@ Json link_json(const Link& link) {
 
 double rounded(double value, double scale) {
   const double scaled = std::round(value * scale) / scale;
+  // The product overflows for very large values, which are kept.
   return std::isfinite(scaled) ? scaled : value;
 }
 

@@ -18,6 +18,11 @@
 namespace prehend {
 namespace {
 
+// plan() runs the stages primitives, candidates, trials, ranking, paths and volumes one after the
+// other; trials, paths and volumes are computed in parallel. evaluate() starts at the trials. A
+// cancelled stage leaves what it has finished in the result, and the stages behind it are skipped
+// or end at once.
+
 // The trials that were finished, each with the place of its candidate.
 struct Finished {
   std::vector<Trial> trials;
@@ -34,6 +39,9 @@ Finished finished_of(std::vector<std::optional<Trial>> trials) {
   return finished;
 }
 
+// Enters how every trial ended into the result. Collisions are counted by outcome, link and body.
+// The map iterates in the order of these keys, so that blockers with equal counts are listed in the
+// same order in every run.
 void record_trials(const CompiledScene& scene, const std::vector<Candidate>& candidates,
                    const Finished& finished, PlanResult& result) {
   std::map<std::tuple<Outcome, std::string, std::string>, int> blocked;
@@ -65,6 +73,8 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
     return result.outcomes[static_cast<std::size_t>(outcome)];
   };
   if (scene.arm) {
+    // Trials that ended before the arm was asked to follow the approach (hand_blocked,
+    // approach_blocked) count as reached: for them only a posture at the pre-grasp was found.
     const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked);
     result.stages.push_back({PlanCount::reach, total - lost});
   }
@@ -93,6 +103,7 @@ void add_volumes(const CompiledScene& scene, const TrialOptions& options, std::s
   for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
     if (context.cancellation.requested()) return;
     ScoredGrasp& grasp = result.grasps[i];
+    // The volume is defined as 0 without force closure, which needs no hull.
     if (grasp.trial.outcome != Outcome::stable) {
       grasp.volume = 0.0;
       return;
@@ -122,6 +133,7 @@ class PathSearch {
   // result is the same, on any number of threads. Grasps without a path are left out and counted
   // as Outcome::no_path.
   void run() {
+    // result_.grasps is refilled with those that have a path, in the order of their rank.
     all_ = std::move(result_.grasps);
     result_.grasps.clear();
     const std::size_t wanted = std::min(index(options_.rank.top), all_.size());
@@ -130,7 +142,10 @@ class PathSearch {
     std::size_t next = 0;
     while (next < all_.size() && result_.grasps.size() < wanted &&
            result_.status != PlanStatus::cancelled) {
+      // Depends on results of earlier groups only, never on the number of threads.
       const std::size_t count = std::min(wanted - result_.grasps.size(), all_.size() - next);
+      // Bytes instead of vector<bool>, whose elements share words and must not be written by
+      // several threads.
       std::vector<std::uint8_t> searched(count, 0);
       for_each_in_parallel(count, context_.threads,
                            [&](std::size_t i) { searched[i] = search(next + i) ? 1 : 0; });
@@ -166,6 +181,7 @@ class PathSearch {
     } else if (grasp.path) {
       result_.grasps.push_back(std::move(grasp));
     } else {
+      // The trial was counted as stable. Each candidate is counted under one outcome only.
       --result_.outcomes[static_cast<std::size_t>(Outcome::stable)];
       ++result_.outcomes[static_cast<std::size_t>(Outcome::no_path)];
       result_.tried[index(grasp.tried)].outcome = Outcome::no_path;
@@ -198,6 +214,7 @@ class PlanRun {
   PlanRun(const CompiledScene& scene, const PlanOptions& options, const RunContext& context)
       : scene_(scene), options_(options), context_(context) {}
 
+  // plan() does not throw Cancelled: from here on it returns what it has.
   PlanResult run() {
     try {
       find_primitives();
@@ -205,6 +222,7 @@ class PlanRun {
     } catch (const Cancelled&) {
       result_.status = PlanStatus::cancelled;
     }
+    // Cancelled before the trials, or without candidates, there is nothing to try or to rank.
     if (result_.status == PlanStatus::complete) try_and_rank();
     // A plan that was cancelled during the trials returns its ranked grasps without paths.
     if (result_.status == PlanStatus::complete && options_.paths) {
@@ -245,6 +263,8 @@ class PlanRun {
     result_.largest_opening = proposals.largest_opening;
     proposed_ = std::move(proposals.grasps);
     if (proposed_.empty()) {
+      // Otherwise some width is at most the largest opening, but no preshape has a range that
+      // contains it, or the rules gave nothing at all.
       const bool too_large =
           std::isfinite(result_.smallest_width) && result_.smallest_width > result_.largest_opening;
       result_.status = too_large ? PlanStatus::object_too_large : PlanStatus::no_candidates;
@@ -264,6 +284,7 @@ class PlanRun {
     // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
     const bool for_paths = options_.paths && result_.status == PlanStatus::complete;
     if (for_paths) ranking.top = std::numeric_limits<int>::max();
+    // Finished trial i is entry i of result_.tried, which ScoredGrasp::tried refers to.
     for (const std::size_t i : rank(finished.trials, ranking)) {
       const ProposedGrasp& proposed = proposed_[finished.candidates[i]];
       result_.grasps.push_back({std::move(finished.trials[i]),
@@ -302,6 +323,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;
+  // As with_seeds does for plan().
   TrialOptions trial = options.trial;
   trial.reach.kinematics.seed = derived_seed(options.seed);
   Finished finished = try_all(scene, candidates, trial, context, result);

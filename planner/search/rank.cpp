@@ -12,6 +12,7 @@ namespace {
 
 bool is_same_pose(const Pose& a, const Pose& b, const RankOptions& options) {
   if ((a.translation() - b.translation()).norm() > options.same_distance) return false;
+  // The angle of the rotation from one pose to the other, R_a^T R_b.
   const Eigen::AngleAxisd turn(a.linear().transpose() * b.linear());
   return std::abs(turn.angle()) <= options.same_angle;
 }
@@ -45,6 +46,7 @@ std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOption
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (trials[i].outcome == Outcome::stable) order.push_back(i);
   }
+  // Trials are in the order of their candidates, which the stable sort keeps for equal epsilons.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return trials[a].epsilon.lower > trials[b].epsilon.lower;
   });

@@ -24,6 +24,8 @@ std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
     } catch (const Cancelled&) {
       return;
     }
+    // RunContext promises that the callback is never called by two threads at once; the lock also
+    // keeps the counts that it is given increasing.
     if (!context.progress) return;
     const std::lock_guard lock(progress_lock);
     ++progress.done;

@@ -34,13 +34,17 @@ Image cell(const Image& picture, const std::string& text, int strip) {
 
 Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
                     const ContactSheetOptions& options, const RunContext& context) {
+  // All cells have the strip of the tallest title, so that pictures and titles of a row are
+  // aligned.
   int strip = 0;
   for (const PosedGrasp& grasp : grasps) {
     strip = std::max(strip, text_size(grasp.title, kTextScale).height);
   }
   std::vector<Image> cells(grasps.size());
+  // Drawing and the search for the side use one thread each, so the grasps are distributed.
   for_each_in_parallel(grasps.size(), context.threads, [&](std::size_t i) {
     context.cancellation.check();
+    // The title goes below the picture instead of into it.
     PosedGrasp untitled = grasps[i];
     untitled.title.clear();
     const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled, {}, context),

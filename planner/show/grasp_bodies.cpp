@@ -10,7 +10,7 @@
 namespace prehend {
 namespace {
 
-// A link whose box has a shorter diagonal only marks a place [m].
+// Diagonal of the bounding box below which a link of the arm only marks a place [m].
 constexpr double kMarker = 0.01;
 
 // Sizes of marks as parts of the object's radius.
@@ -55,6 +55,7 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
   std::vector<Pose> X_BL;
   arm_link_poses(arm, grasp.arm_joints, X_BL);
   for (std::size_t l = 0; l < X_BL.size(); ++l) {
+    // The platform contains the hand, which hand_bodies has drawn already.
     if (arm.is_hand_link(link_id(l))) continue;
     bodies.push_back(link_body(arm.robot().links[l], arm.X_WB * X_BL[l], palette::kArm));
   }
@@ -70,7 +71,9 @@ DrawnBody contact_body(const CompiledScene& scene, const Contact& point) {
           palette::kContact, "contact"};
 }
 
-// Two arrows from the centre of mass, sized against each other: together they have one length.
+// Two arrows from the torque origin (the centre of mass), for force and torque. Torques of a wrench
+// are scaled to forces, so the lengths of both can be compared: they are in proportion to the two
+// parts, and the root of the sum of their squares is kArrowLength times the radius.
 std::vector<DrawnBody> weakest_bodies(const CompiledScene& scene, const Wrench& wrench) {
   if (wrench.isZero(0.0)) return {};
   const double radius = object_radius(scene);

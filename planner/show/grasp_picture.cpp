@@ -40,7 +40,8 @@ Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
   const GraspBodies bodies = grasp_bodies(scene, grasp);
   std::vector<DrawnBody> all = bodies.grasp_and_arm();
   all.insert(all.end(), bodies.obstacles.begin(), bodies.obstacles.end());
-  // From the side of the arm's way to the object, a little from behind and above.
+  // From the side of the way from the arm's base to the object, a little from behind and above.
+  // Where the object is straight above the base, any side will do.
   const Vector3 way = scene.scene.object.X_WO.translation() - scene.arm->X_WB.translation();
   Vector3 aside = Vector3::UnitZ().cross(way);
   if (!(aside.norm() > 1e-6)) aside = Vector3::UnitX();
@@ -55,6 +56,8 @@ Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
   const GraspBodies bodies = grasp_bodies(scene, grasp);
   std::vector<Image> views;
   for (int side = 0; side < 4; ++side) {
+    // Diagonally between the axes of the world, and from above by atan(0.55) = 29 degrees: along an
+    // axis a box would show only one face.
     const double angle = (0.25 + 0.5 * side) * std::numbers::pi;
     views.push_back(view(bodies.all(), bodies.grasp(),
                          Vector3(std::cos(angle), std::sin(angle), 0.55),

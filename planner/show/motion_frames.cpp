@@ -6,6 +6,10 @@
 namespace prehend {
 namespace {
 
+// The motion is divided at the ends of its segments. Frames go to these ends first, since they show
+// what each segment leads to, and then to the inside of the segments, where they are spaced evenly
+// in time.
+
 // A segment of the motion that takes time.
 struct Stretch {
   std::string name;
@@ -29,6 +33,7 @@ MotionFrame frame_at(const GraspMotion& motion, double time) {
   const auto after =
       std::lower_bound(motion.frames.begin(), motion.frames.end(), time,
                        [](const MotionFrame& frame, double moment) { return frame.time < moment; });
+  // Times at the ends come from the frames themselves, so this only guards against rounding.
   if (after == motion.frames.end()) return motion.frames.back();
   if (after == motion.frames.begin() || after->time == time) return *after;
   const MotionFrame& a = *(after - 1);
@@ -52,8 +57,9 @@ std::vector<Stretch> stretches(const GraspMotion& motion) {
   return all;
 }
 
-// Distributes frames over the stretches: one to each first, as far as they go, and each further one
-// where the frames are farthest apart in time.
+// Distributes frames over the insides of the stretches. Each frame goes to a stretch that has none
+// yet, the longest of these first, then to the one whose frames are farthest apart in time. A
+// stretch with n inner frames is divided into n + 1 equal times.
 void share(int frames, std::vector<Stretch>& all) {
   const auto shorter = [](const Stretch& a, const Stretch& b) {
     if ((a.inner == 0) != (b.inner == 0)) return b.inner == 0;
@@ -77,6 +83,7 @@ void append(const GraspMotion& motion, const Stretch& stretch, const std::string
 std::vector<NamedFrame> named_frames(const GraspMotion& motion, int count) {
   std::vector<Stretch> all = stretches(motion);
   if (all.empty() || count <= 0) return {};
+  // Neighbouring stretches share an end.
   const int ends = static_cast<int>(all.size()) + 1;
   share(std::max(0, count - ends), all);
   std::vector<NamedFrame> frames;
@@ -84,6 +91,8 @@ std::vector<NamedFrame> named_frames(const GraspMotion& motion, int count) {
     append(motion, all[s], s == 0 ? all[s].name : all[s - 1].name + " > " + all[s].name, frames);
   }
   frames.push_back({motion.frames.back(), all.back().name});
+  // Fewer frames than ends: `frames` has the ends only. The last one is the grasp and always kept;
+  // the others are picked evenly.
   if (count >= ends) return frames;
   std::vector<NamedFrame> few;
   for (int i = 1; i < count; ++i) {

@@ -24,17 +24,21 @@ double sum(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-// The part of the hand that obstacles and the arm leave to be seen.
+// The part of the hand (0 to 1) that obstacles and the arm leave to be seen: its visible pixels
+// over those that it has with nothing around it.
 double hand_seen(const GraspBodies& bodies, const Camera& camera) {
   const double alone = sum(visible_pixels(bodies.hand, {}, camera, kCountWidth, kCountHeight));
+  // Outside the picture or too small to be seen.
   if (alone == 0.0) return 0.0;
   std::vector<DrawnBody> around = bodies.surroundings();
   for (DrawnBody& body : around) body.color.opacity = 1.0;  // little is seen through an obstacle
   return sum(visible_pixels(bodies.hand, around, camera, kCountWidth, kCountHeight)) / alone;
 }
 
-// Across the hand's way, where the hand is hidden least at the start, half way and at the end.
-// `points` are to be in the picture.
+// The viewing direction for a motion: the hand is visible at the start, half way and at the end,
+// and its way is seen from the side. The score is the visible part of the hand, summed over these
+// moments, times the sine of the angle between way and viewing direction. Seen along its way, the
+// hand would not appear to move. `points` are what the picture frames.
 Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
                     const std::vector<Vector3>& points, const RunContext& context) {
   const Pose& X_WO = scene.scene.object.X_WO;
@@ -52,7 +56,9 @@ Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& 
     const Camera camera = camera_around(points, direction, kCountWidth, kCountHeight);
     double score = 0.0;
     for (const GraspBodies& moment : moments) score += hand_seen(moment, camera);
+    // A hand that does not move (1e-9 m is rounding) has no way to be seen from the side.
     if (way.norm() > 1e-9) score *= way.normalized().cross(direction).norm();
+    // Scores that differ by rounding count as equal, and the first direction is kept.
     if (score > best_score + 1e-9) {
       best = direction;
       best_score = score;
@@ -74,7 +80,9 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
     context.cancellation.check();
     PosedGrasp moment = posed_at(frame);
     if (view.with_arm) append_points(grasp_bodies(scene, moment).grasp_and_arm(), whole);
-    // The hand comes into the close picture; all that it does there is in it.
+    // With an arm the close picture frames the hand at the grasp, in all its joint positions along
+    // the motion, and not on its way there. The way of an arm is long: a picture of it would show
+    // the fingers too small. The other picture shows it.
     if (view.with_arm) moment.X_OH = grasp.X_OH;
     append_points(grasp_bodies(scene, moment).grasp(), close);
   }

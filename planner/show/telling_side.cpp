@@ -28,7 +28,7 @@ constexpr std::size_t kMostTriangles = 2000;
 // Scores closer than this count as equal, so that rounding does not choose between symmetric sides.
 constexpr double kSameScore = 1e-9;
 
-// The bodies of the small pictures, by the part that they play.
+// The bodies of the small pictures, by their role.
 struct SmallScene {
   std::vector<DrawnBody> framed;     // fills the picture: object, hand and cones
   std::vector<DrawnBody> seen;       // the hand's links, then the cones
@@ -57,11 +57,13 @@ SmallScene small_scene(const CompiledScene& scene, const PosedGrasp& grasp, bool
   small.links = bodies.hand.size();
   small.seen = coarse(bodies.hand);
   small.seen.insert(small.seen.end(), bodies.contacts.begin(), bodies.contacts.end());
+  // The arm and the obstacles are not framed: they may be far larger than the grasp.
   small.framed = small.seen;
   small.framed.push_back(object);
   small.around = coarse(bodies.arm);
   small.around.push_back(object);
   if (with_obstacles) small.obstacles = coarse(bodies.obstacles);
+  // Obstacles are translucent in pictures, but what is behind them is hard to see.
   for (DrawnBody& body : small.obstacles) body.color.opacity = 1.0;
   return small;
 }
@@ -85,6 +87,8 @@ View view_from(const Vector3& direction, const SmallScene& small, const Compiled
                              const std::vector<DrawnBody>& around) {
     return visible_pixels(seen, around, camera, options.width, options.height);
   };
+  // Pixels are counted twice where there are obstacles: without them, for the part of the hand that
+  // they hide, and with them, for everything else.
   std::vector<double> pixels = pixels_of(small.seen, small.around);
   View view;
   if (!small.obstacles.empty()) {
@@ -121,6 +125,7 @@ double contact_score(const View& view, const PosedGrasp& grasp, std::size_t link
     ++counts[link];
   }
   double sum = 0.0;
+  // No link counts with more than 1, which is a cone that is wholly visible from the side.
   double least = 1.0;
   int touching = 0;
   for (std::size_t l = 0; l < links; ++l) {
@@ -137,6 +142,8 @@ double contact_score(const View& view, const PosedGrasp& grasp, std::size_t link
 double hand_score(const View& view, const std::vector<double>& largest) {
   double sum = 0.0;
   for (std::size_t l = 0; l < largest.size(); ++l) {
+    // The root makes the first visible pixels of a link count most: a view that shows some of every
+    // link is better than one that shows one link whole.
     if (largest[l] > 0.0) sum += std::sqrt(view.links[l] / largest[l]);
   }
   return largest.empty() ? 0.0 : sum / static_cast<double>(largest.size());
@@ -152,6 +159,7 @@ Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_
                  const TellingSideOptions& options, const RunContext& context) {
   const SmallScene small = small_scene(scene, grasp, with_obstacles);
   const std::vector<Vector3> directions = viewing_directions();
+  // All views come first, because hand_score compares each with the largest of them.
   std::vector<View> views;
   std::vector<double> largest(small.links, 0.0);
   for (const Vector3& direction : directions) {
@@ -199,6 +207,7 @@ std::vector<Vector3> viewing_directions() {
 Vector3 telling_side(const CompiledScene& scene, const PosedGrasp& grasp,
                      const TellingSideOptions& options, const RunContext& context) {
   const Choice side = best_side(scene, grasp, true, options, context);
+  // Where obstacles hide the grasp from every side, as a closed box does, they are left out.
   if (side.score > 0.0 || !scene.has_obstacles()) return side.direction;
   return best_side(scene, grasp, false, options, context).direction;
 }
