@@ -30,6 +30,10 @@ ColumnSupport::ColumnSupport(const Wrenches& wrenches) {
   }
 }
 
+// Compares the products of all columns with the direction. The eight lanes of a block are summed
+// independently of each other, each over the coordinates in the same order, so that the compiler
+// can vectorise the loops without changing results. Only a larger product replaces the best one:
+// ties go to the first column.
 Wrench ColumnSupport::support(const Wrench& direction) const {
   double best = -std::numeric_limits<double>::infinity();
   const Block* best_block = &blocks_.front();
