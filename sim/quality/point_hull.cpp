@@ -117,8 +117,8 @@ PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   // Equal points are flat as well, but qhull reports another error for them than for flat ones.
   if ((points.colwise() - points.col(0)).isZero(0.0)) return hull;
   // qhull takes the points one after the other, which is the layout of the columns. It may change
-  // them, hence the copy. With Qt facets with more corners than dimensions are divided into
-  // simplices; joggled facets (QJ) are simplices already.
+  // them, hence the copy. Option Qt divides facets with more corners than dimensions into
+  // simplices. Facets of joggled points (QJ) are simplices already.
   Eigen::MatrixXd copy = points;
   std::string command = input == HullInput::joggled ? "qhull QJ" : "qhull Qt";
   MessageStream messages;
