@@ -125,6 +125,7 @@ PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   Qhull qhull(messages.stream());
   int code = qh_new_qhull(qhull.get(), static_cast<int>(copy.rows()), static_cast<int>(copy.cols()),
                           copy.data(), False, command.data(), nullptr, messages.stream());
+  // qhull's exit codes: none is success, singular a flat set of points; all others are failures.
   if (code == qh_ERRnone) code = measure(qhull.get());
   if (code == qh_ERRsingular) return hull;
   if (code != qh_ERRnone) {
