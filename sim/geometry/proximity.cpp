@@ -171,6 +171,7 @@ class PairDistance {
         rotation_(X_AB.linear()),
         shift_(X_AB.translation() * kMillimetres) {}
 
+  // The distance alone, 0 for triangles that intersect.
   double operator()(int ta, int tb) const {
     Vector3 p_A;
     Vector3 p_B;
@@ -311,6 +312,7 @@ Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_A
   return gap;
 }
 
+// Both nearest points come in a's frame; the second one is turned into b's.
 TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                          TrianglePair pair) {
   TriangleGap gap;
