@@ -7,6 +7,10 @@
 
 #include <Eigen/Eigenvalues>
 
+// The robust statistics of the fits. Least squares would let a few points of other parts of the
+// object (a handle beside a body) move a primitive far from the rest. Residuals are therefore
+// weighted with Tukey's biweight, whose cutoff follows from the median of the residuals, and the
+// shapes themselves are compared by a loss that is constant beyond the tolerance.
 namespace prehend {
 namespace {
 

@@ -107,6 +107,7 @@ std::array<bool, 6> open_faces(const Slabs& box, const std::array<double, 6>& su
   for (const double weight : support) total += weight;
   std::array<bool, 6> open{};
   for (std::size_t face = 0; face < 6; ++face) {
+    // Face f and the opposite face f + 3 have the same area, which is one of three.
     const double expected = total * area[static_cast<int>(face % 3)] / (2.0 * area.sum());
     open[face] = !(support[face] > kCovered * expected);
   }
@@ -203,6 +204,7 @@ Primitive fit_box(std::span<const SurfacePoint> points, const FitOptions& option
   double best_loss = std::numeric_limits<double>::infinity();
   for (Slabs box : box_starts(centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
+      // The loss belongs to the box before the step: that is the one to keep.
       const Slabs before = box;
       const Step step = improve(box, centered, options);
       if (step.loss_before < best_loss) {

@@ -7,6 +7,10 @@
 
 #include "primitives/fit.h"
 
+// The algebraic circle fit (Kasa 1976): the equation of a circle, |p - c|^2 = r^2, is linear in the
+// centre c and in k = r^2 - |c|^2, so that one linear least squares problem solves it without a
+// start. Points far away have a large weight in it, because their squared distances are fitted. So
+// the points farthest from the median are left out first.
 namespace prehend {
 namespace {
 

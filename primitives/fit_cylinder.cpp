@@ -120,7 +120,10 @@ std::vector<Tube> tube_starts(std::span<const SurfacePoint> points, const FitOpt
 using TubeEquations = NormalEquations<7>;
 
 // The derivative of the point's residual by each unknown. A turn w of the frame moves the point's
-// coordinates by q x w.
+// coordinates by q x w. The residual of the side, rho - radius, changes by the part of this motion
+// along (x, y) / rho, that of a cap by the part along the axis. A turn about the axis changes
+// neither, so it is no unknown. On the axis itself rho has no derivative: such a point is left out
+// of the step.
 TubeEquations::Vector slope_of(const TubePoint& seen) {
   TubeEquations::Vector slope = TubeEquations::Vector::Zero();
   if (seen.part == Part::side) {
@@ -236,6 +239,7 @@ Primitive fit_cylinder(std::span<const SurfacePoint> points, const FitOptions& o
   double best_loss = std::numeric_limits<double>::infinity();
   for (Tube tube : tube_starts(centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
+      // The loss belongs to the cylinder before the step: that is the one to keep.
       const Tube before = tube;
       const Step step = improve(tube, centered, options);
       if (step.loss_before < best_loss) {

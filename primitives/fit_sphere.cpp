@@ -48,6 +48,7 @@ Ball algebraic_ball(std::span<const SurfacePoint> points, const Ball& start) {
   return {start.center + shift, std::sqrt(squared)};
 }
 
+// The sphere with its radius kept between the allowed extents.
 Primitive primitive_of(const Ball& ball, double largest, double smallest) {
   const double radius = std::max(std::min(ball.radius, largest), 0.5 * smallest);
   return {Sphere{radius}, translation(ball.center)};
@@ -102,6 +103,7 @@ Primitive fit_sphere(std::span<const SurfacePoint> points, const FitOptions& opt
   double best_loss = std::numeric_limits<double>::infinity();
   for (Ball ball : {algebraic_ball(points, mean), mean}) {
     for (int i = 0; i <= options.steps; ++i) {
+      // A ball beyond these limits is not kept: its loss is not computed.
       if (!(ball.radius > 0.0) || ball.radius > largest) break;
       const Change change = gauss_newton(ball, points, options);
       if (change.step.loss_before < best_loss) {

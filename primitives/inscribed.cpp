@@ -5,6 +5,9 @@
 
 #include "primitives/fit.h"
 
+// Sampled points lie on the facets of the mesh, which are chords of the surface that it
+// approximates: a radius fitted to them is too small. The vertices are on the surface itself. The
+// radius is therefore measured again at the vertices of the triangles that the points come from.
 namespace prehend {
 namespace {
 
@@ -20,7 +23,8 @@ std::vector<double> vertex_radii(const Sphere&, const Pose& X_OP,
   return radii;
 }
 
-// The same from a cylinder's axis, for the points of its side.
+// The same from a cylinder's axis, for the points of its side. Points nearer to a cap are left out:
+// the vertices of a cap may be at any distance from the axis.
 std::vector<double> vertex_radii(const Cylinder& cylinder, const Pose& X_OP,
                                  std::span<const SurfacePoint> points, const TriangleMesh& mesh) {
   const Pose X_PO = X_OP.inverse();

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+// All voxels within the radius of a sample are marked once, so that a query only looks up one
+// voxel. The phantom cost of every candidate primitive asks for many points (region.cpp), while the
+// samples never change.
 namespace prehend {
 
 NearSurface::NearSurface(const std::vector<SurfacePoint>& points, double radius) {

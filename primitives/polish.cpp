@@ -6,6 +6,10 @@
 
 #include "primitives/fit.h"
 
+// The greedy splits (split.h) are chosen one after the other, without regard to those that follow.
+// Here the set of primitives as a whole is improved by local search with three moves: reassign all
+// points to the nearest primitives, drop a primitive, merge two. A move is kept only if it lowers
+// the objective, so that the result is never worse than the start.
 namespace prehend {
 namespace {
 

@@ -4,12 +4,17 @@
 #include <cmath>
 #include <numbers>
 
+// Each part of the surface (face, side, cap) gets points by its share of the area. They are spread
+// by a rank-1 lattice: the i-th of n points has the coordinates ((i + 1/2) / n, (i + 1/2) times the
+// golden ratio, modulo 1) in the unit square, which is mapped to the part by a map that preserves
+// areas. The points are evenly spread for any n, and the same in every run.
 namespace prehend {
 namespace {
 
 using std::numbers::pi;
 
-// Successive multiples of the golden ratio fill a circle or an interval as evenly as any sequence.
+// Successive multiples of the golden ratio, modulo 1, fill an interval evenly for any number of
+// points. Only the fraction of the ratio matters.
 constexpr double kTurn = std::numbers::phi - 1.0;
 
 double fraction(double x) { return x - std::floor(x); }
@@ -46,6 +51,7 @@ void spread_over(const Box& box, int count, std::vector<PatchPoint>& points) {
 
 void spread_over(const Sphere& sphere, int count, std::vector<PatchPoint>& points) {
   spread(points, surface_area(Shape(sphere)), count, [&](double s, double t) {
+    // Zones of equal height on a sphere have equal areas (Archimedes).
     const double z = 2.0 * s - 1.0;
     const double rho = std::sqrt(1.0 - z * z);
     const double angle = 2.0 * pi * t;
@@ -64,6 +70,7 @@ void spread_over(const Cylinder& cylinder, int count, std::vector<PatchPoint>& p
   });
   for (const double end : {-0.5, 0.5}) {
     spread(points, cap, share(cap, total, count), [&](double s, double t) {
+      // The area within a radius grows with its square, hence the root.
       const double rho = r * std::sqrt(s);
       const double angle = 2.0 * pi * t;
       return Vector3(rho * std::cos(angle), rho * std::sin(angle), end * cylinder.height);

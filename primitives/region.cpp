@@ -7,6 +7,9 @@
 #include "primitives/fit_shapes.h"
 #include "primitives/primitive_surface.h"
 
+// What a region costs is its part of the objective (region.h): the misfit of its points, weighted
+// with their share of the surface, and the phantom surface of its primitive. All three kinds of
+// primitive are fitted to the same points, and the cheapest one is kept.
 namespace prehend {
 namespace {
 
@@ -27,6 +30,8 @@ double unexplained_share(const Primitive& primitive, std::span<const SurfacePoin
 
 }  // namespace
 
+// The area of the patches of the primitive that are not near the mesh, relative to the area of the
+// mesh.
 double phantom_cost(const Primitive& primitive, const Surface& surface) {
   constexpr double kPhantomWeight = 0.6;
   constexpr int kPatches = 160;
@@ -47,6 +52,9 @@ std::vector<double> distances(const Primitive& primitive, const Surface& surface
 }
 
 Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort) {
+  // Quick fits use few points and few steps: a search for splits compares many candidates, and only
+  // the best one is fitted again thoroughly (refitted). Lengths are in the unit of the scaled mesh,
+  // whose bounding box has a diagonal of 1.
   constexpr std::size_t kQuickPoints = 160;
   constexpr int kQuickSteps = 4;
   constexpr int kThoroughSteps = 12;

@@ -5,6 +5,9 @@
 
 #include "primitives/fit.h"
 
+// A split is found by trying: every candidate divides the points in two, and a quick fit to each
+// part tells what the two primitives would cost. The candidates are planes in a few directions at a
+// few positions, and the separation of points near the region's primitive from all others.
 namespace prehend {
 namespace {
 

@@ -17,6 +17,9 @@ void make_folder(const std::filesystem::path& folder) {
   }
 }
 
+// The content is written to another file, which then takes the name of the target. The target is at
+// every time either as it was or complete, also where the program is interrupted or the disk is
+// full.
 void write_file(const std::filesystem::path& file, const std::string& content) {
   // In the same folder as the target, because a rename is atomic only within one file system; with
   // the process id, because two programs may write the same file.

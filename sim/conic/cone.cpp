@@ -5,6 +5,10 @@
 #include <limits>
 #include <numeric>
 
+// Each operation is done by cones: element by element for the rows of the orthant, and with the
+// Jordan algebra of (v0, v1) for each second-order cone (Vandenberghe 2010, sections 3 to 5). The
+// rows of the orthant come first, so that they are one segment of every vector. v0^2 - |v1|^2 plays
+// the part of a determinant: it is positive in the interior of the cone and 0 on its border.
 namespace prehend {
 
 int ConeSizes::rows() const {
@@ -31,8 +35,8 @@ Eigen::VectorXd cone_product(const ConeSizes& cone, const Eigen::VectorXd& u,
   return product;
 }
 
-// In a second-order cone u o v = d reads u0 v0 + u1'v1 = d0 and u0 v1 + v0 u1 = d1. Put v1 from the
-// second into the first, and v0 (u0^2 - |u1|^2) = u0 d0 - u1'd1 remains.
+// In a second-order cone u o v = d reads u0 v0 + u1'v1 = d0 and u0 v1 + v0 u1 = d1. With v1 from
+// the second equation, the first becomes v0 (u0^2 - |u1|^2) = u0 d0 - u1'd1.
 Eigen::VectorXd cone_quotient(const ConeSizes& cone, const Eigen::VectorXd& u,
                               const Eigen::VectorXd& d) {
   Eigen::VectorXd quotient = d.cwiseQuotient(u);
@@ -47,6 +51,8 @@ Eigen::VectorXd cone_quotient(const ConeSizes& cone, const Eigen::VectorXd& u,
   return quotient;
 }
 
+// v - a e is in a second-order cone while v0 - a >= |v1|, and in the orthant while no entry is
+// below a.
 double cone_margin(const ConeSizes& cone, const Eigen::VectorXd& v) {
   double margin = std::numeric_limits<double>::infinity();
   if (cone.orthant > 0) margin = v.head(cone.orthant).minCoeff();
@@ -75,6 +81,8 @@ double cone_step(const ConeSizes& cone, const Eigen::VectorXd& u, const Eigen::V
   return shrink > 0.0 ? 1.0 / shrink : std::numeric_limits<double>::infinity();
 }
 
+// From the factors v0 - |v1| and v0 + |v1|: near the border of the cone v0^2 and |v1|^2 are nearly
+// equal, and the difference of these rounded squares would have few correct digits.
 double cone_root(const Eigen::Ref<const Eigen::VectorXd>& v) {
   const double radius = v.tail(v.size() - 1).norm();
   return std::sqrt(v[0] - radius) * std::sqrt(v[0] + radius);

@@ -5,6 +5,8 @@
 
 namespace prehend {
 
+// In the orthant W is diagonal with the entries sqrt(s / z), and lambda is sqrt(s z). A point on
+// the border of a cone, or outside by rounding, makes an entry zero, infinite or not a number.
 ConeScaling::ConeScaling(const ConeSizes& cone, const Eigen::VectorXd& s, const Eigen::VectorXd& z)
     : cone_(cone), lambda_(cone.rows()), point_(cone.rows()) {
   const Eigen::Index n = cone.orthant;

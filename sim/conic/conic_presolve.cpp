@@ -27,6 +27,7 @@ double power_of_two(double size) {
 
 using PivotedQr = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
 
+// QR factors with column pivoting, whose rank is the number of pivots above the threshold.
 PivotedQr factors_of(const Eigen::MatrixXd& m) {
   PivotedQr qr(m.rows(), m.cols());
   qr.setThreshold(kDependent);
@@ -83,6 +84,10 @@ void Equilibration::scale_once() {
   rows_of_G_ = rows_of_G_.cwiseProduct(row_of_G);
 }
 
+// With D the column factors and R those of the rows, the scaled program has G' = R G D, h' = R h /
+// right and c' = D c / objective. Its solution x' gives x = right D x' and s = right R^-1 s'; its
+// multipliers give y and z = objective R (y', z'). For A and b the same holds with the factors of
+// their rows.
 void Equilibration::restore(ConicSolution& solution) const {
   solution.x = right_ * columns_.cwiseProduct(solution.x);
   solution.s = right_ * solution.s.cwiseQuotient(rows_of_G_);
@@ -157,6 +162,7 @@ void Reduction::decide(const ConicProgram& program, ConicStatus status) {
   solution_.s = Eigen::VectorXd::Zero(program.h.size());
 }
 
+// Directions left out have the component 0, rows left out the multiplier 0.
 void Reduction::restore(ConicSolution& solution) const {
   if (seen_.rows() > 0) solution.x = (seen_ * solution.x).eval();
   const Eigen::VectorXd kept = solution.y;

@@ -7,6 +7,17 @@
 #include "sim/conic/conic_presolve.h"
 #include "sim/conic/interior_point.h"
 
+// The program is solved in three layers, each of which makes the next one's work well defined:
+//
+//   1. Equilibration scales rows and columns to entries of the order of one, so that relative
+//      thresholds for dependence mean the same for every row.
+//   2. Reduction leaves out dependent rows of A and directions of x that no constraint sees, with
+//      which the linear systems of the interior point method would be singular. It may already find
+//      that the program is infeasible.
+//   3. The interior point method solves what is left.
+//
+// The result is taken back through the layers in reverse order. Residuals and gap are then computed
+// from the given program, so that they include the rounding of all layers.
 namespace prehend {
 namespace {
 
@@ -36,7 +47,10 @@ void check(const ConicOptions& options) {
           "conic options", "must be positive");
 }
 
-// Values, residuals and gap in the units of the program as it was given.
+// Values, residuals and gap in the units of the program as it was given. A certificate of dual
+// infeasibility is a direction of x: it fulfils the equations without b and h. One of primal
+// infeasibility fulfils the dual equations without c. The equations that a certificate is not about
+// have the residual 0.
 void measure(const ConicProgram& p, ConicSolution& solution) {
   const bool homogeneous = solution.status == ConicStatus::dual_infeasible;
   const bool no_objective = solution.status == ConicStatus::primal_infeasible;
@@ -56,7 +70,8 @@ void measure(const ConicProgram& p, ConicSolution& solution) {
   solution.gap = solution.s.dot(solution.z);
 }
 
-// A certificate is a direction: its value is made -1 again after unscaling.
+// A certificate is a direction of any length. The scaling of the program has changed its value (b'y
+// + h'z, or c'x), which is made -1 again.
 void normalise(const ConicProgram& p, ConicSolution& solution) {
   if (solution.status == ConicStatus::primal_infeasible) {
     const double size = -p.b.dot(solution.y) - p.h.dot(solution.z);
@@ -69,7 +84,8 @@ void normalise(const ConicProgram& p, ConicSolution& solution) {
   }
 }
 
-// Empty matrices may come in any shape.
+// Gives matrices without rows the number of columns that products with x need: callers may pass
+// them in any shape.
 ConicProgram shaped(const ConicProgram& program) {
   ConicProgram p = program;
   if (p.A.rows() == 0) p.A.resize(0, p.c.size());

@@ -6,11 +6,17 @@
 #include <limits>
 #include <utility>
 
+// Contact points on one flat region of contact have the same normal and lie in one plane. What the
+// region can transmit is the set of wrenches of all distributions of force over it, which is
+// spanned by the corners of its convex hull. Contacts are therefore grouped by normal, and each
+// group is reduced to a point, the ends of a segment, or the corners of a convex polygon, with as
+// few corners as the options permit.
 namespace prehend {
 namespace {
 
 using Point2 = Eigen::Vector2d;
 
+// A contact in the plane of its group: where it is, and its index in the list of all contacts.
 struct Corner {
   Point2 p;
   std::size_t contact = 0;
@@ -23,7 +29,9 @@ double turn(const Point2& a, const Point2& b, const Point2& c) {
   return ab.x() * ac.y() - ab.y() * ac.x();
 }
 
-// Counter-clockwise hull (Andrew's monotone chain).
+// Counter-clockwise convex hull (Andrew's monotone chain): one pass over the points from left to
+// right makes the lower side, a second one from right to left the upper side. A point stays while
+// the chain turns left at it; points on a side are left out, as a turn of 0 is none.
 std::vector<Corner> hull(std::vector<Corner> points) {
   std::sort(points.begin(), points.end(), [](const Corner& a, const Corner& b) {
     return a.p.x() != b.p.x() ? a.p.x() < b.p.x() : a.p.y() < b.p.y();

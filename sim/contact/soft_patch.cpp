@@ -9,11 +9,13 @@
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/weld.h"
 
-// The pressure is integrated triangle pair by triangle pair: the springs of one triangle
-// of the link stand on it along its normal; the part of an object's triangle that is above it and
-// nearer than the depth is a convex polygon, on which the compression is a linear function. Cut
-// into triangles, it is summed up by a quadrature rule. No grid of springs is made: force and
-// centre of pressure are exact for the two meshes, and only the torsion is approximate.
+// The pressure of the elastic foundation (Johnson 1985, section 4.3) is integrated triangle pair by
+// triangle pair: the springs of one triangle of the link stand on it along its normal; the part of
+// an object's triangle that is above it and nearer than the depth is a convex polygon, on which the
+// compression is a linear function. The polygon is cut into triangles, over which a quadrature rule
+// sums up the pressure. No grid of springs is made: force and centre of pressure are exact for the
+// two meshes. Only the torsion is approximate, since the distance from the centre is not a
+// polynomial.
 namespace prehend {
 namespace {
 
@@ -91,6 +93,8 @@ Vector3 nearest_on_segment(const Vector3& p, const Vector3& a, const Vector3& b)
   return length > 0.0 ? a + std::clamp((p - a).dot(ab) / length, 0.0, 1.0) * ab : a;
 }
 
+// The foot of the perpendicular where it is inside the triangle, else the nearest point of the
+// edges.
 Vector3 nearest_on_triangle(const Vector3& p, const Corners& c) {
   const Vector3 normal = unit_normal(c);
   const Vector3 foot = p - (p - c[0]).dot(normal) * normal;
@@ -158,6 +162,8 @@ std::vector<SoftPatch> soft_patches(const ProximityMesh& object, const Proximity
     add_pressed(corners_of(object.mesh(), pair.a), moved(corners_of(link.mesh(), pair.b), X_OL),
                 pair.a, depth, parts);
   }
+  // An ordered map: patches, and the parts of each, come in the order of mesh and pairs, so that
+  // sums are rounded the same way each time.
   std::map<std::size_t, std::vector<PressedPart>> by_patch;
   const std::vector<std::size_t> patch_of = patch_of_each(object.mesh(), parts);
   for (std::size_t i = 0; i < parts.size(); ++i) by_patch[patch_of[i]].push_back(parts[i]);

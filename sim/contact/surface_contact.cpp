@@ -7,6 +7,13 @@
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/weld.h"
 
+// Every pair of triangles within the threshold is asked for contacts in three ways: points of the
+// link's triangle over the face of the object's, points of the object's over the face of the
+// link's, and the nearest points of the pair. Points found by mistake, because a pair of triangles
+// is only a part of the two surfaces, are rejected by `supports`, which looks at the neighbouring
+// triangles on both bodies: a contact is real if both surfaces stay on their sides of the tangent
+// plane. The same contact is found by many pairs of triangles (all faces around a vertex, for
+// example); the copies are merged at the end.
 namespace prehend {
 namespace {
 
@@ -121,6 +128,8 @@ class PairContacts {
       lowest = std::min(lowest, (polygon.corner[i] - face[0]).dot(face_normal));
     }
     if (lowest < 0.0) return;  // the other triangle reaches behind the face
+    // All corners that are as low as the lowest, up to the evenness: a face lying flat on the other
+    // has several.
     const double limit = std::min(options_.threshold, lowest + options_.evenness);
     for (std::size_t i = 0; i < polygon.size; ++i) {
       const Vector3& p = polygon.corner[i];
@@ -161,6 +170,7 @@ class PairContacts {
   std::vector<SurfaceContact>& points_;
 };
 
+// Nearest first. Ties are decided by position, not by the order of the pairs.
 bool nearer(const SurfaceContact& a, const SurfaceContact& b) {
   if (a.gap != b.gap) return a.gap < b.gap;
   return std::lexicographical_compare(a.position.data(), a.position.data() + 3, b.position.data(),
@@ -179,6 +189,8 @@ void find_contact_points(const ProximityMesh& object, const ProximityMesh& link,
   for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
   for (const SurfaceContact& contact : workspace.points) {
+    // Sorted by gap, the nearest of several copies comes first and is the one that stays. Normals
+    // of two copies may each be off by the angular tolerance, hence twice that.
     const bool known = std::any_of(points.begin(), points.end(), [&](const SurfaceContact& other) {
       return (other.position - contact.position).norm() <= options.same_place * options.threshold &&
              other.normal.cross(contact.normal).norm() <= 2.0 * options.angular_tolerance &&

@@ -31,7 +31,9 @@ Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward) {
   return rest;
 }
 
-// Clips the triangle to the prism over the face: by the planes through its edges along its normal.
+// Clips the triangle to the infinite prism over the face, which is bounded by the planes through
+// the edges of the face along its normal. For an edge in counter-clockwise order, normal x edge
+// points into the prism. Parts below the face are kept as well.
 Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other) {
   Polygon polygon;
   for (const Vector3& p : other) polygon.push(p);

@@ -110,6 +110,9 @@ TriangleMesh make_box(const Vector3& size, int cells_per_edge) {
   return make_box_grid(size, {cells_per_edge, cells_per_edge, cells_per_edge});
 }
 
+// Vertices: rings + 1 rings of `sides` vertices each, from the bottom up, then the centres of the
+// two ends. Every side of a ring carries a column of quadrilaterals and a triangle of each end's
+// fan.
 TriangleMesh make_cylinder(double radius, double height, int sides, int rings) {
   need_positive("cylinder radius", radius);
   need_positive("cylinder height", height);
@@ -138,6 +141,8 @@ TriangleMesh make_cylinder(double radius, double height, int sides, int rings) {
   return mesh;
 }
 
+// Each triangle of an icosahedron is divided into frequency^2 triangles by lines parallel to its
+// sides, and all vertices are projected onto the sphere.
 TriangleMesh make_geodesic_sphere(double radius, int frequency) {
   need_positive("sphere radius", radius);
   need_range("sphere frequency", frequency, 1, 2000);
@@ -180,11 +185,14 @@ TriangleMesh make_geodesic_sphere(double radius, int frequency) {
   return mesh;
 }
 
+// To divide each triangle in four, s times, is to divide each edge in 2^s.
 TriangleMesh make_sphere(double radius, int subdivisions) {
   need_range("sphere subdivisions", subdivisions, 0, 8);
   return make_geodesic_sphere(radius, 1 << subdivisions);
 }
 
+// Vertices: the polygon at the lower end, then, shifted by n, at the upper end. The triangles of
+// the lower end are turned over to face down.
 TriangleMesh make_prism(const std::vector<Eigen::Vector2d>& polygon, double lower, double upper) {
   need_positive("prism height", upper - lower);
   const std::vector<Triangle> caps = triangulate_polygon(polygon);

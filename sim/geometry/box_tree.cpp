@@ -1,5 +1,7 @@
-// Top-down construction of the tree by median splits, which makes it balanced: depth log2 of the
-// number of triangles, 2 n - 1 nodes.
+// Top-down construction of the bounding volume hierarchy by median splits, which makes it balanced:
+// depth log2 of the number of triangles, 2 n - 1 nodes. The triangles are divided by their
+// centroids, along the axis in which the centroids are spread most, while the boxes enclose the
+// whole triangles.
 #include "sim/geometry/box_tree.h"
 
 #include <algorithm>
@@ -63,6 +65,7 @@ class Builder {
       // library.
       return a != b ? a < b : s < t;
     });
+    // Siblings are next to each other, so that a node stores the index of the first only.
     const std::size_t left = nodes_.size();
     nodes_[node].left = static_cast<int>(left);
     nodes_.emplace_back();

@@ -22,8 +22,6 @@
 namespace prehend {
 namespace {
 
-// A triangle of the current hull, counter-clockwise seen from outside. Faces are never erased from
-// the list but marked dead, so that indices stay valid.
 // A triangle of the hull, counter-clockwise seen from outside. Replaced faces are marked dead and
 // stay in the list, so that indices remain valid.
 struct Face {
@@ -92,6 +90,8 @@ class Quickhull {
     s[0] = farthest([&](const Vector3& p) { return (p - point(s[1])).squaredNorm(); });
     const double extent = (point(s[1]) - point(s[0])).norm();
     if (!(extent > 0.0)) return false;
+    // Both thresholds are relative to the size of the points. A first tetrahedron thinner than
+    // `flat` would have faces with unreliable normals.
     tolerance_ = 1e-9 * extent;
     const double flat = 1e-6 * extent;
     const Vector3 along = (point(s[1]) - point(s[0])) / extent;
@@ -152,7 +152,6 @@ class Quickhull {
     }
   }
 
-  // A directed edge of the horizon, in the direction of the visible face.
   // A directed edge of the horizon, in the direction of the visible face.
   struct Side {
     int from = 0;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+// The two ends of an edge are stored in ascending order, so that both of its triangles name it in
+// the same way. Sorting then brings all uses of an edge together. The triangle is the last key: the
+// order is unique, whatever the sorting algorithm.
 namespace prehend {
 
 std::vector<EdgeUse> edge_uses(const TriangleMesh& mesh) {

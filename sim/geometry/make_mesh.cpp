@@ -31,6 +31,10 @@ void check_vertices(const TriangleMesh& mesh) {
 
 }  // namespace
 
+// Indices are checked first because everything else uses them, and vertices before the removal of
+// unused ones, so that errors name their place in the given lists. Unused vertices must not enlarge
+// the bounding box to which the weld tolerance is relative. Orientation comes last: only welded
+// triangles share vertices, and with them the edges over which they are made to agree.
 TriangleMesh make_mesh(std::vector<Vector3> vertices, std::vector<Triangle> triangles,
                        double weld_fraction) {
   TriangleMesh mesh{std::move(vertices), std::move(triangles)};

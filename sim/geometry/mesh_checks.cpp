@@ -60,6 +60,8 @@ MeshChecks check_mesh(const TriangleMesh& mesh) {
     }
   }
   checks.components = count_components(sound);
+  // On a closed surface every edge belongs to two triangles. Consistently wound, they traverse it
+  // in opposite directions, and their net direction is 0.
   for_each_edge(edge_uses(sound), [&](std::span<const EdgeUse> edge) {
     if (edge.size() == 1) ++checks.boundary_edges;
     if (edge.size() > 2) ++checks.nonmanifold_edges;
@@ -69,6 +71,8 @@ MeshChecks check_mesh(const TriangleMesh& mesh) {
   return checks;
 }
 
+// By the divergence theorem: six times the volume of the tetrahedron between a triangle and a fixed
+// point is the product of the doubled area vector and the vector from the point to a corner.
 double signed_volume(const TriangleMesh& mesh) {
   if (mesh.empty()) return 0.0;
   // About the centre of the bounds: far from the origin large terms would cancel.

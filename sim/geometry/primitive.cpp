@@ -9,9 +9,11 @@ namespace {
 
 using std::numbers::pi;
 
-// Outside, the length of the part of p beyond the faces; inside, minus the distance to the nearest
-// face. One of the two terms is always zero. The cylinder works alike in the half plane (distance
-// from the axis, |z|).
+// By symmetry only the octant of positive coordinates matters, where `beyond` holds the signed
+// distances from the planes of the three faces. Outside the box, the distance is the length of the
+// positive parts of `beyond`; inside, it is minus the distance to the nearest face. One of the two
+// terms is always zero. A cylinder is computed alike in the half plane (distance from the axis,
+// |z|), where it is a rectangle.
 double distance_to(const Box& box, const Vector3& p) {
   const Vector3 beyond = p.cwiseAbs() - 0.5 * box.size;
   const double inside = std::min(beyond.maxCoeff(), 0.0);

@@ -24,7 +24,8 @@ namespace prehend {
 namespace {
 
 // FCL's triangle distance compares with absolute thresholds that are too coarse for small triangles
-// in metres; all its arguments are therefore in millimetres.
+// in metres. All its arguments are therefore in millimetres, and its results are turned back into
+// metres at once (PairDistance).
 constexpr double kMillimetres = 1000.0;
 
 }  // namespace
@@ -170,6 +171,7 @@ class PairDistance {
         rotation_(X_AB.linear()),
         shift_(X_AB.translation() * kMillimetres) {}
 
+  // The distance alone, 0 for triangles that intersect.
   double operator()(int ta, int tb) const {
     Vector3 p_A;
     Vector3 p_B;
@@ -205,6 +207,7 @@ struct NearestVisitor {
   double pruned = std::numeric_limits<double>::infinity();  // smallest squared bound left out
   TrianglePair pair = {};
 
+  // The distances are compared as squares, which saves a root for each pair of boxes.
   bool prune(double squared) {
     const double wanted = std::min(cap, best * factor);
     if (squared < wanted * wanted) return false;
@@ -221,7 +224,8 @@ struct NearestVisitor {
   }
 };
 
-// Looks for one intersecting pair. Once it is found, everything else is pruned.
+// Looks for one intersecting pair, for which the triangle distance is exactly 0. Boxes that are
+// apart cannot contain one. Once it is found, everything else is pruned.
 struct CrossVisitor {
   const PairDistance& distance;
   bool crossed = false;
@@ -278,6 +282,7 @@ Gap find_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
   // tree.
   if (options.hint.a >= 0 && options.hint.b >= 0) visitor.visit(options.hint.a, options.hint.b);
   PairWalk(a, b, X_AB, visitor).run();
+  // The nearest pair was either measured, or is in a pair of boxes that was left out.
   return {std::min(visitor.best, std::sqrt(visitor.pruned)), visitor.best, visitor.pair};
 }
 
@@ -307,6 +312,7 @@ Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_A
   return gap;
 }
 
+// Both nearest points come in a's frame; the second one is turned into b's.
 TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                          TrianglePair pair) {
   TriangleGap gap;

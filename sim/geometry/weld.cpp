@@ -1,4 +1,5 @@
 // Vertices are merged with a hash grid of kept vertices, so that only nearby ones are compared.
+//
 // Removing duplicate triangles needs care with windings: two triangles on the same three vertices
 // that are wound against each other enclose nothing. One of them is kept as a two-sided triangle,
 // except where it is a fin.
@@ -58,6 +59,7 @@ class PointGrid {
           for (const int i : place->second) {
             const bool near =
                 (kept[static_cast<std::size_t>(i)] - p).squaredNorm() <= tolerance_ * tolerance_;
+            // The first in the order of vertices, whatever the order of cells.
             if (near && (found < 0 || i < found)) found = i;
           }
         }
@@ -125,7 +127,8 @@ void mark_fins(const TriangleMesh& mesh, const std::vector<bool>& two_sided,
 }
 
 // Of all triangles with the same three vertices the first is kept. Returns the number of triangles
-// removed, fins included. Sorting by sorted vertices brings duplicates together.
+// removed, fins included. Sorting by sorted vertices brings duplicates together; the index as the
+// last key puts the one to keep first.
 int remove_duplicates(TriangleMesh& mesh) {
   struct Named {
     Triangle corners;  // sorted

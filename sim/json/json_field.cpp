@@ -10,6 +10,9 @@
 
 #include "sim/base/input_error.h"
 
+// A field knows its name as a path from the root of the file, for example
+// obstacles[2].pose.position, which error messages begin with. The path is built on the way down:
+// each access appends a key or an index.
 namespace prehend {
 namespace {
 

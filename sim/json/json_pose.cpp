@@ -12,6 +12,7 @@ Pose read_pose(const JsonField& field) {
   if (field.has("position")) pose.translation() = field["position"].vector3();
   if (field.has("quaternion_wxyz")) {
     const std::vector<double> q = field["quaternion_wxyz"].numbers(4);
+    // Eigen's constructor takes w first, as the file does, although Eigen stores it last.
     Eigen::Quaterniond rotation(q[0], q[1], q[2], q[3]);
     if (!(std::abs(rotation.norm() - 1.0) <= 1e-3)) {
       field["quaternion_wxyz"].fail("not a rotation: its length is not 1");

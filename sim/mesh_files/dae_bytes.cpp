@@ -89,7 +89,8 @@ class Tags {
   bool interrupted_ = false;
 };
 
-// The value of an attribute; none when the tag has no such attribute.
+// The value of an attribute; none when the tag has no such attribute. Attributes are NAME="VALUE"
+// or NAME='VALUE', in any order, with blanks allowed around the equals sign.
 std::optional<std::string> attribute(std::string_view text, std::string_view name) {
   constexpr std::string_view kBlank = " \t\r\n";
   while (true) {
@@ -174,6 +175,7 @@ class DaeCheck {
     if (tag.name == "input") count_of(tag, "offset", 0);
     if (tag.name == "accessor") {
       const long long stride = count_of(tag, "stride", 1);
+      // In doubles, in which the product of two counts cannot overflow.
       const double end =
           static_cast<double>(count_of(tag, "offset", 0)) +
           static_cast<double>(stride) * static_cast<double>(count_of(tag, "count", std::nullopt));

@@ -20,7 +20,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// The default mode of a primitive.
+// The default mode of a primitive. Modes are numbered from 0 (points) to 6 (triangle fan).
 constexpr int kTriangles = 4;
 
 // A list of the document; empty when the document has none of that name.
@@ -194,7 +194,8 @@ class Reducer {
     }
   }
 
-  // Keeps positions and indices of a primitive.
+  // Keeps positions and indices of a primitive. The specification requires positions of three
+  // floats and indices of unsigned bytes, shorts or ints (codes 5121, 5123 and 5125).
   Json primitive(const Json& given) const {
     const Json& accessors = result_["accessors"];
     Json entry = members(given, {"indices", "mode"});

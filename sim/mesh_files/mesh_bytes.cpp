@@ -15,6 +15,8 @@ std::string checked_mesh_bytes(std::string_view extension, const std::string& by
   return bytes;
 }
 
+// Text in UTF-16 has a byte order mark or, without one, zero bytes, as have nearly all binary
+// files. Text in UTF-8 has none.
 void need_text(std::string_view bytes) {
   const std::string_view mark = bytes.substr(0, 2);
   if (mark == "\xFE\xFF" || mark == "\xFF\xFE") {

@@ -15,6 +15,9 @@
 #include "sim/mesh_files/mesh_bytes.h"
 #include "sim/mesh_files/off_reader.h"
 
+// A mesh file is read in steps: the bytes as a whole, their validation and parsing by format, then,
+// in the same way for all formats, units and welding. Errors are thrown without the file's name,
+// which load_mesh adds to all of them.
 namespace prehend {
 namespace {
 
@@ -33,6 +36,7 @@ std::string extension_of(const std::filesystem::path& file) {
 }
 
 std::string read_bytes(const std::filesystem::path& file) {
+  // The file is held in memory as a whole.
   constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);

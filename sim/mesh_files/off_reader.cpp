@@ -9,6 +9,11 @@
 #include "sim/geometry/polygon.h"
 #include "sim/mesh_files/text_scan.h"
 
+// OFF: an optional keyword, the numbers of vertices, faces and edges, a line for each vertex and a
+// line for each face. OFF is read here, not by assimp. The keyword may have a prefix that tells
+// what else is given for each vertex: ST texture coordinates, C a colour, N a normal; these follow
+// the three coordinates and are ignored. Other prefixes (4, n) change the number of coordinates,
+// and such files are rejected.
 namespace prehend {
 namespace {
 

@@ -145,11 +145,15 @@ Header read_header(std::string_view bytes) {
   throw InputError("the PLY header does not end");
 }
 
-// Reads the scalars of the body one after another, in any encoding.
+// Reads the scalars of the body one after another, in any encoding. Every scalar is returned as a
+// double, which holds all 32-bit integers exactly. In text, values are words, and line breaks
+// between them have no meaning.
 class Body {
  public:
   Body(std::string_view bytes, const Header& header)
       : bytes_(bytes), text_(bytes), header_(header), at_(header.end) {
+    // The text cursor starts over and passes the header, so that its line numbers count from the
+    // start of the file.
     while (text_.position() < header.end && text_.next_line()) {
     }
     text_.next_word();  // end_header
@@ -213,7 +217,8 @@ class Body {
   std::size_t at_;
 };
 
-// Reads a list; the entries of a face must be valid vertex indices.
+// Reads a list; the entries of a face must be valid vertex indices. A length within the limit fits
+// an int. Comparisons are negated so that they also reject NaN.
 void check_list(Body& body, const Property& property, const Element& element, long long vertices) {
   constexpr double kLongest = 1e6;
   const double count = body.next(*property.count, element);
@@ -232,6 +237,8 @@ void check_list(Body& body, const Property& property, const Element& element, lo
 
 }  // namespace
 
+// The body has no marks between its values: an element can be found only by reading everything
+// before it. So all elements are read, also those that no mesh uses.
 void check_ply(std::string_view bytes) {
   const Header header = read_header(bytes);
   Body body(bytes, header);

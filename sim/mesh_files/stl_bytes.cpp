@@ -1,4 +1,6 @@
-// Validation of STL files, text and binary.
+// Validation of STL files, text and binary. Nothing in the format tells the two apart for certain.
+// Text files begin with the word "solid", but so do the headers of some binary files; a binary file
+// has a size that follows from its number of facets. Numbers in binary files are little-endian.
 #include <cctype>
 #include <cstdint>
 #include <cstring>
@@ -14,6 +16,8 @@ namespace {
 constexpr std::size_t kHeader = 84;  // 80 bytes of comment, 4 bytes of count
 constexpr std::size_t kFacet = 50;   // normal and three vertices as floats, 2 bytes of attribute
 
+// The count behind the comment; the file must be at least kHeader long. 64 bits wide, so that
+// products with the size of a facet do not overflow.
 std::uint64_t facet_count(std::string_view bytes) {
   std::uint32_t count = 0;
   std::memcpy(&count, bytes.data() + 80, sizeof(count));

@@ -18,6 +18,8 @@ std::string_view without_plus(std::string_view word) {
   return signed_plus ? word.substr(1) : word;
 }
 
+// The whole word as a number: nothing may be left over behind it. std::from_chars does not depend
+// on the locale, unlike strtod, which in some locales expects a decimal comma.
 template <typename Value>
 std::optional<Value> parse(std::string_view word) {
   word = without_plus(word);

@@ -8,12 +8,22 @@
 
 #include "sim/base/input_error.h"
 
+// The contact map (Murray, Li and Sastry 1994, section 5.2) has one column for each thing that a
+// contact can transmit: the wrench of a unit force along the normal, along each tangent, and of a
+// unit torque about the normal. A force f at p exerts the torque (p - origin) x f. The torque scale
+// is put into the lever arm, so that all columns are [force; torque * scale].
 namespace prehend {
 namespace {
 
+// A normal whose length is farther from 1 than this is taken for a mistake of the caller, such as a
+// vector that was not normalised. Nearer ones are normalised where they are used.
 constexpr double kUnitTolerance = 1e-3;
+// The cross product of unit vectors has a rounding error of about 1e-16. At this length its
+// direction is still accurate to about 1e-10; where it is much shorter, the direction would be that
+// of the rounding error.
 constexpr double kParallelSine = 1e-6;
 
+// Vectors in error messages: all coordinates in one line.
 const Eigen::IOFormat kInline(Eigen::StreamPrecision, Eigen::DontAlignCols, ", ", ", ");
 
 template <typename Value>
@@ -37,6 +47,7 @@ void check_not_negative(const std::string& field, double value) {
 
 Tangents contact_tangents(const Eigen::Vector3d& normal) {
   Eigen::Vector3d first = normal.cross(Eigen::Vector3d::UnitX());
+  // A normal parallel to X is orthogonal to Z, so this product has length one.
   if (first.norm() < kParallelSine) first = normal.cross(Eigen::Vector3d::UnitZ());
   first.normalize();
   return {first, normal.cross(first)};
@@ -50,6 +61,7 @@ ContactMap contact_map(const Contact& contact, const WrenchFrame& frame) {
   map.col(0) << normal, arm.cross(normal);
   map.col(1) << tangents.first, arm.cross(tangents.first);
   map.col(2) << tangents.second, arm.cross(tangents.second);
+  // A pure torque is the same about every origin: it has no lever arm.
   map.col(3) << Eigen::Vector3d::Zero(), frame.torque_scale * normal;
   return map;
 }

@@ -274,6 +274,9 @@ double ForceProgram::residual(const Eigen::Matrix4Xd& components) const {
   return (maps_ * components.reshaped() + wrench_).norm();
 }
 
+// The largest part by which a joint torque exceeds its limit. A locked joint has the limit 0: its
+// torque is compared with the largest that a single force component of the largest magnitude would
+// cause.
 double ForceProgram::torque_excess(const Eigen::Matrix4Xd& components) const {
   const Eigen::VectorXd torques = loads_ * components.reshaped();
   double excess = 0.0;
@@ -287,6 +290,9 @@ double ForceProgram::torque_excess(const Eigen::Matrix4Xd& components) const {
   return excess;
 }
 
+// The multipliers as a wrench and joint torques. Balance is required in the directions of the basis
+// only, so the basis turns its multipliers back into a wrench. A limited joint has a row for each
+// sign of its torque, and both rows are divided by the limit.
 ForceProgram::Separation ForceProgram::separation(const ConicSolution& solution) const {
   Separation result{basis_ * solution.y.head(basis_.cols()), Eigen::VectorXd::Zero(limits_.size())};
   const Eigen::Index normals = normal_rows();

@@ -8,6 +8,15 @@
 #include "sim/conic/conic_program.h"
 #include "sim/quality/force_program.h"
 
+// Forces scale with the wrench that they balance. The program is therefore solved for the external
+// wrench scaled to length one, which makes all tolerances relative to it, and the forces are scaled
+// back at the end.
+//
+// The result is judged by two quantities that are computed from the forces and multipliers alone:
+// the residual of the forces, and the lower bound that the multipliers prove
+// (ForceProgram::lower_bound). Impossibility is judged by the same bound, on the sum of the normal
+// forces. This is the same for both measures, and stronger than a status of the solver: the bound
+// holds up to rounding however inexact the multipliers are.
 namespace prehend {
 namespace {
 
@@ -33,7 +42,8 @@ void check(const HandTorques& hand, Eigen::Index contacts) {
   require((hand.limits.array() >= 0.0).all(), "limits", "must not be negative");
 }
 
-// Fills in what the forces are for the unit wrench; true where they are good enough.
+// Fills in the forces for the unit wrench; true where they are good enough. Without any normal
+// force there is no force at all, and the unit wrench is not balanced: the gap counts as complete.
 bool fill_forces(const ForceProgram& program, const ConicSolution& solution,
                  const ForceOptions& options, ContactForces& result) {
   result.components = program.components(solution);
@@ -58,6 +68,7 @@ void finish(std::span<const Contact> contacts, double size, ContactForces& resul
   result.sum_of_normals = result.components.row(0).sum();
 }
 
+// No force at all. It leaves the whole wrench over, except where the wrench is zero (balanced).
 ContactForces no_forces(Eigen::Index contacts, ForceOutcome outcome) {
   ContactForces result;
   result.outcome = outcome;
@@ -67,7 +78,9 @@ ContactForces no_forces(Eigen::Index contacts, ForceOutcome outcome) {
   return result;
 }
 
-// The status of the solver is not relied on: what it returns is judged as it is.
+// Solves for the unit wrench and judges what the solver returns, whatever its status. The solver's
+// tolerances are well below those of ForceOptions. That of certificates is below 1 / kLargestForce,
+// because a certificate with an error e only excludes solutions smaller than 1 / e.
 ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                            const Wrench& external, const HandTorques* hand,
                            const ForceOptions& options) {
@@ -76,6 +89,7 @@ ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame&
   const ConicSolution solution =
       solve(program.program(), {.tolerance = 1e-11, .infeasible_tolerance = 1e-12});
   const ForceProgram::Separation separation = program.separation(solution);
+  // Also forces that leave over as much as the tolerance allows would have to be this large.
   const double smallest_sum =
       program.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
   if (smallest_sum > kLargestForce) {
@@ -103,6 +117,7 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
   if (external.isZero(0.0)) return no_forces(std::ssize(contacts), ForceOutcome::balanced);
   if (!contacts.empty()) return solve_forces(contacts, frame, external, hand, options);
   ContactForces result = no_forces(0, ForceOutcome::impossible);
+  // Without contacts there is no contact wrench: the external wrench itself separates.
   result.separating = external.normalized();
   result.lowest = std::numeric_limits<double>::infinity();
   if (hand != nullptr) result.torque_multipliers.setZero(hand->limits.size());
@@ -129,6 +144,9 @@ Resistance wrench_resistance(std::span<const Contact> contacts, const WrenchFram
   const double largest = std::numeric_limits<double>::infinity();
   const bool shared = options.measure == ForceMeasure::sum_of_normals;
   const double measure = shared ? forces.sum_of_normals : forces.largest_normal;
+  // Forces of measure m balance the wrench, hence forces of measure 1 balance 1 / m times it. This
+  // is a lower bound because forces of a smaller measure may exist; the proved bound of the measure
+  // gives the upper one.
   const bool balances = forces.residual <= options.residual_tolerance;
   Resistance result;
   result.outcome = forces.outcome;

@@ -5,6 +5,8 @@
 namespace prehend {
 namespace {
 
+// The columns of a contact map are in the order normal force, tangential forces, torque about the
+// normal. What a model transmits is therefore always its first columns.
 Eigen::Index columns_of(ContactModel model) {
   if (model == ContactModel::frictionless) return 1;
   return model == ContactModel::point ? 3 : 4;
@@ -30,6 +32,8 @@ Eigen::MatrixXd grasp_matrix(std::span<const Contact> contacts, const WrenchFram
   return matrix;
 }
 
+// With fewer than six columns the rank is below six, so the sixth singular value is 0. The
+// decomposition would list only as many values as there are columns.
 double smallest_singular_value(const Eigen::MatrixXd& grasp_matrix) {
   if (grasp_matrix.cols() < 6) return 0.0;
   return singular_values(grasp_matrix).minCoeff();
@@ -41,6 +45,9 @@ double isotropy(const Eigen::MatrixXd& grasp_matrix) {
   return values.maxCoeff() > 0.0 ? values.minCoeff() / values.maxCoeff() : 0.0;
 }
 
+// sqrt(det(J J')) is the product of the singular values of J, and so is sqrt(det(J' J)) where J has
+// more rows than columns. Computed this way the products J J', which would square the condition
+// number, are not needed.
 double manipulability(const Eigen::MatrixXd& jacobian) {
   return jacobian.size() == 0 ? 0.0 : singular_values(jacobian).prod();
 }

@@ -6,8 +6,9 @@
 namespace prehend {
 namespace {
 
-// Edges of a facet whose remainders are shorter than this, relative to the longest edge, have no
-// direction to rely on: planes fitted to them scatter, and growth stalls on near-duplicates.
+// An edge of a facet whose remainder is shorter than this, relative to the longest edge, has no
+// reliable direction. With such directions the normals of neighbouring facets scatter, and the
+// growth of the polytope stalls on points that are nearly equal.
 constexpr double kShortRemainder = 1e-10;
 // Remainders of a unit vector below this are rounding.
 constexpr double kNoDirection = 1e-15;
@@ -39,6 +40,9 @@ int orthonormalise(Directions& edges) {
 
 }  // namespace
 
+// The lowest corner is taken, not the mean of the corners: every corner is then on or above the
+// plane, so that the simplex of the corners is nowhere nearer to the origin than the offset. This
+// makes the offset a lower bound for any error of the normal.
 FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners) {
   FittedPlane fitted;
   fitted.plane.normal = normal / normal.norm();

@@ -9,6 +9,8 @@
 namespace prehend {
 namespace {
 
+// Each function below turns one measure into the common signature. Measures that enclose their
+// value return both bounds, the others the value twice.
 using Contacts = std::span<const Contact>;
 
 Interval exactly(double value) { return {value, value}; }
@@ -60,6 +62,7 @@ Interval measure_object(Contacts contacts, const WrenchFrame& frame,
   return object_wrench_ratio(contacts, frame, options.surface, options.space);
 }
 
+// One function for each statistic: all samples are computed again for each of them.
 template <double RobustEpsilon::*part>
 Interval measure_robust(Contacts contacts, const WrenchFrame& frame,
                         const MeasureOptions& options) {

@@ -41,7 +41,9 @@ class MessageStream {
   std::FILE* stream_ = nullptr;
 };
 
-// One qhull state, freed with everything it allocated.
+// One qhull state, freed with everything it allocated. qhull reports an error by a longjmp to
+// `errexit` while NOerrexit is false. That target is valid only within the function that has called
+// setjmp, so NOerrexit is true at all other times.
 class Qhull {
  public:
   explicit Qhull(std::FILE* messages) : state_(std::make_unique<qhT>()) {
@@ -63,8 +65,9 @@ class Qhull {
   std::unique_ptr<qhT> state_;
 };
 
-// qh_getarea, with qhull's errors (a longjmp) turned into its exit code. Nothing with a destructor
-// may live here.
+// qh_getarea, which computes the volume, with qhull's errors (a longjmp) turned into its exit code.
+// No object with a destructor may be created in this function: a longjmp past a destructor is
+// undefined behaviour.
 int measure(qhT* qhull) {
   const int code = setjmp(qhull->errexit);
   if (code == 0) {
@@ -84,7 +87,8 @@ void each_facet(qhT& qhull, Use use) {
   }
 }
 
-// qhull's offsets are negative inside.
+// A facet of qhull is normal . x + offset <= 0, where PointHull has normal . x <= offset: the sign
+// of the offset changes.
 void read_facets(qhT& qhull, PointHull& hull) {
   Eigen::Index count = 0;
   each_facet(qhull, [&](const facetT&) { ++count; });
@@ -110,14 +114,18 @@ void read_facets(qhT& qhull, PointHull& hull) {
 PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   PointHull hull;
   if (points.cols() <= points.rows()) return hull;
-  // qhull takes one point many times for an error of its own.
+  // Equal points are flat as well, but qhull reports another error for them than for flat ones.
   if ((points.colwise() - points.col(0)).isZero(0.0)) return hull;
+  // qhull takes the points one after the other, which is the layout of the columns. It may change
+  // them, hence the copy. Option Qt divides facets with more corners than dimensions into
+  // simplices. Facets of joggled points (QJ) are simplices already.
   Eigen::MatrixXd copy = points;
   std::string command = input == HullInput::joggled ? "qhull QJ" : "qhull Qt";
   MessageStream messages;
   Qhull qhull(messages.stream());
   int code = qh_new_qhull(qhull.get(), static_cast<int>(copy.rows()), static_cast<int>(copy.cols()),
                           copy.data(), False, command.data(), nullptr, messages.stream());
+  // qhull's exit codes: none is success, singular a flat set of points; all others are failures.
   if (code == qh_ERRnone) code = measure(qhull.get());
   if (code == qh_ERRsingular) return hull;
   if (code != qh_ERRnone) {
@@ -128,7 +136,7 @@ PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   hull.status = PointHullStatus::solid;
   hull.volume = qhull.get()->totvol;
   hull.reach = points.colwise().norm().maxCoeff();
-  // Without QJ that is a huge constant.
+  // JOGGLEmax is a huge constant (REALmax) where the points were not joggled.
   hull.joggle = qhull.get()->JOGGLEmax < REALmax / 2 ? qhull.get()->JOGGLEmax : 0.0;
   read_facets(*qhull.get(), hull);
   return hull;

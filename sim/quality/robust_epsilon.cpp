@@ -9,6 +9,10 @@
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 
+// Samples are drawn one after the other from one generator, and every number is drawn in a
+// statement of its own: the order in which the arguments of one call are evaluated is up to the
+// compiler, and would change the samples. This, and a generator of our own (sim/base/random.h),
+// makes the result the same on every platform.
 namespace prehend {
 namespace {
 
@@ -20,7 +24,8 @@ Eigen::Vector3d normal_vector(Random& random, double deviation) {
   return deviation * Eigen::Vector3d(x, y, z);
 }
 
-// A turn whose rotation vector is normal.
+// A rotation about a random axis: the components of its rotation vector (axis times angle) are
+// independent and normally distributed.
 Eigen::Matrix3d normal_rotation(Random& random, double deviation) {
   const Eigen::Vector3d turn = normal_vector(random, deviation);
   const double angle = turn.norm();
@@ -85,8 +90,11 @@ RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFram
     if (values.back() > 0.0) robust.force_closure += 1.0 / noise.samples;
   }
   std::sort(values.begin(), values.end());
+  // The percentile by the nearest rank: the smallest value that at least 5 % of the samples do not
+  // exceed.
   const auto rank = static_cast<std::size_t>(std::ceil(0.05 * noise.samples));
   robust.percentile_5 = values[rank - 1];
+  // Adding 1 / samples many times may exceed 1 by rounding.
   robust.force_closure = std::min(robust.force_closure, 1.0);
   return robust;
 }

@@ -76,6 +76,7 @@ StartSimplex start_simplex(const SupportMap& set, bool stop_outside) {
     for (const double sign : {1.0, -1.0}) {
       candidates.push_back(probe(set, sign * Wrench::Unit(axis), start));
       start.scale = std::max(start.scale, candidates.back().cwiseAbs().maxCoeff());
+      // A direction without a positive support value: the set does not surround the origin.
       if (stop_outside && start.upper <= 0.0) return start;
     }
   }

@@ -9,6 +9,9 @@
 
 namespace prehend {
 
+// Coordinates are stored in blocks of kBlock columns, coordinate by coordinate. Equal neighbours
+// are stored once, and the empty places of the last block are filled with copies, so that every
+// block can be processed as a whole.
 ColumnSupport::ColumnSupport(const Wrenches& wrenches) {
   if (wrenches.cols() == 0) throw InputError({.field = "wrenches", .problem = "none"});
   blocks_.reserve(static_cast<std::size_t>(wrenches.cols()) / kBlock + 1);
@@ -30,6 +33,10 @@ ColumnSupport::ColumnSupport(const Wrenches& wrenches) {
   }
 }
 
+// Compares the products of all columns with the direction. The eight lanes of a block are summed
+// independently of each other, each over the coordinates in the same order, so that the compiler
+// can vectorise the loops without changing results. Only a larger product replaces the best one:
+// ties go to the first column.
 Wrench ColumnSupport::support(const Wrench& direction) const {
   double best = -std::numeric_limits<double>::infinity();
   const Block* best_block = &blocks_.front();

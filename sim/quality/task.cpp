@@ -9,9 +9,20 @@
 #include "sim/base/input_error.h"
 #include "sim/quality/forces.h"
 
+// How much of a task the contacts can resist is a question about the grasp wrench space, the set of
+// the wrenches that forces of norm at most 1 can exert. A single wrench w is resisted k times where
+// forces balance k w. The largest such k is one over the smallest norm of forces that balance w, a
+// second-order cone program (wrench_resistance). A set of wrenches is resisted as well as the
+// wrench that is resisted least, and so is its convex hull, since forces can be combined in the
+// same way as wrenches.
+//
+// An ellipsoid has infinitely many extreme points and needs another way. k times the ellipsoid,
+// axes * (ball of radius k), is inside the grasp wrench space exactly if the ball is inside the
+// space mapped by the inverse of the axes. The largest k is therefore epsilon of the mapped space.
 namespace prehend {
 namespace {
 
+// The program whose measure is the norm of the wrench space.
 ForceOptions force_options(const WrenchSpaceOptions& space) {
   ForceOptions options;
   options.measure =
@@ -21,7 +32,9 @@ ForceOptions force_options(const WrenchSpaceOptions& space) {
   return options;
 }
 
-// A set seen through a linear map: x is in it when axes * x is in the set.
+// The set mapped by the inverse of `axes`: x is in it when axes * x is in the given set. Its
+// support point in a direction n maximises n . inverse y = (inverse' n) . y over the points y of
+// the given set: the support point of that set along inverse' n, mapped.
 class SeenThrough final : public SupportMap {
  public:
   SeenThrough(const SupportMap& set, const Eigen::Matrix<double, 6, 6>& axes)
@@ -36,6 +49,7 @@ class SeenThrough final : public SupportMap {
   Eigen::Matrix<double, 6, 6> inverse_;
 };
 
+// The resistance to each kind of task.
 struct Resist {
   std::span<const Contact> contacts;
   const WrenchFrame& frame;
@@ -44,6 +58,8 @@ struct Resist {
   Interval operator()(const TaskWrenches& task) const {
     if (task.wrenches.empty()) throw InputError({.field = "task", .problem = "no wrench"});
     const double unbounded = std::numeric_limits<double>::infinity();
+    // The smallest of the lower bounds and of the upper bounds enclose the smallest resistance. A
+    // wrench that cannot be resisted at all decides the result.
     Interval least{unbounded, unbounded};
     for (const Wrench& wrench : task.wrenches) {
       const Resistance one = wrench_resistance(contacts, frame, wrench, force_options(space));
@@ -88,6 +104,8 @@ Interval task_resistance(std::span<const Contact> contacts, const WrenchFrame& f
 
 Interval object_wrench_ratio(std::span<const Contact> contacts, const WrenchFrame& frame,
                              std::span<const Contact> surface, const WrenchSpaceOptions& space) {
+  // Every push inside a friction pyramid is a convex combination of the pyramid's corners: to
+  // resist the corners is to resist all pushes.
   const Wrenches columns = contact_wrenches(surface, frame, space.edges);
   TaskWrenches task;
   for (Eigen::Index j = 0; j < columns.cols(); ++j) task.wrenches.push_back(columns.col(j));

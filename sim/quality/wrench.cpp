@@ -8,10 +8,15 @@
 
 namespace prehend {
 
+// A soft finger: a ring at each of three latitudes of its ellipsoid, and the two poles.
 int pyramid_corners(ContactModel model, int edges) {
   return model == ContactModel::soft_finger ? 3 * edges + 2 : edges;
 }
 
+// Points of the unit circle of tangential forces or, for a soft finger, of the unit sphere of
+// tangential forces and torque. Scaled by friction and torsion they become the border of the
+// contact model's disc or ellipsoid. The pyramid is inscribed in the exact cone: it allows no force
+// that the contact cannot transmit.
 Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
   Eigen::Matrix3Xd corners(3, pyramid_corners(model, edges));
   for (int edge = 0; edge < edges; ++edge) {
@@ -20,6 +25,7 @@ Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
   }
   if (model == ContactModel::frictionless) corners.setZero();
   if (model != ContactModel::soft_finger) return corners;
+  // Latitudes of +45 and -45 degrees, where force and torque both have the part sin 45 degrees.
   for (const int side : {1, 2}) {
     auto latitude = corners.middleCols(side * edges, edges);
     latitude = std::numbers::sqrt2 / 2.0 * corners.leftCols(edges);
@@ -44,6 +50,8 @@ Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& 
   for (const Contact& contact : contacts) {
     const ContactMap map = contact_map(contact, frame);
     const Eigen::Matrix3Xd corners = unit_corners(contact.model, edges);
+    // normal + friction (tangents, torsion * torque) * corners. All tangential parts of a
+    // frictionless contact are 0, whatever its friction.
     auto of_contact = wrenches.middleCols(columns, corners.cols());
     of_contact.noalias() = contact.friction * map.middleCols<2>(1) * corners.topRows<2>();
     of_contact.noalias() += contact.friction * contact.torsion * map.col(3) * corners.row(2);

@@ -11,7 +11,8 @@ namespace prehend {
 namespace {
 
 // The hull of wrenches whose volume may not be in the range of doubles, from that of the same
-// wrenches times 2^-exponent.
+// wrenches times 2^-exponent. Powers of two scale without rounding. Lengths are scaled back by the
+// factor, the volume in six dimensions by its sixth power; unit normals stay as they are.
 WrenchHull from_scaled(const Wrenches& wrenches, int exponent) {
   WrenchHull hull = wrench_hull(times_power_of_two(wrenches, -exponent));
   hull.min_offset = std::ldexp(hull.min_offset, exponent);
@@ -31,6 +32,9 @@ WrenchHull wrench_hull(const Wrenches& wrenches) {
   if (wrenches.cols() == 0) return {};
   const int exponent = excess_exponent(wrenches);
   if (exponent != 0) return from_scaled(wrenches, exponent);
+  // The same test of flatness as in the search for epsilon, so that both agree on which sets are
+  // flat; qhull's own threshold is another one. The search for the simplex must not stop where the
+  // origin is outside: there is a volume even then.
   const StartSimplex start = start_simplex(ColumnSupport(wrenches), false);
   if (start.flat) return {};
   PointHull points = point_hull(wrenches);
@@ -45,6 +49,8 @@ WrenchHull wrench_hull(const Wrenches& wrenches) {
   Eigen::Index nearest = 0;
   hull.min_offset = points.offsets.minCoeff(&nearest);
   hull.weakest = -hull.min_offset * points.normals.col(nearest);
+  // Each of the six coordinates of a point is joggled by at most `joggle`, so no point, and no
+  // facet, moves by more than sqrt(6) times that.
   hull.doubt = kFlatness * start.scale + std::sqrt(6.0) * points.joggle;
   hull.points = std::move(points);
   return hull;

@@ -6,6 +6,8 @@
 namespace prehend {
 namespace {
 
+// The largest exponent of a coordinate that needs no scaling. A volume in six dimensions has six
+// times the exponent, and 2^900 and 2^-900 are in the range of normal doubles (2^-1022 to 2^1023).
 constexpr int kLargest = 150;
 
 }  // namespace

@@ -82,7 +82,10 @@ struct Ball {
   double radius = 0.0;
 };
 
-// The largest ball inside those half-spaces that are listed and a cube of the given half size.
+// The largest ball inside those half-spaces that are listed and a cube of the given half size, as a
+// linear program (the Chebyshev centre): maximise the radius r over the centre c and r, subject to
+// normal . c + r <= offset for each half-space. The cube keeps the program bounded while few
+// half-spaces are listed. A negative radius shows that the intersection is empty.
 Ball largest_ball(const HalfSpaces& all, const std::vector<Eigen::Index>& listed, double half) {
   ConicProgram program;
   program.c = -Eigen::Vector4d::Unit(3);
@@ -107,7 +110,9 @@ Ball largest_ball(const HalfSpaces& all, const std::vector<Eigen::Index>& listed
 
 // The largest ball inside all half-spaces. Only few of them touch it, so that a small linear
 // program is solved again and again (cutting planes): the half-space that the last ball violates
-// most is added, until the ball violates none.
+// most is added, until the ball violates none. If the worst half-space is already listed, the
+// violation is a rounding error of the solver. The radius returned is at most the distance of the
+// centre from the nearest half-space, so that the ball is inside all of them even then.
 Ball inscribed_ball(const HalfSpaces& all, double half) {
   std::vector<Eigen::Index> listed;
   while (true) {
@@ -122,7 +127,9 @@ Ball inscribed_ball(const HalfSpaces& all, double half) {
   }
 }
 
-// Corners of the intersection are facets of the hull of the half-spaces' poles about the centre.
+// The corners of the intersection. A half-space normal . (x - centre) <= d, with d > 0 since the
+// centre is inside, has the pole normal / d. A facet normal . y <= offset of the hull of the poles
+// is dual to the corner normal / offset, relative to the centre.
 Eigen::Matrix3Xd corners(const HalfSpaces& all, const Eigen::Vector3d& center) {
   Eigen::MatrixXd poles = all.normals;
   for (Eigen::Index f = 0; f < poles.cols(); ++f) {
@@ -143,6 +150,9 @@ void scale(Numbers& numbers, int exponent) {
   for (double& number : numbers.reshaped()) number = std::ldexp(number, exponent);
 }
 
+// The triangles of the convex hull of the corners. Where more than three half-spaces meet in one
+// corner, the list of corners has copies of it up to rounding: taking their hull again removes the
+// copies inside it. Vertices are numbered in the order in which the triangles first use them.
 void add_surface(const Eigen::Matrix3Xd& points, WrenchSlice& slice) {
   PointHull hull = point_hull(points);
   if (hull.status == PointHullStatus::failed) hull = point_hull(points, HullInput::joggled);
@@ -156,6 +166,7 @@ void add_surface(const Eigen::Matrix3Xd& points, WrenchSlice& slice) {
     const Eigen::Vector3d a = points.col(triangle[0]);
     const Eigen::Vector3d b = points.col(triangle[1]);
     const Eigen::Vector3d c = points.col(triangle[2]);
+    // qhull lists the corners of a facet in no particular orientation.
     if ((b - a).cross(c - a).dot(Eigen::Vector3d(hull.normals.col(f))) < 0.0) {
       std::swap(triangle[1], triangle[2]);
     }
@@ -181,9 +192,12 @@ WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
   slice.coordinates = others(fixed.coordinates);
   std::optional<HalfSpaces> cut = cut_facets(hull, fixed, slice.coordinates);
   if (!cut) return slice;
-  // Lengths near one: products of larger or smaller ones could leave the range of doubles.
+  // Lengths are scaled near one by a power of two, which is exact: products of much larger or
+  // smaller ones could leave the range of doubles.
   int exponent = 0;
-  // The section is in the hull; offsets of facets nearly parallel to it say nothing of its size.
+  // The size is that of the hull, which contains the section. Offsets in the section cannot tell
+  // it: those of facets nearly parallel to the section may be far larger than the section itself.
+  // The cube of 1.1 times this size contains the hull, so that it does not cut the ball.
   const double size = std::frexp(hull.reach, &exponent);
   scale(cut->offsets, -exponent);
   const Ball ball = inscribed_ball(*cut, 1.1 * size);

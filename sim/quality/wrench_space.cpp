@@ -7,11 +7,16 @@
 
 #include <Eigen/Geometry>
 
+// Support functions of the grasp wrench space (Ferrari and Canny 1992, section 3). The support
+// function of a convex hull of sets is the largest of theirs, that of a Minkowski sum of sets is
+// the sum of theirs. The two norms of the normal forces lead to one of the two each, and no point
+// of the space has to be enumerated: the Minkowski sum of n pyramids with k edges has up to k^n
+// points.
 namespace prehend {
 namespace {
 
-// The wrenches of one contact with a unit normal force: the point along n is moved over a disc (for
-// a soft finger, an ellipsoid) of tangential force and torque.
+// The wrenches of one contact with a unit normal force: the wrench of the normal force plus those
+// of a disc of tangential forces (for a soft finger, an ellipsoid of tangential force and torque).
 class QuadraticCone {
  public:
   QuadraticCone(const Contact& contact, const WrenchFrame& frame)
@@ -21,11 +26,12 @@ class QuadraticCone {
         torsion_(contact.model == ContactModel::soft_finger ? frame.torque_scale * contact.torsion
                                                             : 0.0) {}
 
-  // The wrench is linear in force and torque, so the farthest point of the disc (ellipsoid) is the
-  // one along the gradient.
+  // Maximises direction . wrench, which is linear in the force f and the torque t about the normal:
+  //   direction . wrench = f . pull + t (turning . normal),   pull = head + turning x arm.
+  // The farthest point of the disc (ellipsoid) is the one along the gradient, which is `slip`, the
+  // tangential part of `pull`, and `twist`, in units in which the ellipsoid is a ball.
   Wrench support(const Wrench& direction) const {
     const Eigen::Vector3d turning = direction.tail<3>();
-    // A force f does f . pull of work along the direction, a torque about the normal `twist`.
     const Eigen::Vector3d pull = direction.head<3>() + turning.cross(arm_);
     const Eigen::Vector3d slip = pull - pull.dot(normal_) * normal_;
     const double twist = torsion_ * turning.dot(normal_);
@@ -137,11 +143,16 @@ std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
 
 EpsilonOptions epsilon_options(const WrenchSpaceOptions& space) {
   if (space.cone == FrictionCone::pyramid) return {};
+  // Smooth sets: every further digit takes many times as many facets as the one before. Steps of
+  // descent lower the upper bound without facets.
   return {.relative_tolerance = 1e-2, .max_facets = 20000, .descent_steps = 12};
 }
 
 EpsilonBracket grasp_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
                              const WrenchSpaceOptions& space, const EpsilonOptions& options) {
+  // A hull of columns: epsilon_l1 accepts columns of any size, and has the full hull where the
+  // search stalls. The origin is not added to the columns: where it is inside the hull it changes
+  // nothing, and where it is not, epsilon is 0 either way.
   if (space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid) {
     return epsilon_l1(contact_wrenches(contacts, frame, space.edges), options);
   }

@@ -10,7 +10,9 @@ namespace prehend {
 namespace {
 
 // A path and the way of each joint along it: the sum of its motions back and forth since the start.
-// Positions on the path are numbers from 0 to end(), whole at the waypoints.
+// A position on the path is a number from 0 to end(), whole at the waypoints. The difference of the
+// ways at two positions bounds how far the joint is from one of them anywhere between, also where
+// the path turns back at a waypoint.
 class MeasuredPath {
  public:
   explicit MeasuredPath(const JointPath& path) : path_(path), way_(path.size()) {
@@ -45,9 +47,10 @@ class MeasuredPath {
   JointPath way_;
 };
 
-// Adaptive bisection: a stretch of the path is settled for a pair by one distance query in its
-// middle, or else halved. Large gaps settle long stretches, so that queries concentrate where
-// bodies come close.
+// Adaptive bisection (Schwarzer, Saha and Latombe 2005): a stretch of the path is settled for a
+// pair by one distance query in its middle, or else halved. Large gaps settle long stretches, so
+// that queries concentrate where bodies come close. All pairs share the bisection, so that
+// the poses of the links in the middle are computed once for all of them.
 class MotionCheck {
  public:
   MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
@@ -77,6 +80,7 @@ class MotionCheck {
     path_.way(to, after);
     path_.posture(middle, joints_);
     arm_link_poses(arm_, joints_, X_BL_);
+    // Pairs neither free nor blocked after the query in the middle.
     std::vector<std::size_t> left;
     for (const std::size_t p : open) {
       context_.cancellation.check();
@@ -94,6 +98,7 @@ class MotionCheck {
       const double farthest = std::max(back, ahead);
       const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest, options_.gap_error);
       if (gap == GapAnswer::larger) continue;
+      // Each half of the stretch moves the bodies by `farthest` at most, the whole by twice that.
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);
     }

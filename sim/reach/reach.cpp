@@ -5,6 +5,11 @@
 
 #include "sim/base/index.h"
 
+// An arm has several postures for one pose of the hand, the branches of its inverse kinematics, and
+// a redundant arm has infinitely many. Along a line the joints can move continuously only within
+// one branch. So the postures at the pre-grasp are enumerated once, and from each of them the line
+// is followed in short steps, each solved from the posture before. A joint that jumps between two
+// steps shows that the solution is on another branch.
 namespace prehend {
 namespace {
 
@@ -26,6 +31,7 @@ JointPath joints_of(const CompiledArm& arm, const std::vector<DofValues>& line,
 // branch of the inverse kinematics; empty where a step has no solution nearby.
 std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, const DofValues& first,
                               const ReachOptions& options, const RunContext& context) {
+  // The hand keeps its orientation along the line: only the translation is interpolated.
   const Vector3 way = line.X_OH_to.translation() - line.X_OH_from.translation();
   const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / options.line_step)));
   std::vector<DofValues> postures = {first};
@@ -99,6 +105,7 @@ std::vector<Reach> find_reaches(const CompiledArm& arm, const HandLine& line, in
 std::vector<DofValues> line_ending_in(const CompiledArm& arm, const HandLine& line,
                                       const DofValues& last, const ReachOptions& options,
                                       const RunContext& context) {
+  // Followed from the grasp back to the pre-grasp, so that the given posture is the first one.
   const HandLine back{line.X_OH_to, line.X_OH_from, line.hand_joints};
   std::vector<DofValues> postures = follow(arm, back, last, options, context);
   std::reverse(postures.begin(), postures.end());

@@ -6,6 +6,9 @@
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 
+// Two bodies overlap where their surfaces cross, or where one body is inside the other. Where the
+// surfaces do not cross, each connected component of one is wholly inside or wholly outside the
+// other body, so that one vertex of each component (probes) decides about the second case.
 namespace prehend {
 namespace {
 

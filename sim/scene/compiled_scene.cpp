@@ -64,6 +64,8 @@ std::vector<PlacedBody> bodies_in_base(const CompiledScene& scene) {
 
 }  // namespace
 
+// Links and bodies come first: preshape gaps, the test of the object and the arm need their search
+// trees. The arm comes last, since it takes over the bodies in the frame of its own base.
 CompiledScene compile(Scene scene, const RunContext& context) {
   if (!scene.hand.hand) throw InputError(scene.hand.name + ": hand: the robot is not a hand");
   const double radius = max_distance(scene.object.mesh, scene.object.center_of_mass);
@@ -78,6 +80,8 @@ CompiledScene compile(Scene scene, const RunContext& context) {
     context.cancellation.check();
     compiled.preshape_gaps.push_back(gaps_at(compiled, preshape));
   }
+  // Torques are taken about the centre of mass and divided by the largest distance of the object
+  // from it (WrenchFrame).
   compiled.wrench_frame = {scene.object.center_of_mass, 1.0 / radius};
   context.cancellation.check();
   check_object_is_free(compiled);

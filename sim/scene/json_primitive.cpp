@@ -26,6 +26,8 @@ Shape read_shape(const JsonField& field) {
 
 Primitive read_primitive(const JsonField& field) {
   field.allow_only({"shape", "size", "radius", "height", "pose"});
+  // A size that belongs to the shape is required, and one that does not is an error: it would be
+  // ignored without notice.
   for (const char* key : {"size", "radius", "height"}) {
     const std::string shape = field["shape"].text();
     const bool belongs = key == std::string("size")     ? shape == "box"

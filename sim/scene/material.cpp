@@ -13,6 +13,7 @@ std::size_t index(Material material) { return static_cast<std::size_t>(material)
 
 }  // namespace
 
+// Rows and columns are in the order of Material: glass, metal, plastic, wood, rubber.
 FrictionTable::FrictionTable()
     : values_{{{0.2, 0.2, 0.2, 0.3, 1.0},
                {0.2, 0.2, 0.2, 0.3, 1.0},

@@ -17,6 +17,14 @@
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_library.h"
 
+// A scene file is read field by field through JsonField, which knows its place in the file, so that
+// every error names the field. Readers of robots, materials and generated objects do not know that
+// place: their errors are caught and passed on as errors of the field. Errors in a mesh file name
+// the mesh file.
+//
+// Mesh files and robots are named relative to the scene file; a robot may also be a name of the
+// library. The paths are kept as absolute ones, because scene_text may write the scene again to
+// another folder.
 namespace prehend {
 namespace {
 
@@ -163,6 +171,7 @@ NamedDof find_dof(const JsonField& field, const std::string& name, Platform& pla
   field.fail("no degree of freedom is called " + name + " in " + platform.name);
 }
 
+// Limits of a scene may only be narrower than the robot's own. The initial value moves into them.
 void narrow_limits(const JsonField& limits, Platform& platform) {
   for (const std::string& name : limits.keys()) {
     const JsonField field = limits[name];
@@ -202,6 +211,8 @@ Carrier read_carrier(const JsonField& field, const std::string& hand) {
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (!hand.empty()) {
     const auto find = [&] { return find_robot(hand); };
+    // The field is to blame only if the hand is the one that it names, not one that the caller
+    // asked for in its place.
     const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
     mounted.robot = asked_here ? named_by(field["hand"], find) : find();
   }

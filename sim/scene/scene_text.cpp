@@ -6,6 +6,9 @@
 #include "sim/robot/platform_file.h"
 #include "sim/scene/json_primitive.h"
 
+// A body is written by its source where it has one (a mesh file, the name of a generated object,
+// the shapes of a scene file), so that the text is short and reads back as the same body. Only
+// meshes that a program has made are written triangle by triangle.
 namespace prehend {
 namespace {
 
@@ -69,6 +72,8 @@ Json object_json(const Scene& scene) {
 Json carrier_json(const Scene& scene) {
   const Carrier& carrier = *scene.carrier;
   if (carrier.source.empty()) throw InputError({scene.name, "robot", "has no file to be named by"});
+  // Limits are compared with those of the platform's file, which is read again: the carrier holds
+  // the limits as the scene has narrowed them.
   const Platform own = find_platform(carrier.source);
   Json json{{"platform", carrier.source}, {"pose", pose_to_json(carrier.X_WB)}};
   std::size_t next = 0;
@@ -79,6 +84,8 @@ Json carrier_json(const Scene& scene) {
       const DegreeOfFreedom& dof = mounted.robot.dofs[d];
       const std::string name = mounted.name + "/" + dof.name;
       json["start"][name] = carrier.start[next++];
+      // A hand that replaces the platform's own has other degrees of freedom, with which no limits
+      // can be compared.
       if (replaced) continue;
       const DegreeOfFreedom& its_own = own.robots[r].robot.dofs[d];
       if (dof.lower != its_own.lower || dof.upper != its_own.upper) {

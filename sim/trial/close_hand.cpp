@@ -76,6 +76,7 @@ class ClosingMotion {
     return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end());
   }
 
+  // Joint values at time t; after end() those at rest, for any t up to infinity.
   void joints_at(double t, std::vector<double>& joints) const {
     joints.resize(start_.size());
     for (std::size_t j = 0; j < start_.size(); ++j) {
@@ -147,8 +148,10 @@ class Closing {
     const auto earlier = [](const ClosingPair& a, const ClosingPair& b) {
       return a.safe_until < b.safe_until;
     };
+    // Contacts change when the motion ends, so that its end is asked for anew in each round.
     while (!pairings_.empty()) {
       context_.cancellation.check();
+      // The first of several earliest pairs, in the order of the list: the same in every run.
       ClosingPair& next = *std::min_element(pairings_.begin(), pairings_.end(), earlier);
       if (next.safe_until >= motion_.end()) break;
       advance(next);
@@ -186,6 +189,8 @@ class Closing {
     }
   }
 
+  // Only pairs that can move come here, so that the speed is above 0. A clearance of 0 is no proof:
+  // the pair is queried at the start.
   void start_pairing(ClosingPair& pairing, double clearance) {
     pairing.speed_when_asked = speed(pairing, 0.0);
     pairing.safe_until = std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;

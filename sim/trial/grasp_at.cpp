@@ -29,6 +29,9 @@ void judge(const CompiledScene& scene, const TrialOptions& options, Trial& trial
 
 }  // namespace
 
+// Closing proves that the hand touches without penetrating. Centring then moves the hand as a
+// whole, without a proof, so that collisions have to be looked for; without centring there can be
+// none.
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
               Trial& trial, const RunContext& context) {
   ClosedHand closed = close_hand(scene, start, options, context);
@@ -58,6 +61,8 @@ std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose&
     for (const SurfaceContact& c : touching) {
       contacts.push_back({link_id(l), {c.position, c.normal, link.friction}, c.gap});
     }
+    // A soft link that touches has its rigid contacts, which lie within the contact threshold, and
+    // in addition a soft-finger contact for each patch on which it bears.
     if (!options.soft_fingers || link.compliant_depth <= 0.0 || touching.empty()) continue;
     for (const SoftPatch& patch : soft_patches(scene.object().mesh, link.mesh, X_OL,
                                                link.compliant_depth, options.contact, workspace)) {

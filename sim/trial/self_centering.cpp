@@ -2,6 +2,10 @@
 
 #include "sim/base/index.h"
 
+// A self-centering drive has one degree of freedom for two fingers, whose joint values are equal in
+// every posture that the drive allows. close_hand stops each finger where it touches, which leaves
+// them unequal. The two are made equal here: the fingers stay where they touch the object, and the
+// palm moves along the opening axis until both joints have their mean value.
 namespace prehend {
 
 FingerPair finger_pair(const Robot& hand, int dof) {
@@ -16,6 +20,8 @@ Vector3 opening_axis(const Robot& hand, const FingerPair& fingers,
                      const std::vector<double>& joints) {
   const Joint& finger = hand.joints[index(fingers.first)];
   const Vector3 axis = finger.X_PJ.linear() * finger.axis;
+  // The axis is fixed in the frame of the link that carries the finger; for a finger on the palm
+  // that is the base.
   if (finger.parent < 0) return axis;
   std::vector<Pose> X_HJ;
   joint_poses(hand, joints, X_HJ);

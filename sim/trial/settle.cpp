@@ -125,6 +125,7 @@ std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
 void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
             const RunContext& context) {
   if (trial.outcome != Outcome::not_force_closure || options.settle.steps <= 0) return;
+  // With an arm the object would have to leave its pose in the world (settle.h).
   if (scene.arm) return;
   const std::optional<FingerPair> fingers = self_centering_fingers(scene.scene.hand);
   if (!fingers) return;
@@ -140,6 +141,7 @@ void settle(const CompiledScene& scene, const TrialOptions& options, Trial& tria
     }
   }
   if (now.outcome != Outcome::stable) return;
+  // The whole turn, from first pose to last: steps about different axes do not simply add up.
   now.turned = Eigen::AngleAxisd(trial.X_OH.linear().transpose() * now.X_OH.linear()).angle();
   trial = std::move(now);
 }

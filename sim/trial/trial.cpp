@@ -12,6 +12,8 @@
 namespace prehend {
 namespace {
 
+// The joint values before closing: those of a preshape of the hand, those given for every joint, or
+// those that follow from the degrees of freedom.
 std::vector<double> start_joints(const CompiledScene& scene, const Candidate& candidate) {
   const Robot& hand = scene.scene.hand;
   if (candidate.preshape) {
@@ -183,6 +185,8 @@ Blame blame(const CompiledScene& scene, const Trial& trial) {
   return {scene.links[index(trial.blocked->link)].name, scene.body(trial.blocked->body).name};
 }
 
+// The hand moved back by the travel: from there the approach leads straight to X_OH. For a hand
+// that centring has moved sideways the whole line is moved with it.
 HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial) {
   return {translation(-trial.travel * candidate.approach_O) * trial.X_OH, trial.X_OH,
           start_joints(scene, candidate)};

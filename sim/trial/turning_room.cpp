@@ -6,6 +6,10 @@
 
 #include "sim/base/index.h"
 
+// Like a motion that advances by lower bounds of the gap, a turn is free when no point moves as far
+// as the smallest gap. Gaps are costly and motions cheap to compute, so that a gap is computed
+// once, and each turn carried out lowers what is known of it by its own motion. Only where that is
+// too small is the gap computed again.
 namespace prehend {
 namespace {
 
