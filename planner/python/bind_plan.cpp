@@ -68,7 +68,8 @@ PlanHandle evaluate_in_python(const CompiledHandle& scene, const py::list& list,
 }
 
 py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields,
-                             const TrialOptions& options, const CallOptions& call) {
+                             const TrialOptions& asked, const CallOptions& call) {
+  const TrialOptions options = asked;
   // Through the checks that a list of candidates goes through.
   py::list list;
   list.append(fields);
@@ -85,7 +86,8 @@ py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields
 }
 
 py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
-                             const DecomposeOptions& options, const CallOptions& call) {
+                             const DecomposeOptions& asked, const CallOptions& call) {
+  const DecomposeOptions options = asked;
   const TriangleMesh mesh = mesh_of(vertices, faces);
   Decomposition found;
   run_in_background(call,
@@ -100,7 +102,8 @@ py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
 }
 
 py::dict propose_in_python(const CompiledHandle& scene, const py::list& list,
-                           const CandidateOptions& options, const CallOptions& call) {
+                           const CandidateOptions& asked, const CallOptions& call) {
+  const CandidateOptions options = asked;
   std::vector<Primitive> primitives;
   for (const py::handle& fields : list) {
     primitives.push_back(primitive_from(fields.cast<py::dict>()));
@@ -121,8 +124,9 @@ py::dict propose_in_python(const CompiledHandle& scene, const py::list& list,
   return fields;
 }
 
-py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions& options,
+py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions& asked,
                                const CallOptions& call) {
+  const GraspPathOptions options = asked;
   const ScoredGrasp& grasp = *trial.grasp;
   // plan_grasp_path requires both. prehend/_plan.py refuses them before, with a message in words.
   if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {

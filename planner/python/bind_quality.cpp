@@ -54,21 +54,27 @@ ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Do
   return sets;
 }
 
+// What is found out of one grasp, and how long that may take: `quick` is well below a second.
+using Judge = std::function<void(std::size_t grasp, const RunContext& context)>;
+enum class Duration { quick, long_call };
+
 // Calls `judge` for each grasp without the GIL. Several grasps are judged on several threads,
-// Python can interrupt between them, and errors name the grasp. A single grasp is judged in the
-// calling thread, where nothing interrupts it.
-void for_each_grasp(const ContactSets& sets, const CallOptions& call,
-                    const std::function<void(std::size_t)>& judge) {
-  if (sets.size() == 1) {
+// Python can interrupt between them, and errors name the grasp. A single grasp that is judged
+// quickly is judged in the calling thread, where nothing interrupts it: that saves the start of a
+// thread.
+void for_each_grasp(const ContactSets& sets, const CallOptions& call, const Judge& judge,
+                    Duration duration = Duration::quick) {
+  if (sets.size() == 1 && duration == Duration::quick) {
     const py::gil_scoped_release no_gil;
-    judge(0);
+    judge(0, {});
     return;
   }
+  // The threads judge several grasps at a time; each is judged by one.
   run_in_background(call, [&](const RunContext& context) {
     for_each_in_parallel(sets.size(), context.threads, [&](std::size_t g) {
       context.cancellation.check();
       try {
-        judge(g);
+        judge(g, {.threads = 1, .cancellation = context.cancellation});
       } catch (const std::invalid_argument& error) {
         throw InputError("grasp " + std::to_string(g) + ": " + error.what());
       }
@@ -94,7 +100,7 @@ py::dict epsilon_of(const ContactSets& sets, const WrenchSpaceOptions& space,
                     const std::optional<EpsilonOptions>& asked, const CallOptions& call) {
   const EpsilonOptions options = asked.value_or(epsilon_options(space));
   std::vector<EpsilonBracket> found(sets.size());
-  for_each_grasp(sets, call, [&](std::size_t g) {
+  for_each_grasp(sets, call, [&](std::size_t g, const RunContext&) {
     found[g] = grasp_epsilon(sets.contacts[g], sets.frames[g], space, options);
   });
   std::vector<double> lower;
@@ -139,7 +145,7 @@ py::tuple measure_of(const ContactSets& sets, const std::string& name,
   }
   std::vector<double> lower(sets.size());
   std::vector<double> upper(sets.size());
-  for_each_grasp(sets, call, [&](std::size_t g) {
+  for_each_grasp(sets, call, [&](std::size_t g, const RunContext&) {
     const Interval value = measure->measure(sets.contacts[g], sets.frames[g], options);
     lower[g] = value.lower;
     upper[g] = value.upper;
@@ -150,10 +156,12 @@ py::tuple measure_of(const ContactSets& sets, const std::string& name,
 Doubles robust_epsilon_of(const ContactSets& sets, const WrenchSpaceOptions& space,
                           const NoiseOptions& noise, const CallOptions& call) {
   std::vector<std::vector<double>> rows(sets.size());
-  for_each_grasp(sets, call, [&](std::size_t g) {
-    const RobustEpsilon found = robust_epsilon(sets.contacts[g], sets.frames[g], space, noise);
+  const auto judge = [&](std::size_t g, const RunContext& context) {
+    const RobustEpsilon found =
+        robust_epsilon(sets.contacts[g], sets.frames[g], space, noise, context);
     rows[g] = {found.mean, found.percentile_5, found.force_closure};
-  });
+  };
+  for_each_grasp(sets, call, judge, Duration::long_call);
   return to_array(rows, 3);
 }
 
@@ -177,7 +185,7 @@ py::list balancing_forces_of(const ContactSets& sets, const Doubles& external,
   const std::vector<Wrench> wrenches = wrenches_from(external);
   if (wrenches.size() != sets.size()) throw std::invalid_argument("another number of wrenches");
   std::vector<ContactForces> found(sets.size());
-  for_each_grasp(sets, call, [&](std::size_t g) {
+  for_each_grasp(sets, call, [&](std::size_t g, const RunContext&) {
     found[g] = balancing_forces(sets.contacts[g], sets.frames[g], wrenches[g], options);
   });
   py::list list;
@@ -191,7 +199,7 @@ py::tuple resistance_of(const ContactSets& sets, const Doubles& external,
   if (wrenches.size() != sets.size()) throw std::invalid_argument("another number of wrenches");
   std::vector<double> lower(sets.size());
   std::vector<double> upper(sets.size());
-  for_each_grasp(sets, call, [&](std::size_t g) {
+  for_each_grasp(sets, call, [&](std::size_t g, const RunContext&) {
     const Resistance found =
         wrench_resistance(sets.contacts[g], sets.frames[g], wrenches[g], options);
     lower[g] = found.lower;

@@ -99,9 +99,12 @@ void save(SceneHandle& self, const std::string& file) {
 }
 
 CompiledHandle compile_in_python(const SceneHandle& handle) {
-  const Scene& scene = handle.scene;
+  // Copies, because Python code may change the scene while another thread compiles it.
+  Scene scene = handle.scene;
+  CompiledHandle compiled{nullptr, handle.origin};
   const py::gil_scoped_release no_gil;
-  return {std::make_shared<const CompiledScene>(compile(scene)), handle.origin};
+  compiled.scene = std::make_shared<const CompiledScene>(compile(std::move(scene)));
+  return compiled;
 }
 
 void bind_bodies(py::module_& core) {
