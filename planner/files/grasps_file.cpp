@@ -1,6 +1,5 @@
 #include "planner/files/grasps_file.h"
 
-#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -21,13 +20,6 @@ using Json = nlohmann::ordered_json;
 // they do. What follows from the scene is written for other readers and not read back (derived).
 
 constexpr int kVersion = 1;
-
-constexpr std::array kPlanStatuses = {PlanStatus::complete, PlanStatus::cancelled,
-                                      PlanStatus::object_too_large, PlanStatus::no_candidates};
-
-constexpr std::array kPlanCounts = {
-    PlanCount::primitives_given, PlanCount::primitives, PlanCount::candidates, PlanCount::reach,
-    PlanCount::obstacles,        PlanCount::trials,     PlanCount::ranked,     PlanCount::paths};
 
 Json names_json(const Robot& robot) {
   Json dofs = Json::array();

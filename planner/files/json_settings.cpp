@@ -1,6 +1,5 @@
 #include "planner/files/json_settings.h"
 
-#include <array>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -9,9 +8,6 @@
 
 namespace prehend {
 namespace {
-
-constexpr std::array kPathPlanners = {PathPlanner::rrt_connect, PathPlanner::roadmap,
-                                      PathPlanner::rrt_star};
 
 // Every option under its name (sim/base/settings.h).
 template <HasSettings Options>

@@ -1,7 +1,6 @@
 #include "planner/path/plan_transfer.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/objectives/PathLengthOptimizationObjective.h>
@@ -243,21 +242,11 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   return waypoints;
 }
 
-// In the order of the enum, by which path_planner_name looks names up.
-constexpr std::array<std::pair<PathPlanner, std::string_view>, 3> kNames = {
-    {{PathPlanner::rrt_connect, "rrt_connect"},
-     {PathPlanner::roadmap, "roadmap"},
-     {PathPlanner::rrt_star, "rrt_star"}}};
-
 }  // namespace
 
-std::string_view path_planner_name(PathPlanner planner) {
-  return kNames[static_cast<std::size_t>(planner)].second;
-}
-
 std::optional<PathPlanner> path_planner_named(std::string_view name) {
-  for (const auto& [planner, known] : kNames) {
-    if (known == name) return planner;
+  for (const PathPlanner planner : kPathPlanners) {
+    if (path_planner_name(planner) == name) return planner;
   }
   return std::nullopt;
 }

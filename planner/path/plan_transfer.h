@@ -2,6 +2,8 @@
 // include OMPL (Sucan, Moll and Kavraki 2012, The Open Motion Planning Library) are these two.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -21,8 +23,16 @@ enum class PathPlanner {
                 // Frazzoli 2011)
 };
 
+// All of them, in the order of the enum.
+inline constexpr std::array<PathPlanner, 3> kPathPlanners = {
+    PathPlanner::rrt_connect, PathPlanner::roadmap, PathPlanner::rrt_star};
+
 // The planner's name on the command line and in files: "rrt_connect", "roadmap" or "rrt_star".
-std::string_view path_planner_name(PathPlanner planner);
+constexpr std::string_view path_planner_name(PathPlanner planner) {
+  constexpr std::array<std::string_view, kPathPlanners.size()> kNames = {"rrt_connect", "roadmap",
+                                                                         "rrt_star"};
+  return kNames[static_cast<std::size_t>(planner)];
+}
 // The inverse of path_planner_name; nothing for a name that is none of these.
 std::optional<PathPlanner> path_planner_named(std::string_view name);
 

@@ -100,9 +100,14 @@ enum class PlanCount {
   paths              // ranked grasps for which a path was found
 };
 
+// All of them, in the order of the enum.
+inline constexpr std::array<PlanCount, 8> kPlanCounts = {
+    PlanCount::primitives_given, PlanCount::primitives, PlanCount::candidates, PlanCount::reach,
+    PlanCount::obstacles,        PlanCount::trials,     PlanCount::ranked,     PlanCount::paths};
+
 // "primitives", "candidates", ...: names of the stages in output for people and in files.
 constexpr std::string_view plan_count_name(PlanCount what) {
-  constexpr std::array<std::string_view, 8> kNames = {
+  constexpr std::array<std::string_view, kPlanCounts.size()> kNames = {
       "primitives given", "primitives", "candidates", "reach",
       "obstacles",        "trials",     "ranked",     "paths"};
   return kNames[static_cast<std::size_t>(what)];
@@ -123,10 +128,15 @@ enum class PlanStatus {
   no_candidates      // there was no candidate for another reason
 };
 
+// All of them, in the order of the enum.
+inline constexpr std::array<PlanStatus, 4> kPlanStatuses = {
+    PlanStatus::complete, PlanStatus::cancelled, PlanStatus::object_too_large,
+    PlanStatus::no_candidates};
+
 // "complete", "cancelled", ...: as in files.
 constexpr std::string_view plan_status_name(PlanStatus status) {
-  constexpr std::array<std::string_view, 4> kNames = {"complete", "cancelled", "object_too_large",
-                                                      "no_candidates"};
+  constexpr std::array<std::string_view, kPlanStatuses.size()> kNames = {
+      "complete", "cancelled", "object_too_large", "no_candidates"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
