@@ -42,7 +42,7 @@ fs::path this_binary() {
 std::optional<fs::path> find_data_folder() {
   if (const char* named = std::getenv(kVariable); named != nullptr && *named != '\0') {
     if (has_robots(named)) return named;
-    throw InputError(std::string(kVariable) + ": no folder robots in it (" + named + ")");
+    throw InputError({.field = kVariable, .problem = "no folder robots in it", .value = named});
   }
   fs::path folder = this_binary().parent_path();
   for (int above = 0; above <= kMostAncestors; ++above, folder = folder.parent_path()) {
@@ -54,10 +54,11 @@ std::optional<fs::path> find_data_folder() {
 
 fs::path data_folder() {
   if (auto found = find_data_folder()) return *std::move(found);
-  throw InputError(
-      "share/prehend: the robots and scenes that come with prehend are missing, no "
-      "such folder in or above " +
-      this_binary().parent_path().string() + "; " + kVariable + " can name one");
+  throw InputError({.file = "share/prehend",
+                    .problem = "the robots and scenes that come with prehend are missing, no such "
+                               "folder in or above " +
+                               this_binary().parent_path().string() + "; " + kVariable +
+                               " can name one"});
 }
 
 }  // namespace prehend

@@ -37,4 +37,15 @@ InputError InputError::under(const std::string& outer) const {
   return InputError(std::move(parts));
 }
 
+InputError InputError::about(const std::string& field, const std::string& value) const {
+  if (!parts_.file.empty()) return InputError({.field = field, .problem = what()});
+  return InputError({.field = field,
+                     .problem = parts_.problem,
+                     .value = parts_.value.empty() ? value : parts_.value});
+}
+
+void require(bool condition, InputErrorParts parts) {
+  if (!condition) throw InputError(std::move(parts));
+}
+
 }  // namespace prehend

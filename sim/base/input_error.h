@@ -9,6 +9,7 @@ namespace prehend {
 
 // The parts of the message of an InputError; each may be empty.
 struct InputErrorParts {
+  // The file; for what was not read from one, the name of the robot or scene.
   std::string file = {};
   // Path of the field from the outermost object known where the error is thrown, such as
   // "grasps[3].contacts[0].link". For calls from C++, the name of the argument or of the member of
@@ -39,9 +40,16 @@ class InputError : public std::invalid_argument {
   // This error with its field placed inside `outer`: "link" under "contacts[3]" becomes
   // "contacts[3].link".
   InputError under(const std::string& outer) const;
+  // This error as one of `field`, whose value a function refused: without the function's own name
+  // for it, and with `value` where the error has none. An error that names a file becomes the
+  // problem as a whole: it is a fault of what the field refers to.
+  InputError about(const std::string& field, const std::string& value = {}) const;
 
  private:
   InputErrorParts parts_;
 };
+
+// Throws InputError with these parts unless the condition holds.
+void require(bool condition, InputErrorParts parts);
 
 }  // namespace prehend

@@ -12,8 +12,9 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
-    throw InputError(folder.string() + ": cannot make this folder" +
-                     (error ? " (" + error.message() + ")" : ""));
+    throw InputError(
+        {.file = folder.string(),
+         .problem = "cannot make this folder" + (error ? ": " + error.message() : "")});
   }
 }
 

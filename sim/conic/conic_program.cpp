@@ -21,30 +21,26 @@
 namespace prehend {
 namespace {
 
-void require(bool condition, const std::string& field, const std::string& problem,
-             const std::string& value = {}) {
-  if (!condition) throw InputError({.field = field, .problem = problem, .value = value});
-}
-
 void check(const ConicProgram& p) {
-  require(p.cone.orthant >= 0, "cone", "an orthant of negative size");
+  require(p.cone.orthant >= 0, {.field = "cone", .problem = "an orthant of negative size"});
   for (const int rows : p.cone.second_order) {
-    require(rows > 0, "cone", "a second-order cone without rows");
+    require(rows > 0, {.field = "cone", .problem = "a second-order cone without rows"});
   }
-  require(p.A.rows() == p.b.size() && (p.A.rows() == 0 || p.A.cols() == p.c.size()), "A",
-          "its shape is not that of b and c");
-  require(p.G.rows() == p.h.size() && (p.G.rows() == 0 || p.G.cols() == p.c.size()), "G",
-          "its shape is not that of h and c");
-  require(p.cone.rows() == p.h.size(), "cone", "it has not as many rows as h");
+  require(p.A.rows() == p.b.size() && (p.A.rows() == 0 || p.A.cols() == p.c.size()),
+          {.field = "A", .problem = "its shape is not that of b and c"});
+  require(p.G.rows() == p.h.size() && (p.G.rows() == 0 || p.G.cols() == p.c.size()),
+          {.field = "G", .problem = "its shape is not that of h and c"});
+  require(p.cone.rows() == p.h.size(),
+          {.field = "cone", .problem = "it has not as many rows as h"});
   require(
       p.c.allFinite() && p.A.allFinite() && p.b.allFinite() && p.G.allFinite() && p.h.allFinite(),
-      "conic program", "a value is not finite");
+      {.field = "conic program", .problem = "a value is not finite"});
 }
 
 void check(const ConicOptions& options) {
   require(options.tolerance > 0.0 && options.acceptable > 0.0 &&
               options.infeasible_tolerance > 0.0 && options.max_iterations > 0,
-          "conic options", "must be positive");
+          {.field = "conic options", .problem = "must be positive"});
 }
 
 // Values, residuals and gap in the units of the program as it was given. A certificate of dual

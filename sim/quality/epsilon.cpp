@@ -25,11 +25,9 @@ namespace prehend {
 namespace {
 
 void check(const EpsilonOptions& options) {
-  if (!(options.relative_tolerance >= 0.0)) {
-    throw InputError({.field = "relative_tolerance",
-                      .problem = "must not be negative",
-                      .value = std::to_string(options.relative_tolerance)});
-  }
+  require(options.relative_tolerance >= 0.0, {.field = "relative_tolerance",
+                                              .problem = "must not be negative",
+                                              .value = std::to_string(options.relative_tolerance)});
 }
 
 // The search for the epsilon of one set, from a simplex inside it.

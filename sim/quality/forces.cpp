@@ -20,26 +20,26 @@
 namespace prehend {
 namespace {
 
-void require(bool condition, const std::string& field, const std::string& problem,
-             const std::string& value = {}) {
-  if (!condition) throw InputError({.field = field, .problem = problem, .value = value});
-}
-
 void check(const ForceOptions& options) {
-  require(options.edges >= 3, "edges", "a friction pyramid needs at least 3",
-          std::to_string(options.edges));
-  require(options.residual_tolerance > 0.0, "residual_tolerance", "must be positive");
-  require(options.gap_tolerance > 0.0, "gap_tolerance", "must be positive");
+  require(options.edges >= 3, {.field = "edges",
+                               .problem = "a friction pyramid needs at least 3",
+                               .value = std::to_string(options.edges)});
+  require(options.residual_tolerance > 0.0,
+          {.field = "residual_tolerance", .problem = "must be positive"});
+  require(options.gap_tolerance > 0.0, {.field = "gap_tolerance", .problem = "must be positive"});
 }
 
 void check(const HandTorques& hand, Eigen::Index contacts) {
   const Eigen::Index joints = hand.limits.size();
-  require(hand.jacobian.rows() == 3 * contacts && hand.jacobian.cols() == joints, "jacobian",
-          "must have three rows a contact and a column a joint");
-  require(hand.spin.size() == 0 || (hand.spin.rows() == contacts && hand.spin.cols() == joints),
-          "spin", "must have a row a contact and a column a joint, or be empty");
-  require(hand.jacobian.allFinite() && hand.spin.allFinite(), "jacobian, spin", "not finite");
-  require((hand.limits.array() >= 0.0).all(), "limits", "must not be negative");
+  require(hand.jacobian.rows() == 3 * contacts && hand.jacobian.cols() == joints,
+          {.field = "jacobian", .problem = "must have three rows a contact and a column a joint"});
+  require(
+      hand.spin.size() == 0 || (hand.spin.rows() == contacts && hand.spin.cols() == joints),
+      {.field = "spin", .problem = "must have a row a contact and a column a joint, or be empty"});
+  require(hand.jacobian.allFinite() && hand.spin.allFinite(),
+          {.field = "jacobian, spin", .problem = "not finite"});
+  require((hand.limits.array() >= 0.0).all(),
+          {.field = "limits", .problem = "must not be negative"});
 }
 
 // Fills in the forces for the unit wrench; true where they are good enough. Without any normal
@@ -111,7 +111,7 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
                              const Wrench& external, const HandTorques* hand,
                              const ForceOptions& options) {
   check_contacts(contacts, frame);
-  require(external.allFinite(), "external", "not finite");
+  require(external.allFinite(), {.field = "external", .problem = "not finite"});
   check(options);
   if (hand != nullptr) check(*hand, std::ssize(contacts));
   if (external.isZero(0.0)) return no_forces(std::ssize(contacts), ForceOutcome::balanced);

@@ -34,11 +34,10 @@ Eigen::Matrix3d normal_rotation(Random& random, double deviation) {
 }
 
 void check(const char* name, double deviation) {
-  if (!std::isfinite(deviation) || deviation < 0.0) {
-    throw InputError({.field = name,
-                      .problem = "must be finite and not negative",
-                      .value = std::to_string(deviation)});
-  }
+  require(std::isfinite(deviation) && deviation >= 0.0,
+          {.field = name,
+           .problem = "must be finite and not negative",
+           .value = std::to_string(deviation)});
 }
 
 void check(const NoiseOptions& noise) {
@@ -47,10 +46,9 @@ void check(const NoiseOptions& noise) {
   check("contact_position", noise.contact_position);
   check("normal_angle", noise.normal_angle);
   check("friction", noise.friction);
-  if (noise.samples < 1)
-    throw InputError({.field = "samples",
-                      .problem = "at least one is needed",
-                      .value = std::to_string(noise.samples)});
+  require(noise.samples >= 1, {.field = "samples",
+                               .problem = "at least one is needed",
+                               .value = std::to_string(noise.samples)});
 }
 
 // One sample of the contacts: all of them moved and turned together by the error of the pose, then

@@ -102,11 +102,9 @@ Beyond look_beyond(const SupportMap& set, const PointHull& hull, const Wrenches&
 }  // namespace
 
 SetHull set_hull(const SupportMap& set, const SetHullOptions& options) {
-  if (!(options.relative_tolerance > 0.0)) {
-    throw InputError({.field = "relative_tolerance",
-                      .problem = "must be positive",
-                      .value = std::to_string(options.relative_tolerance)});
-  }
+  require(options.relative_tolerance > 0.0, {.field = "relative_tolerance",
+                                             .problem = "must be positive",
+                                             .value = std::to_string(options.relative_tolerance)});
   SetHull result;
   const StartSimplex start = start_simplex(set, false);
   if (start.flat) {

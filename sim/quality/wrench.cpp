@@ -38,11 +38,9 @@ Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
 
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
   check_contacts(contacts, frame);
-  if (edges < 3) {
-    throw InputError({.field = "edges",
-                      .problem = "a friction pyramid needs at least 3",
-                      .value = std::to_string(edges)});
-  }
+  require(edges >= 3, {.field = "edges",
+                       .problem = "a friction pyramid needs at least 3",
+                       .value = std::to_string(edges)});
   Eigen::Index columns = 0;
   for (const Contact& contact : contacts) columns += pyramid_corners(contact.model, edges);
   Wrenches wrenches(6, columns);

@@ -33,5 +33,23 @@ TEST(InputError, FieldsNestAndFilesStay) {
   EXPECT_EQ(inner.under("").field(), "normal");
 }
 
+TEST(InputError, IsToldOfTheFieldThatWasAtFault) {
+  const InputError inner({.field = "name", .problem = "unknown"});
+  EXPECT_STREQ(inner.about("robot.hand", "\"x\"").what(), "robot.hand: unknown (\"x\")");
+  const InputError valued({.problem = "must be simple", .value = "4 corners"});
+  EXPECT_STREQ(valued.about("profile", "[[0, 0]]").what(), "profile: must be simple (4 corners)");
+  const InputError elsewhere =
+      valued.in_file("b.json").about("mesh", "\"b.json\"").in_file("a.json");
+  EXPECT_EQ(elsewhere.file(), "a.json");
+  EXPECT_EQ(elsewhere.field(), "mesh");
+  EXPECT_EQ(elsewhere.problem(), "b.json: must be simple (4 corners)");
+  EXPECT_EQ(elsewhere.value(), "");
+}
+
+TEST(Require, ThrowsUnlessItHolds) {
+  EXPECT_NO_THROW(require(true, {.field = "edges", .problem = "too few"}));
+  EXPECT_THROW(require(false, {.field = "edges", .problem = "too few"}), InputError);
+}
+
 }  // namespace
 }  // namespace prehend
