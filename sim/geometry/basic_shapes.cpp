@@ -13,17 +13,16 @@ namespace prehend {
 namespace {
 
 void need_positive(const char* name, double value) {
-  if (!(value > 0.0) || !std::isfinite(value)) {
-    throw InputError(std::string(name) + ": must be positive and finite (" + std::to_string(value) +
-                     ")");
-  }
+  require(
+      value > 0.0 && std::isfinite(value),
+      {.field = name, .problem = "must be positive and finite", .value = std::to_string(value)});
 }
 
 void need_range(const char* name, int value, int lowest, int highest) {
-  if (value < lowest || value > highest) {
-    throw InputError(std::string(name) + ": must be " + std::to_string(lowest) + " to " +
-                     std::to_string(highest) + " (" + std::to_string(value) + ")");
-  }
+  require(value >= lowest && value <= highest,
+          {.field = name,
+           .problem = "must be " + std::to_string(lowest) + " to " + std::to_string(highest),
+           .value = std::to_string(value)});
 }
 
 // Two triangles for the quadrilateral a b c d, counter-clockwise seen from outside.
@@ -197,8 +196,9 @@ TriangleMesh make_prism(const std::vector<Eigen::Vector2d>& polygon, double lowe
   need_positive("prism height", upper - lower);
   const std::vector<Triangle> caps = triangulate_polygon(polygon);
   if (caps.empty()) {
-    throw InputError("prism polygon: must be simple, counter-clockwise and of positive area (" +
-                     std::to_string(polygon.size()) + " corners)");
+    throw InputError({.field = "prism polygon",
+                      .problem = "must be simple, counter-clockwise and of positive area",
+                      .value = std::to_string(polygon.size()) + " corners"});
   }
   TriangleMesh mesh;
   const int n = static_cast<int>(polygon.size());

@@ -11,21 +11,12 @@
 namespace prehend {
 namespace {
 
-void check_indices(const TriangleMesh& mesh) {
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const int v : mesh.triangles[t]) {
-      if (v >= 0 && static_cast<std::size_t>(v) < mesh.vertices.size()) continue;
-      throw InputError("triangles[" + std::to_string(t) + "]: names a vertex that is not there (" +
-                       std::to_string(v) + ")");
-    }
-  }
-}
-
 void check_vertices(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vector3& p = mesh.vertices[v];
     if (p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthestVertex) continue;
-    throw InputError("vertices[" + std::to_string(v) + "]: not finite, or farther out than 1e30 m");
+    throw InputError({.field = "vertices[" + std::to_string(v) + "]",
+                      .problem = "not finite, or farther out than 1e30 m"});
   }
 }
 
@@ -38,10 +29,10 @@ void check_vertices(const TriangleMesh& mesh) {
 TriangleMesh make_mesh(std::vector<Vector3> vertices, std::vector<Triangle> triangles,
                        double weld_fraction) {
   TriangleMesh mesh{std::move(vertices), std::move(triangles)};
-  check_indices(mesh);
+  require_valid_indices(mesh);
   check_vertices(mesh);
   drop_unused_vertices(mesh);
-  if (mesh.empty()) throw InputError("triangles: none, and so no area");
+  if (mesh.empty()) throw InputError({.field = "triangles", .problem = "none, and so no area"});
   mesh = weld_to_scale(mesh, weld_fraction).mesh;
   orient_outward(mesh);
   return mesh;

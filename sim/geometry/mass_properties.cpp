@@ -179,11 +179,12 @@ MassProperties of_unit_size(TriangleMesh mesh) {
 
 MassProperties mass_properties(const TriangleMesh& mesh) {
   const MeshChecks checks = check_mesh(mesh);
-  if (checks.nonfinite_vertices > 0) throw InputError("mesh: has vertices that are not finite");
-  if (checks.triangles == checks.degenerate_triangles) {
-    throw InputError("mesh: has no triangle of positive area (" + std::to_string(checks.triangles) +
-                     " triangles)");
-  }
+  require(checks.nonfinite_vertices == 0,
+          {.field = "mesh", .problem = "has vertices that are not finite"});
+  require(checks.triangles > checks.degenerate_triangles,
+          {.field = "mesh",
+           .problem = "has no triangle of positive area",
+           .value = std::to_string(checks.triangles) + " triangles"});
   // Computed about the centre of the bounds and at unit size: the volumes of tetrahedra from a
   // distant origin would cancel most digits, and those of tiny meshes would fall below absolute
   // thresholds.

@@ -30,21 +30,22 @@ int count_components(const TriangleMesh& mesh) {
   return count;
 }
 
-void need_valid_indices(const TriangleMesh& mesh) {
-  const int n = static_cast<int>(mesh.vertices.size());
+}  // namespace
+
+void require_valid_indices(const TriangleMesh& mesh, const std::string& name) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const int v : mesh.triangles[t]) {
-      if (v >= 0 && v < n) continue;
-      throw InputError("triangle " + std::to_string(t) + ": refers to vertex " + std::to_string(v) +
-                       " of " + std::to_string(n));
+      if (v >= 0 && static_cast<std::size_t>(v) < mesh.vertices.size()) continue;
+      const InputError error({.field = "triangles[" + std::to_string(t) + "]",
+                              .problem = "names a vertex that is not there",
+                              .value = std::to_string(v)});
+      throw error.under(name);
     }
   }
 }
 
-}  // namespace
-
 MeshChecks check_mesh(const TriangleMesh& mesh) {
-  need_valid_indices(mesh);
+  require_valid_indices(mesh);
   MeshChecks checks;
   checks.vertices = static_cast<int>(mesh.vertices.size());
   checks.triangles = static_cast<int>(mesh.triangles.size());

@@ -2,6 +2,8 @@
 // consistently wound, and which way it faces.
 #pragma once
 
+#include <string>
+
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
@@ -23,6 +25,10 @@ struct MeshChecks {
   // Closed, finite and consistently wound, so that the signed volume is that of a solid.
   bool solid() const { return closed() && misoriented_edges == 0 && nonfinite_vertices == 0; }
 };
+
+// Throws InputError that names the first triangle with a vertex index out of range: as
+// "triangles[3]", or inside `name`, what the caller calls the mesh.
+void require_valid_indices(const TriangleMesh& mesh, const std::string& name = {});
 
 // Counts the parts and defects of `mesh`. Throws InputError when a vertex index is out of range.
 MeshChecks check_mesh(const TriangleMesh& mesh);

@@ -191,16 +191,17 @@ std::vector<std::string> generated_object_names() {
 
 TriangleMesh generate_object(std::string_view name, int triangles) {
   constexpr int kMost = 2'000'000;
-  if (triangles < 1 || triangles > kMost) {
-    throw InputError("triangles: must be 1 to 2000000 (" + std::to_string(triangles) + ")");
-  }
+  require(triangles >= 1 && triangles <= kMost, {.field = "triangles",
+                                                 .problem = "must be 1 to 2000000",
+                                                 .value = std::to_string(triangles)});
   const auto found = std::find_if(kObjects.begin(), kObjects.end(),
                                   [&](const NamedObject& object) { return object.name == name; });
   if (found == kObjects.end()) {
     std::string known;
     for (const NamedObject& object : kObjects) known.append(" ").append(object.name);
-    throw InputError("object: no generator of that name (" + std::string(name) +
-                     "), known:" + known);
+    throw InputError({.field = "object",
+                      .problem = "no generator of that name, known:" + known,
+                      .value = std::string(name)});
   }
   return with_count(found->make, triangles);
 }

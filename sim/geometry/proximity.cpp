@@ -249,7 +249,7 @@ struct CollectVisitor {
 }  // namespace
 
 ProximityMesh::ProximityMesh(TriangleMesh mesh, const RunContext& context) {
-  if (mesh.empty()) throw InputError("proximity: a mesh without triangles");
+  if (mesh.empty()) throw InputError({.field = "mesh", .problem = "has no triangles"});
   auto data = std::make_shared<Data>();
   data->mesh = std::move(mesh);
   data->tree = build_box_tree(data->mesh, context);

@@ -235,10 +235,9 @@ void drop_unused_vertices(TriangleMesh& mesh) {
 }
 
 WeldedMesh weld_to_scale(const TriangleMesh& mesh, double fraction) {
-  if (!(fraction > 0.0) || !(fraction < 0.01)) {
-    throw InputError("weld_fraction: must be above 0 and below 0.01 (" + std::to_string(fraction) +
-                     ")");
-  }
+  require(fraction > 0.0 && fraction < 0.01, {.field = "weld_fraction",
+                                              .problem = "must be above 0 and below 0.01",
+                                              .value = std::to_string(fraction)});
   const double diagonal = bounds(mesh).diagonal();
   // weld needs a tolerance above 0.
   if (!(diagonal > 0.0)) throw InputError("all vertices are at one point");

@@ -250,7 +250,9 @@ class DaeCheck {
     const std::optional<std::string> metres = attribute(tag.attributes, "meter");
     const std::optional<double> unit = metres ? number_in(*metres) : 1.0;
     if (!unit || !(*unit > 0.0) || !std::isfinite(*unit)) {
-      throw InputError("unit: meter must be positive (" + in_quotes(metres.value_or("")) + ")");
+      throw InputError({.field = "unit",
+                        .problem = "meter must be positive",
+                        .value = in_quotes(metres.value_or(""))});
     }
   }
 

@@ -27,7 +27,7 @@ constexpr int kTriangles = 4;
 Json list_in(const Json& document, const char* name) {
   const auto found = document.find(name);
   if (found == document.end()) return Json::array();
-  if (!found->is_array()) throw InputError(std::string(name) + ": is not a list");
+  if (!found->is_array()) throw InputError({.field = name, .problem = "is not a list"});
   return *found;
 }
 
@@ -38,7 +38,8 @@ std::uint64_t count_in(const Json& object, const char* name, std::uint64_t other
   const auto found = object.find(name);
   if (found == object.end()) return otherwise;
   if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kMost) {
-    throw InputError(std::string(name) + ": is not a count (" + found->dump().substr(0, 40) + ")");
+    throw InputError(
+        {.field = name, .problem = "is not a count", .value = found->dump().substr(0, 40)});
   }
   return found->get<std::uint64_t>();
 }
@@ -47,12 +48,19 @@ std::uint64_t count_in(const Json& object, const char* name, std::uint64_t other
 std::uint64_t index_in(const Json& object, const char* name, std::size_t size) {
   constexpr std::uint64_t kMissing = ~std::uint64_t{0};
   const std::uint64_t index = count_in(object, name, kMissing);
-  if (index == kMissing) throw InputError(std::string(name) + ": is missing");
+  if (index == kMissing) throw InputError({.field = name, .problem = "is missing"});
   if (index >= size) {
-    throw InputError(std::string(name) + ": refers to entry " + std::to_string(index) + " of " +
-                     std::to_string(size));
+    throw InputError(
+        {.field = name,
+         .problem = "refers to entry " + std::to_string(index) + " of " + std::to_string(size)});
   }
   return index;
+}
+
+InputError beyond_end(const char* field, std::uint64_t end, std::uint64_t bytes) {
+  return InputError(
+      {.field = field,
+       .problem = "reach to byte " + std::to_string(end) + " of " + std::to_string(bytes)});
 }
 
 // A copy of the object with the named members only.
@@ -70,7 +78,8 @@ Json numbers(const Json& node, const char* name, std::size_t size) {
   const Json& list = node[name];
   bool fits = list.is_array() && list.size() == size;
   for (std::size_t i = 0; fits && i < size; ++i) fits = list[i].is_number();
-  if (!fits) throw InputError(std::string(name) + ": must be " + std::to_string(size) + " numbers");
+  if (!fits)
+    throw InputError({.field = name, .problem = "must be " + std::to_string(size) + " numbers"});
   return list;
 }
 
@@ -85,7 +94,7 @@ class Reducer {
     const Json asset = document_.value("asset", Json::object());
     const Json version = asset.is_object() ? asset.value("version", Json()) : Json();
     if (!version.is_string() || !version.get<std::string>().starts_with("2")) {
-      throw InputError("not glTF version 2 (" + version.dump().substr(0, 40) + ")");
+      throw InputError({.problem = "not glTF version 2", .value = version.dump().substr(0, 40)});
     }
     result_["asset"] = {{"version", "2.0"}};
     buffers();
@@ -106,8 +115,9 @@ class Reducer {
       const std::uint64_t length = count_in(entry, "byteLength", 0);
       const std::uint64_t given = buffer_bytes(entry, kept.empty());
       if (length > given) {
-        throw InputError("buffers: promise " + std::to_string(length) + " bytes, there are " +
-                         std::to_string(given));
+        throw InputError({.field = "buffers",
+                          .problem = "promise " + std::to_string(length) + " bytes, there are " +
+                                     std::to_string(given)});
       }
       lengths_.push_back(length);
       kept.push_back(std::move(entry));
@@ -119,15 +129,15 @@ class Reducer {
   // the GLB chunk, which has no uri.
   std::uint64_t buffer_bytes(const Json& buffer, bool first) const {
     if (!buffer.contains("uri")) {
-      if (!first) throw InputError("buffers: one has no uri");
+      if (!first) throw InputError({.field = "buffers", .problem = "one has no uri"});
       return chunk_bytes_;
     }
-    if (!buffer["uri"].is_string()) throw InputError("uri: is not text");
+    if (!buffer["uri"].is_string()) throw InputError({.field = "uri", .problem = "is not text"});
     const std::string& uri = buffer["uri"].get_ref<const std::string&>();
     if (uri.starts_with("data:")) return uri.size();
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(folder_ / uri, error);
-    if (error) throw InputError("buffers: no file " + uri.substr(0, 200));
+    if (error) throw InputError({.field = "buffers", .problem = "no file " + uri.substr(0, 200)});
     return size;
   }
 
@@ -139,8 +149,7 @@ class Reducer {
       const std::uint64_t buffer = index_in(entry, "buffer", lengths_.size());
       const std::uint64_t end = count_in(entry, "byteOffset", 0) + count_in(entry, "byteLength", 0);
       if (end > lengths_[buffer]) {
-        throw InputError("bufferViews: reach to byte " + std::to_string(end) + " of " +
-                         std::to_string(lengths_[buffer]));
+        throw beyond_end("bufferViews", end, lengths_[buffer]);
       }
       kept.push_back(std::move(entry));
     }
@@ -162,7 +171,7 @@ class Reducer {
                                 : name == "MAT3"                   ? 9
                                 : name == "MAT4"                   ? 16
                                                                    : 0;
-    if (size * width == 0) throw InputError("accessors: unknown type");
+    if (size * width == 0) throw InputError({.field = "accessors", .problem = "unknown type"});
     return size * width;
   }
 
@@ -175,9 +184,10 @@ class Reducer {
       Json entry =
           members(accessor, {"bufferView", "byteOffset", "componentType", "count", "type"});
       const std::uint64_t bytes = element_bytes(entry);
-      if (accessor.contains("sparse")) throw InputError("accessors: sparse ones cannot be read");
+      if (accessor.contains("sparse"))
+        throw InputError({.field = "accessors", .problem = "sparse ones cannot be read"});
       if (!entry.contains("bufferView"))
-        throw InputError("accessors: one has no data (compressed?)");
+        throw InputError({.field = "accessors", .problem = "one has no data (compressed?)"});
       const Json& view = views[index_in(entry, "bufferView", views.size())];
       const std::uint64_t stride = count_in(view, "byteStride", 0);
       const std::uint64_t count = count_in(entry, "count", 0);
@@ -187,8 +197,7 @@ class Reducer {
       // glTF permits strides up to 252 bytes.
       if (stride > 252 || (stride != 0 && stride < bytes) ||
           end > count_in(view, "byteLength", 0)) {
-        throw InputError("accessors: reach to byte " + std::to_string(end) + " of " +
-                         std::to_string(count_in(view, "byteLength", 0)));
+        throw beyond_end("accessors", end, count_in(view, "byteLength", 0));
       }
       kept.push_back(std::move(entry));
     }
@@ -199,18 +208,19 @@ class Reducer {
   Json primitive(const Json& given) const {
     const Json& accessors = result_["accessors"];
     Json entry = members(given, {"indices", "mode"});
-    if (count_in(entry, "mode", kTriangles) > 6) throw InputError("mode: unknown");
+    if (count_in(entry, "mode", kTriangles) > 6)
+      throw InputError({.field = "mode", .problem = "unknown"});
     const Json attributes = given.value("attributes", Json::object());
     const Json positions = members(attributes, {"POSITION"});
     const Json& points = accessors[index_in(positions, "POSITION", accessors.size())];
     if (points["type"] != "VEC3" || points["componentType"] != 5126) {
-      throw InputError("POSITION: must be three floats");
+      throw InputError({.field = "POSITION", .problem = "must be three floats"});
     }
     if (entry.contains("indices")) {
       const Json& indices = accessors[index_in(entry, "indices", accessors.size())];
       const std::uint64_t type = indices["componentType"].get<std::uint64_t>();
       if (indices["type"] != "SCALAR" || (type != 5121 && type != 5123 && type != 5125)) {
-        throw InputError("indices: must be unsigned whole numbers");
+        throw InputError({.field = "indices", .problem = "must be unsigned whole numbers"});
       }
     }
     entry["attributes"] = positions;
@@ -245,7 +255,8 @@ class Reducer {
       for (const Json& child : list_in(entry, "children")) {
         const std::uint64_t c = index_in({{"children", child}}, "children", given.size());
         if (parents_[c] >= 0)
-          throw InputError("children: node " + std::to_string(c) + " has two parents");
+          throw InputError(
+              {.field = "children", .problem = "node " + std::to_string(c) + " has two parents"});
         parents_[c] = static_cast<long>(i);
       }
       kept.push_back(std::move(entry));
@@ -261,7 +272,8 @@ class Reducer {
       int depth = 0;
       for (long at = static_cast<long>(i); at >= 0; at = parents_[static_cast<std::size_t>(at)]) {
         if (++depth > kDeepest)
-          throw InputError("children: nodes contain themselves or nest too deep");
+          throw InputError(
+              {.field = "children", .problem = "nodes contain themselves or nest too deep"});
       }
     }
   }
@@ -281,7 +293,9 @@ class Reducer {
       std::vector<bool> seen(parents_.size(), false);
       for (const Json& root : list_in(given[chosen], "nodes")) {
         const std::uint64_t r = index_in({{"nodes", root}}, "nodes", parents_.size());
-        if (seen[r]) throw InputError("scenes: node " + std::to_string(r) + " is listed twice");
+        if (seen[r])
+          throw InputError(
+              {.field = "scenes", .problem = "node " + std::to_string(r) + " is listed twice"});
         seen[r] = true;
         roots.push_back(r);
       }
@@ -305,7 +319,8 @@ Json reduced(std::string_view text, std::uint64_t chunk_bytes,
   if (document.is_discarded() || !document.is_object()) throw InputError("the JSON is not valid");
   for (const Json& name : list_in(document, "extensionsRequired")) {
     if (name == "KHR_draco_mesh_compression" || name == "EXT_meshopt_compression") {
-      throw InputError("compressed meshes cannot be read (" + name.get<std::string>() + ")");
+      throw InputError(
+          {.problem = "compressed meshes cannot be read", .value = name.get<std::string>()});
     }
   }
   return Reducer(document, chunk_bytes, folder).run();
@@ -340,7 +355,7 @@ std::string checked_glb(std::string_view bytes, const std::filesystem::path& fol
     throw InputError("no GLB header");
   }
   if (word_at(bytes, 4) != 2) {
-    throw InputError("not GLB version 2 (" + std::to_string(word_at(bytes, 4)) + ")");
+    throw InputError({.problem = "not GLB version 2", .value = std::to_string(word_at(bytes, 4))});
   }
   const std::size_t json_bytes = word_at(bytes, kHeader);
   const std::size_t json_end = kHeader + kChunkHeader + json_bytes;

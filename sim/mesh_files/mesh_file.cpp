@@ -29,8 +29,8 @@ std::string extension_of(const std::filesystem::path& file) {
   if (!extension.empty()) extension.erase(0, 1);
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
-    throw InputError("unknown mesh format (." + extension +
-                     "), known: .obj .stl .ply .off .gltf .glb .dae");
+    throw InputError({.problem = "unknown mesh format, known: .obj .stl .ply .off .gltf .glb .dae",
+                      .value = "." + extension});
   }
   return extension;
 }
@@ -46,7 +46,8 @@ std::string read_bytes(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw InputError("cannot be read: " + error.message());
   if (size == 0) throw InputError("the file is empty");
-  if (size > kMostBytes) throw InputError("larger than 1 GiB (" + std::to_string(size) + " bytes)");
+  require(size <= kMostBytes,
+          {.problem = "larger than 1 GiB", .value = std::to_string(size) + " bytes"});
   std::ifstream stream(file, std::ios::binary);
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
@@ -76,10 +77,10 @@ TriangleMesh read_raw(const std::filesystem::path& file, const std::string& exte
 }
 
 LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& options) {
-  if (!(options.metres_per_unit > 0.0) || !std::isfinite(options.metres_per_unit)) {
-    throw InputError("metres_per_unit: must be positive and finite (" +
-                     std::to_string(options.metres_per_unit) + ")");
-  }
+  require(options.metres_per_unit > 0.0 && std::isfinite(options.metres_per_unit),
+          {.field = "metres_per_unit",
+           .problem = "must be positive and finite",
+           .value = std::to_string(options.metres_per_unit)});
   const std::string extension = extension_of(file);
   TriangleMesh raw = read_raw(file, extension);
   if (raw.empty()) throw InputError("no triangles");
@@ -98,7 +99,8 @@ double metres_per_unit(std::string_view unit) {
   if (unit == "cm") return 0.01;
   if (unit == "mm") return 0.001;
   if (unit == "in") return 0.0254;
-  throw InputError("unit: must be m, cm, mm or in (" + std::string(unit) + ")");
+  throw InputError(
+      {.field = "unit", .problem = "must be m, cm, mm or in", .value = std::string(unit)});
 }
 
 LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options) {

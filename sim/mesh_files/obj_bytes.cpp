@@ -80,8 +80,9 @@ std::string checked_obj(std::string_view bytes) {
     }
   }
   if (highest > vertices) {
-    throw InputError("line " + std::to_string(highest_line) + ": a face refers to vertex " +
-                     std::to_string(highest) + " of " + std::to_string(vertices));
+    throw InputError({.field = "line " + std::to_string(highest_line),
+                      .problem = "a face refers to vertex " + std::to_string(highest) + " of " +
+                                 std::to_string(vertices)});
   }
   if (highest == 0) throw InputError("no faces");
   return reduced;

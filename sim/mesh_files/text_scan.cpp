@@ -56,7 +56,7 @@ std::string_view TextScan::next_word() {
 }
 
 void TextScan::fail(const std::string& what) const {
-  throw InputError("line " + std::to_string(line_number_) + ": " + what);
+  throw InputError({.field = "line " + std::to_string(line_number_), .problem = what});
 }
 
 std::optional<double> number_in(std::string_view word) {

@@ -7,6 +7,7 @@
 #include "sim/base/input_error.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/mesh_checks.h"
+#include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
@@ -50,6 +51,9 @@ TEST(MakeMesh, WhatIsNoMeshIsRefused) {
   const std::vector<Vector3> corners = {Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY()};
   EXPECT_NE(complaint(corners, {{0, 1, 2}, {0, 1, 3}}).find("triangles[1]"), std::string::npos);
   EXPECT_NE(complaint(corners, {{0, -1, 2}}).find("(-1)"), std::string::npos);
+  const InputError fraction = test::refusal_of([&] { make_mesh(corners, {{0, 1, 2}}, 0.5); });
+  EXPECT_EQ(fraction.field(), "weld_fraction");
+  EXPECT_EQ(fraction.value(), "0.500000");
   EXPECT_NE(complaint(corners, {{0, 1, 1}}).find("area"), std::string::npos);
   EXPECT_NE(complaint(corners, {}).find("area"), std::string::npos);
   std::vector<Vector3> infinite = corners;

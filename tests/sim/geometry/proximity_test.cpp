@@ -227,7 +227,7 @@ TEST(ProximityMesh, RefusesAMeshWithoutTriangles) {
     ProximityMesh mesh(TriangleMesh{});
     FAIL() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "proximity: a mesh without triangles");
+    EXPECT_STREQ(error.what(), "mesh: has no triangles");
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "sim/base/input_error.h"
 #include "tests/sim/mesh_files/mesh_samples.h"
+#include "tests/support/refusal_of.h"
 #include "tests/support/test_meshes.h"
 
 namespace prehend {
@@ -138,7 +139,7 @@ TEST(LoadMesh, RefusesFilesThatAreNone) {
   expect_error(folder / "a.obj", "the file is empty");
   std::filesystem::create_directories(folder / "folder.obj");
   expect_error(folder / "folder.obj", "is a folder");
-  expect_error(written("scene.wrl", "#VRML V2.0 utf8\n"), "unknown mesh format (.wrl)");
+  expect_error(written("scene.wrl", "#VRML V2.0 utf8\n"), ".dae (.wrl)");
   expect_error(written("noextension", "x"), "unknown mesh format");
 }
 
@@ -167,7 +168,10 @@ TEST(LoadMesh, NeverTakesATruncatedFileForMore) {
 
 TEST(LoadMesh, RefusesOptionsOutOfRange) {
   const auto file = written("a.obj", test::obj_sample());
-  EXPECT_THROW(load_mesh(file, {.metres_per_unit = 0.0}), InputError);
+  const InputError unit = test::refusal_of([&] { load_mesh(file, {.metres_per_unit = 0.0}); });
+  EXPECT_EQ(unit.file(), file.string());
+  EXPECT_EQ(unit.field(), "metres_per_unit");
+  EXPECT_EQ(unit.value(), "0.000000");
   EXPECT_THROW(load_mesh(file, {.metres_per_unit = -1.0}), InputError);
   EXPECT_THROW(load_mesh(file, {.weld_fraction = 0.0}), InputError);
   EXPECT_THROW(load_mesh(file, {.weld_fraction = 0.01}), InputError);
