@@ -31,8 +31,8 @@ Material material_named(std::string_view name) {
   for (const Material material : kMaterials) {
     if (material_name(material) == name) return material;
   }
-  throw InputError("unknown material \"" + std::string(name) +
-                   "\" (known: glass, metal, plastic, wood, rubber)");
+  throw InputError({.problem = "unknown material, known are glass, metal, plastic, wood and rubber",
+                    .value = std::string(name)});
 }
 
 double density_of(Material material) { return of(material).density; }

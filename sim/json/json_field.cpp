@@ -110,6 +110,11 @@ void JsonField::fail(const InputError& error) const {
   throw error.under(name_).in_file(file_->string());
 }
 
+void JsonField::fail_about(const InputError& error) const {
+  if (error.file() == file_->string()) throw error;
+  throw error.about(name_, shown(*value_)).in_file(file_->string());
+}
+
 void JsonField::require_object() const {
   if (!value_->is_object()) fail("must be an object");
 }

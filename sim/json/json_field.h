@@ -83,6 +83,9 @@ class JsonField {
   // Throws `error` with the place of this field added: for errors of a function that was given the
   // read value, whose own field name lies inside this field.
   [[noreturn]] void fail(const InputError& error) const;
+  // Throws `error` as one of this field (InputError::about): for errors of a function that was
+  // given the read value under a name of its own. One that stands in this file stays as it is.
+  [[noreturn]] void fail_about(const InputError& error) const;
 
  private:
   void require_object() const;
@@ -91,5 +94,16 @@ class JsonField {
   const std::filesystem::path* file_;
   std::string name_;
 };
+
+// What `make` returns, which uses the value of the field; its InputErrors are told of the field
+// (fail_about).
+template <typename Make>
+auto made_of(const JsonField& field, const Make& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    field.fail_about(error);
+  }
+}
 
 }  // namespace prehend

@@ -1,4 +1,3 @@
-#include "sim/base/input_error.h"
 #include "sim/base/material.h"
 #include "sim/robot/robot_file_parts.h"
 
@@ -15,11 +14,7 @@ double read_density(const JsonField& field) {
     return density;
   }
   const JsonField material = field["material"];
-  try {
-    return density_of(material_named(material.text()));
-  } catch (const InputError&) {
-    material.fail("unknown material, known are glass, metal, plastic, wood and rubber");
-  }
+  return made_of(material, [&] { return density_of(material_named(material.text())); });
 }
 
 // Nine numbers in three rows, or ixx, iyy, izz, ixy, ixz, iyz; about the centre of mass.
@@ -43,19 +38,10 @@ Matrix3 read_inertia(const JsonField& field, double unit) {
   return unit * 0.5 * (inertia + inertia.transpose());
 }
 
-// What mass_properties says of a mesh, said of the field that it stands in.
-template <typename Make>
-Inertial of_geometry(const JsonField& field, Make make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    field["geometry"].fail(error.what());
-  }
-}
-
 Inertial from_mesh(const JsonField& field, const TriangleMesh& mesh) {
   const double density = read_density(field);
-  const Inertial inertial = of_geometry(field, [&] { return inertial_of_density(mesh, density); });
+  const Inertial inertial =
+      made_of(field["geometry"], [&] { return inertial_of_density(mesh, density); });
   const bool asked = field.has("mass") || field.has("density");
   if (asked && !(inertial.mass > 0.0)) {
     field["geometry"].fail("flat, it has no mass that could be found from the mesh");
@@ -68,7 +54,7 @@ Inertial stated(const JsonField& field, const FileUnits& units, const TriangleMe
   if (field.has("density")) field["density"].fail("a link has a mass or a density, not both");
   if (!(mass.number() > 0.0)) mass.fail("must be positive");
   const double kilograms = mass.number() * units.mass;
-  Inertial inertial = of_geometry(field, [&] { return inertial_of_mass(mesh, kilograms); });
+  Inertial inertial = made_of(field["geometry"], [&] { return inertial_of_mass(mesh, kilograms); });
   if (field.has("center_of_mass")) {
     inertial.center_of_mass = field["center_of_mass"].vector3() * units.length;
   }

@@ -87,10 +87,10 @@ int hand_of(const Platform& platform) {
   int hand = -1;
   for (std::size_t r = 0; r < platform.robots.size(); ++r) {
     if (!platform.robots[r].robot.hand) continue;
-    if (hand >= 0) throw InputError(platform.name + ": robots: has more than one hand");
+    if (hand >= 0) throw InputError({platform.name, "robots", "has more than one hand"});
     hand = static_cast<int>(r);
   }
-  if (hand < 0) throw InputError(platform.name + ": robots: none is a hand");
+  if (hand < 0) throw InputError({platform.name, "robots", "none is a hand"});
   return hand;
 }
 

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_file_parts.h"
@@ -14,11 +13,7 @@ namespace {
 Robot read_named_robot(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
   if (std::filesystem::is_regular_file(beside)) return load_robot(beside);
-  try {
-    return find_robot(field.text());
-  } catch (const InputError& error) {
-    field.fail(error.what());
-  }
+  return made_of(field, [&] { return find_robot(field.text()); });
 }
 
 int find_parent(const JsonField& field, const Platform& platform) {

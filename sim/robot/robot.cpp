@@ -32,7 +32,7 @@ Pose motion(const Joint& joint, double amount) {
 void require_chain(const Robot& robot, const Chain& chain) {
   const int last = chain.first_joint + chain.joint_count - 1;
   const auto fail = [&](const std::string& problem) {
-    throw InputError(robot.name + ": chain " + chain.name + ": " + problem);
+    throw InputError({robot.name, "chain " + chain.name, problem});
   };
   if (chain.first_joint < 0 || chain.joint_count < 1 ||
       last >= static_cast<int>(robot.joints.size())) {
@@ -104,7 +104,7 @@ void require_tree(const Robot& robot) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];
     const auto fail = [&](const std::string& problem) {
-      throw InputError(robot.name + ": joint " + joint.name + ": " + problem);
+      throw InputError({robot.name, "joint " + joint.name, problem});
     };
     if (joint.parent < -1 || joint.parent >= static_cast<int>(j)) {
       fail("must stand after its parent joint");
@@ -116,7 +116,7 @@ void require_tree(const Robot& robot) {
   }
   for (const Link& link : robot.links) {
     if (link.joint < -1 || link.joint >= static_cast<int>(robot.joints.size())) {
-      throw InputError(robot.name + ": link " + link.name + ": follows no joint of the robot");
+      throw InputError({robot.name, "link " + link.name, "follows no joint of the robot"});
     }
   }
   for (const Chain& chain : robot.chains) require_chain(robot, chain);

@@ -99,9 +99,10 @@ Robot RobotReader::read() {
   for (const JsonField& dof : root_["dofs"].items()) read_dof(dof);
   for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
     if (robot_.joints[j].dof != kUndriven) continue;
-    throw InputError(root_.file().string() + ": " + joint_field_[j] +
-                     ".name: no degree of freedom drives this joint (" + robot_.joints[j].name +
-                     ")");
+    throw InputError({.file = root_.file().string(),
+                      .field = joint_field_[j] + ".name",
+                      .problem = "no degree of freedom drives this joint",
+                      .value = robot_.joints[j].name});
   }
   for (std::size_t c = 0; c < chains.size(); ++c) read_chain_links(chains[c], robot_.chains[c]);
   if (root_.has("hand")) robot_.hand = read_hand(root_["hand"], units_, robot_);

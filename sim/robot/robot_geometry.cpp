@@ -4,7 +4,6 @@
 #include <numbers>
 #include <utility>
 
-#include "sim/base/input_error.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/polygon.h"
 #include "sim/mesh_files/mesh_file.h"
@@ -17,16 +16,6 @@ constexpr int kCylinderSides = 24;
 constexpr int kMostCylinderSides = 360;
 constexpr int kSphereSubdivisions = 2;
 constexpr int kMostSphereSubdivisions = 5;
-
-// The library's own complaint, with the place in the robot file in front.
-template <typename Make>
-auto in_field(const JsonField& field, Make make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    throw InputError(field.file().string() + ": " + field.name() + ": " + error.what());
-  }
-}
 
 double positive(const JsonField& field, double unit) {
   if (field.number() <= 0.0) field.fail("must be greater than 0");
@@ -105,7 +94,7 @@ TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
   const JsonField sweep = shape["sweep"];
   const std::vector<double> range = sweep.numbers(2);
   if (range[0] >= range[1]) sweep.fail("must be two numbers, the lower one first");
-  const TriangleMesh mesh = in_field(profile, [&] {
+  const TriangleMesh mesh = made_of(profile, [&] {
     return make_prism(corners, range[0] * units.length, range[1] * units.length);
   });
   return transformed(mesh, plane_pose(shape));
@@ -137,10 +126,10 @@ TriangleMesh mesh_from_file(const JsonField& part, const FileUnits& units) {
   MeshFileOptions options{.metres_per_unit = units.length};
   if (part.has("unit")) {
     const JsonField unit = part["unit"];
-    options.metres_per_unit = in_field(unit, [&] { return metres_per_unit(unit.text()); });
+    options.metres_per_unit = made_of(unit, [&] { return metres_per_unit(unit.text()); });
   }
   const std::filesystem::path path = part.file().parent_path() / name.text();
-  return in_field(name, [&] { return load_mesh(path, options).mesh; });
+  return made_of(name, [&] { return load_mesh(path, options).mesh; });
 }
 
 TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
@@ -164,7 +153,7 @@ FileUnits read_units(const JsonField& root) {
   field.allow_only({"length", "angle", "angular_velocity", "mass"});
   if (field.has("length")) {
     const JsonField length = field["length"];
-    units.length = in_field(length, [&] { return metres_per_unit(length.text()); });
+    units.length = made_of(length, [&] { return metres_per_unit(length.text()); });
   }
   if (field.has("angle")) units.angle = angle_unit(field["angle"], "");
   if (field.has("mass")) units.mass = mass_unit(field["mass"]);

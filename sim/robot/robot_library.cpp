@@ -43,7 +43,8 @@ std::filesystem::path file_of(const std::string& name_or_file) {
   if (std::filesystem::exists(name_or_file)) return name_or_file;
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-  throw InputError("robot: neither a file nor one of " + known + " (" + name_or_file + ")");
+  throw InputError(
+      {.field = "robot", .problem = "neither a file nor one of " + known, .value = name_or_file});
 }
 
 }  // namespace

@@ -67,18 +67,18 @@ void check_start(const Scene& scene, const CompiledArm& arm) {
   const Robot& robot = arm.robot();
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     if (arm.start[d] >= robot.dofs[d].lower && arm.start[d] <= robot.dofs[d].upper) continue;
-    throw InputError(scene.name + ": robot.start." + robot.dofs[d].name + ": outside the limits " +
-                     std::to_string(robot.dofs[d].lower) + " to " +
-                     std::to_string(robot.dofs[d].upper) + " (" + std::to_string(arm.start[d]) +
-                     ")");
+    throw InputError({scene.name, "robot.start." + robot.dofs[d].name,
+                      "outside the limits " + std::to_string(robot.dofs[d].lower) + " to " +
+                          std::to_string(robot.dofs[d].upper),
+                      std::to_string(arm.start[d])});
   }
   std::vector<Pose> X_BL;
   arm_link_poses(arm, joint_values(robot, arm.start), X_BL);
   for (const auto* pairs : {&arm.arm_pairs, &arm.hand_pairs}) {
     for (const ArmPair& pair : *pairs) {
       if (!pair_meets(arm, pair, X_BL)) continue;
-      throw InputError(scene.name + ": robot.start: " + first_name(arm, pair) + " collides with " +
-                       second_name(arm, pair));
+      throw InputError({scene.name, "robot.start",
+                        first_name(arm, pair) + " collides with " + second_name(arm, pair)});
     }
   }
 }

@@ -60,13 +60,13 @@ std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
 
 CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& link) {
   if (link.mesh.empty()) {
-    throw InputError(robot.name + ": link " + link.name + ": has no triangles");
+    throw InputError({robot.name, "link " + link.name, "has no triangles"});
   }
   const Material material = [&] {
     try {
       return material_named(link.material);
     } catch (const InputError& error) {
-      throw InputError(robot.name + ": link " + link.name + ": " + error.what());
+      throw error.under("link " + link.name).in_file(robot.name);
     }
   }();
   const double friction = scene.friction.between(material, scene.object.material);

@@ -24,8 +24,8 @@ std::vector<double> gaps_at(const CompiledScene& scene, const Preshape& preshape
     const Pose X_AB = X_HL[index(pair.a)].inverse() * X_HL[index(pair.b)];
     gaps.push_back(find_gap(a.mesh, b.mesh, X_AB).lower);
     if (gaps.back() <= 0.0) {
-      throw InputError(hand.name + ": preshape " + preshape.name + ": links " + a.name + " and " +
-                       b.name + " collide");
+      throw InputError({hand.name, "preshape " + preshape.name,
+                        "links " + a.name + " and " + b.name + " collide"});
     }
   }
   return gaps;
@@ -34,8 +34,8 @@ std::vector<double> gaps_at(const CompiledScene& scene, const Preshape& preshape
 void check_object_is_free(const CompiledScene& scene) {
   for (const PlacedBody& obstacle : scene.obstacles()) {
     if (!bodies_overlap(scene.object(), obstacle, obstacle.X_RB)) continue;
-    throw InputError(scene.scene.name + ": object: " + scene.scene.object.name +
-                     " overlaps the obstacle " + obstacle.name);
+    throw InputError({scene.scene.name, "object",
+                      scene.scene.object.name + " overlaps the obstacle " + obstacle.name});
   }
 }
 
@@ -67,10 +67,10 @@ std::vector<PlacedBody> bodies_in_base(const CompiledScene& scene) {
 // Links and bodies come first: preshape gaps, the test of the object and the arm need their search
 // trees. The arm comes last, since it takes over the bodies in the frame of its own base.
 CompiledScene compile(Scene scene, const RunContext& context) {
-  if (!scene.hand.hand) throw InputError(scene.hand.name + ": hand: the robot is not a hand");
+  if (!scene.hand.hand) throw InputError({scene.hand.name, "hand", "the robot is not a hand"});
   const double radius = max_distance(scene.object.mesh, scene.object.center_of_mass);
   if (!(radius > 0.0) || !std::isfinite(radius)) {
-    throw InputError(scene.object.name + ": the object has no extent");
+    throw InputError({scene.name, "object", "has no extent", scene.object.name});
   }
   CompiledScene compiled{.scene = scene};
   compiled.links = compile_links(scene, scene.hand);

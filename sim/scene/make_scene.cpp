@@ -37,10 +37,10 @@ Scene make_scene(GraspableBody object, const std::string& hand) {
 
 void add_obstacle(Scene& scene, std::string name, TriangleMesh mesh, const Pose& X_WB,
                   Material material) {
-  if (mesh.empty()) throw InputError(scene.name + ": obstacles: no triangles (" + name + ")");
+  if (mesh.empty()) throw InputError({scene.name, "obstacles", "no triangles", name});
   for (const StaticBody& other : scene.obstacles) {
     if (other.name == name) {
-      throw InputError(scene.name + ": obstacles: name used twice (" + name + ")");
+      throw InputError({scene.name, "obstacles", "name used twice", name});
     }
   }
   StaticBody body;
@@ -56,7 +56,7 @@ void mount(Scene& scene, const std::string& platform, const Pose& X_WB, const st
     try {
       return find_carrier(platform);
     } catch (const InputError& error) {
-      throw InputError(scene.name + ": robot: " + platform + ": " + error.what());
+      throw error.about("robot", platform).in_file(scene.name);
     }
   }();
   carrier.X_WB = X_WB;

@@ -25,9 +25,11 @@ double FrictionTable::between(Material a, Material b) const { return values_[ind
 
 void FrictionTable::set(Material a, Material b, double friction) {
   if (!std::isfinite(friction) || friction < 0.0) {
-    throw InputError("friction between " + std::string(material_name(a)) + " and " +
-                     std::string(material_name(b)) + " must be finite and not negative (" +
-                     std::to_string(friction) + ")");
+    throw InputError({.field = "friction",
+                      .problem = "must be finite and not negative between " +
+                                 std::string(material_name(a)) + " and " +
+                                 std::string(material_name(b)),
+                      .value = std::to_string(friction)});
   }
   values_[index(a)][index(b)] = friction;
   values_[index(b)][index(a)] = friction;
@@ -37,8 +39,10 @@ double CompliantDepths::of(Material material) const { return values_[index(mater
 
 void CompliantDepths::set(Material material, double depth) {
   if (!std::isfinite(depth) || depth < 0.0) {
-    throw InputError("compliant depth of " + std::string(material_name(material)) +
-                     " must be finite and not negative (" + std::to_string(depth) + ")");
+    throw InputError(
+        {.field = "depth",
+         .problem = "must be finite and not negative for " + std::string(material_name(material)),
+         .value = std::to_string(depth)});
   }
   values_[index(material)] = depth;
 }

@@ -31,11 +31,7 @@ namespace {
 Material read_material(const JsonField& body, Material otherwise) {
   if (!body.has("material")) return otherwise;
   const JsonField field = body["material"];
-  try {
-    return material_named(field.text());
-  } catch (const InputError& error) {
-    field.fail(error.what());
-  }
+  return made_of(field, [&] { return material_named(field.text()); });
 }
 
 double read_positive(const JsonField& body, const char* key, double otherwise) {
@@ -44,8 +40,8 @@ double read_positive(const JsonField& body, const char* key, double otherwise) {
   return value;
 }
 
-TriangleMesh mesh_from_file(const std::filesystem::path& file, const std::string& unit) {
-  TriangleMesh mesh = load_mesh(file, {.metres_per_unit = metres_per_unit(unit)}).mesh;
+TriangleMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit) {
+  TriangleMesh mesh = load_mesh(file, {.metres_per_unit = metres_per_unit}).mesh;
   orient_outward(mesh);
   return mesh;
 }
@@ -56,19 +52,26 @@ int read_triangles(const JsonField& body) {
   return body.has("triangles") ? body["triangles"].integer() : kDefaultTriangles;
 }
 
+// Metres per unit of the body's mesh file.
+double read_unit(const JsonField& body) {
+  if (!body.has("unit")) return 1.0;
+  const JsonField field = body["unit"];
+  return made_of(field, [&] { return metres_per_unit(field.text()); });
+}
+
 // Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
 TriangleMesh read_body_mesh(const JsonField& body) {
   const int given = int{body.has("mesh")} + int{body.has("generate")} + int{body.has("geometry")};
   if (given != 1) body.fail("needs exactly one of mesh, generate, geometry");
   if (body.has("mesh")) {
     const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
-    return mesh_from_file(file, body.text_or("unit", "m"));
+    return mesh_from_file(file, read_unit(body));
   }
   if (body.has("geometry")) return read_geometry(body["geometry"], FileUnits{}, {});
   try {
     return generate_object(body["generate"].text(), read_triangles(body));
   } catch (const InputError& error) {
-    body.fail(error.what());
+    body[error.field() == "triangles" ? "triangles" : "generate"].fail_about(error);
   }
 }
 
@@ -92,16 +95,6 @@ std::string read_robot_source(const JsonField& field) {
     return absolute_path(beside);
   }
   return robot_source(field.text());
-}
-
-// What a file or name is refused for, said of the field that names it.
-template <typename Read>
-auto named_by(const JsonField& field, const Read& read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    field.fail(error.what());
-  }
 }
 
 GraspableBody read_object(const JsonField& field) {
@@ -134,23 +127,18 @@ void read_friction(const JsonField& list, FrictionTable& table) {
     field.allow_only({"between", "static"});
     const std::vector<JsonField> pair = field["between"].items();
     if (pair.size() != 2) field["between"].fail("must name two materials");
-    try {
-      table.set(material_named(pair[0].text()), material_named(pair[1].text()),
-                field["static"].number());
-    } catch (const InputError& error) {
-      field.fail(error.what());
-    }
+    const auto material = [](const JsonField& name) {
+      return made_of(name, [&] { return material_named(name.text()); });
+    };
+    const JsonField friction = field["static"];
+    made_of(friction, [&] { table.set(material(pair[0]), material(pair[1]), friction.number()); });
   }
 }
 
 void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
   for (const std::string& name : object.keys()) {
     const JsonField field = object[name];
-    try {
-      depths.set(material_named(name), field.number());
-    } catch (const InputError& error) {
-      field.fail(error.what());
-    }
+    made_of(field, [&] { depths.set(material_named(name), field.number()); });
   }
 }
 
@@ -206,15 +194,15 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 // `hand` replaces the platform's own; empty: as it is.
 Carrier read_carrier(const JsonField& field, const std::string& hand) {
   field.allow_only({"platform", "hand", "pose", "start", "limits"});
-  Carrier carrier = named_by(field["platform"],
-                             [&] { return find_carrier(read_robot_source(field["platform"])); });
+  Carrier carrier = made_of(field["platform"],
+                            [&] { return find_carrier(read_robot_source(field["platform"])); });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (!hand.empty()) {
     const auto find = [&] { return find_robot(hand); };
     // The field is to blame only if the hand is the one that it names, not one that the caller
     // asked for in its place.
     const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
-    mounted.robot = asked_here ? named_by(field["hand"], find) : find();
+    mounted.robot = asked_here ? made_of(field["hand"], find) : find();
   }
   if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
   if (field.has("limits")) narrow_limits(field["limits"], carrier.platform);
@@ -247,7 +235,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
                                              : kDefaultHand;
     const auto find = [&] { return find_robot(scene.hand_source); };
     const bool asked_here = source.hand.empty() && root.has("hand");
-    scene.hand = asked_here ? named_by(root["hand"], find) : find();
+    scene.hand = asked_here ? made_of(root["hand"], find) : find();
   }
   if (root.has("obstacles")) {
     for (const JsonField& field : root["obstacles"].items()) {
@@ -268,8 +256,8 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
     const JsonFile json(file);
     return read_scene(json.root(), source);
   }
-  GraspableBody object =
-      make_graspable(file.stem().string(), mesh_from_file(file, source.unit), Material::plastic);
+  GraspableBody object = make_graspable(
+      file.stem().string(), mesh_from_file(file, metres_per_unit(source.unit)), Material::plastic);
   object.source = MeshFileSource{absolute_path(file), source.unit};
   return make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand);
 }

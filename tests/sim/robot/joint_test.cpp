@@ -9,6 +9,7 @@
 #include "sim/base/random.h"
 #include "sim/robot/denavit_hartenberg.h"
 #include "sim/robot/robot.h"
+#include "tests/support/refusal_of.h"
 #include "tests/support/trees.h"
 
 namespace prehend {
@@ -213,6 +214,15 @@ TEST(RequireTree, NamesWhatIsNoTree) {
   robot.joints[1].parent = -1;
   robot.chains[0].joint_count = 2;
   EXPECT_EQ(refusal(robot), "tree: chain chain_0: joint joint_1 does not follow the one before it");
+}
+
+TEST(RequireTree, TellsRobotAndPartApart) {
+  Random random(307);
+  Robot robot = test::random_tree(random, 4);
+  robot.joints[1].parent = 1;
+  const InputError error = test::refusal_of([&] { require_tree(robot); });
+  EXPECT_EQ(error.file(), "tree");
+  EXPECT_EQ(error.field(), "joint joint_1");
 }
 
 }  // namespace

@@ -37,9 +37,10 @@ TEST(CompiledScene, RefusesARobotThatIsNoHand) {
 TEST(CompiledScene, RefusesAnUnknownMaterialOfALink) {
   Scene scene = jaw_scene();
   scene.hand.links[1].material = "cheese";
-  EXPECT_EQ(refusal(scene),
-            "parallel_jaw: link left_plate: unknown material \"cheese\" (known: glass, metal, "
-            "plastic, wood, rubber)");
+  EXPECT_EQ(
+      refusal(scene),
+      "parallel_jaw: link left_plate: unknown material, known are glass, metal, plastic, wood "
+      "and rubber (cheese)");
 }
 
 TEST(CompiledScene, RefusesALinkWithoutTriangles) {
@@ -58,7 +59,7 @@ TEST(CompiledScene, RefusesAPreshapeInWhichLinksCollide) {
 TEST(CompiledScene, RefusesAnObjectWithoutExtent) {
   Scene scene = jaw_scene();
   for (Vector3& p : scene.object.mesh.vertices) p = scene.object.center_of_mass;
-  EXPECT_EQ(refusal(scene), "object: the object has no extent");
+  EXPECT_EQ(refusal(scene), scene.name + ": object: has no extent (object)");
 }
 
 TEST(CompiledScene, ScalesTorqueByTheFarthestVertexFromTheCentreOfMass) {

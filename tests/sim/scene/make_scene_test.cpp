@@ -10,6 +10,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
+#include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
@@ -68,6 +69,21 @@ TEST(MakeScene, MistakesAreRefused) {
   EXPECT_NE(complaint([&] { mount(scene, "parallel_jaw"); }), "");  // nothing carries it
   EXPECT_FALSE(scene.carrier.has_value());
   EXPECT_EQ(scene.obstacles.size(), 1U);
+}
+
+TEST(MakeScene, AMistakeNamesSceneFieldAndValue) {
+  Scene scene = boxed_scene();
+  const InputError no_mesh = test::refusal_of([&] { add_obstacle(scene, "air", {}); });
+  EXPECT_EQ(no_mesh.file(), scene.name);
+  EXPECT_EQ(no_mesh.field(), "obstacles");
+  EXPECT_EQ(no_mesh.value(), "air");
+  const InputError no_arm = test::refusal_of([&] { mount(scene, "parallel_jaw"); });
+  EXPECT_EQ(no_arm.field(), "robot");
+  EXPECT_EQ(no_arm.problem(), "nothing carries the hand");
+  EXPECT_EQ(no_arm.value(), "parallel_jaw");
+  const InputError no_hand = test::refusal_of([&] { mount(scene, "puma560"); });
+  EXPECT_EQ(no_hand.field(), "robot");
+  EXPECT_EQ(no_hand.problem(), find_robot("puma560").name + ": robots: none is a hand");
 }
 
 }  // namespace

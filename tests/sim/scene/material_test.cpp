@@ -52,9 +52,9 @@ std::string refusal(double friction) {
 
 TEST(FrictionTable, RefusesWhatIsNoFriction) {
   EXPECT_EQ(refusal(-0.25),
-            "friction between rubber and metal must be finite and not negative (-0.250000)");
+            "friction: must be finite and not negative between rubber and metal (-0.250000)");
   EXPECT_EQ(refusal(std::numeric_limits<double>::infinity()),
-            "friction between rubber and metal must be finite and not negative (inf)");
+            "friction: must be finite and not negative between rubber and metal (inf)");
   EXPECT_NE(refusal(std::numeric_limits<double>::quiet_NaN()), "");
   EXPECT_EQ(refusal(0.0), "");
 }
@@ -68,7 +68,8 @@ TEST(Material, NamesGoBothWays) {
     FAIL() << "accepted";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "unknown material \"stone\" (known: glass, metal, plastic, wood, rubber)");
+                 "unknown material, known are glass, metal, plastic, wood and rubber (stone)");
+    EXPECT_EQ(error.value(), "stone");
   }
 }
 

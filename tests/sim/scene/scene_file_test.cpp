@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
@@ -106,6 +107,25 @@ INSTANTIATE_TEST_SUITE_P(
             "primitives": [{"shape": "sphere", "radius": 1, "height": 2}]}})",
                  "no height"}),
     [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST(SceneFile, AMistakeNamesItsFieldAndValue) {
+  const auto refused = [](const char* text) {
+    return test::refusal_of([&] { (void)load_scene(write(text)); });
+  };
+  const InputError object = refused(R"({"object": {"generate": "teacup"}})");
+  EXPECT_EQ(object.field(), "object.generate");
+  EXPECT_EQ(object.value(), "teacup");
+  const InputError triangles = refused(R"({"object": {"generate": "mug", "triangles": 0}})");
+  EXPECT_EQ(triangles.field(), "object.triangles");
+  EXPECT_EQ(triangles.value(), "0");
+  const InputError material = refused(R"({"object": {"generate": "mug"},
+      "friction": [{"between": ["wood", "jelly"], "static": 0.1}]})");
+  EXPECT_EQ(material.field(), "friction[0].between[1]");
+  EXPECT_EQ(material.value(), "jelly");
+  const InputError unit = refused(R"({"object": {"mesh": "a.obj", "unit": "furlong"}})");
+  EXPECT_EQ(unit.field(), "object.unit");
+  EXPECT_EQ(unit.value(), "furlong");
+}
 
 TEST(SceneFile, AMissingMeshIsNamed) {
   try {
