@@ -10,6 +10,7 @@
 #include "primitives/polish.h"
 #include "primitives/split.h"
 #include "sim/base/input_error.h"
+#include "sim/geometry/mesh_checks.h"
 
 namespace prehend {
 namespace {
@@ -20,29 +21,31 @@ namespace {
 
 // Throws InputError for options out of range and meshes with unusable indices or vertices.
 void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
-  if (!(options.tolerance > 0.0 && options.tolerance <= 1.0)) {
-    throw InputError("decompose: tolerance: must be in (0, 1] (" +
-                     std::to_string(options.tolerance) + ")");
-  }
-  if (!(options.coverage > 0.0 && options.coverage <= 1.0)) {
-    throw InputError("decompose: coverage: must be in (0, 1] (" + std::to_string(options.coverage) +
-                     ")");
-  }
-  if (options.max_primitives < 1) {
-    throw InputError("decompose: max_primitives: must be at least 1 (" +
-                     std::to_string(options.max_primitives) + ")");
-  }
+  require(options.tolerance > 0.0 && options.tolerance <= 1.0,
+          {.field = "tolerance",
+           .problem = "must be in (0, 1]",
+           .value = std::to_string(options.tolerance)});
+  require(options.coverage > 0.0 && options.coverage <= 1.0,
+          {.field = "coverage",
+           .problem = "must be in (0, 1]",
+           .value = std::to_string(options.coverage)});
+  require(options.max_primitives >= 1, {.field = "max_primitives",
+                                        .problem = "must be at least 1",
+                                        .value = std::to_string(options.max_primitives)});
+  require_valid_indices(mesh, "mesh");
   for (const Triangle& t : mesh.triangles) {
     for (const int v : t) {
-      if (v < 0 || static_cast<std::size_t>(v) >= mesh.vertices.size()) {
-        throw InputError("decompose: mesh: triangle with an unknown vertex (" + std::to_string(v) +
-                         ")");
-      }
-      if (!mesh.vertices[static_cast<std::size_t>(v)].allFinite()) {
-        throw InputError("decompose: mesh: vertex is not finite (" + std::to_string(v) + ")");
-      }
+      if (mesh.vertices[static_cast<std::size_t>(v)].allFinite()) continue;
+      throw InputError(
+          {.field = "mesh.vertices[" + std::to_string(v) + "]", .problem = "not finite"});
     }
   }
+}
+
+InputErrorParts no_area(const TriangleMesh& mesh) {
+  return {.field = "mesh",
+          .problem = "no area",
+          .value = std::to_string(mesh.triangles.size()) + " triangles"};
 }
 
 // The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1. All
@@ -63,10 +66,7 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
     }
   }
   UnitMesh unit{mesh, used.center(), used.diagonal()};
-  if (mesh.empty() || !(unit.diagonal > 0.0) || !std::isfinite(unit.diagonal)) {
-    throw InputError("decompose: mesh: no area (" + std::to_string(mesh.triangles.size()) +
-                     " triangles)");
-  }
+  require(!mesh.empty() && unit.diagonal > 0.0 && std::isfinite(unit.diagonal), no_area(mesh));
   for (Vector3& p : unit.mesh.vertices) p = (p - unit.center) / unit.diagonal;
   return unit;
 }
@@ -80,10 +80,7 @@ Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
   constexpr double kGaps = 2.0;
   constexpr double kFinestGrid = 0.02;
   std::vector<SurfacePoint> points = sample_surface(mesh, kPoints, options.seed);
-  if (points.empty()) {
-    throw InputError("decompose: mesh: no area (" + std::to_string(mesh.triangles.size()) +
-                     " triangles)");
-  }
+  require(!points.empty(), no_area(mesh));
   const double area = surface_area(mesh);
   const double gap = std::sqrt(area / kPoints);
   const double radius = std::max({options.tolerance, kGaps * gap, kFinestGrid});

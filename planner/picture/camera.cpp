@@ -34,14 +34,14 @@ Projection::Projection(const Camera& camera, int width, int height) {
   const double distance = view.norm();
   if (!camera.eye.allFinite() || !camera.up.allFinite() || !std::isfinite(distance) ||
       !(distance > 0.0)) {
-    throw InputError("camera: target: must be finite and apart from the eye (distance " +
-                     std::to_string(distance) + ")");
+    throw InputError({.field = "camera.target",
+                      .problem = "must be finite and apart from the eye",
+                      .value = "distance " + std::to_string(distance)});
   }
   const double angle = camera.vertical_field_of_view;
-  if (!(angle > 0.0) || !(angle < std::numbers::pi)) {
-    throw InputError("camera: vertical_field_of_view: must be in (0, pi) (" +
-                     std::to_string(angle) + ")");
-  }
+  require(angle > 0.0 && angle < std::numbers::pi, {.field = "camera.vertical_field_of_view",
+                                                    .problem = "must be in (0, pi)",
+                                                    .value = std::to_string(angle)});
   // The near plane clips what is closer to the eye. It is near enough not to be noticed, and far
   // enough that pixel coordinates, which grow with 1 / depth, stay moderate numbers.
   constexpr double kNearPerDistance = 1e-3;
@@ -64,11 +64,10 @@ Vector3 Projection::line_of_sight(const Eigen::Vector2d& pixel) const {
 Camera camera_around(const std::vector<Vector3>& points, const Vector3& direction, int width,
                      int height) {
   const double norm = direction.norm();
-  if (!std::isfinite(norm) || !(norm > 0.0)) {
-    throw InputError("camera_around: direction: must be finite and not zero (length " +
-                     std::to_string(norm) + ")");
-  }
-  if (points.empty()) throw InputError("camera_around: there is nothing to look at (0 points)");
+  require(std::isfinite(norm) && norm > 0.0, {.field = "direction",
+                                              .problem = "must be finite and not zero",
+                                              .value = "length " + std::to_string(norm)});
+  require(!points.empty(), {.field = "points", .problem = "there is nothing to look at"});
   constexpr double kAlongZ = 0.999;
   constexpr double kUsedPart = 0.9;     // of the picture: a margin of 5 % on each side
   constexpr double kLeastDepth = 1e-3;  // for points that are one
@@ -93,7 +92,7 @@ Camera camera_around(const std::vector<Vector3>& points, const Vector3& directio
   Vector3 least = Vector3::Constant(std::numeric_limits<double>::infinity());
   Vector3 most = -least;
   for (const Vector3& p : points) {
-    if (!p.allFinite()) throw InputError("camera_around: points must be finite");
+    if (!p.allFinite()) throw InputError({.field = "points", .problem = "must be finite"});
     const Vector3 q = axes * (p - points.front());
     low = low.cwiseMax(-q.head<2>() - slope * q.z());
     high = high.cwiseMax(q.head<2>() - slope * q.z());
@@ -113,10 +112,10 @@ Camera camera_around(const std::vector<Vector3>& points, const Vector3& directio
 }
 
 Camera camera_around(const Bounds& box, const Vector3& direction, int width, int height) {
-  if (!(box.lower.array() <= box.upper.array()).all()) {
-    throw InputError("camera_around: box: must not be empty (diagonal " +
-                     std::to_string(box.diagonal()) + ")");
-  }
+  require((box.lower.array() <= box.upper.array()).all(),
+          {.field = "box",
+           .problem = "must not be empty",
+           .value = "diagonal " + std::to_string(box.diagonal())});
   std::vector<Vector3> corners;
   for (int corner = 0; corner < 8; ++corner) {
     Vector3 p = box.lower;

@@ -8,6 +8,7 @@
 #include "planner/picture/surface_detail.h"
 #include "planner/picture/tile.h"
 #include "sim/base/input_error.h"
+#include "sim/geometry/mesh_checks.h"
 
 namespace prehend {
 namespace {
@@ -19,8 +20,10 @@ namespace {
 
 void check_range(const char* field, double value, double least, double most) {
   if (value >= least && value <= most) return;
-  throw InputError("draw: " + std::string(field) + ": must be from " + std::to_string(least) +
-                   " to " + std::to_string(most) + " (" + std::to_string(value) + ")");
+  throw InputError(
+      {.field = field,
+       .problem = "must be from " + std::to_string(least) + " to " + std::to_string(most),
+       .value = std::to_string(value)});
 }
 
 void check(const DrawOptions& options) {
@@ -32,21 +35,15 @@ void check(const DrawOptions& options) {
 }
 
 void check(const DrawnBody& body, std::size_t number) {
-  const std::string name = "draw: body " + std::to_string(number) + ": ";
-  if (!body.X_WB.matrix().allFinite()) throw InputError(name + "X_WB: must be finite");
+  const std::string name = "bodies[" + std::to_string(number) + "].";
+  require(body.X_WB.matrix().allFinite(), {.field = name + "X_WB", .problem = "must be finite"});
   for (std::size_t v = 0; v < body.mesh->vertices.size(); ++v) {
     if (!body.mesh->vertices[v].allFinite()) {
-      throw InputError(name + "vertex " + std::to_string(v) + ": must be finite");
+      throw InputError({.field = name + "mesh.vertices[" + std::to_string(v) + "]",
+                        .problem = "must be finite"});
     }
   }
-  const int vertices = static_cast<int>(body.mesh->vertices.size());
-  for (const Triangle& triangle : body.mesh->triangles) {
-    for (const int v : triangle) {
-      if (v < 0 || v >= vertices) {
-        throw InputError(name + "triangles: no such vertex (" + std::to_string(v) + ")");
-      }
-    }
-  }
+  require_valid_indices(*body.mesh, name + "mesh");
 }
 
 // Opacity in [0, 1]; NaN and negative values count as invisible.

@@ -64,7 +64,8 @@ std::string glb_file(std::string json, const std::string& data) {
   std::size_t total = kHeader + kChunkHeader + json.size();
   if (!data.empty()) total += kChunkHeader + data.size();
   if (total > std::numeric_limits<std::uint32_t>::max()) {
-    throw InputError("glTF: more than 4 GiB (" + std::to_string(total) + " bytes)");
+    throw InputError(
+        {.problem = "glTF: more than 4 GiB", .value = std::to_string(total) + " bytes"});
   }
   const auto word = [](std::size_t size) { return static_cast<std::uint32_t>(size); };
   std::string file = "glTF";
@@ -83,7 +84,8 @@ class GlbDocument {
   explicit GlbDocument(double crease_angle) : crease_angle_(crease_angle) {}
 
   void add(const DrawnBody& body) {
-    if (!body.X_WB.matrix().allFinite()) throw InputError("X_WB: must be finite");
+    if (!body.X_WB.matrix().allFinite())
+      throw InputError({.field = "X_WB", .problem = "must be finite"});
     const int geometry = geometry_of(body.mesh);
     if (geometry < 0) return;
     const Vector3& p = body.X_WB.translation();
@@ -255,7 +257,7 @@ std::string glb_bytes(const std::vector<DrawnBody>& bodies, const std::string& n
     try {
       document.add(bodies[b]);
     } catch (const InputError& error) {
-      throw InputError("glTF: body " + std::to_string(b) + ": " + error.what());
+      throw error.under("bodies[" + std::to_string(b) + "]");
     }
   }
   return document.bytes(name, extras);

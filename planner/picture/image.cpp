@@ -22,8 +22,8 @@ void paste(const Image& part, int left, int top, Image& whole) {
 }  // namespace
 
 Image grid(const std::vector<Image>& images, int columns) {
-  if (columns < 1)
-    throw InputError("grid: columns: must be positive (" + std::to_string(columns) + ")");
+  require(columns >= 1,
+          {.field = "columns", .problem = "must be positive", .value = std::to_string(columns)});
   const int count = static_cast<int>(images.size());
   // Fewer images than columns make a narrower picture, not one with empty cells.
   columns = std::min(columns, std::max(count, 1));

@@ -5,6 +5,7 @@
 
 #include "planner/picture/surface_detail.h"
 #include "sim/base/input_error.h"
+#include "sim/geometry/mesh_checks.h"
 
 namespace prehend {
 namespace {
@@ -14,17 +15,11 @@ namespace {
 void check(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     if (!mesh.vertices[v].cast<float>().allFinite()) {
-      throw InputError("vertex " + std::to_string(v) + ": must be finite");
+      throw InputError(
+          {.field = "mesh.vertices[" + std::to_string(v) + "]", .problem = "must be finite"});
     }
   }
-  const int vertices = static_cast<int>(mesh.vertices.size());
-  for (const Triangle& triangle : mesh.triangles) {
-    for (const int v : triangle) {
-      if (v < 0 || v >= vertices) {
-        throw InputError("triangles: no such vertex (" + std::to_string(v) + ")");
-      }
-    }
-  }
+  require_valid_indices(mesh, "mesh");
 }
 
 std::array<float, 3> single(const Vector3& v) {

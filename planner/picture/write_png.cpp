@@ -67,9 +67,9 @@ std::string png_bytes(const Image& image) {
   if (image.width < 1 || image.height < 1 ||
       image.rgb.size() !=
           3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
-    throw InputError("not an image (" + std::to_string(image.width) + " x " +
-                     std::to_string(image.height) + ", " + std::to_string(image.rgb.size()) +
-                     " bytes)");
+    throw InputError({.problem = "not an image",
+                      .value = std::to_string(image.width) + " x " + std::to_string(image.height) +
+                               ", " + std::to_string(image.rgb.size()) + " bytes"});
   }
   std::string bytes;
   ErrorText text = {"out of memory"};

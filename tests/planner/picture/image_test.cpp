@@ -12,6 +12,7 @@
 #include "planner/picture/color.h"
 #include "planner/picture/label.h"
 #include "sim/base/input_error.h"
+#include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
@@ -154,7 +155,9 @@ TEST(GridTest, CentersSmallerImages) {
 
 TEST(GridTest, OfNothingIsEmptyAndOfNoColumnsAnError) {
   EXPECT_TRUE(grid({}, 3).rgb.empty());
-  EXPECT_THROW(grid({plain(1, 1, 0)}, 0), InputError);
+  const InputError error = test::refusal_of([] { grid({plain(1, 1, 0)}, 0); });
+  EXPECT_EQ(error.field(), "columns");
+  EXPECT_EQ(error.value(), "0");
 }
 
 TEST(LabelTest, DrawsTheDotsOfALetterAtScale) {
