@@ -97,7 +97,7 @@ std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResul
   } else {
     std::string known;
     for (const std::string& name : export_formats()) known += (known.empty() ? "" : ", ") + name;
-    throw InputError("--export: none of " + known + " (" + format + ")");
+    throw InputError({.field = "--export", .problem = "none of " + known, .value = format});
   }
   return files;
 }

@@ -27,9 +27,8 @@ void MoveitMessage::header(const std::string& frame) {
 
 void MoveitMessage::duration(double seconds) {
   constexpr double kMost = 2147483647.0;  // sec is an int32
-  if (!(seconds >= 0.0 && seconds < kMost)) {
-    throw InputError("export: not a duration (" + std::to_string(seconds) + " s)");
-  }
+  require(seconds >= 0.0 && seconds < kMost,
+          {.problem = "export: not a duration", .value = std::to_string(seconds) + " s"});
   constexpr long long kNanoseconds = 1000000000;
   const auto whole = static_cast<long long>(seconds);
   // Rounding may give a whole second (0.9999999996 s), which must be carried: nanoseconds are below

@@ -17,37 +17,43 @@ using Points = std::vector<std::vector<double>>;
 // time_path might slow down by a last bit for ever.
 constexpr double kInside = 1.0 + 1e-10;
 
-[[noreturn]] void fail(const std::string& what) { throw InputError("joint path: " + what); }
+[[noreturn]] void fail(const std::string& what) {
+  throw InputError({.field = "joint path", .problem = what});
+}
 
 void check_limit(const char* name, double limit, std::size_t joint) {
   if (std::isfinite(limit) && limit > 0.0) return;
-  fail("joint " + std::to_string(joint) + " moves, but its " + name + " limit is not positive (" +
-       std::to_string(limit) + ")");
+  throw InputError({.field = "limits." + std::string(name) + "[" + std::to_string(joint) + "]",
+                    .problem = "not positive, but the joint moves",
+                    .value = std::to_string(limit)});
 }
 
 // Refuses what the timing cannot handle, before any work. Only joints that move need limits: a
 // robot may have none (0) for the others.
 void check(const Points& waypoints, const JointLimits& limits, const TimePathOptions& options) {
-  if (!(std::isfinite(options.sample_time) && options.sample_time > 0.0)) {
-    fail("sample_time is not positive (" + std::to_string(options.sample_time) + ")");
-  }
-  if (waypoints.empty()) fail("no waypoints");
+  require(std::isfinite(options.sample_time) && options.sample_time > 0.0,
+          {.field = "sample_time",
+           .problem = "must be positive and finite",
+           .value = std::to_string(options.sample_time)});
+  require(!waypoints.empty(), {.field = "waypoints", .problem = "none"});
   const std::vector<double>& first = waypoints.front();
   if (limits.velocity.size() != first.size() || limits.acceleration.size() != first.size()) {
-    fail("limits for " + std::to_string(limits.velocity.size()) + " velocities and " +
-         std::to_string(limits.acceleration.size()) + " accelerations of " +
-         std::to_string(first.size()) + " joints");
+    throw InputError({.field = "limits",
+                      .problem = std::to_string(limits.velocity.size()) + " velocities and " +
+                                 std::to_string(limits.acceleration.size()) +
+                                 " accelerations for " + std::to_string(first.size()) + " joints"});
   }
   std::vector<bool> moves(first.size(), false);
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    const std::string name = "waypoint " + std::to_string(i);
+    const std::string name = "waypoints[" + std::to_string(i) + "]";
     if (waypoints[i].size() != first.size()) {
-      fail(name + " has " + std::to_string(waypoints[i].size()) + " numbers, the first " +
-           std::to_string(first.size()));
+      throw InputError({.field = name,
+                        .problem = "has " + std::to_string(waypoints[i].size()) +
+                                   " numbers, the first " + std::to_string(first.size())});
     }
     for (std::size_t j = 0; j < first.size(); ++j) {
       if (!std::isfinite(waypoints[i][j])) {
-        fail(name + ", joint " + std::to_string(j) + " is not a finite number");
+        throw InputError({.field = name + "[" + std::to_string(j) + "]", .problem = "not finite"});
       }
       if (waypoints[i][j] != first[j]) moves[j] = true;
     }
@@ -108,8 +114,9 @@ int step_count(double duration, double sample_time) {
   constexpr double kMost = 1e7;
   const double steps = std::ceil(duration / sample_time);
   if (!(steps <= kMost)) {
-    fail("takes " + std::to_string(duration) +
-         " s, too many samples: its limits or sample_time are too small");
+    throw InputError({.field = "joint path",
+                      .problem = "too many samples, its limits or sample_time are too small",
+                      .value = "takes " + std::to_string(duration) + " s"});
   }
   return std::max(1, static_cast<int>(steps));
 }

@@ -76,7 +76,7 @@ Pixels grasp_picture_in_python(const TrialHandle& trial, const std::string& titl
 Pixels arm_picture_in_python(const TrialHandle& trial, const std::string& title,
                              std::pair<int, int> size) {
   const PosedGrasp posed = posed_grasp(*trial.scene, *trial.grasp, title);
-  if (posed.arm_joints.empty()) throw InputError("grasp: no arm holds it");
+  if (posed.arm_joints.empty()) throw InputError({.field = "grasp", .problem = "no arm holds it"});
   Image image;
   {
     const py::gil_scoped_release no_gil;

@@ -75,8 +75,8 @@ void for_each_grasp(const ContactSets& sets, const CallOptions& call, const Judg
       context.cancellation.check();
       try {
         judge(g, {.threads = 1, .cancellation = context.cancellation});
-      } catch (const std::invalid_argument& error) {
-        throw InputError("grasp " + std::to_string(g) + ": " + error.what());
+      } catch (const InputError& error) {
+        throw error.under("grasps[" + std::to_string(g) + "]");
       }
     });
   });
@@ -141,7 +141,7 @@ py::tuple measure_of(const ContactSets& sets, const std::string& name,
     for (const NamedMeasure& one : measures()) {
       known += (known.empty() ? "" : ", ") + std::string(one.name);
     }
-    throw InputError("name: not one of " + known + " (" + name + ")");
+    throw InputError({.field = "name", .problem = "not one of " + known, .value = name});
   }
   std::vector<double> lower(sets.size());
   std::vector<double> upper(sets.size());

@@ -44,7 +44,8 @@ SceneHandle load_scene_in_python(const std::string& name_or_file, const std::str
 SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
                                  const std::string& hand, const std::string& name,
                                  const std::string& material, double mass) {
-  if (!(mass > 0.0)) throw InputError("mass: must be positive (" + std::to_string(mass) + ")");
+  require(mass > 0.0,
+          {.field = "mass", .problem = "must be positive", .value = std::to_string(mass)});
   GraspableBody object =
       make_graspable(name, cleaned(vertices, faces), material_named(material), mass);
   return {make_scene(std::move(object), hand), {}};
@@ -70,16 +71,18 @@ std::vector<double> start_of(const Platform& platform, std::map<std::string, dou
       start.push_back(given == asked.end() ? dof.initial : given->second);
       const bool inside = start.back() >= dof.lower && start.back() <= dof.upper;
       if (!inside) {
-        throw InputError("start: " + name + ": outside the limits " + std::to_string(dof.lower) +
-                         " to " + std::to_string(dof.upper) + " rad or m (" +
-                         std::to_string(start.back()) + ")");
+        throw InputError({.field = "start." + name,
+                          .problem = "outside the limits " + std::to_string(dof.lower) + " to " +
+                                     std::to_string(dof.upper) + " rad or m",
+                          .value = std::to_string(start.back())});
       }
       if (given != asked.end()) asked.erase(given);
     }
   }
   if (!asked.empty()) {
-    throw InputError("start: no degree of freedom of " + platform.name + " is called so (" +
-                     asked.begin()->first + ")");
+    throw InputError({.field = "start",
+                      .problem = "no degree of freedom of " + platform.name + " is called so",
+                      .value = asked.begin()->first});
   }
   return start;
 }

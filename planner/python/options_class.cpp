@@ -31,10 +31,11 @@ void check_range(const std::string& field, double value, const Range& range) {
   const bool above = range.without_lower ? value > range.lower : value >= range.lower;
   if (above && value <= range.upper) return;
   std::ostringstream message;
-  message << field << ": must be " << (range.without_lower ? "above " : "at least ") << range.lower;
+  message << "must be " << (range.without_lower ? "above " : "at least ") << range.lower;
   if (std::isfinite(range.upper)) message << " and at most " << range.upper;
-  message << " (" << value << ")";
-  throw InputError(message.str());
+  std::ostringstream shown;
+  shown << value;
+  throw InputError({.field = field, .problem = message.str(), .value = shown.str()});
 }
 
 }  // namespace prehend::python

@@ -110,7 +110,7 @@ class OptionsClass {
             }
             known += (known.empty() ? "" : ", ") + word;
           }
-          throw InputError(field + ": not one of " + known + " (" + asked + ")");
+          throw InputError({.field = field, .problem = "not one of " + known, .value = asked});
         },
         doc);
     fields_.append(name);

@@ -218,7 +218,8 @@ Primitive primitive_from(const py::dict& fields) {
   if (shape == "cylinder") {
     return {Cylinder{fields["radius"].cast<double>(), fields["height"].cast<double>()}, X_OP};
   }
-  throw InputError("shape: not one of box, sphere, cylinder (" + shape + ")");
+  throw InputError(
+      {.field = "shape", .problem = "not one of box, sphere, cylinder", .value = shape});
 }
 
 }  // namespace prehend::python

@@ -312,7 +312,7 @@ class PlanRun {
 
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context) {
   if (options.paths && !scene.arm) {
-    throw InputError(scene.scene.name + ": robot: no arm to plan paths for, the hand flies free");
+    throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
   }
   const PlanOptions seeded = with_seeds(options);
   return PlanRun(scene, seeded, context).run();

@@ -470,7 +470,7 @@ class Errors(unittest.TestCase):
         self.refused("contact 0.*finite|finite", quality.epsilon, points, normals, 0.5)
         self.refused("normal", quality.epsilon, np.zeros((1, 3)), 2.0 * normals, 0.5)
         batch = np.zeros((3, 1, 3)), np.array([normals, normals, 2.0 * normals])
-        self.refused("grasp 2.*normal", quality.epsilon, *batch, 0.5)
+        self.refused(r"grasps\[2\].*normal", quality.epsilon, *batch, 0.5)
         vertices, faces = box_mesh(1, 1, 1)
         vertices[0, 0] = np.inf
         self.refused("finite", prehend.make_scene, (vertices, faces))
@@ -479,7 +479,8 @@ class Errors(unittest.TestCase):
         self.refused("barrett", prehend.find_robot, "no_such_hand")
         self.refused("mug", prehend.load_scene, "no_such_scene")
         self.refused("wood", prehend.make_scene, box_mesh(1, 1, 1), material="cheese")
-        self.refused("mass", prehend.make_scene, box_mesh(1, 1, 1), mass=0.0)
+        error = self.refused("mass", prehend.make_scene, box_mesh(1, 1, 1), mass=0.0)
+        self.assertEqual((error.field, error.problem), ("mass", "must be positive"))
         self.refused("epsilon", quality.measure, "nothing", [[0, 0, 0]], [[0, 0, 1]], 1)
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "broken.json"
@@ -501,7 +502,8 @@ class Errors(unittest.TestCase):
     def test_options(self):
         with self.assertRaisesRegex(TypeError, "no field tops.*same_angle"):
             prehend.RankOptions(tops=3)
-        self.refused("RankOptions.top: must be at least 1", prehend.RankOptions, top=0)
+        error = self.refused("RankOptions.top: must be at least 1", prehend.RankOptions, top=0)
+        self.assertEqual((error.field, error.value), ("RankOptions.top", "0"))
         self.refused("NaN|nan|at least", prehend.RankOptions, same_angle=float("nan"))
         self.refused("rrt_star", prehend.TransferOptions, planner="walk")
         self.refused("seed", prehend.plan, prehend.load_scene("mug"), seed=-1)

@@ -330,14 +330,14 @@ void expect_refused(const Points& points, const JointLimits& limits, const std::
 
 TEST(TimePath, RefusesWhatCannotBeTimed) {
   const JointLimits good{{1.0, 1.0}, {1.0, 1.0}};
-  expect_refused({}, good, "no waypoints");
-  expect_refused({{0.0, 0.0}, {1.0}}, good, "waypoint 1 has 1 numbers, the first 2");
-  expect_refused({{0.0, 0.0}, {1.0, kNaN}}, good, "waypoint 1, joint 1 is not a finite number");
-  expect_refused({{0.0, 0.0}, {1.0, 1.0}}, {{1.0}, {1.0, 1.0}}, "limits for 1 velocities");
+  expect_refused({}, good, "waypoints: none");
+  expect_refused({{0.0, 0.0}, {1.0}}, good, "waypoints[1]: has 1 numbers, the first 2");
+  expect_refused({{0.0, 0.0}, {1.0, kNaN}}, good, "waypoints[1][1]: not finite");
+  expect_refused({{0.0, 0.0}, {1.0, 1.0}}, {{1.0}, {1.0, 1.0}}, "limits: 1 velocities");
   const Points moving = {{0.0, 0.0}, {1.0, 1.0}};
   for (const double bad : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()}) {
-    expect_refused(moving, {{1.0, bad}, {1.0, 1.0}}, "joint 1 moves, but its velocity limit");
-    expect_refused(moving, {{1.0, 1.0}, {bad, 1.0}}, "joint 0 moves, but its acceleration limit");
+    expect_refused(moving, {{1.0, bad}, {1.0, 1.0}}, "limits.velocity[1]: not positive");
+    expect_refused(moving, {{1.0, 1.0}, {bad, 1.0}}, "limits.acceleration[0]: not positive");
     expect_refused(moving, good, "sample_time", {.sample_time = bad});
   }
   expect_refused(moving, {{1e-9, 1.0}, {1.0, 1.0}}, "too many samples");
