@@ -14,8 +14,8 @@ namespace prehend {
 Joint read_joint(const JsonField& field, const FileUnits& units);
 
 // Name, material, geometry and mass of a link that follows `joint` (-1: the base). Which fields
-// there may be is the caller's to check. Refused are an unknown material, a geometry without a solid
-// whose mass is to be found from it, and an inertia that no body has.
+// there may be is the caller's to check. Refused are an unknown material, a geometry without a
+// solid whose mass is to be found from it, and an inertia that no body has.
 Link read_link(const JsonField& field, const FileUnits& units, const NamedGeometry& named,
                int joint);
 
