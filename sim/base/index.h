@@ -12,5 +12,9 @@ constexpr std::size_t index(int i) {
   assert(i >= 0);
   return static_cast<std::size_t>(i);
 }
+constexpr std::size_t index(std::ptrdiff_t i) {  // as Eigen counts
+  assert(i >= 0);
+  return static_cast<std::size_t>(i);
+}
 
 }  // namespace prehend

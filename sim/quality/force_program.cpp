@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <Eigen/QR>
 #include <Eigen/SVD>
+
+#include "sim/base/index.h"
 
 // The program, with the cone coordinates v of all contacts (a contact transmits f = transmits v):
 //
@@ -22,10 +23,6 @@
 namespace prehend {
 namespace {
 
-// Bounds the rounding error of the products of a separation with a contact's maps, relative to the
-// sum of their magnitudes.
-constexpr double kRounding = 8.0 * std::numeric_limits<double>::epsilon();
-
 // A direction in which the contacts' wrenches are smaller than this part of their largest is one in
 // which they can do nothing.
 constexpr double kNothing = 1e-12;
@@ -35,49 +32,16 @@ constexpr double kShare = 0.1;
 constexpr int kPolishRounds = 3;
 constexpr double kPolishCost = 1e-8;  // relative increase of the measure that polishing may cost
 
-std::size_t index(Eigen::Index i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
-ForceProgram::ForceProgram(std::span<const Contact> contacts, const WrenchFrame& frame,
-                           const Wrench& wrench, double size, const HandTorques* hand,
-                           const ForceOptions& options)
-    : options_(options), wrench_(wrench) {
-  add_contacts(contacts, frame);
-  if (hand != nullptr) add_joints(contacts, *hand, size);
+ForceProgram::ForceProgram(const ForceBalance& balance, const ForceOptions& options)
+    : options_(options), balance_(balance) {
+  for (const ContactCone& cone : balance_.cones()) {
+    first_.push_back(coordinates_);
+    coordinates_ += cone.size();
+  }
   fill_equations();
   fill_cones();
-}
-
-void ForceProgram::add_contacts(std::span<const Contact> contacts, const WrenchFrame& frame) {
-  maps_.resize(6, 4 * std::ssize(contacts));
-  loads_.resize(0, maps_.cols());
-  for (const Contact& contact : contacts) {
-    maps_.middleCols<4>(4 * std::ssize(cones_)) = contact_map(contact, frame);
-    first_.push_back(coordinates_);
-    cones_.push_back(contact_cone(contact, options_.cone, options_.edges));
-    coordinates_ += cones_.back().size();
-  }
-}
-
-// The Jacobian is in the axes of the contacts, but components are along the normal and the
-// tangents: each contact's three rows are turned into those axes.
-void ForceProgram::add_joints(std::span<const Contact> contacts, const HandTorques& hand,
-                              double size) {
-  loads_ = Eigen::MatrixXd::Zero(hand.limits.size(), maps_.cols());
-  limits_ = hand.limits / size;
-  for (Eigen::Index i = 0; i < std::ssize(contacts); ++i) {
-    const Eigen::Vector3d normal = contacts[index(i)].normal.normalized();
-    const Tangents tangents = contact_tangents(normal);
-    Eigen::Matrix3d axes;
-    axes << normal, tangents.first, tangents.second;
-    loads_.middleCols<3>(4 * i) = hand.jacobian.middleRows<3>(3 * i).transpose() * axes;
-    if (hand.spin.size() > 0) loads_.col(4 * i + 3) = hand.spin.row(i).transpose();
-  }
-  for (Eigen::Index j = 0; j < limits_.size(); ++j) {
-    if (limits_[j] == 0.0) locked_.push_back(j);
-    if (limits_[j] > 0.0 && std::isfinite(limits_[j])) limited_.push_back(j);
-  }
 }
 
 // Chooses the directions of wrench space in which balance is required. Contacts that lie in a plane
@@ -93,7 +57,7 @@ void ForceProgram::find_basis(const Eigen::MatrixXd& wrenches) {
   for (Eigen::Index i = 0; i < 6; ++i) {
     const double relative =
         i < sizes ? svd.singularValues()[i] / std::max(1.0, svd.singularValues()[0]) : 0.0;
-    const bool idle = std::abs(svd.matrixU().col(i).dot(wrench_)) <= allowed;
+    const bool idle = std::abs(svd.matrixU().col(i).dot(balance_.wrench())) <= allowed;
     if (!idle || relative > std::max(allowed, kNothing)) kept.push_back(i);
   }
   // The kept directions span a subspace, of which another basis is taken, as close to the axes of
@@ -111,15 +75,15 @@ void ForceProgram::fill_equations() {
   const bool shared = options_.measure == ForceMeasure::sum_of_normals;
   const Eigen::Index n = coordinates_ + (shared ? 0 : 1);
   Eigen::MatrixXd wrenches(6, coordinates_);
-  Eigen::MatrixXd torques(std::ssize(locked_), coordinates_);
+  Eigen::MatrixXd torques(std::ssize(balance_.locked()), coordinates_);
   program_.c = Eigen::VectorXd::Zero(n);
   if (!shared) program_.c[coordinates_] = 1.0;
-  for (Eigen::Index i = 0; i < std::ssize(cones_); ++i) {
-    const ContactCone& cone = cones_[index(i)];
+  for (Eigen::Index i = 0; i < std::ssize(balance_.cones()); ++i) {
+    const ContactCone& cone = balance_.cones()[index(i)];
     const Eigen::Index first = first_[index(i)];
-    wrenches.middleCols(first, cone.size()) = maps_.middleCols<4>(4 * i) * cone.transmits;
+    wrenches.middleCols(first, cone.size()) = balance_.map(i) * cone.transmits;
     torques.middleCols(first, cone.size()) =
-        loads_.middleCols<4>(4 * i)(locked_, Eigen::all) * cone.transmits;
+        balance_.loads(i)(balance_.locked(), Eigen::all) * cone.transmits;
     if (shared) program_.c.segment(first, cone.size()) = cone.transmits.row(0).transpose();
   }
   find_basis(wrenches);
@@ -134,12 +98,12 @@ void ForceProgram::fill_equations() {
     if (program_.A.row(i).norm() <= nothing) program_.A.row(i).setZero();
   }
   program_.b = Eigen::VectorXd::Zero(program_.A.rows());
-  program_.b.head(k) = -basis_.transpose() * wrench_;
+  program_.b.head(k) = -basis_.transpose() * balance_.wrench();
 }
 
 // Rows of G that hold the normal forces below the largest; the sum of normals needs none.
 Eigen::Index ForceProgram::normal_rows() const {
-  return options_.measure == ForceMeasure::sum_of_normals ? 0 : std::ssize(cones_);
+  return options_.measure == ForceMeasure::sum_of_normals ? 0 : std::ssize(balance_.cones());
 }
 
 // G and h. Rows: normal forces below the largest, joint torques below and above their limits, the
@@ -147,27 +111,27 @@ Eigen::Index ForceProgram::normal_rows() const {
 // Torques are divided by their limits, so that these rows are of the order of one.
 void ForceProgram::fill_cones() {
   const Eigen::Index normals = normal_rows();
-  const Eigen::Index torques = std::ssize(limited_);
+  const Eigen::Index torques = std::ssize(balance_.limited());
   program_.G = Eigen::MatrixXd::Zero(normals + 2 * torques + coordinates_, program_.c.size());
   program_.h = Eigen::VectorXd::Zero(program_.G.rows());
   program_.h.segment(normals, 2 * torques).setOnes();
   program_.cone.orthant = static_cast<int>(normals + 2 * torques);
   if (normals > 0) program_.G.col(coordinates_).head(normals).setConstant(-1.0);
-  for (Eigen::Index i = 0; i < std::ssize(cones_); ++i) {
-    const ContactCone& cone = cones_[index(i)];
+  for (Eigen::Index i = 0; i < std::ssize(balance_.cones()); ++i) {
+    const ContactCone& cone = balance_.cones()[index(i)];
     auto columns = program_.G.middleCols(first_[index(i)], cone.size());
     if (normals > 0) columns.row(i) = cone.transmits.row(0);
-    columns.middleRows(normals, torques) = limits_(limited_).cwiseInverse().asDiagonal() *
-                                           loads_.middleCols<4>(4 * i)(limited_, Eigen::all) *
-                                           cone.transmits;
+    columns.middleRows(normals, torques) =
+        balance_.limits()(balance_.limited()).cwiseInverse().asDiagonal() *
+        balance_.loads(i)(balance_.limited(), Eigen::all) * cone.transmits;
     columns.middleRows(normals + torques, torques) = -columns.middleRows(normals, torques);
   }
-  slack_.resize(cones_.size());
+  slack_.resize(balance_.cones().size());
   Eigen::Index row = normals + 2 * torques;
   for (const bool second_order : {false, true}) {
-    for (std::size_t i = 0; i < cones_.size(); ++i) {
-      if (cones_[i].second_order != second_order) continue;
-      const Eigen::Index size = cones_[i].size();
+    for (std::size_t i = 0; i < balance_.cones().size(); ++i) {
+      if (balance_.cones()[i].second_order != second_order) continue;
+      const Eigen::Index size = balance_.cones()[i].size();
       program_.G.block(row, first_[i], size, size) = -Eigen::MatrixXd::Identity(size, size);
       slack_[i] = row;
       row += size;
@@ -185,11 +149,11 @@ void ForceProgram::fill_cones() {
 // coordinate that is less far inside its cone than its slack is moved as far inside.
 Eigen::Matrix4Xd ForceProgram::components(const ConicSolution& solution) const {
   Eigen::VectorXd v = solution.x.head(coordinates_);
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
-    const Eigen::Index size = cones_[i].size();
+  for (std::size_t i = 0; i < balance_.cones().size(); ++i) {
+    const Eigen::Index size = balance_.cones()[i].size();
     auto part = v.segment(first_[i], size);
     const auto slack = solution.s.segment(slack_[i], size);
-    if (cones_[i].second_order) {
+    if (balance_.cones()[i].second_order) {
       const double margin = slack[0] - slack.tail(size - 1).norm();
       part[0] = std::max(part[0], part.tail(size - 1).norm() + margin);
     } else {
@@ -200,9 +164,9 @@ Eigen::Matrix4Xd ForceProgram::components(const ConicSolution& solution) const {
 }
 
 Eigen::Matrix4Xd ForceProgram::transmitted(const Eigen::VectorXd& v) const {
-  Eigen::Matrix4Xd result(4, std::ssize(cones_));
+  Eigen::Matrix4Xd result(4, std::ssize(balance_.cones()));
   for (Eigen::Index i = 0; i < result.cols(); ++i) {
-    const ContactCone& cone = cones_[index(i)];
+    const ContactCone& cone = balance_.cones()[index(i)];
     result.col(i) = cone.transmits * v.segment(first_[index(i)], cone.size());
   }
   return result;
@@ -210,10 +174,11 @@ Eigen::Matrix4Xd ForceProgram::transmitted(const Eigen::VectorXd& v) const {
 
 // Whether all coordinates are in their cones.
 bool ForceProgram::inside(const Eigen::VectorXd& v) const {
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
-    const auto part = v.segment(first_[i], cones_[i].size());
-    const double margin =
-        cones_[i].second_order ? part[0] - part.tail(part.size() - 1).norm() : part.minCoeff();
+  for (std::size_t i = 0; i < balance_.cones().size(); ++i) {
+    const auto part = v.segment(first_[i], balance_.cones()[i].size());
+    const double margin = balance_.cones()[i].second_order
+                              ? part[0] - part.tail(part.size() - 1).norm()
+                              : part.minCoeff();
     if (!(margin >= 0.0)) return false;
   }
   return true;
@@ -223,11 +188,11 @@ bool ForceProgram::inside(const Eigen::VectorXd& v) const {
 // 2 x x' - (x'J x) J in a second-order cone. A step of length below one stays inside.
 Eigen::MatrixXd ForceProgram::barrier_metric(const Eigen::VectorXd& v) const {
   Eigen::MatrixXd metric = Eigen::MatrixXd::Zero(coordinates_, coordinates_);
-  for (std::size_t i = 0; i < cones_.size(); ++i) {
-    const Eigen::Index size = cones_[i].size();
+  for (std::size_t i = 0; i < balance_.cones().size(); ++i) {
+    const Eigen::Index size = balance_.cones()[i].size();
     const auto part = v.segment(first_[i], size);
     auto block = metric.block(first_[i], first_[i], size, size);
-    if (!cones_[i].second_order) {
+    if (!balance_.cones()[i].second_order) {
       block = part.cwiseAbs2().asDiagonal();
       continue;
     }
@@ -251,87 +216,36 @@ Eigen::VectorXd ForceProgram::polish(Eigen::VectorXd v) const {
   const Eigen::MatrixXd weighted = barrier_metric(v) * A.transpose();
   const Eigen::MatrixXd products = A * weighted;
   const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(products);
-  const double highest = (1.0 + kPolishCost) * measure(transmitted(v));
+  const double highest = (1.0 + kPolishCost) * balance_.measure(transmitted(v));
   Eigen::VectorXd missing = program_.b - A * v;
   for (int round = 0; round < kPolishRounds; ++round) {
     const Eigen::VectorXd next = v + weighted * factors.solve(missing);
     const Eigen::VectorXd still_missing = program_.b - A * next;
     const bool better = still_missing.norm() < missing.norm() && inside(next);
-    if (!better || measure(transmitted(next)) > highest) break;
+    if (!better || balance_.measure(transmitted(next)) > highest) break;
     v = next;
     missing = still_missing;
   }
   return v;
 }
 
-double ForceProgram::measure(const Eigen::Matrix4Xd& components) const {
-  if (components.cols() == 0) return 0.0;
-  return options_.measure == ForceMeasure::sum_of_normals ? components.row(0).sum()
-                                                          : components.row(0).maxCoeff();
-}
-
-double ForceProgram::residual(const Eigen::Matrix4Xd& components) const {
-  return (maps_ * components.reshaped() + wrench_).norm();
-}
-
-// The largest part by which a joint torque exceeds its limit. A locked joint has the limit 0: its
-// torque is compared with the largest that a single force component of the largest magnitude would
-// cause.
-double ForceProgram::torque_excess(const Eigen::Matrix4Xd& components) const {
-  const Eigen::VectorXd torques = loads_ * components.reshaped();
-  double excess = 0.0;
-  for (const Eigen::Index j : limited_) {
-    excess = std::max(excess, std::abs(torques[j]) / limits_[j] - 1.0);
-  }
-  for (const Eigen::Index j : locked_) {
-    const double size = loads_.row(j).cwiseAbs().maxCoeff() * components.cwiseAbs().maxCoeff();
-    if (size > 0.0) excess = std::max(excess, std::abs(torques[j]) / size);
-  }
-  return excess;
-}
-
 // The multipliers as a wrench and joint torques. Balance is required in the directions of the basis
 // only, so the basis turns its multipliers back into a wrench. A limited joint has a row for each
 // sign of its torque, and both rows are divided by the limit.
-ForceProgram::Separation ForceProgram::separation(const ConicSolution& solution) const {
-  Separation result{basis_ * solution.y.head(basis_.cols()), Eigen::VectorXd::Zero(limits_.size())};
+ForceBalance::Separation ForceProgram::separation(const ConicSolution& solution) const {
+  ForceBalance::Separation result{basis_ * solution.y.head(basis_.cols()),
+                                  Eigen::VectorXd::Zero(balance_.limits().size())};
   const Eigen::Index normals = normal_rows();
-  const Eigen::Index torques = std::ssize(limited_);
+  const Eigen::Index torques = std::ssize(balance_.limited());
   for (Eigen::Index i = 0; i < torques; ++i) {
     const double multiplier = solution.z[normals + i] - solution.z[normals + torques + i];
-    result.torques[limited_[index(i)]] = multiplier / limits_[limited_[index(i)]];
+    result.torques[balance_.limited()[index(i)]] =
+        multiplier / balance_.limits()[balance_.limited()[index(i)]];
   }
-  for (Eigen::Index i = 0; i < std::ssize(locked_); ++i) {
-    result.torques[locked_[index(i)]] = solution.y[basis_.cols() + i];
+  for (Eigen::Index i = 0; i < std::ssize(balance_.locked()); ++i) {
+    result.torques[balance_.locked()[index(i)]] = solution.y[basis_.cols() + i];
   }
   return result;
-}
-
-// Weak duality. Let u be the separation's wrench and l its torques, W the map of forces to wrenches
-// and J' that to joint torques. Balanced forces f (W f = -external) within the limits L have
-//   u . external - sum |l_j| L_j <= -sum over contacts of (u'W + l'J') f <= sum of f_n d_i,
-// where d_i >= 0 is how far the lowest value of (u'W + l'J') f lies below zero over the forces of
-// contact i with unit normal force. The right-hand side is at most (sum of f_n) max d_i, and at
-// most (largest f_n) sum d_i: dividing by either of these d gives the bound. A residual r of the
-// balance lowers the left-hand side by at most |u| r. Rounding makes each d_i larger, never
-// smaller.
-double ForceProgram::lower_bound(const Separation& separation, ForceMeasure measure,
-                                 double residual) const {
-  double value = separation.wrench.dot(wrench_) - residual * separation.wrench.norm();
-  for (const Eigen::Index j : limited_) value -= std::abs(separation.torques[j]) * limits_[j];
-  const Eigen::VectorXd loads =
-      maps_.transpose() * separation.wrench + loads_.transpose() * separation.torques;
-  const Eigen::VectorXd sizes = maps_.cwiseAbs().transpose() * separation.wrench.cwiseAbs() +
-                                loads_.cwiseAbs().transpose() * separation.torques.cwiseAbs();
-  double below = 0.0;
-  for (Eigen::Index i = 0; i < std::ssize(cones_); ++i) {
-    const ContactCone& cone = cones_[index(i)];
-    const double rounding = -kRounding * cone.lowest(-sizes.segment<4>(4 * i));
-    const double depth = std::max(0.0, -cone.lowest(loads.segment<4>(4 * i))) + rounding;
-    below = measure == ForceMeasure::sum_of_normals ? std::max(below, depth) : below + depth;
-  }
-  if (!(value > 0.0)) return 0.0;
-  return below > 0.0 ? value / below : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace prehend

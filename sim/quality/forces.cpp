@@ -7,6 +7,7 @@
 #include "sim/base/input_error.h"
 #include "sim/conic/conic_program.h"
 #include "sim/quality/force_program.h"
+#include "sim/quality/generated_forces.h"
 
 // Forces scale with the wrench that they balance. The program is therefore solved for the external
 // wrench scaled to length one, which makes all tolerances relative to it, and the forces are scaled
@@ -14,11 +15,14 @@
 //
 // The result is judged by two quantities that are computed from the forces and multipliers alone:
 // the residual of the forces, and the lower bound that the multipliers prove
-// (ForceProgram::lower_bound). Impossibility is judged by the same bound, on the sum of the normal
+// (ForceBalance::lower_bound). Impossibility is judged by the same bound, on the sum of the normal
 // forces. This is the same for both measures, and stronger than a status of the solver: the bound
 // holds up to rounding however inexact the multipliers are.
 namespace prehend {
 namespace {
+
+// From here on column generation is faster than one program of all contacts.
+constexpr std::size_t kManyContacts = 48;
 
 void check(const ForceOptions& options) {
   require(options.edges >= 3, {.field = "edges",
@@ -42,16 +46,14 @@ void check(const HandTorques& hand, Eigen::Index contacts) {
           {.field = "limits", .problem = "must not be negative"});
 }
 
-// Fills in the forces for the unit wrench; true where they are good enough. Without any normal
+// Judges the components for the unit wrench; true where they are good enough. Without any normal
 // force there is no force at all, and the unit wrench is not balanced: the gap counts as complete.
-bool fill_forces(const ForceProgram& program, const ConicSolution& solution,
-                 const ForceOptions& options, ContactForces& result) {
-  result.components = program.components(solution);
-  result.residual = program.residual(result.components);
-  const double measure = program.measure(result.components);
+bool judge_forces(const ForceBalance& balance, const ForceOptions& options, ContactForces& result) {
+  result.residual = balance.residual(result.components);
+  const double measure = balance.measure(result.components);
   result.gap = measure > 0.0 ? std::max(0.0, (measure - result.lowest) / measure) : 1.0;
   return result.residual <= options.residual_tolerance && result.gap <= options.gap_tolerance &&
-         program.torque_excess(result.components) <= options.residual_tolerance;
+         balance.torque_excess(result.components) <= options.residual_tolerance;
 }
 
 // The forces on the object, and sums over contacts, from the components for a wrench of one unit.
@@ -78,20 +80,31 @@ ContactForces no_forces(Eigen::Index contacts, ForceOutcome outcome) {
   return result;
 }
 
-// Solves for the unit wrench and judges what the solver returns, whatever its status. The solver's
-// tolerances are well below those of ForceOptions. That of certificates is below 1 / kLargestForce,
-// because a certificate with an error e only excludes solutions smaller than 1 / e.
+// The forces of the second-order cone program. The solver's tolerances are well below those of
+// ForceOptions. That of certificates is below 1 / kLargestForce, because a certificate with an
+// error e only excludes solutions smaller than 1 / e.
+GeneratedForces program_forces(const ForceBalance& balance, const ForceOptions& options) {
+  const ForceProgram program(balance, options);
+  const ConicSolution solution =
+      solve(program.program(), {.tolerance = 1e-11, .infeasible_tolerance = 1e-12});
+  return {program.components(solution), program.separation(solution)};
+}
+
+// Solves for the unit wrench and judges what was found, however the search ended. The program takes
+// time with the cube of the number of contacts, and more memory than there is for thousands.
 ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                            const Wrench& external, const HandTorques* hand,
                            const ForceOptions& options) {
   const double size = external.norm();
-  const ForceProgram program(contacts, frame, external / size, size, hand, options);
-  const ConicSolution solution =
-      solve(program.program(), {.tolerance = 1e-11, .infeasible_tolerance = 1e-12});
-  const ForceProgram::Separation separation = program.separation(solution);
+  const ForceBalance balance(contacts, frame, external / size, size, hand, options);
+  const bool many = hand == nullptr && contacts.size() > kManyContacts;
+  const GeneratedForces found =
+      many ? generate_forces(balance, options.measure, options.gap_tolerance)
+           : program_forces(balance, options);
+  const ForceBalance::Separation& separation = found.separation;
   // Also forces that leave over as much as the tolerance allows would have to be this large.
   const double smallest_sum =
-      program.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
+      balance.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
   if (smallest_sum > kLargestForce) {
     ContactForces result = no_forces(std::ssize(contacts), ForceOutcome::impossible);
     const double length = separation.wrench.norm();
@@ -101,8 +114,9 @@ ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame&
     return result;
   }
   ContactForces result;
-  result.lowest = program.lower_bound(separation, options.measure);
-  if (fill_forces(program, solution, options, result)) result.outcome = ForceOutcome::balanced;
+  result.lowest = balance.lower_bound(separation, options.measure);
+  result.components = found.components;
+  if (judge_forces(balance, options, result)) result.outcome = ForceOutcome::balanced;
   finish(contacts, size, result);
   return result;
 }

@@ -13,6 +13,19 @@ double ContactCone::lowest(const Eigen::Vector4d& loads) const {
   return second_order ? v[0] - v.tail(v.size() - 1).norm() : v.minCoeff();
 }
 
+Eigen::Vector4d ContactCone::lowest_force(const Eigen::Vector4d& loads) const {
+  const Eigen::VectorXd v = transmits.transpose() * loads;
+  if (!second_order) {
+    Eigen::Index corner = 0;
+    v.minCoeff(&corner);
+    return transmits.col(corner);
+  }
+  const double length = v.tail(v.size() - 1).norm();
+  Eigen::VectorXd best = Eigen::VectorXd::Unit(v.size(), 0);
+  if (length > 0.0) best.tail(v.size() - 1) = -v.tail(v.size() - 1) / length;
+  return transmits * best;
+}
+
 // Scaled by [1, mu, mu, mu torsion], mu the friction, the cone v0 >= |(v1, v2, v3)| becomes that of
 // the contact model, |f_t|^2 + (t / torsion)^2 <= (mu f_n)^2. A direction in which the contact
 // transmits nothing gets no coordinate: each coordinate changes the force, and the map from

@@ -25,6 +25,8 @@ struct ContactCone {
 
   // The smallest value of loads . f over the forces f of unit normal force.
   double lowest(const Eigen::Vector4d& loads) const;
+  // A force f of unit normal force with that value; always the same one.
+  Eigen::Vector4d lowest_force(const Eigen::Vector4d& loads) const;
 };
 
 // A contact without friction has one coordinate, a point contact three, a soft finger four; in a

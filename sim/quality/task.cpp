@@ -57,6 +57,9 @@ struct Resist {
 
   Interval operator()(const TaskWrenches& task) const {
     if (task.wrenches.empty()) throw InputError({.field = "task", .problem = "no wrench"});
+    for (const Wrench& wrench : task.wrenches) {
+      require(wrench.allFinite(), {.field = "task", .problem = "a wrench that is not finite"});
+    }
     const double unbounded = std::numeric_limits<double>::infinity();
     // The smallest of the lower bounds and of the upper bounds enclose the smallest resistance. A
     // wrench that cannot be resisted at all decides the result.
@@ -77,8 +80,11 @@ struct Resist {
           {.field = "task", .problem = "the axes of the ellipsoid must be finite and independent"});
     }
     if (contacts.empty()) return {};
-    const auto set = wrench_space(contacts, frame, space);
-    const EpsilonBracket bracket = epsilon(SeenThrough(*set, task.axes), epsilon_options(space));
+    // As for single wrenches, forces may stay below the unit.
+    WrenchSpaceOptions at_most = space;
+    at_most.force = UnitForce::at_most;
+    const auto set = wrench_space(contacts, frame, at_most);
+    const EpsilonBracket bracket = epsilon(SeenThrough(*set, task.axes), epsilon_options(at_most));
     return {bracket.lower, bracket.upper};
   }
 
