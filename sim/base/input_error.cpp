@@ -1,5 +1,6 @@
 #include "sim/base/input_error.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace prehend {
@@ -13,10 +14,16 @@ std::string one_line(const InputErrorParts& parts) {
     line += (line.empty() ? "" : ": ") + *part;
   }
   if (!parts.value.empty()) line += (line.empty() ? "(" : " (") + parts.value + ")";
-  return line;
+  return on_one_line(line);
 }
 
 }  // namespace
+
+std::string on_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  return text;
+}
 
 InputError::InputError(InputErrorParts parts)
     : std::invalid_argument(one_line(parts)), parts_(std::move(parts)) {}

@@ -49,6 +49,11 @@ class InputError : public std::invalid_argument {
   InputErrorParts parts_;
 };
 
+// The text with each control character (line breaks, escapes) replaced by a space. Names of files
+// and fields may contain any, and a message is one line. what() of an InputError is like this; its
+// parts are as they were given.
+std::string on_one_line(std::string text);
+
 // Throws InputError with these parts unless the condition holds.
 void require(bool condition, InputErrorParts parts);
 

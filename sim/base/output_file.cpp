@@ -1,12 +1,68 @@
 #include "sim/base/output_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <unistd.h>
 
 #include "sim/base/input_error.h"
 
 namespace prehend {
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& problem) {
+  throw InputError({.file = file.string(), .problem = problem});
+}
+
+constexpr const char* kPart = ".part";
+
+// Removes what killed programs left of earlier attempts to write `file`: its parts, whose names end
+// in the id of a process that is gone.
+void remove_old_parts(const std::filesystem::path& file) {
+  const std::string prefix = file.filename().string() + kPart;
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator at(folder, ignored), end; at != end;
+       at.increment(ignored)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const std::string id = name.substr(prefix.size());
+    const bool is_number =
+        !id.empty() && id.size() < 10 &&
+        std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (!is_number) continue;
+    const bool is_gone = ::kill(std::atoi(id.c_str()), 0) != 0 && errno == ESRCH;
+    std::error_code also_ignored;
+    if (is_gone) std::filesystem::remove(at->path(), also_ignored);
+  }
+}
+
+}  // namespace
+
+void require_writable(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::path existing = std::filesystem::absolute(folder, error);
+  if (error) refuse(folder, "cannot be written to: " + error.message());
+  std::filesystem::file_status status = std::filesystem::status(existing, error);
+  // What is missing will be made inside the nearest folder that exists.
+  while (status.type() == std::filesystem::file_type::not_found && existing.has_relative_path()) {
+    existing = existing.parent_path();
+    status = std::filesystem::status(existing, error);
+  }
+  if (status.type() == std::filesystem::file_type::none) {
+    refuse(folder, "cannot be written to: " + error.message());
+  }
+  if (!std::filesystem::is_directory(status)) {
+    refuse(folder, "cannot be written to: " + existing.string() + " is not a folder");
+  }
+  if (::access(existing.c_str(), W_OK | X_OK) != 0) {
+    const std::error_code reason(errno, std::generic_category());
+    refuse(folder, "cannot be written to: " + existing.string() + ": " + reason.message());
+  }
+}
 
 void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
@@ -21,22 +77,37 @@ void make_folder(const std::filesystem::path& folder) {
 // The content is written to another file, which then takes the name of the target. The target is at
 // every time either as it was or complete, also where the program is interrupted or the disk is
 // full.
-void write_file(const std::filesystem::path& file, const std::string& content) {
+void write_file(const std::filesystem::path& asked, const std::string& content) {
+  // A link stays, and what it points to is written.
+  std::error_code unlinked;
+  const bool is_link = std::filesystem::is_symlink(asked, unlinked);
+  const std::filesystem::path file =
+      is_link ? std::filesystem::weakly_canonical(asked, unlinked) : asked;
+  std::error_code error;
+  const std::filesystem::file_status earlier = std::filesystem::status(file, error);
+  // A rename would replace a device or a folder's entry by a file.
+  if (std::filesystem::exists(earlier) && !std::filesystem::is_regular_file(earlier)) {
+    refuse(file, "cannot be written: is not a regular file");
+  }
+  remove_old_parts(file);
   // In the same folder as the target, because a rename is atomic only within one file system; with
   // the process id, because two programs may write the same file.
   std::filesystem::path part = file;
-  part += ".part" + std::to_string(::getpid());
+  part += kPart + std::to_string(::getpid());
   errno = 0;
   std::ofstream stream(part, std::ios::binary);
   stream << content;
   stream.close();  // errors such as a full disk may appear only when the buffer is flushed
-  std::error_code error;
+  error.clear();
   if (!stream) error.assign(errno != 0 ? errno : EIO, std::generic_category());
-  if (stream) std::filesystem::rename(part, file, error);
+  if (!error && std::filesystem::exists(earlier)) {
+    std::filesystem::permissions(part, earlier.permissions(), error);
+  }
+  if (!error) std::filesystem::rename(part, file, error);
   if (!error) return;
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
-  throw InputError({.file = file.string(), .problem = "cannot be written: " + error.message()});
+  refuse(file, "cannot be written: " + error.message());
 }
 
 void remove_file(const std::filesystem::path& file) {

@@ -6,13 +6,20 @@
 
 namespace prehend {
 
+// Throws InputError that names the folder unless files could be written to it: it, or where it is
+// missing the nearest of its parents that exists, is a folder with permission to write. Creates
+// nothing. For a program that would otherwise find out after its work.
+void require_writable(const std::filesystem::path& folder);
+
 // Creates the folder and its parents if they are missing. Throws InputError that names the folder
 // when that fails.
 void make_folder(const std::filesystem::path& folder);
 
 // Writes `content` to a temporary file in the same folder, then renames that to `file`, so that
-// other processes see either the old or the complete new file. Throws InputError that names the
-// file.
+// other processes see either the old or the complete new file. A file that was there keeps its
+// permissions, a symbolic link keeps pointing to the file that is written. Temporary files that
+// killed programs left are removed. Throws InputError that names the file, also where the name
+// stands for something else than a regular file.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
 // Removes the file, for instance one that an earlier run left. Does nothing where there is none;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <utility>
 
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
+#include "sim/json/json_depth.h"
 
 // A field knows its name as a path from the root of the file, for example
 // obstacles[2].pose.position, which error messages begin with. The path is built on the way down:
@@ -18,23 +18,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kLongestValue = 60;  // characters of a value shown in a message
+constexpr std::size_t kLongestValue = 60;     // characters of a value shown in a message
+constexpr std::size_t kLongestMessage = 200;  // characters of what the parser says
 
 // A value as text for an error message, shortened; invalid UTF-8 is replaced.
 std::string shown(const Json& value) {
   std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
   if (text.size() > kLongestValue) text = text.substr(0, kLongestValue) + "...";
   return text;
-}
-
-std::string read_text(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError({.file = file.string(), .problem = "cannot be read: is a folder"});
-  }
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError({.file = file.string(), .problem = "cannot be read: no such file"});
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 // Messages of the parser look like "[json.exception.parse_error.101] parse error at line 3, column
@@ -49,6 +40,8 @@ std::string without_prefix(std::string message) {
   // A quoted piece of the file may hold a line break; a message is one line.
   std::replace_if(
       message.begin(), message.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+  // It quotes the last token, which may be as long as the file.
+  if (message.size() > kLongestMessage) message = message.substr(0, kLongestMessage) + "...";
   return message;
 }
 
@@ -81,7 +74,11 @@ class RepeatedKeys {
 };
 
 Json parse(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
+  const std::string text = read_file(file);
+  if (json_depth(text) > kDeepestJson) {
+    throw InputError({.file = file.string(),
+                      .problem = "nested deeper than " + std::to_string(kDeepestJson) + " levels"});
+  }
   RepeatedKeys check(file);
   try {
     return Json::parse(text, [&check](int depth, Json::parse_event_t event, Json& parsed) {

@@ -21,9 +21,9 @@ class JsonField;
 // A parsed JSON file. JsonFields refer to it, so it must outlive them.
 class JsonFile {
  public:
-  // Reads and parses `file`. Throws InputError that names the file: when it cannot be read, has a
-  // syntax error (with the line), or has an object with two fields of the same name (with the
-  // name).
+  // Reads and parses `file`. Throws InputError that names the file: when it cannot be read
+  // (read_file), has a syntax error (with the line), is nested deeper than kDeepestJson, or has an
+  // object with two fields of the same name (with the name).
   explicit JsonFile(const std::filesystem::path& file);
 
   const std::filesystem::path& path() const { return path_; }

@@ -169,6 +169,9 @@ class DaeCheck {
   void open(const Tag& tag) {
     // assimp parses nested elements recursively; the limit protects its stack.
     constexpr std::size_t kDeepest = 200;
+    if (is_other_surface(tag.name)) {
+      throw InputError("element " + in_quotes(tag.name) + " is not supported: only polygons are");
+    }
     check_unit(tag);
     check_list(tag);
     if (has_count(tag.name)) count_of(tag, "count", std::nullopt);
@@ -208,6 +211,11 @@ class DaeCheck {
     }
     if (tag.name == "node") nodes_.pop_back();
     open_.pop_back();
+  }
+
+  // Parts of a surface that assimp leaves out without a word: polygons with holes, and curves.
+  static bool is_other_surface(std::string_view name) {
+    return name == "ph" || name == "spline" || name == "brep";
   }
 
   static bool has_count(std::string_view name) {

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/input_error.h"
+#include "sim/json/json_depth.h"
 #include "sim/mesh_files/mesh_bytes.h"
 
 namespace prehend {
@@ -315,6 +316,7 @@ class Reducer {
 // Parses, checks and reduces the JSON text. `chunk_bytes`: size of the binary chunk of a GLB.
 Json reduced(std::string_view text, std::uint64_t chunk_bytes,
              const std::filesystem::path& folder) {
+  if (json_depth(text) > kDeepestJson) throw InputError("the JSON is nested too deep");
   const Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded() || !document.is_object()) throw InputError("the JSON is not valid");
   for (const Json& name : list_in(document, "extensionsRequired")) {

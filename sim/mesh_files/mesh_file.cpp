@@ -5,11 +5,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <fstream>
-#include <system_error>
 
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 #include "sim/geometry/weld.h"
 #include "sim/mesh_files/assimp_reader.h"
 #include "sim/mesh_files/mesh_bytes.h"
@@ -35,26 +33,6 @@ std::string extension_of(const std::filesystem::path& file) {
   return extension;
 }
 
-std::string read_bytes(const std::filesystem::path& file) {
-  // The file is held in memory as a whole.
-  constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError("no such file");
-  if (std::filesystem::is_directory(status)) throw InputError("is a folder, not a mesh file");
-  if (!std::filesystem::is_regular_file(status)) throw InputError("is not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) throw InputError("cannot be read: " + error.message());
-  if (size == 0) throw InputError("the file is empty");
-  require(size <= kMostBytes,
-          {.problem = "larger than 1 GiB", .value = std::to_string(size) + " bytes"});
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (!stream) throw InputError("cannot be read");
-  return bytes;
-}
-
 void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     Vector3& p = mesh.vertices[i];
@@ -67,7 +45,7 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
 }
 
 TriangleMesh read_raw(const std::filesystem::path& file, const std::string& extension) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_file(file);
   if (extension == "off") {
     need_text(bytes);
     return read_off(bytes);

@@ -47,6 +47,15 @@ std::vector<long long> face_vertices(TextScan& scan, long long vertices) {
   return face;
 }
 
+// Statements that describe a curved surface, or a file to read more from, which would be missing
+// without a word. Points and lines (p, l), groups, names, normals and materials are no surface.
+bool is_other_surface(std::string_view statement) {
+  constexpr std::array<std::string_view, 22> kOthers{
+      "vp",   "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
+      "scrv", "sp",     "end", "con",  "call", "csh",  "fo",    "bzp",  "bsp",  "cdc",  "cdp"};
+  return std::find(kOthers.begin(), kOthers.end(), statement) != kOthers.end();
+}
+
 }  // namespace
 
 std::string checked_obj(std::string_view bytes) {
@@ -77,6 +86,8 @@ std::string checked_obj(std::string_view bytes) {
         highest = std::max(highest, index);
       }
       reduced += '\n';
+    } else if (is_other_surface(statement)) {
+      scan.fail("only polygons are supported, not " + in_quotes(statement));
     }
   }
   if (highest > vertices) {

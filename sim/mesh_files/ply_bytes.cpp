@@ -1,6 +1,7 @@
 // Validation of PLY files, text and binary. The header declares elements (vertex, face, others)
 // with typed properties; the body is traversed as declared, and lengths, indices and coordinates
 // are checked.
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/mesh_files/mesh_bytes.h"
 #include "sim/mesh_files/text_scan.h"
@@ -31,7 +33,7 @@ struct Scalar {
 struct Property {
   std::optional<Scalar> count;  // type of the count of a list
   Scalar value;
-  bool coordinate = false;    // x, y or z
+  bool coordinate = false;    // x, y or z of a vertex
   bool vertex_index = false;  // the list of a face
 };
 
@@ -109,9 +111,35 @@ void read_property(TextScan& scan, Header& header) {
   property.value = scalar_named(scan, type);
   const std::string_view name = scan.next_word();
   property.coordinate = element.name == "vertex" && (name == "x" || name == "y" || name == "z");
-  property.vertex_index = element.name == "face" && property.count &&
-                          (name == "vertex_index" || name == "vertex_indices");
+  property.vertex_index = property.count && (name == "vertex_index" || name == "vertex_indices");
   element.properties.push_back(property);
+}
+
+// The surface must be what is read here: vertices with x, y and z, and faces with one list of their
+// vertices. assimp reads triangles from other elements in part (of strips the first triangle), and
+// skips what it does not know, so that files would be misread without a word. Elements that hold no
+// list of vertices (edge, material, camera) are no part of the surface.
+void check_elements(const Header& header) {
+  bool has_faces = false;
+  for (const Element& element : header.elements) {
+    const auto count = [&](bool Property::*what) {
+      return std::count_if(element.properties.begin(), element.properties.end(),
+                           [&](const Property& property) { return property.*what; });
+    };
+    if (element.name == "vertex" && count(&Property::coordinate) != 3) {
+      throw InputError("element vertex must have one x, one y and one z");
+    }
+    if (element.name == "face") {
+      has_faces = true;
+      if (count(&Property::vertex_index) != 1) {
+        throw InputError("element face must have one list vertex_indices");
+      }
+    } else if (count(&Property::vertex_index) > 0 || element.name == "tristrips") {
+      throw InputError("a surface of element " + in_quotes(element.name) +
+                       " is not supported, only of faces");
+    }
+  }
+  if (!has_faces) throw InputError("no element face");
 }
 
 Header read_header(std::string_view bytes) {
@@ -139,6 +167,7 @@ Header read_header(std::string_view bytes) {
       if (!has_format) scan.fail("the PLY header names no format");
       header.end = scan.position();
       header.lines = scan.line_number();
+      check_elements(header);
       return header;
     }
   }
@@ -229,8 +258,7 @@ void check_list(Body& body, const Property& property, const Element& element, lo
     const double index = body.next(property.value, element);
     if (!property.vertex_index) continue;
     if (!(index >= 0.0) || index >= static_cast<double>(vertices)) {
-      body.fail("a face refers to vertex " + std::to_string(static_cast<long long>(index)) +
-                " of " + std::to_string(vertices));
+      body.fail(formatted("a face refers to vertex %.0f of %lld", index, vertices));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <system_error>
 
@@ -62,16 +63,16 @@ void TextScan::fail(const std::string& what) const {
 std::optional<double> number_in(std::string_view word) {
   const std::optional<double> value = parse<double>(word);
   if (value) return value;
-  // Out of range for a double: from_chars leaves the value unset for both overflow and underflow; a
-  // negative exponent tells them apart.
+  // Out of range for a double: from_chars leaves the value unset for both overflow and underflow.
+  // strtod tells them apart: it returns infinity or a number next to 0.
   const std::string_view digits = without_plus(word);
   double ignored = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), ignored);
   if (error != std::errc::result_out_of_range || end != digits.data() + digits.size()) {
     return std::nullopt;
   }
-  const bool tiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
-  return tiny ? 0.0 : std::numeric_limits<double>::infinity();
+  const double nearest = std::strtod(std::string(digits).c_str(), nullptr);
+  return std::isinf(nearest) ? std::numeric_limits<double>::infinity() : 0.0;
 }
 
 std::optional<long long> integer_in(std::string_view word) { return parse<long long>(word); }

@@ -318,5 +318,40 @@ TEST(MetresPerUnit, KnowsFourUnits) {
   EXPECT_THROW(metres_per_unit(""), InputError);
 }
 
+// Surfaces that the readers of a format do not know are refused, where they could be read in part
+// or left out without a word.
+TEST(MeshFile, UnknownSurfacesAreRefused) {
+  const std::string strips =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 2 0\n0 0 3\n4 0 1 2 3\n";
+  expect_error(written("strips.ply", strips), "surface of element 'tristrips'");
+  expect_error(written("no_list.ply", replaced(test::ply_sample(), "vertex_indices", "corners")),
+               "list vertex_indices");
+  expect_error(
+      written("no_z.ply", replaced(test::ply_sample(), "property float z", "property float w")),
+      "one x, one y and one z");
+  expect_error(written("huge_index.ply", replaced(test::ply_sample(), "3 0 2 1", "3 nan 2 1")),
+               "refers to vertex nan");
+  expect_error(written("curve.obj", test::obj_sample() + "cstype bezier\ndeg 3 3\n"), "'cstype'");
+  expect_error(written("ph.dae", replaced(test::dae_sample(), "<triangles", "<ph></ph><triangles")),
+               "'ph'");
+}
+
+TEST(MeshFile, PointsAndLinesAreNoSurface) {
+  expect_tetrahedron(written("lines.obj", test::obj_sample() + "l 1 2\np 3\n"));
+  const std::string edges = replaced(test::ply_sample(), "end_header\n",
+                                     "element edge 1\nproperty int vertex1\n"
+                                     "property int vertex2\nend_header\n");
+  expect_tetrahedron(written("edges.ply", edges + "0 1\n"));
+}
+
+TEST(MeshFile, DeepGltfIsRefused) {
+  const std::string deep =
+      "{\"asset\": {\"version\": \"2.0\"}, \"extras\": " + std::string(1'000'000, '[') +
+      std::string(1'000'000, ']') + "}";
+  expect_error(written("deep.gltf", deep), "nested too deep");
+}
+
 }  // namespace
 }  // namespace prehend

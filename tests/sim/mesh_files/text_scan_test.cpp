@@ -25,6 +25,8 @@ TEST(NumberIn, TakesWholeWordsOnly) {
   EXPECT_EQ(number_in("-.5"), -0.5);
   EXPECT_EQ(number_in("2."), 2.0);
   EXPECT_EQ(number_in("1e-999"), 0.0);
+  EXPECT_EQ(number_in("0." + std::string(400, '0') + "1"), 0.0);
+  EXPECT_TRUE(std::isinf(number_in(std::string(400, '9') + "e-5").value()));
   EXPECT_TRUE(std::isinf(number_in("1e999").value()));
   EXPECT_TRUE(std::isnan(number_in("nan").value()));
   for (const char* word : {"", "+", "-", "+-1", "1x", "3.1+e2", "0x10", "1,5"}) {

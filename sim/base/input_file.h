@@ -1,0 +1,19 @@
+// Reads input files whole.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace prehend {
+
+// Input files are held in memory as a whole, so larger ones are refused [bytes].
+inline constexpr std::uintmax_t kLargestInputFile = std::uintmax_t{1} << 30;
+
+// The bytes of a regular file. Throws InputError that names the file and says why it cannot be
+// read: there is none, no permission, a name that is too long, a folder, a device or a FIFO (which
+// might never end), an empty file (also those of /proc, whose size is not known before), or one
+// larger than kLargestInputFile.
+std::string read_file(const std::filesystem::path& file);
+
+}  // namespace prehend

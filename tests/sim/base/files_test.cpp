@@ -1,0 +1,112 @@
+// Reading and writing whole files, and what is refused as one.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/input_file.h"
+#include "sim/base/output_file.h"
+#include "tests/support/refusal_of.h"
+
+namespace prehend {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A fresh folder for the running test.
+fs::path own_folder() {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  const fs::path folder = fs::path(testing::TempDir()) / (std::string("files_") + test->name());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+std::string content(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::string reason_against_reading(const fs::path& file) {
+  const InputError error = test::refusal_of([&] { (void)read_file(file); });
+  EXPECT_EQ(error.file(), file.string());
+  return error.problem();
+}
+
+TEST(ReadFile, IsTheWholeFile) {
+  const fs::path file = own_folder() / "bytes";
+  const std::string bytes("a\0b\r\n\xff", 6);
+  std::ofstream(file, std::ios::binary) << bytes;
+  EXPECT_EQ(read_file(file), bytes);
+}
+
+TEST(ReadFile, SaysWhyItCannot) {
+  const fs::path folder = own_folder();
+  std::ofstream(folder / "empty").flush();
+  ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
+  EXPECT_EQ(reason_against_reading(folder / "none"), "cannot be read: no such file");
+  EXPECT_EQ(reason_against_reading(folder), "cannot be read: is a folder");
+  EXPECT_EQ(reason_against_reading(folder / "fifo"), "cannot be read: is not a regular file");
+  EXPECT_EQ(reason_against_reading("/dev/zero"), "cannot be read: is not a regular file");
+  EXPECT_EQ(reason_against_reading("/proc/self/status"), "cannot be read: the file is empty");
+  EXPECT_EQ(reason_against_reading(folder / "empty"), "cannot be read: the file is empty");
+  EXPECT_EQ(reason_against_reading(folder / std::string(300, 'n')),
+            "cannot be read: File name too long");
+}
+
+TEST(WriteFile, KeepsPermissionsAndLinks) {
+  const fs::path folder = own_folder();
+  write_file(folder / "file", "old");
+  fs::permissions(folder / "file", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(folder / "file", folder / "link");
+  write_file(folder / "link", "new");
+  EXPECT_EQ(content(folder / "file"), "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(fs::status(folder / "file").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(WriteFile, ReplacesRegularFilesOnly) {
+  const fs::path folder = own_folder();
+  ASSERT_EQ(::mkfifo((folder / "fifo").c_str(), 0600), 0);
+  fs::create_directory(folder / "folder");
+  for (const char* name : {"fifo", "folder"}) {
+    const InputError error = test::refusal_of([&] { write_file(folder / name, "text"); });
+    EXPECT_EQ(error.problem(), "cannot be written: is not a regular file");
+  }
+  EXPECT_TRUE(fs::is_fifo(folder / "fifo"));
+}
+
+// Parts are named after the process that writes them. That of the test itself is alive, and ids
+// above the system's largest belong to nobody.
+TEST(WriteFile, RemovesWhatKilledProgramsLeft) {
+  const fs::path folder = own_folder();
+  const std::string alive = "grasps.json.part" + std::to_string(::getppid());
+  for (const std::string& name : {std::string("grasps.json.part999999999"), alive,
+                                  std::string("grasps.json.parts"), std::string("other.part9")}) {
+    std::ofstream(folder / name) << "part";
+  }
+  write_file(folder / "grasps.json", "{}");
+  EXPECT_FALSE(fs::exists(folder / "grasps.json.part999999999"));
+  EXPECT_TRUE(fs::exists(folder / alive));
+  EXPECT_TRUE(fs::exists(folder / "grasps.json.parts"));
+  EXPECT_TRUE(fs::exists(folder / "other.part9"));
+}
+
+TEST(RequireWritable, LooksAtTheNearestFolderThatExists) {
+  const fs::path folder = own_folder();
+  std::ofstream(folder / "file") << "text";
+  EXPECT_NO_THROW(require_writable(folder));
+  EXPECT_NO_THROW(require_writable(folder / "new" / "newer"));
+  EXPECT_FALSE(fs::exists(folder / "new"));
+  for (const fs::path& bad : {folder / "file", folder / "file" / "below"}) {
+    EXPECT_EQ(test::refusal_of([&] { require_writable(bad); }).file(), bad.string());
+  }
+}
+
+}  // namespace
+}  // namespace prehend
