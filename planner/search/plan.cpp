@@ -352,6 +352,7 @@ std::string no_candidates_words(const CompiledScene& scene, const PlanResult& re
     message << ": the smallest size to close on is " << 1000.0 * result.smallest_width
             << " mm, the hand opens to " << 1000.0 * result.largest_opening << " mm";
   }
+  message << "; the object is " << size_words(scene.scene.object);
   return message.str();
 }
 

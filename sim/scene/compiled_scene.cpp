@@ -72,6 +72,12 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw InputError({scene.name, "object", "has no extent", scene.object.name});
   }
+  if (bounds(scene.object.mesh).size().maxCoeff() < kSmallestObject) {
+    throw InputError({scene.name, "object",
+                      size_words(scene.object) + ": smaller than 2 mm, which is too small for "
+                                                 "contacts that are found within 0.1 mm",
+                      scene.object.name});
+  }
   CompiledScene compiled{.scene = scene};
   compiled.links = compile_links(scene, scene.hand);
   compiled.bodies = placed_bodies(scene, context);

@@ -36,11 +36,16 @@ struct CompiledScene {
   }
 };
 
+// Contacts are found where surfaces are within about 0.1 mm of each other. On an object that is not
+// much larger than that they would touch all of it at once, and no quality would mean anything [m].
+inline constexpr double kSmallestObject = 0.002;
+
 // Prepares a scene for trials: builds the search trees of all meshes, finds the pairs to check for
 // self-collision and, with an arm, those that can never collide.
 //
 // Throws InputError when the robot is not a hand, has an unknown material or an empty link, a
-// preshape in which links collide, the object has no extent or overlaps an obstacle, or the arm's
+// preshape in which links collide, the object is smaller than kSmallestObject or overlaps an
+// obstacle, or the arm's
 // start posture collides or is outside limits.
 //
 // Throws Cancelled. The checks of one mesh (is it closed, of how many pieces is it) and its convex

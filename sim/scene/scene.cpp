@@ -1,8 +1,28 @@
 #include "sim/scene/scene.h"
 
+#include <array>
 #include <utility>
 
+#include "sim/base/formatted.h"
+#include "sim/mesh_files/mesh_file.h"
+
 namespace prehend {
+
+std::string size_words(const GraspableBody& object) {
+  constexpr double kSmallestHeld = 0.01;  // m
+  constexpr double kLargestHeld = 1.0;
+  constexpr std::array<const char*, 4> kUnits = {"m", "cm", "mm", "in"};
+  const double size = bounds(object.mesh).size().maxCoeff();
+  const std::string words = formatted("%.3g mm large", 1000.0 * size);
+  const auto* file = std::get_if<MeshFileSource>(&object.source);
+  if (file == nullptr || (size >= kSmallestHeld && size <= kLargestHeld)) return words;
+  for (const char* unit : kUnits) {
+    const double in_unit = size / metres_per_unit(file->unit) * metres_per_unit(unit);
+    if (in_unit < kSmallestHeld || in_unit > kLargestHeld) continue;
+    return words + formatted(" (%.3g mm if its unit were %s)", 1000.0 * in_unit, unit);
+  }
+  return words;
+}
 
 GraspableBody make_graspable(std::string name, TriangleMesh mesh, Material material, double mass) {
   const MassProperties properties = mass_properties(mesh);

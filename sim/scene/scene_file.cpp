@@ -253,6 +253,11 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source) {
   const std::filesystem::path file = find_scene(name_or_file.string());
   if (file.extension() == ".json") {
+    require(source.unit == SceneSource{}.unit,
+            {.file = file.string(),
+             .field = "unit",
+             .problem = "a scene says the units of its meshes itself",
+             .value = source.unit});
     const JsonFile json(file);
     return read_scene(json.root(), source);
   }

@@ -14,7 +14,8 @@ struct SceneSource {
   // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it
   // says.
   std::string hand;
-  // Unit of a mesh file that is given without a scene: m, cm, mm, in.
+  // Unit of a mesh file that is given without a scene: m, cm, mm, in. A scene file says the units
+  // of its meshes itself, and another unit than m beside one is an error.
   std::string unit = "m";
 };
 

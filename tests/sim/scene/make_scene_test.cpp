@@ -86,5 +86,26 @@ TEST(MakeScene, AMistakeNamesSceneFieldAndValue) {
   EXPECT_EQ(no_hand.problem(), find_robot("puma560").name + ": robots: none is a hand");
 }
 
+TEST(SizeWords, NameAUnitThatWouldBePlausible) {
+  GraspableBody object = make_graspable("pear", make_box({1e-4, 5e-5, 5e-5}), Material::plastic);
+  EXPECT_EQ(size_words(object), "0.1 mm large");
+  object.source = MeshFileSource{"/pear.obj", "mm"};
+  EXPECT_EQ(size_words(object), "0.1 mm large (100 mm if its unit were m)");
+  object.mesh = make_box({90.0, 20.0, 20.0});
+  object.source = MeshFileSource{"/pear.obj", "m"};
+  EXPECT_EQ(size_words(object), "9e+04 mm large (900 mm if its unit were cm)");
+  object.mesh = make_box({0.09, 0.02, 0.02});
+  EXPECT_EQ(size_words(object), "90 mm large");
+}
+
+TEST(Compile, RefusesWhatContactsCannotResolve) {
+  const auto compiled = [](double size) {
+    return compile(make_scene(
+        make_graspable("pear", make_box({size, size, size}), Material::plastic), "barrett"));
+  };
+  EXPECT_NO_THROW(compiled(0.0021));
+  EXPECT_EQ(test::refusal_of([&] { compiled(0.0019); }).field(), "object");
+}
+
 }  // namespace
 }  // namespace prehend
