@@ -1,8 +1,11 @@
 #include "planner/main/interrupts.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <pthread.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include "sim/base/output_file.h"
@@ -18,11 +21,15 @@ bool is_ignored(int signal) {
 // The destructor sends this signal to the waiting thread alone, to end its wait.
 constexpr int kWake = SIGUSR1;
 
+// Sent by the kernel when the time limit is reached.
+constexpr int kTimeIsUp = SIGALRM;
+
 }  // namespace
 
 Interrupts::Interrupts() {
   ::sigemptyset(&watched_);
   ::sigaddset(&watched_, kWake);
+  ::sigaddset(&watched_, kTimeIsUp);
   for (const int signal : {SIGINT, SIGTERM}) {
     if (!is_ignored(signal)) ::sigaddset(&watched_, signal);
   }
@@ -40,6 +47,25 @@ Interrupts::~Interrupts() {
   ::pthread_kill(waiter_.native_handle(), kWake);
   waiter_.join();
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
+
+void Interrupts::limit_time(double seconds) {
+  itimerval timer{};
+  timer.it_value.tv_sec = static_cast<time_t>(seconds);
+  // At least one microsecond: a timer of 0 is one that is off.
+  const double rest = 1e6 * (seconds - std::floor(seconds));
+  timer.it_value.tv_usec = std::max<suseconds_t>(1, static_cast<suseconds_t>(rest));
+  ::setitimer(ITIMER_REAL, &timer, nullptr);
+}
+
+int Interrupts::exit_status() const {
+  constexpr int kTimeout = 124;
+  const int signal = signal_.load();
+  return signal == kTimeIsUp ? kTimeout : 128 + signal;
+}
+
+const char* Interrupts::reason() const {
+  return signal_.load() == kTimeIsUp ? "the time limit is reached" : "interrupted";
 }
 
 void Interrupts::cancel_first() {
@@ -78,7 +104,7 @@ void Interrupts::react() {
   if (cancels_) return;
   // A progress bar may be on the current line of the terminal.
   const char* start = ::isatty(STDERR_FILENO) != 0 ? "\n" : "";
-  std::fprintf(stderr, "%sprehend: interrupted, %s\n", start, words_.c_str());
+  std::fprintf(stderr, "%sprehend: %s, %s\n", start, reason(), words_.c_str());
   // _Exit runs no destructors: other threads are still working with what these would destroy.
   std::_Exit(exit_status());
 }

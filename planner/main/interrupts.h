@@ -1,4 +1,5 @@
-// Ctrl-C (SIGINT) and SIGTERM: the program stops early and leaves no half-written files.
+// Ctrl-C (SIGINT), SIGTERM and the time limit: the program stops early and leaves no half-written
+// files.
 #pragma once
 
 #include <atomic>
@@ -28,14 +29,20 @@ class Interrupts {
 
   const Cancellation& cancellation() const { return cancellation_; }
 
+  // In `seconds` (> 0) of wall-clock time the time limit is reached, which acts like a signal.
+  void limit_time(double seconds);
+
   // From now on the first signal requests cancellation().
   void cancel_first();
   // From now on a signal ends the program at once. `words`: the end of its line on stderr, such as
   // "nothing is written".
   void end_at_once(const std::string& words);
 
-  // Exit status of a program that a signal ended: 130 for Ctrl-C, 143 for SIGTERM.
-  int exit_status() const { return 128 + signal_.load(); }
+  // Exit status of a program that a signal ended: 130 for Ctrl-C, 143 for SIGTERM; 124 for the time
+  // limit, as that of timeout(1).
+  int exit_status() const;
+  // What ended the program: "interrupted" or "the time limit is reached".
+  const char* reason() const;
 
   // As write_file, but not while the program is being ended: no part of a file stays behind.
   void write(const std::filesystem::path& file, const std::string& content);

@@ -1,7 +1,14 @@
+#include <charconv>
+#include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <iostream>
+#include <new>
+#include <string>
+#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
 
@@ -17,11 +24,48 @@ constexpr int kFailure = 1;
 
 using prehend::CommonOptions;
 
+// What a command may use.
+struct Limits {
+  double seconds = 0.0;      // of wall-clock time, 0: no limit
+  std::uint64_t memory = 0;  // address space in MB, 0: no limit
+};
+
+void add_limits(CLI::App& command, Limits& limits) {
+  command
+      .add_option("--time-limit", limits.seconds,
+                  "seconds after which to stop and keep what there is, 0: no limit")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str();
+  command.add_option("--memory-limit", limits.memory, "MB of memory to use at most, 0: no limit")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+}
+
+// Memory beyond the limit is refused from now on, which ends the program with "out of memory".
+void limit_memory(std::uint64_t megabytes) {
+  if (megabytes == 0) return;
+  const rlim_t bytes = static_cast<rlim_t>(megabytes) << 20U;
+  const rlimit limit{bytes, bytes};
+  if (::setrlimit(RLIMIT_AS, &limit) == 0) return;
+  throw prehend::InputError(
+      {.field = "--memory-limit", .problem = "cannot be set", .value = std::to_string(megabytes)});
+}
+
+// CLI11 takes "-1" for the largest number, and numbers beyond it for that as well.
+std::string complaint_about_seed(const std::string& word) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+  const bool whole = error == std::errc() && end == word.data() + word.size();
+  return whole ? "" : "must be a whole number from 0 to 18446744073709551615 (" + word + ")";
+}
+
 void add_common(CLI::App& command, CommonOptions& common) {
   command.add_option("--threads", common.threads, "threads to use, 0: all processors")
       ->check(CLI::Range(0, 1024))
       ->capture_default_str();
-  command.add_option("--seed", common.seed, "seed of everything random")->capture_default_str();
+  command.add_option("--seed", common.seed, "seed of everything random")
+      ->check(complaint_about_seed)
+      ->capture_default_str();
   command.add_option("--out", common.out, "folder to write to")->capture_default_str();
   command.add_flag("--progress", common.progress, "say on stderr how far the run is, in lines");
 }
@@ -54,11 +98,13 @@ struct Program {
   prehend::RenderCommand render;
   prehend::InspectCommand inspect;
   prehend::QualityCommand quality;
+  Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(prehend::Interrupts&)> chosen;
 
   Program() {
     app.require_subcommand(1);
+    app.set_version_flag("--version", "prehend " PREHEND_VERSION);
     add_plan();
     add_evaluate();
     add_render();
@@ -87,6 +133,7 @@ struct Program {
     add_common(command, plan.common);
     add_contacts(command, plan.common);
     add_no_report(command, plan.common.no_report);
+    add_limits(command, limits);
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_plan(plan, interrupts);
@@ -102,6 +149,7 @@ struct Program {
     add_common(command, evaluate.common);
     add_contacts(command, evaluate.common);
     add_no_report(command, evaluate.common.no_report);
+    add_limits(command, limits);
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_evaluate(evaluate, interrupts);
@@ -123,6 +171,7 @@ struct Program {
     add_scene_words(command, render.scene, render.hand, render.unit);
     render.common.out = "out/render";
     command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();
+    add_limits(command, limits);
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_render(render, interrupts);
@@ -138,6 +187,7 @@ struct Program {
     command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
         ->capture_default_str();
     command.add_option("--save", inspect.save, "of a scene: write it to this file");
+    add_limits(command, limits);
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_inspect(inspect, interrupts);
@@ -161,8 +211,10 @@ struct Program {
                        "write a section: force, torque, or three like tx=0,ty=0,fz=0.5");
     command.add_option("--out", quality.out, "folder to write to")->capture_default_str();
     command.add_option("--seed", quality.seed, "seed of the robust measures")
+        ->check(complaint_about_seed)
         ->capture_default_str();
     add_no_report(command, quality.no_report);
+    add_limits(command, limits);
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_quality(quality, interrupts);
@@ -171,27 +223,61 @@ struct Program {
   }
 };
 
+// CLI11 says of an unknown command only that one is required.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    if (command->get_name() == argv[1]) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw prehend::InputError({.problem = "unknown command, known are " + known, .value = argv[1]});
+}
+
+int say(int status, const std::string& message) {
+  std::cerr << "prehend: " << prehend::on_one_line(message) << "\n";
+  return status;
+}
+
+int run(int argc, char** argv) {
+  Program program;
+  check_command(program.app, argc, argv);
+  try {
+    program.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // --help and --version are reported as errors with the exit code 0.
+    if (error.get_exit_code() == 0) return program.app.exit(error);
+    return say(kCallersMistake, std::string(error.what()) + " (see --help)");
+  }
+  // Made before any other thread, as its constructor demands.
+  prehend::Interrupts interrupts;
+  limit_memory(program.limits.memory);
+  if (program.limits.seconds > 0.0) interrupts.limit_time(program.limits.seconds);
+  return program.chosen(interrupts);
+}
+
+// Whether all that was printed arrived; it may not where it goes to a full disk or a closed pipe.
+bool printed_all() {
+  std::cout.flush();
+  return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Writing to a closed pipe fails then, and is reported like any other lost output.
+  std::signal(SIGPIPE, SIG_IGN);
   try {
-    Program program;
-    try {
-      program.app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      // --help is reported as an error with the exit code 0.
-      if (error.get_exit_code() == 0) return program.app.exit(error);
-      std::cerr << "prehend: " << error.what() << " (see --help)\n";
-      return kCallersMistake;
-    }
-    // Made before any other thread, as its constructor demands.
-    prehend::Interrupts interrupts;
-    return program.chosen(interrupts);
+    const int status = run(argc, argv);
+    if (printed_all()) return status;
+    return say(status == 0 ? kFailure : status, "the standard output cannot be written");
   } catch (const prehend::InputError& error) {
-    std::cerr << "prehend: " << error.what() << "\n";
-    return kCallersMistake;
+    return say(kCallersMistake, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return say(kCallersMistake, error.path1().string() + ": " + error.code().message());
+  } catch (const std::bad_alloc&) {
+    return say(kFailure, "out of memory");
   } catch (const std::exception& error) {
-    std::cerr << "prehend: internal error: " << error.what() << "\n";
-    return kFailure;
+    return say(kFailure, std::string("internal error: ") + error.what());
   }
 }

@@ -13,6 +13,7 @@
 namespace prehend {
 
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
+  require_writable(command.common.out);
   Stopwatch watch;
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
@@ -40,6 +41,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
     watch.lap(Stage::report);
   }
   make_folder(command.common.out);
+  interrupts.end_at_once("not all files are written");
   // A report of an earlier run would not match the new grasps.json.
   remove_file(command.common.out / "report.html");
   if (!report.empty()) interrupts.write(command.common.out / "report.html", report);

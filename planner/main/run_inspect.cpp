@@ -3,6 +3,7 @@
 
 #include "planner/main/commands.h"
 #include "primitives/decompose.h"
+#include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
@@ -168,11 +169,20 @@ bool is_robot_name(const std::string& name) {
   return false;
 }
 
+// Only mesh files are in a unit that the command line says.
+void need_metres(const InspectCommand& command) {
+  require(command.unit == InspectCommand{}.unit,
+          {.field = "--unit", .problem = "only for mesh files", .value = command.unit});
+}
+
 }  // namespace
 
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
+  if (!command.save.empty())
+    require_writable(std::filesystem::absolute(command.save).parent_path());
   // A file is preferred to a robot of the library of the same name.
   if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
+    need_metres(command);
     print_platform(find_platform(command.file));
     return 0;
   }
@@ -188,6 +198,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     print_primitives(loaded.mesh);
     return 0;
   }
+  need_metres(command);
   const JsonFile json(file);
   // Robot files have chains, platform files robots; other JSON files are scenes.
   if (json.root().has("chains") || json.root().has("robots")) {

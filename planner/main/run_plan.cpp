@@ -66,6 +66,7 @@ class PlanProgram {
       : command_(command), interrupts_(interrupts), folder_(command.common.out) {}
 
   int run() {
+    require_writable(folder_);
     Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit});
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
@@ -164,7 +165,7 @@ class PlanProgram {
   }
 
   int say_interrupted(const std::string& words) const {
-    std::cerr << "prehend: interrupted, " << words << "\n";
+    std::cerr << "prehend: " << interrupts_.reason() << ", " << words << "\n";
     return interrupts_.exit_status();
   }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <sstream>
 
@@ -61,7 +63,13 @@ FixedCoordinates read_fixed(const std::string& words) {
     const auto at = kNames.find(word.substr(0, 2));
     std::istringstream number(word.size() > 3 && word[2] == '=' ? word.substr(3) : "");
     double value = 0.0;
-    if (at == std::string_view::npos || at % 3 != 0 || !(number >> value) || count == 3) {
+    // eof: nothing may follow the number.
+    const bool is_number = (number >> value) && number.eof() && std::isfinite(value);
+    const bool is_name = at != std::string_view::npos && at % 3 == 0;
+    const auto known = fixed.coordinates.begin() + static_cast<std::ptrdiff_t>(count);
+    const bool is_fixed =
+        is_name && std::find(fixed.coordinates.begin(), known, static_cast<int>(at / 3)) != known;
+    if (!is_name || !is_number || is_fixed || count == 3) {
       throw InputError({.field = "--project",
                         .problem = "force, torque, or three like tx=0,ty=0,fz=0.5",
                         .value = words});
@@ -179,6 +187,7 @@ Json quality_json(const QualityCommand& command, const ContactsFile& file,
 }  // namespace
 
 int run_quality(const QualityCommand& command, Interrupts& interrupts) {
+  require_writable(command.out);
   const ContactsFile file = load_contacts(command.contacts);
   MeasureOptions options;
   options.space = read_space(command);

@@ -151,6 +151,7 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
 }  // namespace
 
 int run_render(const RenderCommand& command, Interrupts& interrupts) {
+  require_writable(command.common.out);
   const JsonFile file(command.grasps);
   const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
   const std::vector<DrawnGrasp> grasps = drawn_grasps(file, loaded.scene, command.grasp);

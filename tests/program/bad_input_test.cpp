@@ -54,11 +54,27 @@ INSTANTIATE_TEST_SUITE_P(
                 R"({"object": {"generate": "mug"},
                     "friction": [{"between": ["wood", "metal"], "static": -1}]})",
                 "-1"},
+        Mistake{"TooSmall", "plan FOLDER/in.json --out FOLDER/out",
+                R"({"object": {"geometry": [{"shape": "box", "size": [1e-4, 1e-4, 1e-4]}]}})",
+                "0.1 mm large"},
         Mistake{"TooLarge", "plan FOLDER/in.json --out FOLDER/out", kLargeBox, "crate"},
         Mistake{"ZeroTop", "plan mug --top 0 --out FOLDER/out", "", "--top"},
         Mistake{"NotANumber", "plan mug --threads many --out FOLDER/out", "", "--threads"},
         Mistake{"UnknownOption", "plan mug --colour red --out FOLDER/out", "", "--colour"},
         Mistake{"NoCommand", "", "", "subcommand"},
+        Mistake{"UnknownCommand", "grasp mug", "", "unknown command, known are plan"},
+        Mistake{"NegativeSeed", "plan mug --seed -1 --out FOLDER/out", "", "--seed"},
+        Mistake{"SeedTooLarge", "plan mug --seed 18446744073709551616 --out FOLDER/out", "",
+                "--seed"},
+        Mistake{"LettersAfterANumber", "plan mug --top 3x --out FOLDER/out", "", "--top"},
+        Mistake{"UnitOfAScene", "plan mug --unit mm --out FOLDER/out", "", "unit"},
+        Mistake{"UnitOfARobot", "inspect barrett --unit mm", "", "--unit"},
+        Mistake{"OutIsAFile", "plan mug --out FOLDER/in.json", "", "is not a folder"},
+        Mistake{"OutInAFile", "plan mug --out FOLDER/in.json/out", "", "is not a folder"},
+        Mistake{"SaveOverADevice", "inspect mug --save /dev/null", "", "is not a regular file"},
+        Mistake{"Device", "evaluate /dev/zero --out FOLDER/out", "", "is not a regular file"},
+        Mistake{"LongName", "plan FOLDER/in.json --out FOLDER/out",
+                R"({"object": {"mesh": "in.json\nbroken"}})", "broken"},
         Mistake{"GraspsWithoutScene", "evaluate FOLDER/in.json --out FOLDER/out", kNoScene,
                 "scene"},
         Mistake{"NoGrasps", "evaluate FOLDER/in.json --out FOLDER/out", R"({"scene": "mug"})",
@@ -86,6 +102,22 @@ TEST(BadOutput, AFolderThatCannotBeMadeIsNamed) {
   const ProgramRun run = run_program("evaluate " + (folder / "in.json").string() + " --out " +
                                      (folder / "taken").string());
   expect_refused(run, "taken");
+}
+
+TEST(Program, SaysItsVersion) {
+  const ProgramRun run = run_program("--version");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.out.rfind("prehend ", 0), 0U) << run.out;
+}
+
+// What is printed goes to a device that is always full.
+TEST(Program, SaysWhenItsOutputIsLost) {
+  const std::filesystem::path folder = fresh_folder("lost_output");
+  const std::string words = std::string(PREHEND_PROGRAM) + " inspect mug > /dev/full 2>'" +
+                            (folder / "err").string() + "'";
+  const int raw = std::system(words.c_str());
+  EXPECT_EQ(WEXITSTATUS(raw), 1);
+  EXPECT_EQ(content(folder / "err"), "prehend: the standard output cannot be written\n");
 }
 
 }  // namespace

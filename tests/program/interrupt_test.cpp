@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <fstream>
 #include <string>
-#include <sys/stat.h>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -30,6 +29,10 @@ std::vector<std::string> files_in(const std::filesystem::path& folder) {
   std::sort(names.begin(), names.end());
   return names;
 }
+
+// A scene that takes far longer to load than it takes the program to start the thread that waits
+// for signals.
+const char* const kSlowScene = R"({"object": {"generate": "mug", "triangles": 1000000}})";
 
 // The lines of stderr that are not progress.
 std::vector<std::string> words_of(const std::string& text) {
@@ -76,9 +79,9 @@ TEST(Interrupt, OfPlanWritesTheGraspsThatWereFound) {
 TEST(Interrupt, OfPlanBeforeTheFirstTrialWritesNothing) {
   const std::filesystem::path folder = own_folder();
   const std::filesystem::path scene = folder / "scene.json";
-  ASSERT_EQ(::mkfifo(scene.c_str(), 0600), 0);
+  std::ofstream(scene) << kSlowScene;
   RunningProgram program({"plan", scene.string(), "--out", (folder / "grasps").string()}, folder);
-  const std::ofstream writer(scene);  // returns when the program reads
+  ASSERT_TRUE(program.wait_for_threads(2));
   program.send(SIGINT);
   std::string rest;
   EXPECT_EQ(program.wait(rest), 130);
@@ -138,13 +141,27 @@ TEST(Interrupt, OfEvaluateWritesNothing) {
 
 class InterruptedReader : public testing::TestWithParam<const char*> {};
 
-// A file that never comes: the program waits for it until it is interrupted.
+// The command reads what takes long: a scene, or contacts whose wrench space has very many facets.
+std::vector<std::string> slow_words(const std::string& command,
+                                    const std::filesystem::path& folder) {
+  const std::string scene = (folder / "scene.json").string();
+  const std::string grasps = (folder / "grasps.json").string();
+  const std::string contacts = (folder / "contacts.json").string();
+  std::ofstream(scene) << kSlowScene;
+  std::ofstream(grasps) << json{{"scene", scene}, {"grasps", json::array()}};
+  std::ofstream(contacts) << R"({"contacts": [
+      {"position": [0.1, 0, 0], "normal": [-1, 0, 0], "friction": 0.5},
+      {"position": [0, 0.1, 0], "normal": [0, -1, 0], "friction": 0.5},
+      {"position": [0, 0, 0.1], "normal": [0, 0, -1], "friction": 0.5},
+      {"position": [-0.1, 0, 0], "normal": [1, 0, 0], "friction": 0.5}]})";
+  if (command == "quality") return {command, contacts, "--cone", "pyramid:300"};
+  return {command, command == "inspect" ? scene : grasps};
+}
+
 TEST_P(InterruptedReader, EndsAtOnce) {
   const std::filesystem::path folder = fresh_folder(std::string("interrupt_") + GetParam());
-  const std::filesystem::path file = folder / "file.json";
-  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
-  RunningProgram program({GetParam(), file.string()}, folder);
-  const std::ofstream writer(file);
+  RunningProgram program(slow_words(GetParam(), folder), folder);
+  ASSERT_TRUE(program.wait_for_threads(2));
   program.send(SIGINT);
   std::string rest;
   EXPECT_EQ(program.wait(rest), 130);
@@ -188,6 +205,29 @@ TEST(Interrupt, OfRenderLeavesWholePicturesOnly) {
     ASSERT_GT(bytes.size(), 8U);
     EXPECT_EQ(bytes.substr(bytes.size() - 8, 4), "IEND") << name;
   }
+}
+
+// The limit is far below what a plan takes on any machine, and far above zero.
+TEST(Limits, TimeEndsLikeAnInterrupt) {
+  const std::filesystem::path folder = own_folder();
+  const ProgramRun run = run_program("plan living_room --path --time-limit 0.05 --out '" +
+                                     (folder / "out").string() + "'");
+  EXPECT_EQ(run.status, 124);
+  EXPECT_EQ(run.err.rfind("prehend: the time limit is reached, ", 0), 0U) << run.err;
+  EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
+}
+
+TEST(Limits, MemoryEndsInOneLine) {
+  const std::filesystem::path folder = own_folder();
+  std::ofstream(folder / "contacts.json") << R"({"contacts": [
+      {"position": [0.1, 0, 0], "normal": [-1, 0, 0], "friction": 0.5},
+      {"position": [-0.1, 0, 0], "normal": [1, 0, 0], "friction": 0.5}]})";
+  const ProgramRun run = run_program("quality '" + (folder / "contacts.json").string() +
+                                     "' --no-report --cone pyramid:10000000 --memory-limit 500 "
+                                     "--out '" +
+                                     (folder / "out").string() + "'");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "prehend: out of memory\n");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -52,6 +53,19 @@ class RunningProgram {
       if (line.empty()) return false;
       if (line.starts_with(start)) return true;
     }
+  }
+
+  // Waits until the program has this many threads; false when it ends before.
+  bool wait_for_threads(std::ptrdiff_t count) const {
+    const std::filesystem::path tasks = "/proc/" + std::to_string(pid_) + "/task";
+    while (!has_ended()) {
+      std::error_code ignored;
+      if (std::distance(std::filesystem::directory_iterator(tasks, ignored), {}) >= count) {
+        return true;
+      }
+      ::usleep(1000);
+    }
+    return false;
   }
 
   bool has_ended() const {
