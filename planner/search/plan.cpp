@@ -347,12 +347,12 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
 std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result) {
   std::ostringstream message;
   message.precision(3);
-  message << scene.scene.object.name << ": no grasp to try with hand " << scene.scene.hand.name;
+  message << scene.scene.object.name << unit_hint(scene.scene.object)
+          << ": no grasp to try with hand " << scene.scene.hand.name;
   if (std::isfinite(result.smallest_width)) {
     message << ": the smallest size to close on is " << 1000.0 * result.smallest_width
             << " mm, the hand opens to " << 1000.0 * result.largest_opening << " mm";
   }
-  message << "; the object is " << size_words(scene.scene.object);
   return message.str();
 }
 

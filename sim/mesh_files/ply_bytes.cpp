@@ -139,7 +139,7 @@ void check_elements(const Header& header) {
                        " is not supported, only of faces");
     }
   }
-  if (!has_faces) throw InputError("no element face");
+  if (!has_faces) throw InputError("no triangles: there is no element face");
 }
 
 Header read_header(std::string_view bytes) {

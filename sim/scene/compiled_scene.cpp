@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
@@ -72,10 +73,12 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw InputError({scene.name, "object", "has no extent", scene.object.name});
   }
-  if (bounds(scene.object.mesh).size().maxCoeff() < kSmallestObject) {
+  const double size = bounds(scene.object.mesh).size().maxCoeff();
+  if (size < kSmallestObject) {
     throw InputError({scene.name, "object",
-                      size_words(scene.object) + ": smaller than 2 mm, which is too small for "
-                                                 "contacts that are found within 0.1 mm",
+                      formatted("%.3g mm large%s: too small for contacts, which are found within "
+                                "0.1 mm",
+                                1000.0 * size, unit_hint(scene.object).c_str()),
                       scene.object.name});
   }
   CompiledScene compiled{.scene = scene};

@@ -8,20 +8,19 @@
 
 namespace prehend {
 
-std::string size_words(const GraspableBody& object) {
+std::string unit_hint(const GraspableBody& object) {
   constexpr double kSmallestHeld = 0.01;  // m
   constexpr double kLargestHeld = 1.0;
   constexpr std::array<const char*, 4> kUnits = {"m", "cm", "mm", "in"};
   const double size = bounds(object.mesh).size().maxCoeff();
-  const std::string words = formatted("%.3g mm large", 1000.0 * size);
   const auto* file = std::get_if<MeshFileSource>(&object.source);
-  if (file == nullptr || (size >= kSmallestHeld && size <= kLargestHeld)) return words;
+  if (file == nullptr || (size >= kSmallestHeld && size <= kLargestHeld)) return "";
   for (const char* unit : kUnits) {
     const double in_unit = size / metres_per_unit(file->unit) * metres_per_unit(unit);
     if (in_unit < kSmallestHeld || in_unit > kLargestHeld) continue;
-    return words + formatted(" (%.3g mm if its unit were %s)", 1000.0 * in_unit, unit);
+    return formatted(" (%.3g mm if its unit were %s)", 1000.0 * in_unit, unit);
   }
-  return words;
+  return "";
 }
 
 GraspableBody make_graspable(std::string name, TriangleMesh mesh, Material material, double mass) {

@@ -84,10 +84,10 @@ struct Scene {
 // The mass of an object whose scene states none [kg]: that of a household object.
 inline constexpr double kDefaultObjectMass = 0.3;
 
-// The largest extent of the object along its axes in words, "0.1 mm large", and where it comes from
-// a mesh file and another unit would make it as large as things that hands hold (10 mm to 1 m),
-// also that: "0.1 mm large (100 mm if its unit were m)".
-std::string size_words(const GraspableBody& object);
+// Of an object from a mesh file that is not as large as things that hands hold (10 mm to 1 m), the
+// unit in which it would be: " (100 mm if its unit were m)". Empty for others, and where no unit
+// helps.
+std::string unit_hint(const GraspableBody& object);
 
 // A body at the identity with the mesh's centre of mass and inertia at `mass` kg (> 0).
 GraspableBody make_graspable(std::string name, TriangleMesh mesh, Material material,

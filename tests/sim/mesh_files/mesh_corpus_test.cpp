@@ -55,7 +55,7 @@ const std::vector<Expected>& corpus() {
       {"parser/assimp_Wuson.ply", 3732, "", kHoles},
       {"parser/assimp_box_UTF16BE.obj", 0, "the text is UTF-16"},
       {"parser/assimp_invalid.off", 0, "line 6: a face of 0 corners"},
-      {"parser/assimp_issue623.ply", 0, "line 14: a PLY list of length"},
+      {"parser/assimp_issue623.ply", 0, "a surface of element 'vertex'"},
       {"parser/assimp_malformed.obj", 0, "line 28: a face has the vertex '0'"},
       {"parser/assimp_number_formats.obj", 0, "line 11: a coordinate is not a number ('3.1+e2')"},
       {"parser/assimp_regr01.obj", 2699, "", kHoles},

@@ -156,7 +156,8 @@ TEST(BadRobotFile, EndingTooEarlyNamesTheLastLine) {
 }
 
 TEST(BadRobotFile, EmptyFile) {
-  EXPECT_EQ(complaint_about(write_robot_text("")).rfind("line 1: ", 0), 0U);
+  EXPECT_EQ(complaint_about(write_robot_text("")).rfind("cannot be read: the file is empty", 0),
+            0U);
 }
 
 TEST(BadRobotFile, FieldGivenTwice) {

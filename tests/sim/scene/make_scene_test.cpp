@@ -86,16 +86,16 @@ TEST(MakeScene, AMistakeNamesSceneFieldAndValue) {
   EXPECT_EQ(no_hand.problem(), find_robot("puma560").name + ": robots: none is a hand");
 }
 
-TEST(SizeWords, NameAUnitThatWouldBePlausible) {
+TEST(UnitHint, NamesAUnitThatWouldBePlausible) {
   GraspableBody object = make_graspable("pear", make_box({1e-4, 5e-5, 5e-5}), Material::plastic);
-  EXPECT_EQ(size_words(object), "0.1 mm large");
+  EXPECT_EQ(unit_hint(object), "");
   object.source = MeshFileSource{"/pear.obj", "mm"};
-  EXPECT_EQ(size_words(object), "0.1 mm large (100 mm if its unit were m)");
+  EXPECT_EQ(unit_hint(object), " (100 mm if its unit were m)");
   object.mesh = make_box({90.0, 20.0, 20.0});
   object.source = MeshFileSource{"/pear.obj", "m"};
-  EXPECT_EQ(size_words(object), "9e+04 mm large (900 mm if its unit were cm)");
+  EXPECT_EQ(unit_hint(object), " (900 mm if its unit were cm)");
   object.mesh = make_box({0.09, 0.02, 0.02});
-  EXPECT_EQ(size_words(object), "90 mm large");
+  EXPECT_EQ(unit_hint(object), "");
 }
 
 TEST(Compile, RefusesWhatContactsCannotResolve) {
