@@ -9,7 +9,7 @@
 namespace prehend {
 namespace {
 
-[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& why) {
+[[noreturn]] void refuse_to_read(const std::filesystem::path& file, const std::string& why) {
   throw InputError({.file = file.string(), .problem = "cannot be read: " + why});
 }
 
@@ -17,12 +17,12 @@ std::uintmax_t size_of_regular(const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   // A missing file also sets `error`, so it is asked for first.
-  if (status.type() == std::filesystem::file_type::not_found) refuse(file, "no such file");
-  if (error) refuse(file, error.message());
-  if (std::filesystem::is_directory(status)) refuse(file, "is a folder");
-  if (!std::filesystem::is_regular_file(status)) refuse(file, "is not a regular file");
+  if (status.type() == std::filesystem::file_type::not_found) refuse_to_read(file, "no such file");
+  if (error) refuse_to_read(file, error.message());
+  if (std::filesystem::is_directory(status)) refuse_to_read(file, "is a folder");
+  if (!std::filesystem::is_regular_file(status)) refuse_to_read(file, "is not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) refuse(file, error.message());
+  if (error) refuse_to_read(file, error.message());
   return size;
 }
 
@@ -30,19 +30,19 @@ std::uintmax_t size_of_regular(const std::filesystem::path& file) {
 
 std::string read_file(const std::filesystem::path& file) {
   const std::uintmax_t size = size_of_regular(file);
-  if (size == 0) refuse(file, "the file is empty");
+  if (size == 0) refuse_to_read(file, "the file is empty");
   if (size > kLargestInputFile) {
-    refuse(file, "larger than 1 GiB (" + std::to_string(size) + " bytes)");
+    refuse_to_read(file, "larger than 1 GiB (" + std::to_string(size) + " bytes)");
   }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   const auto reason = [] {
     return std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message();
   };
-  if (!stream) refuse(file, reason());
+  if (!stream) refuse_to_read(file, reason());
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (!stream) refuse(file, reason());
+  if (!stream) refuse_to_read(file, reason());
   return bytes;
 }
 

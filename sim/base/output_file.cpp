@@ -77,22 +77,22 @@ void make_folder(const std::filesystem::path& folder) {
 // The content is written to another file, which then takes the name of the target. The target is at
 // every time either as it was or complete, also where the program is interrupted or the disk is
 // full.
-void write_file(const std::filesystem::path& asked, const std::string& content) {
+void write_file(const std::filesystem::path& file, const std::string& content) {
   // A link stays, and what it points to is written.
   std::error_code unlinked;
-  const bool is_link = std::filesystem::is_symlink(asked, unlinked);
-  const std::filesystem::path file =
-      is_link ? std::filesystem::weakly_canonical(asked, unlinked) : asked;
+  const bool is_link = std::filesystem::is_symlink(file, unlinked);
+  const std::filesystem::path target =
+      is_link ? std::filesystem::weakly_canonical(file, unlinked) : file;
   std::error_code error;
-  const std::filesystem::file_status earlier = std::filesystem::status(file, error);
+  const std::filesystem::file_status earlier = std::filesystem::status(target, error);
   // A rename would replace a device or a folder's entry by a file.
   if (std::filesystem::exists(earlier) && !std::filesystem::is_regular_file(earlier)) {
     refuse(file, "cannot be written: is not a regular file");
   }
-  remove_old_parts(file);
+  remove_old_parts(target);
   // In the same folder as the target, because a rename is atomic only within one file system; with
   // the process id, because two programs may write the same file.
-  std::filesystem::path part = file;
+  std::filesystem::path part = target;
   part += kPart + std::to_string(::getpid());
   errno = 0;
   std::ofstream stream(part, std::ios::binary);
@@ -103,7 +103,7 @@ void write_file(const std::filesystem::path& asked, const std::string& content) 
   if (!error && std::filesystem::exists(earlier)) {
     std::filesystem::permissions(part, earlier.permissions(), error);
   }
-  if (!error) std::filesystem::rename(part, file, error);
+  if (!error) std::filesystem::rename(part, target, error);
   if (!error) return;
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
