@@ -251,6 +251,9 @@ int run(int argc, char** argv) {
   }
   // Made before any other thread, as its constructor demands.
   prehend::Interrupts interrupts;
+  // A range check lets NaN pass.
+  prehend::require(program.limits.seconds >= 0.0,
+                   {.field = "--time-limit", .problem = "must be a number from 0"});
   limit_memory(program.limits.memory);
   if (program.limits.seconds > 0.0) interrupts.limit_time(program.limits.seconds);
   return program.chosen(interrupts);

@@ -98,7 +98,7 @@ void append_line(const Vector3& from_C, const Vector3& to_C, const LineLook& loo
   const double at_a = kNearer / from.p_C.z();
   const double at_b = kNearer / to.p_C.z();
   // The strip is two triangles in the picture plane, so its width in pixels is the same at both
-  // ends. It is not lit; the normal is only a placeholder.
+  // ends. It is not lit, so its normals are not used.
   ScreenTriangle half;
   half.albedo = look.color;
   half.opacity = look.opacity;

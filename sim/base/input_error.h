@@ -54,7 +54,8 @@ class InputError : public std::invalid_argument {
 // parts are as they were given.
 std::string on_one_line(std::string text);
 
-// Throws InputError with these parts unless the condition holds.
+// Throws InputError with these parts unless the condition holds. The parts are made in any case:
+// for checks that run once a call, not once a grasp.
 void require(bool condition, InputErrorParts parts);
 
 }  // namespace prehend

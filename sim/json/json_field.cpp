@@ -38,8 +38,7 @@ std::string without_prefix(std::string message) {
     message.erase(0, colon + 2);
   }
   // A quoted piece of the file may hold a line break; a message is one line.
-  std::replace_if(
-      message.begin(), message.end(), [](unsigned char c) { return c < 0x20; }, ' ');
+  message = on_one_line(std::move(message));
   // It quotes the last token, which may be as long as the file.
   if (message.size() > kLongestMessage) message = message.substr(0, kLongestMessage) + "...";
   return message;

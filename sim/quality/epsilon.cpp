@@ -25,9 +25,12 @@ namespace prehend {
 namespace {
 
 void check(const EpsilonOptions& options) {
-  require(options.relative_tolerance >= 0.0, {.field = "relative_tolerance",
-                                              .problem = "must not be negative",
-                                              .value = std::to_string(options.relative_tolerance)});
+  // Not by require: this runs for every grasp that is judged, and the text is needed for none.
+  if (!(options.relative_tolerance >= 0.0)) {
+    throw InputError({.field = "relative_tolerance",
+                      .problem = "must not be negative",
+                      .value = std::to_string(options.relative_tolerance)});
+  }
 }
 
 // The search for the epsilon of one set, from a simplex inside it.

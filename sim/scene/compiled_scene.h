@@ -45,8 +45,7 @@ inline constexpr double kSmallestObject = 0.002;
 //
 // Throws InputError when the robot is not a hand, has an unknown material or an empty link, a
 // preshape in which links collide, the object is smaller than kSmallestObject or overlaps an
-// obstacle, or the arm's
-// start posture collides or is outside limits.
+// obstacle, or the arm's start posture collides or is outside limits.
 //
 // Throws Cancelled. The checks of one mesh (is it closed, of how many pieces is it) and its convex
 // hull are not interrupted: above 50 000 triangles they can take longer than 50 ms.

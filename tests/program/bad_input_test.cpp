@@ -67,6 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SeedTooLarge", "plan mug --seed 18446744073709551616 --out FOLDER/out", "",
                 "--seed"},
         Mistake{"LettersAfterANumber", "plan mug --top 3x --out FOLDER/out", "", "--top"},
+        Mistake{"TimeLimitNotANumber", "plan mug --time-limit nan --out FOLDER/out", "",
+                "--time-limit"},
         Mistake{"UnitOfAScene", "plan mug --unit mm --out FOLDER/out", "", "unit"},
         Mistake{"UnitOfARobot", "inspect barrett --unit mm", "", "--unit"},
         Mistake{"OutIsAFile", "plan mug --out FOLDER/in.json", "", "is not a folder"},
