@@ -7,6 +7,7 @@
 
 #include "sim/base/disjoint_sets.h"
 #include "sim/contact/triangle_overlap.h"
+#include "sim/geometry/nearest_point.h"
 #include "sim/geometry/weld.h"
 
 // The pressure of the elastic foundation (Johnson 1985, section 4.3) is integrated triangle pair by
@@ -87,33 +88,10 @@ std::vector<std::size_t> patch_of_each(const TriangleMesh& object,
   return patches;
 }
 
-Vector3 nearest_on_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
-  const Vector3 ab = b - a;
-  const double length = ab.squaredNorm();
-  return length > 0.0 ? a + std::clamp((p - a).dot(ab) / length, 0.0, 1.0) * ab : a;
-}
-
-// The foot of the perpendicular where it is inside the triangle, else the nearest point of the
-// edges.
-Vector3 nearest_on_triangle(const Vector3& p, const Corners& c) {
-  const Vector3 normal = unit_normal(c);
-  const Vector3 foot = p - (p - c[0]).dot(normal) * normal;
-  bool inside = true;
-  Vector3 nearest = c[0];
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vector3& a = c[k];
-    const Vector3& b = c[(k + 1) % 3];
-    inside = inside && (b - a).cross(foot - a).dot(normal) >= 0.0;
-    const Vector3 on_edge = nearest_on_segment(p, a, b);
-    if ((on_edge - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = on_edge;
-  }
-  return inside ? foot : nearest;
-}
-
 Vector3 nearest_on_patch(const Vector3& p, const std::vector<PressedPart>& parts) {
   Vector3 nearest = parts.front().corners[0];
   for (const PressedPart& part : parts) {
-    const Vector3 candidate = nearest_on_triangle(p, part.corners);
+    const Vector3 candidate = nearest_point_on(part.corners, p);
     if ((candidate - p).squaredNorm() < (nearest - p).squaredNorm()) nearest = candidate;
   }
   return nearest;

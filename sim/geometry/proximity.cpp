@@ -9,16 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
-#include <numbers>
 
 #include <fcl/narrowphase/detail/primitive_shape_algorithm/triangle_distance.h>
 
-#include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/box_tree.h"
-#include "sim/geometry/convex_hull.h"
+#include "sim/geometry/convex_parts.h"
+#include "sim/geometry/winding_number.h"
 
 namespace prehend {
 namespace {
@@ -28,13 +26,16 @@ namespace {
 // metres at once (PairDistance).
 constexpr double kMillimetres = 1000.0;
 
+using Corners = std::array<Vector3, 3>;  // of a triangle
+
 }  // namespace
 
 struct ProximityMesh::Data {
   TriangleMesh mesh;
   std::vector<BoxNode> tree;
-  std::vector<std::array<Vector3, 3>> corners_mm;  // per triangle
-  std::vector<int> first_triangle_at;              // per vertex, start of its run in triangles_at
+  BoundaryTree boundaries;
+  std::vector<Corners> corners_mm;     // per triangle
+  std::vector<int> first_triangle_at;  // per vertex, start of its run in triangles_at
   std::vector<int> triangles_at;
   Vector3 ball_center = Vector3::Zero();
   double ball_radius = 0.0;
@@ -43,8 +44,8 @@ struct ProximityMesh::Data {
 
 namespace {
 
-std::vector<std::array<Vector3, 3>> corners_in_mm(const TriangleMesh& mesh) {
-  std::vector<std::array<Vector3, 3>> corners;
+std::vector<Corners> corners_in_mm(const TriangleMesh& mesh) {
+  std::vector<Corners> corners;
   corners.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
     corners.push_back({mesh.vertices[index(t[0])] * kMillimetres,
@@ -70,46 +71,6 @@ void build_incidence(ProximityMesh::Data& data) {
       data.triangles_at[index(next[index(v)]++)] = static_cast<int>(t);
     }
   }
-}
-
-// A surface with more connected components than this gets a single hull: testing every pair of
-// parts would cost more than the tighter bounds save.
-constexpr std::size_t kMostParts = 4;
-// Up to this many points no hull is computed: the support function goes through all points anyway,
-// and is fast enough for these.
-constexpr std::size_t kFewPoints = 64;
-
-// The corners of the convex hull of `points`; all of them where there are few or the hull fails.
-ConvexPoints corners_of(const std::vector<Vector3>& points) {
-  if (points.size() <= kFewPoints) return {points};
-  const TriangleMesh hull = convex_hull(points);
-  if (hull.empty()) return {points};
-  std::vector<bool> used(hull.vertices.size(), false);
-  ConvexPoints corners;
-  for (const Triangle& t : hull.triangles) {
-    for (int v : t) {
-      if (!used[index(v)]) corners.points.push_back(hull.vertices[index(v)]);
-      used[index(v)] = true;
-    }
-  }
-  return corners;
-}
-
-// One convex set per connected component, see ProximityMesh::parts.
-std::vector<ConvexPoints> convex_parts(const TriangleMesh& mesh) {
-  DisjointSets sets(mesh.vertices.size());
-  for (const Triangle& t : mesh.triangles) {
-    sets.merge(index(t[0]), index(t[1]));
-    sets.merge(index(t[0]), index(t[2]));
-  }
-  std::map<std::size_t, std::vector<Vector3>> components;
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    components[sets.find(v)].push_back(mesh.vertices[v]);
-  }
-  if (components.size() > kMostParts) return {corners_of(mesh.vertices)};
-  std::vector<ConvexPoints> parts;
-  for (const auto& [root, points] : components) parts.push_back(corners_of(points));
-  return parts;
 }
 
 // Traverses both trees at once, nearer pair first, so that small distances are found early and
@@ -171,6 +132,16 @@ class PairDistance {
         rotation_(X_AB.linear()),
         shift_(X_AB.translation() * kMillimetres) {}
 
+  // A lower bound of the distance in a fraction of its time: how far the plane of one triangle is
+  // from the corners of the other. 0 where they are on both sides of both planes.
+  double plane_bound(int ta, int tb) const {
+    const Corners& u = a_[index(ta)];
+    const Corners& q = b_[index(tb)];
+    const Corners v{rotation_ * q[0] + shift_, rotation_ * q[1] + shift_,
+                    rotation_ * q[2] + shift_};
+    return std::max(height_over(u, v), height_over(v, u)) / kMillimetres;
+  }
+
   // The distance alone, 0 for triangles that intersect.
   double operator()(int ta, int tb) const {
     Vector3 p_A;
@@ -180,8 +151,8 @@ class PairDistance {
 
   // The nearest points on the two triangles are both in a's frame [m].
   double operator()(int ta, int tb, Vector3& p_A, Vector3& q_A) const {
-    const auto& u = a_[index(ta)];
-    const auto& v = b_[index(tb)];
+    const Corners& u = a_[index(ta)];
+    const Corners& v = b_[index(tb)];
     const double d = fcl::detail::TriangleDistance<double>::triDistance(
         u[0], u[1], u[2], v[0], v[1], v[2], rotation_, shift_, p_A, q_A);
     p_A /= kMillimetres;
@@ -190,8 +161,22 @@ class PairDistance {
   }
 
  private:
-  const std::vector<std::array<Vector3, 3>>& a_;
-  const std::vector<std::array<Vector3, 3>>& b_;
+  // Smallest distance of the points from the triangle's plane if they are all on one side, else 0;
+  // 0 for a triangle without area, too.
+  static double height_over(const Corners& triangle, const Corners& points) {
+    const Vector3 n = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+    const double length = n.norm();
+    if (length == 0.0) return 0.0;
+    const double h0 = n.dot(points[0] - triangle[0]);
+    const double h1 = n.dot(points[1] - triangle[0]);
+    const double h2 = n.dot(points[2] - triangle[0]);
+    const double above = std::min({h0, h1, h2});
+    const double below = -std::max({h0, h1, h2});
+    return std::max({0.0, above, below}) / length;
+  }
+
+  const std::vector<Corners>& a_;
+  const std::vector<Corners>& b_;
   Matrix3 rotation_;
   Vector3 shift_;
 };
@@ -216,6 +201,8 @@ struct NearestVisitor {
   }
 
   void visit(int ta, int tb) {
+    const double bound = distance.plane_bound(ta, tb);
+    if (prune(bound * bound)) return;
     const double d = distance(ta, tb);
     if (d < best) {
       best = d;
@@ -234,15 +221,18 @@ struct CrossVisitor {
   void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
 };
 
-// Collects all pairs within `limit` [m].
+// Collects all pairs within `limit` [m], until there are more than `most`.
 struct CollectVisitor {
   const PairDistance& distance;
   double limit;
+  std::size_t most;
   std::vector<TrianglePair>& pairs;
 
-  bool prune(double squared) const { return squared > limit * limit; }
+  bool prune(double squared) const { return squared > limit * limit || pairs.size() > most; }
   void visit(int ta, int tb) {
-    if (distance(ta, tb) <= limit) pairs.push_back({ta, tb});
+    if (distance.plane_bound(ta, tb) <= limit && distance(ta, tb) <= limit) {
+      pairs.push_back({ta, tb});
+    }
   }
 };
 
@@ -253,6 +243,7 @@ ProximityMesh::ProximityMesh(TriangleMesh mesh, const RunContext& context) {
   auto data = std::make_shared<Data>();
   data->mesh = std::move(mesh);
   data->tree = build_box_tree(data->mesh, context);
+  data->boundaries = build_boundary_tree(data->mesh, data->tree, context);
   context.cancellation.check();
   data->corners_mm = corners_in_mm(data->mesh);
   build_incidence(*data);
@@ -293,12 +284,13 @@ bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& 
   return visitor.crossed;
 }
 
-void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                       double distance, std::vector<TrianglePair>& pairs) {
+bool find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                       double distance, std::vector<TrianglePair>& pairs, std::size_t most) {
   pairs.clear();
   const PairDistance pair_distance(a, b, X_AB);
-  CollectVisitor visitor{pair_distance, distance, pairs};
+  CollectVisitor visitor{pair_distance, distance, most, pairs};
   PairWalk(a, b, X_AB, visitor).run();
+  return pairs.size() <= most;
 }
 
 Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
@@ -323,24 +315,8 @@ TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const P
 }
 
 bool is_inside(const ProximityMesh& mesh, const Vector3& p_M) {
-  // The winding number is the sum of the signed solid angles of all triangles seen from p_M,
-  // divided by 4 pi. Outside the bounding sphere it is not needed.
-  const TriangleMesh& m = mesh.mesh();
-  if ((p_M - mesh.ball_center()).norm() > mesh.ball_radius()) return false;
-  double solid_angle = 0.0;
-  for (const Triangle& t : m.triangles) {
-    const Vector3 a = m.vertices[index(t[0])] - p_M;
-    const Vector3 b = m.vertices[index(t[1])] - p_M;
-    const Vector3 c = m.vertices[index(t[2])] - p_M;
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    // Solid angle of a triangle (Van Oosterom and Strackee 1983).
-    const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    solid_angle += 2.0 * std::atan2(a.dot(b.cross(c)), denominator);
-  }
-  // Winding number of at least one half.
-  return solid_angle >= 2.0 * std::numbers::pi;
+  const ProximityMesh::Data& data = mesh.data();
+  return winding_number(data.mesh, data.tree, data.boundaries, p_M) >= 0.5;
 }
 
 }  // namespace prehend

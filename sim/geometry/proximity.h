@@ -28,8 +28,7 @@ class ProximityMesh {
   // not the smallest one.
   const Vector3& ball_center() const;
   double ball_radius() const;
-  // Convex sets whose union contains the surface: the hulls of the connected components, or one
-  // hull of all vertices when there are many components. For quick separation tests (separation.h).
+  // Convex sets whose union contains the surface (convex_parts.h), for quick separation tests.
   const std::vector<ConvexPoints>& parts() const;
 
   // Internal data, for the functions of this folder.
@@ -75,8 +74,10 @@ bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& 
 
 // Collects all pairs of triangles whose distance is at most `distance` [m], in the order of the
 // traversal. The content of `pairs` is replaced; passing the same vector again saves allocations.
-void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                       double distance, std::vector<TrianglePair>& pairs);
+// If there are more than `most`, it stops early and returns false.
+bool find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                       double distance, std::vector<TrianglePair>& pairs,
+                       std::size_t most = std::numeric_limits<std::size_t>::max());
 
 // The smallest distance among `pairs` and the pair that has it; lower and upper are infinite when
 // there are no pairs. The same as find_gap when `pairs` contains the nearest pair.
@@ -96,8 +97,8 @@ TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const P
                          TrianglePair pair);
 
 // Whether point p_M (mesh frame) is inside the solid that the mesh bounds: its generalized winding
-// number is at least one half (Jacobson, Kavan and Sorkine-Hornung 2013), which tolerates small
-// holes. O(number of triangles). The mesh must face outward.
+// number is at least one half (winding_number.h), which tolerates small holes. The mesh must face
+// outward.
 bool is_inside(const ProximityMesh& mesh, const Vector3& p_M);
 
 }  // namespace prehend

@@ -23,7 +23,7 @@ constexpr int kMostSteps = 24;
 // an exact query is needed, so that more steps do not pay.
 constexpr double kGoodFraction = 0.9;
 
-// Support function: the point of the set that lies farthest along `direction`.
+// Support function of the hull: the point that lies farthest along `direction`.
 const Vector3& farthest(const ConvexPoints& set, const Vector3& direction) {
   const Vector3* best = nullptr;
   double most = -std::numeric_limits<double>::infinity();
@@ -156,7 +156,7 @@ double separation(const ConvexPoints& a, const ConvexPoints& b, const Pose& X_AB
     // intersect.
     if (!(upper > 0.0) || simplex.size == 4 || best >= kGoodFraction * upper) break;
   }
-  return best;
+  return best - a.margin - b.margin;
 }
 
 }  // namespace prehend

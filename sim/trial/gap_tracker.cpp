@@ -54,14 +54,27 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
       find_gap(*a_, *b_, X_AB,
                {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
-  if (gap.upper > options_->near || gap.upper == 0.0) return gap;
+  if (gap.upper == 0.0) return gap;
+  if (gap.upper > list_below_) return without_list(X_AB, gap);
   // Near contact, list the triangle pairs within a somewhat larger distance than the gap, and take
   // the exact gap from them. Until the bodies have moved by the difference, the closest pair is in
   // the list, and queries need not search the trees.
   const double bound = std::max(options_->reach * gap.upper, gap.upper + options_->least_reach);
-  find_pairs_within(*a_, *b_, X_AB, bound, near_pairs_);
+  if (!find_pairs_within(*a_, *b_, X_AB, bound, near_pairs_, index(options_->most_pairs))) {
+    // Fine meshes that lie flat on each other have too many such pairs. The next attempt waits
+    // until the gap has shrunk, since attempts take time.
+    list_below_ = 0.5 * gap.upper;
+    return without_list(X_AB, gap);
+  }
+  near_bound_ = bound;
   const Gap exact = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);
-  if (near_pairs_.size() <= index(options_->most_pairs)) near_bound_ = bound;
+  last_pair_ = exact.pair;
+  return exact;
+}
+
+Gap GapTracker::without_list(const Pose& X_AB, const Gap& gap) {
+  if (gap.upper > options_->least_reach) return gap;
+  const Gap exact = find_gap(*a_, *b_, X_AB, {.hint = gap.pair});
   last_pair_ = exact.pair;
   return exact;
 }

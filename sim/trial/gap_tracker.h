@@ -27,6 +27,7 @@ class GapTracker {
       : a_(&a),
         b_(&b),
         options_(&options),
+        list_below_(options.near),
         directions_(a.parts().size() * b.parts().size(), Vector3::Zero()) {}
 
   // A proven lower bound and an upper bound of the gap [m] with B at X_AB in A's frame. `moved`
@@ -40,10 +41,13 @@ class GapTracker {
  private:
   double part_separation(const Pose& X_AB);
   Gap query_trees(const Pose& X_AB, double motion_left);
+  // The answer where there is no list, from that of a search of the trees: exact near contact.
+  Gap without_list(const Pose& X_AB, const Gap& gap);
 
   const ProximityMesh* a_;
   const ProximityMesh* b_;
   const GapTrackerOptions* options_;
+  double list_below_;  // gaps above this are not worth a list of near pairs [m]
   // Per pair of convex parts, the direction that separated them last: a good start for the next
   // query.
   std::vector<Vector3> directions_;

@@ -116,6 +116,8 @@ TEST(FindPairsWithin, IsTheBruteForceSet) {
       ASSERT_EQ(sorted, expected) << pair.name << " pose " << i;
       const Gap gap = gap_of_pairs(pair.a, pair.b, X_AB, found);
       ASSERT_DOUBLE_EQ(gap.upper, find_gap(pair.a, pair.b, X_AB).upper);
+      EXPECT_TRUE(find_pairs_within(pair.a, pair.b, X_AB, limit, found, expected.size()));
+      EXPECT_FALSE(find_pairs_within(pair.a, pair.b, X_AB, limit, found, expected.size() - 1));
     }
   }
 }
