@@ -1,11 +1,12 @@
-// What is promised of the path of a grasp, looked at with second_opinion.h.
+// What is promised of the path of a grasp, looked at with second_opinion.h and its own
+// interpolation.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "planner/search/plan.h"
-#include "tests/planner/search/second_opinion.h"
+#include "tests/support/second_opinion.h"
 
 namespace prehend::test {
 
