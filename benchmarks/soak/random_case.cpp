@@ -86,7 +86,7 @@ PlanOptions plan_options(Random& random, bool has_arm) {
   PlanOptions options;
   options.seed = mixed(random.index(1000000)) >> 1U;
   options.rank.top = random.integer(1, has_arm ? 3 : 6);
-  options.candidates.max_candidates = has_arm ? random.integer(20, 60) : random.integer(20, 120);
+  options.candidates.max_candidates = has_arm ? random.integer(50, 200) : random.integer(20, 200);
   if (random.index(4) == 0) options.primitives.max_primitives = random.integer(1, 20);
   if (random.index(4) == 0) options.primitives.tolerance = random.uniform(0.005, 0.2);
   if (random.index(4) == 0) options.candidates.start_clearance = random.uniform(0.0, 0.05);
@@ -122,8 +122,10 @@ RandomCase random_case(std::uint64_t seed, std::uint64_t number) {
   made.seed = number;
   const RandomObject object = random_object(random);
   const Material material = kMaterials[random.index(kMaterials.size())];
-  const std::string hand = kHands[random.index(kHands.size())];
   const bool has_arm = random.index(4) == 0;
+  // The arm with its own hand reaches most.
+  const std::string hand =
+      kHands[random.index(has_arm && random.index(2) == 0 ? 1 : kHands.size())];
   Scene& scene = made.known.scene;
   scene = make_scene(make_graspable("object", object.mesh, material), hand);
   made.known.solid = object.solid;

@@ -121,7 +121,7 @@ RandomObject base_shape(Random& random) {
     }
     default: {
       const std::vector<std::string> names = generated_object_names();
-      const std::string name = names[random.index(names.size())];
+      const std::string& name = names[random.index(names.size())];
       return {generate_object(name, random.integer(300, 1800)), name};
     }
   }

@@ -92,7 +92,7 @@ class CaseRun {
   void plan_and_judge() {
     const std::optional<PlanResult> result = planned();
     if (!result) return;
-    append_faults(test::judge_plan(*result, made_.options));
+    append_faults(test::judge_plan(*result, made_.options), "plan");
     around_.emplace(made_.known.scene);
     for (std::size_t i = 0; i < result->grasps.size(); ++i) {
       if (interrupted_()) return;
@@ -105,13 +105,14 @@ class CaseRun {
     if (made_.twice && !interrupted_()) plan_twice(*result);
   }
 
-  void append_faults(const std::vector<test::Fault>& more, const std::string& prefix = {}) {
-    for (const test::Fault& one : more) fault(one.kind, prefix + one.words);
+  void append_faults(const std::vector<test::Fault>& more, const std::string& name) {
+    for (const test::Fault& one : more)
+      fault(one.kind, std::string(name).append(": ").append(one.words));
   }
 
   void judge_trial(const std::string& name, const Trial& trial) {
     const test::GraspJudgement judged = test::GraspJudge(made_.known, *around_, trial).judge();
-    append_faults(judged.faults, name + ": ");
+    append_faults(judged.faults, name);
     findings_.contacts += judged.contacts;
     findings_.epsilons += judged.epsilon_compared;
     findings_.epsilon = std::max(findings_.epsilon, judged.epsilon_difference);
@@ -126,7 +127,7 @@ class CaseRun {
     const test::Machine machine(made_.known.scene);
     const test::Judgement judged =
         test::PathJudge(made_.known.scene, machine, *around_, grasp).judge();
-    for (const std::string& words : judged.faults) fault("path", name + ": " + words);
+    for (const std::string& words : judged.faults) append_faults({{"path", words}}, name);
     ++findings_.paths;
     findings_.postures += judged.postures;
   }

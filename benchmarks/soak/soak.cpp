@@ -17,6 +17,7 @@
 
 #include "benchmarks/soak/run_case.h"
 #include "benchmarks/soak/tally.h"
+#include "sim/base/data_folder.h"
 
 namespace {
 
@@ -103,6 +104,8 @@ Tally run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   try {
     const Arguments arguments = read_arguments(argc, argv);
+    // Found once: later the program may have been replaced by another build.
+    setenv("PREHEND_DATA", prehend::data_folder().c_str(), 1);
     for (const int signal : {SIGINT, SIGTERM}) (void)std::signal(signal, interrupt);
     for (const int signal : {SIGSEGV, SIGABRT, SIGFPE, SIGBUS, SIGILL}) {
       (void)std::signal(signal, crash);

@@ -13,11 +13,8 @@ std::string without_numbers(const std::string& message) {
   std::string text;
   for (const char c : message) {
     const bool digit = std::isdigit(static_cast<unsigned char>(c)) != 0;
-    if (digit && !text.empty() && (text.back() == '#' || text.back() == '.')) {
-      text.back() = '#';
-    } else {
-      text += digit ? '#' : c;
-    }
+    if (digit && !text.empty() && text.back() == '#') continue;
+    text += digit ? '#' : c;
   }
   return text;
 }

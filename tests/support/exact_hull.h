@@ -27,12 +27,11 @@ namespace multiprecision = boost::multiprecision;
 using Integer = multiprecision::number<multiprecision::cpp_int_backend<>, multiprecision::et_off>;
 // Of the one inexact step, the length of a normal.
 using Real =
-    multiprecision::number<multiprecision::cpp_bin_float<512, multiprecision::digit_base_2>,
+    multiprecision::number<multiprecision::cpp_bin_float<256, multiprecision::digit_base_2>,
                            multiprecision::et_off>;
 using Columns = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 inline constexpr std::size_t kDim = 6;
-inline constexpr std::size_t kAllPoints = 64;  // sets up to this size are put into the hull whole
 // Heights of points of size 1 above unit normals, in double, err by far less than this.
 inline constexpr double kRoughError = 1e-12;
 
@@ -312,11 +311,16 @@ struct Epsilon {
   std::size_t facets = 0;
 };
 
-// Small sets: the whole hull. Large ones: the hull of some points, more of them until its nearest
-// facet supports the whole set, or there are more than `most_facets`. A smaller set's ball is no
-// larger, and no ball reaches beyond a supporting plane: so that facet's distance is the whole
-// set's.
-inline Epsilon epsilon(const Columns& columns, std::size_t most_facets = 200000) {
+// When the hull is whole, and when it is left unfinished.
+struct EpsilonLimits {
+  std::size_t whole = 0;  // sets of up to this many points are put into the hull whole
+  std::size_t most_facets = 200000;
+};
+
+// The hull of some points, more of them until its nearest facet supports the whole set, or there
+// are too many facets. A smaller set's ball is no larger, and no ball reaches beyond a supporting
+// plane: so that facet's distance is the whole set's.
+inline Epsilon epsilon(const Columns& columns, const EpsilonLimits& limits = {}) {
   const Set set = exact_set(columns);
   const std::size_t count = set.points.size();
   Epsilon answer;
@@ -326,10 +330,10 @@ inline Epsilon epsilon(const Columns& columns, std::size_t most_facets = 200000)
   if (simplex.size() <= kDim) return answer;
   Hull hull(set, simplex);
   std::vector<std::size_t> used = simplex;
-  bool whole = count <= kAllPoints;
+  bool whole = count <= limits.whole;
   for (std::size_t i = 0; whole && i < count; ++i) {
     if (hull.add(i)) used.push_back(i);
-    if (hull.facets() > most_facets) whole = false;
+    if (hull.facets() > limits.most_facets) whole = false;
   }
   Real upper = 0;
   while (true) {
@@ -340,7 +344,7 @@ inline Epsilon epsilon(const Columns& columns, std::size_t most_facets = 200000)
     }
     const Real value = hull.value(hull.nearest(), point);
     if (upper == 0 || value < upper) upper = value;
-    if (hull.facets() > most_facets) break;
+    if (hull.facets() > limits.most_facets) break;
     hull.add(point);
     used.push_back(point);
   }

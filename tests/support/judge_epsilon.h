@@ -100,7 +100,7 @@ inline EpsilonVerdict judge_epsilon(const EpsilonBracket& claimed, const exact::
   EpsilonVerdict verdict;
   const double size = wrenches.cols() > 0 ? wrenches.cwiseAbs().maxCoeff() : 0.0;
   const exact::Epsilon judged =
-      wrenches.cols() > 0 ? exact::epsilon(wrenches, most_facets) : exact::Epsilon{};
+      wrenches.cols() > 0 ? exact::epsilon(wrenches, {.most_facets = most_facets}) : exact::Epsilon{};
   const double lower = judged.lower.convert_to<double>();
   const double upper = judged.upper.convert_to<double>();
   std::ostringstream words;

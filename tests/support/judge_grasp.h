@@ -134,19 +134,22 @@ class GraspJudge {
           link.joint < 0 ? X_WH : Pose(frames_.at(name + "/" + hand().joints[at(link.joint)].name));
       links_.push_back(soup(link.mesh, X));
     }
-    // Only what can touch: triangles of the object near the hand.
     object_ = around_.things.front().triangles;
   }
 
-  // The deepest corner of `inner` inside `outer` [m].
+  // How deep points of the triangles of `inner`, kParts to an edge, are inside `outer` [m].
   static double depth(const std::vector<Corners>& inner, const std::vector<Corners>& outer) {
+    constexpr int kParts = 4;
     const Bounds box = box_of(outer);
     double deepest = 0.0;
     for (const Corners& t : inner) {
-      for (const Vector3& p : t) {
-        const bool near =
-            (p.array() >= box.lower.array()).all() && (p.array() <= box.upper.array()).all();
-        if (near && winding(p, outer) > 0) deepest = std::max(deepest, point_to_surface(p, outer));
+      if (!boxes_meet(bounds_of(t), box)) continue;
+      for (int i = 0; i <= kParts; ++i) {
+        for (int j = 0; i + j <= kParts; ++j) {
+          const Vector3 p = t[0] + (static_cast<double>(i) / kParts) * (t[1] - t[0]) +
+                            (static_cast<double>(j) / kParts) * (t[2] - t[0]);
+          if (winding(p, outer) > 0) deepest = std::max(deepest, point_to_surface(p, outer));
+        }
       }
     }
     return deepest;

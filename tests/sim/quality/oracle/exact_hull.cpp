@@ -37,7 +37,7 @@ int main() {
     int count = 0;
     std::cin >> count;
     std::cerr << name << std::flush;
-    const exact::Epsilon answer = exact::epsilon(read_columns(std::cin, count));
+    const exact::Epsilon answer = exact::epsilon(read_columns(std::cin, count), {.whole = 64});
     std::cerr << ": " << answer.points << " points, " << answer.facets << " facets, "
               << decimal(answer.lower) << "\n";
     std::printf(
