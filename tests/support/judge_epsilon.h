@@ -38,11 +38,12 @@ struct CornerForce {
   double torque;
 };
 
-// The corners of a contact's pyramid of `edges` edges. The first edge is along normal x X (normal x
+// The corners of a contact's pyramid of `edges` edges; a nearly unit normal is taken as its
+// direction. The first edge is along normal x X (normal x
 // Z where that vanishes); a soft finger's corners are on the ellipsoid |f_t|^2 + (t / torsion)^2 <=
 // friction^2, at the latitudes 0 and 45 degrees and the poles.
 inline std::vector<CornerForce> corner_forces(const Contact& contact, int edges) {
-  const Vector3& n = contact.normal;
+  const Vector3 n = contact.normal.normalized();
   Vector3 first = n.cross(Vector3::UnitX());
   if (first.norm() < 1e-6) first = n.cross(Vector3::UnitZ());
   first.normalize();
@@ -72,7 +73,7 @@ inline exact::Columns judged_wrenches(const std::vector<Contact>& contacts,
   for (const Contact& contact : contacts) {
     for (const CornerForce& corner : corner_forces(contact, edges)) {
       const Vector3 arm = contact.position - frame.origin;
-      const Vector3 torque = arm.cross(corner.force) + corner.torque * contact.normal;
+      const Vector3 torque = arm.cross(corner.force) + corner.torque * contact.normal.normalized();
       columns.emplace_back();
       columns.back() << corner.force, frame.scale * torque;
     }
@@ -99,8 +100,9 @@ inline EpsilonVerdict judge_epsilon(const EpsilonBracket& claimed, const exact::
                                     std::size_t most_facets) {
   EpsilonVerdict verdict;
   const double size = wrenches.cols() > 0 ? wrenches.cwiseAbs().maxCoeff() : 0.0;
-  const exact::Epsilon judged =
-      wrenches.cols() > 0 ? exact::epsilon(wrenches, {.most_facets = most_facets}) : exact::Epsilon{};
+  const exact::Epsilon judged = wrenches.cols() > 0
+                                    ? exact::epsilon(wrenches, {.most_facets = most_facets})
+                                    : exact::Epsilon{};
   const double lower = judged.lower.convert_to<double>();
   const double upper = judged.upper.convert_to<double>();
   std::ostringstream words;
