@@ -59,7 +59,7 @@ TEST(ExactEpsilon, OfExtremeGraspsIsThatOfTheTable) {
       std::ifstream(PREHEND_SOURCE_DIR "/tests/sim/quality/oracle/extremes.json"));
   int compared = 0;
   for (const nlohmann::json& row : table) {
-    if (row["points"].get<int>() > 40 || row["facets"].get<int>() > 2500) continue;
+    if (row["points"].get<int>() > 40 || row["facets"].get<int>() > 1000) continue;
     for (const ExtremeGrasp& grasp : extreme_grasps()) {
       if (grasp.name != row["name"]) continue;
       const Wrenches wrenches = contact_wrenches(grasp.contacts, grasp.frame, grasp.edges);
@@ -72,6 +72,33 @@ TEST(ExactEpsilon, OfExtremeGraspsIsThatOfTheTable) {
     }
   }
   EXPECT_GT(compared, 10);
+}
+
+EpsilonBracket claim(double lower, double upper) {
+  EpsilonBracket bracket;
+  bracket.lower = lower;
+  bracket.upper = upper;
+  if (lower > 0.0) bracket.status = EpsilonStatus::converged;
+  return bracket;
+}
+
+TEST(JudgedEpsilon, IsWhatItMustBe) {
+  const exact::Columns set = cross_polytope(1.0);
+  const double value = 1.0 / std::sqrt(6.0);
+  EXPECT_EQ(judge_epsilon(claim(value, value), set, 1000).fault, "");
+  EXPECT_NE(judge_epsilon(claim(value, value * (1.0 + 1e-8)), set, 1000).fault, "") << "too wide";
+  EXPECT_NE(judge_epsilon(claim(value + 1e-9, value + 1e-9), set, 1000).fault, "");
+  EXPECT_NE(judge_epsilon(claim(value - 1e-9, value - 1e-9), set, 1000).fault, "");
+  EXPECT_NE(judge_epsilon(claim(0.0, 0.0), set, 1000).fault, "");
+  exact::Columns half = set;
+  half.row(5) = half.row(5).cwiseAbs();
+  EXPECT_EQ(judge_epsilon(claim(0.0, 0.0), half, 1000).fault, "");
+  EXPECT_NE(judge_epsilon(claim(1e-3, 1e-3), half, 1000).fault, "");
+  // Thinner than 1e-9 of its size: none by definition.
+  exact::Columns thin = set;
+  thin.row(5) *= 1e-10;
+  EXPECT_EQ(judge_epsilon(claim(0.0, 0.0), thin, 1000).fault, "");
+  EXPECT_NE(judge_epsilon(claim(1e-10, 1e-10), thin, 1000).fault, "");
 }
 
 TEST(JudgedWrenches, AreThoseOfTheLibrary) {

@@ -53,6 +53,7 @@ class SpoiltGrasp : public testing::Test {
   void SetUp() override {
     ASSERT_GE(planned().result.grasps.size(), 2U);
     trial_ = planned().result.grasps.front().trial;
+    known_.most_facets = 100;
   }
 
   std::vector<std::string> judged() const {
@@ -60,12 +61,23 @@ class SpoiltGrasp : public testing::Test {
     return kinds_of(test::GraspJudge(known_, around, trial_).judge().faults);
   }
 
+  // The kind of the first fault, "" without one.
+  std::string first_kind() const {
+    const std::vector<std::string> kinds = judged();
+    return kinds.empty() ? "" : kinds.front();
+  }
+
   using Kinds = std::vector<std::string>;
+  // With bounds of the exact epsilon only, where a test is not about it.
   test::KnownScene known_ = planned().known;
   Trial trial_;
 };
 
-TEST_F(SpoiltGrasp, IsGoodAsItIs) { EXPECT_EQ(judged(), Kinds{}); }
+TEST_F(SpoiltGrasp, IsGoodAsItIs) {
+  EXPECT_EQ(judged(), Kinds{});
+  known_ = planned().known;
+  EXPECT_EQ(judged(), Kinds{});
+}
 
 TEST_F(SpoiltGrasp, AHandInsideTheObjectIsSeen) {
   // The plates 1 mm farther together.
@@ -76,7 +88,8 @@ TEST_F(SpoiltGrasp, AHandInsideTheObjectIsSeen) {
   }
   const test::Surroundings around(known_.scene);
   const test::GraspJudgement judgement = test::GraspJudge(known_, around, trial_).judge();
-  EXPECT_EQ(kinds_of(judgement.faults).front(), "penetration");
+  ASSERT_FALSE(judgement.faults.empty());
+  EXPECT_EQ(judgement.faults.front().kind, "penetration");
   EXPECT_NEAR(judgement.penetration, 1e-3, 1e-4);  // less the gap
 }
 
@@ -94,8 +107,7 @@ TEST_F(SpoiltGrasp, AHandInsideABoxIsSeen) {
 TEST_F(SpoiltGrasp, AJointBeyondItsLimitIsSeen) {
   const Joint& joint = known_.scene.hand.joints.front();
   trial_.joints.front() = joint.upper + 1e-6;
-  EXPECT_NE(judged(), Kinds{});
-  EXPECT_EQ(judged().front(), "limits");
+  EXPECT_EQ(first_kind(), "limits");
 }
 
 TEST_F(SpoiltGrasp, ValuesThatAreMissingAreSeen) {
@@ -106,38 +118,41 @@ TEST_F(SpoiltGrasp, ValuesThatAreMissingAreSeen) {
 TEST_F(SpoiltGrasp, AContactOffTheSurfaceIsSeen) {
   Contact& point = trial_.contacts.front().point;
   point.position -= 3e-4 * point.normal;
-  EXPECT_EQ(judged().front(), "contact");
+  EXPECT_EQ(first_kind(), "contact");
 }
 
 TEST_F(SpoiltGrasp, AContactOfAnotherLinkIsSeen) {
-  trial_.contacts.front().link = LinkId{0};
-  EXPECT_EQ(judged().front(), "contact");
+  const LinkId old = trial_.contacts.front().link;
+  trial_.contacts.front().link = trial_.contacts.back().link;
+  ASSERT_NE(index(trial_.contacts.front().link), index(old));
+  EXPECT_EQ(first_kind(), "contact");
 }
 
 TEST_F(SpoiltGrasp, ANormalThatPointsOutwardIsSeen) {
   Contact& point = trial_.contacts.front().point;
   point.normal = -point.normal;
-  EXPECT_EQ(judged(), (Kinds{"contact", "epsilon"}));
+  EXPECT_EQ(first_kind(), "contact");
 }
 
 TEST_F(SpoiltGrasp, ANormalThatIsNotUnitIsSeen) {
   trial_.contacts.front().point.normal *= 1.0 + 1e-6;
-  EXPECT_EQ(judged().front(), "contact");
+  EXPECT_EQ(first_kind(), "contact");
 }
 
 TEST_F(SpoiltGrasp, OtherFrictionIsSeen) {
   trial_.contacts.front().point.friction *= 1.0 + 1e-12;
-  EXPECT_EQ(judged().front(), "friction");
+  EXPECT_EQ(first_kind(), "friction");
 }
 
 TEST_F(SpoiltGrasp, ASoftContactOfHardFingersIsSeen) {
   trial_.contacts.front().point.model = ContactModel::soft_finger;
-  EXPECT_EQ(judged().front(), "friction");
+  EXPECT_EQ(first_kind(), "friction");
 }
 
 TEST_F(SpoiltGrasp, AnotherEpsilonIsSeen) {
   for (const double factor : {1.0 - 1e-8, 1.0 + 1e-8}) {
     SetUp();
+    known_ = planned().known;
     trial_.epsilon.lower *= factor;
     trial_.epsilon.upper *= factor;
     EXPECT_EQ(judged(), Kinds{"epsilon"}) << factor;
