@@ -91,16 +91,36 @@ bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3&
   return true;
 }
 
+// Whether the segment ab passes through the triangle or its border: where it meets an edge between
+// two triangles, rounding must not find it outside of both.
+bool passes_through(const Vector3& a, const Vector3& b, const Corners& c) {
+  const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+  const double above = (a - c[0]).dot(area);
+  const double below = (b - c[0]).dot(area);
+  if (above * below >= 0.0) return false;
+  const Vector3 p = a + (above / (above - below)) * (b - a);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3 edge = c[(k + 1) % 3] - c[k];
+    // Twice an area: how far inside of the edge, times its length and the normal's.
+    const double inside = area.dot(edge.cross(p - c[k]));
+    if (inside < -kOnFeature * edge.norm() * area.norm()) return false;
+  }
+  return true;
+}
+
 // Collects the contacts of pairs of triangles, one of the object and one of the link.
 class PairContacts {
  public:
+  // `pairs`: all that are within the threshold.
   PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
-               const ContactOptions& options, std::vector<SurfaceContact>& points)
+               const ContactOptions& options, const std::vector<TrianglePair>& pairs,
+               std::vector<SurfaceContact>& points)
       : object_(object),
         link_(link),
         X_OL_(X_OL),
         X_LO_(X_OL.inverse()),
         options_(options),
+        pairs_(pairs),
         points_(points) {}
 
   void add(TrianglePair pair) {
@@ -159,7 +179,20 @@ class PairContacts {
     const double slope = options_.angular_tolerance;
     if (!supports(object_, pair.a, on_object, -normal, slope)) return;
     if (!supports(link_, pair.b, X_LO_ * on_link, X_LO_.linear() * normal, slope)) return;
+    if (is_behind_a_wall(pair.a, on_object, on_link, normal)) return;
     points_.push_back({on_object, normal, gap});
+  }
+
+  // The far side of a wall that is thinner than the threshold is within it, too. Its triangle `t`
+  // faces away from the link; a sheet without thickness may do so as well, but has nothing before
+  // it.
+  bool is_behind_a_wall(int t, const Vector3& on_object, const Vector3& on_link,
+                        const Vector3& normal) const {
+    if (unit_normal(corners_of(object_.mesh(), t)).dot(normal) <= 0.0) return false;
+    const Vector3 before = on_object - kOnFeature * normal;
+    return std::any_of(pairs_.begin(), pairs_.end(), [&](const TrianglePair& pair) {
+      return passes_through(on_link, before, corners_of(object_.mesh(), pair.a));
+    });
   }
 
   const ProximityMesh& object_;
@@ -167,6 +200,7 @@ class PairContacts {
   const Pose X_OL_;
   const Pose X_LO_;
   const ContactOptions& options_;
+  const std::vector<TrianglePair>& pairs_;
   std::vector<SurfaceContact>& points_;
 };
 
@@ -185,7 +219,7 @@ void find_contact_points(const ProximityMesh& object, const ProximityMesh& link,
   points.clear();
   find_pairs_within(object, link, X_OL, options.threshold, workspace.pairs);
   workspace.points.clear();
-  PairContacts contacts(object, link, X_OL, options, workspace.points);
+  PairContacts contacts(object, link, X_OL, options, workspace.pairs, workspace.points);
   for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
   for (const SurfaceContact& contact : workspace.points) {

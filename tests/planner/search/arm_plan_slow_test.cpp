@@ -10,7 +10,7 @@
 #include "planner/search/plan.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/parallel/parallel.h"
-#include "tests/planner/search/judge_path.h"
+#include "tests/support/judge_path.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {

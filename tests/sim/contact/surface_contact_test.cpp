@@ -164,5 +164,30 @@ TEST(SurfaceContact, ATriangleWithoutAreaMakesNoContactWithoutANormal) {
   for (const SurfaceContact& contact : contacts) EXPECT_NEAR(contact.normal.norm(), 1.0, 1e-9);
 }
 
+// A foil of 20 um: its far side is nearer to the link than the threshold.
+TEST(SurfaceContact, TheFarSideOfAThinWallIsNoContact) {
+  constexpr double kFoil = 2e-5;
+  const TriangleMesh object =
+      transformed(make_box({0.02, 0.02, kFoil}, 4), translation({0.0, 0.0, -0.5 * kFoil}));
+  each_frame(67, 20, [&](const Pose& X_WO, const Pose& X_WL, double /*gap*/) {
+    const TriangleMesh link =
+        transformed(make_box({0.03, 0.03, 0.03}), translation({0.0, 0.0, 0.015 + 5e-5}));
+    const auto contacts = Touching(object, link, X_WO, X_WL).points();
+    EXPECT_GE(contacts.size(), 4U);
+    for (const SurfaceContact& contact : contacts) EXPECT_NEAR(contact.position.z(), 0.0, 1e-9);
+  });
+}
+
+// A surface without thickness may face either way: nothing stands before it.
+TEST(SurfaceContact, ASheetThatFacesAwayIsTouched) {
+  TriangleMesh sheet;
+  sheet.vertices = {{-0.01, -0.01, 0.0}, {0.01, -0.01, 0.0}, {0.0, 0.01, 0.0}};
+  sheet.triangles = {{0, 2, 1}};
+  const TriangleMesh link =
+      transformed(make_box({0.03, 0.03, 0.03}), translation({0.0, 0.0, 0.015 + 5e-5}));
+  const Pose X = Pose::Identity();
+  expect_places(Touching(sheet, link, X, X).regions(), sheet.vertices, kDownwards);
+}
+
 }  // namespace
 }  // namespace prehend

@@ -1,11 +1,12 @@
-// A path judged with nothing that made it: its own kinematics from the robots' numbers, its own
-// interpolation, triangles against triangles.
+// Postures of robots seen with nothing that made them: own kinematics from the robots' numbers,
+// triangles against triangles.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "planner/path/trajectory.h"
@@ -62,10 +63,12 @@ inline Bounds moved(const Matrix4& X, const Bounds& box) {
 using Posture = std::map<std::string, double>;
 using Frames = std::map<std::string, Matrix4>;
 
-// All robots of a scene as bodies and frames, in the world.
+// All robots of a carrier as bodies and frames, in the world.
 class Machine {
  public:
-  explicit Machine(const Scene& scene) : carrier_(*scene.carrier) {
+  explicit Machine(const Scene& scene) : Machine(*scene.carrier) {}
+
+  explicit Machine(Carrier carrier) : carrier_(std::move(carrier)) {
     for (const MountedRobot& mounted : carrier_.platform.robots) add_links(mounted);
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       for (std::size_t a = 0; a < b; ++a) {
@@ -158,7 +161,7 @@ class Machine {
     return a == b || (!a.empty() && body_before(a) == b) || (!b.empty() && body_before(b) == a);
   }
 
-  const Carrier& carrier_;
+  Carrier carrier_;
   std::vector<Body> bodies_;
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;
   std::map<std::string, std::string> before_;  // the frame before each

@@ -1,11 +1,12 @@
-// What is promised of the path of a grasp, looked at with second_opinion.h.
+// What is promised of the path of a grasp, looked at with second_opinion.h and its own
+// interpolation.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "planner/search/plan.h"
-#include "tests/planner/search/second_opinion.h"
+#include "tests/support/second_opinion.h"
 
 namespace prehend::test {
 
@@ -191,13 +192,13 @@ class PathJudge {
   double motion(const Frames& a, const Frames& b) const {
     double most = 0.0;
     for (const Body& body : machine_.bodies()) {
-      const Matrix4& X_a = a.at(body.frame);
-      const Matrix4& X_b = b.at(body.frame);
+      const Matrix4& X_A = a.at(body.frame);
+      const Matrix4& X_B = b.at(body.frame);
       for (int c = 0; c < 8; ++c) {
         const Vector3 p((c & 1) != 0 ? body.box.upper.x() : body.box.lower.x(),
                         (c & 2) != 0 ? body.box.upper.y() : body.box.lower.y(),
                         (c & 4) != 0 ? body.box.upper.z() : body.box.lower.z());
-        most = std::max(most, (moved(X_a, p) - moved(X_b, p)).norm());
+        most = std::max(most, (moved(X_A, p) - moved(X_B, p)).norm());
       }
     }
     return most;

@@ -1,0 +1,78 @@
+// What is promised of a plan as a whole: the order of its grasps, that no two are the same, and
+// that its counts add up.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "planner/search/plan.h"
+#include "tests/support/judge_grasp.h"
+
+namespace prehend::test {
+
+// The same hand pose within both limits; the angle from the trace of R_a^T R_b.
+inline bool same_pose(const Pose& a, const Pose& b, const RankOptions& options) {
+  const double cosine = 0.5 * ((a.linear().transpose() * b.linear()).trace() - 1.0);
+  const double angle = std::acos(std::min(1.0, std::max(-1.0, cosine)));
+  return (a.translation() - b.translation()).norm() <= 0.999999 * options.same_distance &&
+         angle <= 0.999999 * options.same_angle;
+}
+
+inline void judge_order(const PlanResult& result, const PlanOptions& options,
+                        std::vector<Fault>& faults) {
+  if (result.grasps.size() > static_cast<std::size_t>(options.rank.top)) {
+    faults.push_back({"rank", "more grasps than were asked for"});
+  }
+  for (std::size_t i = 0; i < result.grasps.size(); ++i) {
+    const Trial& trial = result.grasps[i].trial;
+    const std::string name = "grasp " + std::to_string(i);
+    if (trial.outcome != Outcome::stable) faults.push_back({"rank", name + " is not stable"});
+    if (!result.grasps[i].volume || !(*result.grasps[i].volume > 0.0)) {
+      faults.push_back({"rank", name + " has no volume"});
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      const Trial& better = result.grasps[k].trial;
+      if (trial.epsilon.lower > better.epsilon.lower) {
+        faults.push_back({"rank", name + " is better than grasp " + std::to_string(k)});
+      }
+      if (same_pose(better.X_OH, trial.X_OH, options.rank)) {
+        faults.push_back({"rank", name + " is the same as grasp " + std::to_string(k)});
+      }
+    }
+  }
+}
+
+// Every candidate was tried and has one outcome; what was blocked has somebody to blame.
+inline void judge_counts(const PlanResult& result, const PlanOptions& options,
+                         std::vector<Fault>& faults) {
+  std::array<int, kOutcomes.size()> outcomes{};
+  int unblamed = 0;
+  for (const Tried& tried : result.tried) {
+    ++outcomes[static_cast<std::size_t>(tried.outcome)];
+    const bool blocked = tried.outcome == Outcome::hand_blocked ||
+                         tried.outcome == Outcome::approach_blocked ||
+                         tried.outcome == Outcome::arm_blocked;
+    unblamed += blocked && (tried.blame.link.empty() || tried.blame.by.empty());
+  }
+  if (outcomes != result.outcomes) faults.push_back({"counts", "outcomes do not add up"});
+  if (unblamed > 0) faults.push_back({"counts", "blocked by nobody"});
+  if (static_cast<int>(result.tried.size()) > options.candidates.max_candidates) {
+    faults.push_back({"counts", "more tried than asked for"});
+  }
+  if (result.untested != 0 || result.status == PlanStatus::cancelled) {
+    faults.push_back({"counts", "not complete"});
+  }
+  if ((result.status == PlanStatus::complete) == result.tried.empty()) {
+    faults.push_back({"counts", "status " + std::string(plan_status_name(result.status))});
+  }
+}
+
+inline std::vector<Fault> judge_plan(const PlanResult& result, const PlanOptions& options) {
+  std::vector<Fault> faults;
+  judge_order(result, options, faults);
+  judge_counts(result, options, faults);
+  return faults;
+}
+
+}  // namespace prehend::test
