@@ -11,6 +11,7 @@
 #include "benchmarks/soak/resources.h"
 #include "planner/files/grasps_file.h"
 #include "sim/base/input_error.h"
+#include "sim/base/random.h"
 #include "tests/support/judge_path.h"
 #include "tests/support/judge_plan.h"
 #include "tests/support/trial_bytes.h"

@@ -20,6 +20,8 @@ inline double safe_step(const Gap& gap, const TrialOptions& options) {
 // the convex parts that enclose the two surfaces. Medium gaps: an approximate search of the
 // bounding-volume trees of the meshes. Small gaps: the exact distance of the triangle pairs that
 // are near each other, listed once and reused until the bodies have moved too far for the list.
+// Where fine meshes have too many such pairs, it is the search of the trees again, which is exact
+// for gaps up to GapTrackerOptions::least_reach.
 class GapTracker {
  public:
   // Both meshes and the options must outlive the tracker.

@@ -41,7 +41,8 @@ struct GapTrackerOptions {
   // least_reach [m].
   double reach = 1.5;
   double least_reach = 3e-4;
-  // A longer list costs more than a search of the bounding-volume trees and is not kept.
+  // A longer list costs more than a search of the bounding-volume trees and is not kept; the next
+  // one is tried when the gap is half as large.
   int most_pairs = 400;
   // Relative error allowed in a query of the trees, whose answer only limits the next step.
   double looseness = 0.4;
