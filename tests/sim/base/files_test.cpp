@@ -1,7 +1,9 @@
 // Reading and writing whole files, and what is refused as one.
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -106,6 +108,21 @@ TEST(RequireWritable, LooksAtTheNearestFolderThatExists) {
   for (const fs::path& bad : {folder / "file", folder / "file" / "below"}) {
     EXPECT_EQ(test::refusal_of([&] { require_writable(bad); }).file(), bad.string());
   }
+}
+
+// Neither half of a new file nor a temporary one is left where making the content fails.
+TEST(WriteFile, LeavesTheOldFileWhereMakingTheContentFails) {
+  const fs::path folder = own_folder();
+  write_file(folder / "file", "old");
+  const auto half = [](std::ostream& stream) {
+    stream << "half of it";
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(write_file(folder / "file", half), std::runtime_error);
+  EXPECT_EQ(content(folder / "file"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+  write_file(folder / "file", [](std::ostream& stream) { stream << "made " << 2; });
+  EXPECT_EQ(content(folder / "file"), "made 2");
 }
 
 }  // namespace
