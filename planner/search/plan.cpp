@@ -14,6 +14,7 @@
 #include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
 #include "sim/quality/wrench_hull.h"
+#include "sim/trial/sensitivity.h"
 
 namespace prehend {
 namespace {
@@ -117,6 +118,7 @@ void add_volumes(const CompiledScene& scene, const TrialOptions& options,
     const WrenchHull hull = wrench_hull(contact_wrenches(contacts_of(grasp.trial.contacts),
                                                          scene.wrench_frame, options.cone_edges));
     grasp.volume = hull.volume;
+    grasp.epsilon_nearby = epsilon_nearby(scene, grasp.trial, options);
     if (i < wanted.sections && !context.cancellation.requested()) {
       grasp.sections = wrench_sections(hull.points);
     }
@@ -297,6 +299,7 @@ class PlanRun {
       result_.grasps.push_back({std::move(finished.trials[i]),
                                 proposed.candidate,
                                 {},
+                                {},
                                 proposed.primitive,
                                 proposed.rule,
                                 {},
@@ -337,6 +340,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
     result.grasps.push_back({std::move(finished.trials[i]),
                              candidates[finished.candidates[i]],
+                             {},
                              {},
                              std::nullopt,
                              "given",
