@@ -72,8 +72,7 @@ class RepeatedKeys {
   std::vector<std::set<std::string>> keys_;
 };
 
-Json parse(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
+Json parse(const std::filesystem::path& file, const std::string& text) {
   if (json_depth(text) > kDeepestJson) {
     throw InputError({.file = file.string(),
                       .problem = "nested deeper than " + std::to_string(kDeepestJson) + " levels"});
@@ -94,7 +93,10 @@ Json parse(const std::filesystem::path& file) {
 
 }  // namespace
 
-JsonFile::JsonFile(const std::filesystem::path& file) : path_(file), value_(parse(file)) {}
+JsonFile::JsonFile(const std::filesystem::path& file) : JsonFile(file, read_file(file)) {}
+
+JsonFile::JsonFile(std::filesystem::path file, const std::string& text)
+    : path_(std::move(file)), value_(parse(path_, text)) {}
 
 JsonField JsonFile::root() const { return JsonField(value_, path_, ""); }
 

@@ -25,6 +25,8 @@ class JsonFile {
   // (read_file), has a syntax error (with the line), is nested deeper than kDeepestJson, or has an
   // object with two fields of the same name (with the name).
   explicit JsonFile(const std::filesystem::path& file);
+  // Parses `text` as the content of `file`, which is not opened. Throws as above.
+  JsonFile(std::filesystem::path file, const std::string& text);
 
   const std::filesystem::path& path() const { return path_; }
   // The outermost value.

@@ -264,9 +264,8 @@ void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& ch
 
 }  // namespace
 
-Robot load_robot(const std::filesystem::path& file) {
-  const JsonFile json(file);
-  return RobotReader(json.root()).read();
-}
+Robot load_robot(const std::filesystem::path& file) { return read_robot(JsonFile(file)); }
+
+Robot read_robot(const JsonFile& file) { return RobotReader(file.root()).read(); }
 
 }  // namespace prehend
