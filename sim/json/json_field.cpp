@@ -164,6 +164,7 @@ double JsonField::number() const {
   if (!value_->is_number()) fail("must be a number");
   const double number = value_->get<double>();
   if (!std::isfinite(number)) fail("must be finite");
+  if (std::abs(number) > kLargestNumber) fail("must not be beyond 1e30");
   return number;
 }
 
@@ -204,6 +205,12 @@ std::vector<double> JsonField::numbers(std::size_t count) const {
 Vector3 JsonField::vector3() const {
   const std::vector<double> values = numbers(3);
   return {values[0], values[1], values[2]};
+}
+
+Vector3 JsonField::direction() const {
+  const Vector3 vector = vector3();
+  if (!(vector.norm() > kShortestDirection)) fail("must not be the zero vector");
+  return vector.normalized();
 }
 
 double JsonField::number_or(std::string_view key, double otherwise) const {

@@ -12,6 +12,8 @@
 #include "sim/mesh_files/assimp_reader.h"
 #include "sim/mesh_files/mesh_bytes.h"
 #include "sim/mesh_files/off_reader.h"
+#include "sim/mesh_files/ply_reader.h"
+#include "sim/mesh_files/stl_reader.h"
 
 // A mesh file is read in steps: the bytes as a whole, their validation and parsing by format, then,
 // in the same way for all formats, units and welding. Errors are thrown without the file's name,
@@ -46,6 +48,8 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
 
 TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
                       const std::string& extension) {
+  if (extension == "stl") return read_stl(bytes);
+  if (extension == "ply") return read_ply(bytes);
   if (extension == "off") {
     need_text(bytes);
     return read_off(bytes);

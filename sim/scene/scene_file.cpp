@@ -101,9 +101,12 @@ std::string read_robot_source(const JsonField& field) {
 GraspableBody read_object(const JsonField& field) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
-  GraspableBody body = make_graspable(field.text_or("name", "object"), read_body_mesh(field),
-                                      read_material(field, Material::plastic),
-                                      read_positive(field, "mass", kDefaultObjectMass));
+  TriangleMesh mesh = read_body_mesh(field);
+  const std::string name = field.text_or("name", "object");
+  const Material material = read_material(field, Material::plastic);
+  const double mass = read_positive(field, "mass", kDefaultObjectMass);
+  GraspableBody body =
+      made_of(field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
   if (field.has("center_of_mass")) body.center_of_mass = field["center_of_mass"].vector3();
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.source = read_source(field);
