@@ -277,8 +277,8 @@ class DaeCheck {
     }
     if (one_list ? lists_.lists > 1 : lists_.lists != lists_.count) fits = false;
     if (!fits) {
-      throw InputError("element " + in_quotes(name) + " has the count " +
-                       std::to_string(lists_.count) + ", but lists of another length");
+      throw InputError("element " + in_quotes(name) + " has an index count that does not fit its " +
+                       std::to_string(lists_.count) + " polygons");
     }
   }
 

@@ -180,9 +180,7 @@ Header read_header(std::string_view bytes) {
       header.lines = scan.line_number();
       check_elements(header);
       return header;
-    } else if (!word.empty() && word != "comment" && word != "obj_info") {
-      scan.fail("unknown line in the PLY header (" + in_quotes(word) + ")");
-    }
+    }  // other lines are comments, with or without the word for it
   }
   throw InputError("the PLY header does not end");
 }

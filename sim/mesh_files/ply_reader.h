@@ -11,7 +11,7 @@ namespace prehend {
 // of vertices, triangulated by triangulate_face; faces of one or two corners are left out). Other
 // elements and properties are passed over. Throws InputError, with the line number in text files:
 // for counts that exceed the file, indices out of range, coordinates that are not finite, surfaces
-// other than faces, and header lines that the format does not have.
+// other than faces.
 TriangleMesh read_ply(std::string_view bytes);
 
 }  // namespace prehend
