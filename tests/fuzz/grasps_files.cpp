@@ -16,9 +16,9 @@ CompiledScene compiled(const char* scene) {
 // The scene that a file asks for: one with an arm or one without. Other scenes would have to be
 // compiled first, which takes longer than all the rest.
 const CompiledScene& scene_of(const JsonFile& file) {
-  static const CompiledScene kFree = compiled("good_ball.json");
-  static const CompiledScene kCarried = compiled("good_arm.json");
-  return read_scene_reference(file).scene.find("arm") == std::string::npos ? kFree : kCarried;
+  static const CompiledScene alone = compiled("good_ball.json");
+  static const CompiledScene carried = compiled("good_arm.json");
+  return read_scene_reference(file).scene.find("arm") == std::string::npos ? alone : carried;
 }
 
 void check_grasp(const ScoredGrasp& grasp, const CompiledScene& scene) {

@@ -19,43 +19,43 @@ using Json = nlohmann::json;
 
 // Values at which readers have been known to fail.
 Json extreme_value(Random& random) {
-  static const std::vector<Json> kValues{nullptr,
-                                         true,
-                                         false,
-                                         Json::array(),
-                                         Json::object(),
-                                         "",
-                                         "x",
-                                         std::string(300, 'a'),
-                                         "\n\x1b",
-                                         0,
-                                         1,
-                                         -1,
-                                         2,
-                                         3,
-                                         0.5,
-                                         -0.0,
-                                         1e-320,
-                                         1e-160,
-                                         1e-9,
-                                         1e9,
-                                         1e30,
-                                         1e155,
-                                         1e300,
-                                         -1e308,
-                                         255,
-                                         65536,
-                                         2147483647,
-                                         -2147483648LL,
-                                         4294967296LL,
-                                         9223372036854775807LL,
-                                         18446744073709551615ULL,
-                                         Json::array({0, 0, 0}),
-                                         Json::array({1, 0, 0}),
-                                         Json::array({1e200, 1e200, 1e200}),
-                                         Json::array({1e-200, 0, 0}),
-                                         Json::array({0, 0, 0, 0})};
-  return kValues[random.index(kValues.size())];
+  static const std::vector<Json> values{nullptr,
+                                        true,
+                                        false,
+                                        Json::array(),
+                                        Json::object(),
+                                        "",
+                                        "x",
+                                        std::string(300, 'a'),
+                                        "\n\x1b",
+                                        0,
+                                        1,
+                                        -1,
+                                        2,
+                                        3,
+                                        0.5,
+                                        -0.0,
+                                        1e-320,
+                                        1e-160,
+                                        1e-9,
+                                        1e9,
+                                        1e30,
+                                        1e155,
+                                        1e300,
+                                        -1e308,
+                                        255,
+                                        65536,
+                                        2147483647,
+                                        -2147483648LL,
+                                        4294967296LL,
+                                        9223372036854775807LL,
+                                        18446744073709551615ULL,
+                                        Json::array({0, 0, 0}),
+                                        Json::array({1, 0, 0}),
+                                        Json::array({1e200, 1e200, 1e200}),
+                                        Json::array({1e-200, 0, 0}),
+                                        Json::array({0, 0, 0, 0})};
+  return values[random.index(values.size())];
 }
 
 // All values of a document, the outermost first, and the names of all its fields.
@@ -159,16 +159,16 @@ class Change {
     return random_.index(4) == 0 ? change_(name) : name;
   }
 
-  void repeat(Json& container, Json copy) {
+  void repeat(Json& container, const Json& copy) {
     if (container.is_array()) {
       const std::size_t times = random_.index(8) == 0 ? 1 + random_.index(64) : 1;
       for (std::size_t i = 0; i < times; ++i) container.push_back(copy);
     } else {
-      container[any_name()] = std::move(copy);
+      container[any_name()] = copy;
     }
   }
 
-  void rename(Json& container, Json::iterator entry) {
+  void rename(Json& container, const Json::iterator& entry) {
     if (container.is_array()) {
       *entry = extreme_value(random_);
       return;
