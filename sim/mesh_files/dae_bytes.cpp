@@ -266,8 +266,7 @@ class DaeCheck {
     return *value;
   }
 
-  // assimp aborts the program where the polygons of an element are not as many as its count says,
-  // and loses memory where it refuses the number of indices.
+  // assimp aborts the program where an element has more lists of polygons than its count says.
   void check_lists(std::string_view name) const {
     const bool one_list = name == "triangles" || name == "polylist";
     bool fits = lists_.indices % lists_.stride == 0;

@@ -1,7 +1,7 @@
 // The header declares elements (vertex, face, others)
 // with typed properties; the body is traversed as declared, and lengths, indices and coordinates
-// are checked. assimp is not used for this format: it splits the header in other ways than the
-// format says, and then reads beyond its buffers.
+// are checked. assimp is not used for this format: of some damaged files it frees
+// memory that it did not allocate.
 #include "sim/mesh_files/ply_reader.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Nothing in the format tells text and binary apart for certain. Text files begin with the word
 // "solid", but so do the headers of some binary files; a binary file has a size that follows from
 // its number of facets. Numbers in binary files are little-endian. assimp is not used for this
-// format: it takes facets apart by other words than the ones that were checked.
+// format: it refuses files whose normals are damaged, although they are not used, and loses memory.
 #include "sim/mesh_files/stl_reader.h"
 
 #include <array>

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Values at which readers have been known to fail.
+// Values that readers may not expect.
 Json extreme_value(Random& random) {
   static const std::vector<Json> values{nullptr,
                                         true,
