@@ -10,6 +10,7 @@
 #include "planner/files/json_grasp.h"
 #include "planner/files/json_settings.h"
 #include "sim/base/index.h"
+#include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
 #include "sim/json/json_fields.h"
 #include "sim/scene/json_primitive.h"
@@ -216,7 +217,7 @@ SceneReference read_scene_reference(const JsonFile& file) {
   // A path that is relative to the grasp file is preferred to one that is relative to the working
   // directory, and to a library scene of that name.
   const std::filesystem::path beside = file.path().parent_path() / reference.scene;
-  if (!reference.scene.empty() && std::filesystem::exists(beside)) {
+  if (!reference.scene.empty() && is_there(beside)) {
     reference.scene = beside.string();
   }
   return reference;

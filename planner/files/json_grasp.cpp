@@ -43,7 +43,7 @@ void grasp_contact_fields(auto& fields, auto& contact, const ValueNames<LinkId>&
 void approach_fields(auto& fields, auto& grasp) {
   fields("direction", grasp.candidate.approach_O);
   const double length = grasp.candidate.approach_O.norm();
-  fields.require("direction", length > 0.0, "must not be zero");
+  fields.require("direction", length > kShortestDirection, "must not be zero");
   // Directions written by hand need not be unit and are normalised. One that is unit up to rounding
   // stays as it is, so that writing and reading back does not change any bit.
   if constexpr (kReads<decltype(fields)>) {
