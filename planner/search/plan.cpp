@@ -299,7 +299,6 @@ class PlanRun {
       result_.grasps.push_back({std::move(finished.trials[i]),
                                 proposed.candidate,
                                 {},
-                                {},
                                 proposed.primitive,
                                 proposed.rule,
                                 {},
@@ -340,7 +339,6 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
     result.grasps.push_back({std::move(finished.trials[i]),
                              candidates[finished.candidates[i]],
-                             {},
                              {},
                              std::nullopt,
                              "given",
