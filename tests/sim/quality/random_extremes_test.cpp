@@ -175,7 +175,7 @@ TEST(RandomExtremes, AreRefusedOrGiveFiniteNumbersInOrder) {
       held += bracket.force_closure() ? 1 : 0;
       expect_ordered({bracket.lower, bracket.upper}, what + "epsilon ");
       expect_sound_measures(made, seed % 10 == 0, what);
-      expect_sound_sections(made, what);
+      if (seed % 10 == 0) expect_sound_sections(made, what);
       expect_sound_forces(made, what);
     } catch (const InputError& error) {
       // The wrench to be balanced is the only thing left that may be beyond its range.
