@@ -194,6 +194,13 @@ void need_metres(const InspectCommand& command) {
           {.field = "--unit", .problem = "only for mesh files", .value = command.unit});
 }
 
+// What the command line says of objects does not fit robots.
+void need_plain(const InspectCommand& command) {
+  need_metres(command);
+  require(!command.primitive_tolerance,
+          {.field = "--primitive-tolerance", .problem = "only for meshes and scenes"});
+}
+
 }  // namespace
 
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
@@ -201,7 +208,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     require_writable(std::filesystem::absolute(command.save).parent_path());
   // A file is preferred to a robot of the library of the same name.
   if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
-    need_metres(command);
+    need_plain(command);
     print_platform(find_platform(command.file));
     return 0;
   }
@@ -221,6 +228,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   const JsonFile json(file);
   // Robot files have chains, platform files robots; other JSON files are scenes.
   if (json.root().has("chains") || json.root().has("robots")) {
+    need_plain(command);
     print_platform(load_platform(file));
     return 0;
   }
