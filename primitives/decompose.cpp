@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "primitives/fit.h"
 #include "primitives/inscribed.h"
 #include "primitives/polish.h"
 #include "primitives/split.h"
+#include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
 
@@ -48,16 +51,8 @@ InputErrorParts no_area(const TriangleMesh& mesh) {
           .value = std::to_string(mesh.triangles.size()) + " triangles"};
 }
 
-// The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1. All
-// thresholds of the decomposition are meant for that size, so that results do not depend on units.
-// Vertices of no triangle do not count.
-struct UnitMesh {
-  TriangleMesh mesh;
-  Vector3 center = Vector3::Zero();
-  double diagonal = 0.0;
-};
-
-UnitMesh unit_mesh(const TriangleMesh& mesh) {
+// The box around the triangles. Vertices of no triangle do not count.
+Bounds used_bounds(const TriangleMesh& mesh) {
   Bounds used;
   for (const Triangle& t : mesh.triangles) {
     for (const int v : t) {
@@ -65,6 +60,19 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
       used.upper = used.upper.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)]);
     }
   }
+  return used;
+}
+
+// The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1. All
+// thresholds of the decomposition are meant for that size, so that results do not depend on units.
+struct UnitMesh {
+  TriangleMesh mesh;
+  Vector3 center = Vector3::Zero();
+  double diagonal = 0.0;
+};
+
+UnitMesh unit_mesh(const TriangleMesh& mesh) {
+  const Bounds used = used_bounds(mesh);
   UnitMesh unit{mesh, used.center(), used.diagonal()};
   require(!mesh.empty() && unit.diagonal > 0.0 && std::isfinite(unit.diagonal), no_area(mesh));
   for (Vector3& p : unit.mesh.vertices) p = (p - unit.center) / unit.diagonal;
@@ -152,6 +160,36 @@ Primitive rescaled(Primitive primitive, const UnitMesh& unit) {
   return primitive;
 }
 
+// Of distances in units of `unit` metres.
+SurfaceDistances statistics_of(std::vector<double> distances, double unit) {
+  if (distances.empty()) return {};
+  return {unit * quantile(distances, 0.5), unit * quantile(distances, 0.95),
+          unit * quantile(distances, 1.0)};
+}
+
+// How far the points are from the primitives as they were fitted in the end.
+void measure_distances(const std::vector<Primitive>& fitted, const Surface& surface, double unit,
+                       Decomposition& result) {
+  std::vector<double> all;
+  std::vector<std::vector<double>> of(fitted.size());
+  for (const SurfacePoint& s : surface.points) {
+    std::size_t nearest = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < fitted.size(); ++k) {
+      const double d = std::abs(signed_distance(fitted[k], s.p_O));
+      if (d >= distance) continue;
+      distance = d;
+      nearest = k;
+    }
+    all.push_back(distance);
+    of[nearest].push_back(distance);
+  }
+  result.distances = statistics_of(std::move(all), unit);
+  for (std::vector<double>& distances : of) {
+    result.distances_of.push_back(statistics_of(std::move(distances), unit));
+  }
+}
+
 // Each point within tolerance counts for its nearest primitive only, so that shares add up to the
 // explained fraction.
 Decomposition result_of(const std::vector<Region>& regions, const Surface& surface,
@@ -175,16 +213,31 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return share[a] > share[b]; });
   Decomposition result;
+  std::vector<Primitive> fitted;
   for (const std::size_t k : order) {
-    const Primitive fitted = on_vertices(regions[k].primitive, regions[k].points, unit.mesh);
-    result.primitives.push_back(rescaled(fitted, unit));
+    fitted.push_back(on_vertices(regions[k].primitive, regions[k].points, unit.mesh));
+    result.primitives.push_back(rescaled(fitted.back(), unit));
     result.share.push_back(share[k]);
     result.explained += share[k];
   }
+  result.tolerance = surface.tolerance * unit.diagonal;
+  measure_distances(fitted, surface, unit.diagonal, result);
   return result;
 }
 
 }  // namespace
+
+double relative_tolerance(const TriangleMesh& mesh, double length) {
+  require_valid_indices(mesh, "mesh");
+  const double diagonal = used_bounds(mesh).diagonal();
+  require(length > 0.0 && length <= diagonal,
+          {.field = "tolerance",
+           .problem = formatted("must be above 0 and at most the object's diagonal, %.4g mm",
+                                1000.0 * diagonal),
+           .value = formatted("%.4g mm", 1000.0 * length)});
+  // Rounding must not make a diagonal more than a diagonal.
+  return std::min(length / diagonal, 1.0);
+}
 
 Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options,
                         const RunContext& context) {

@@ -33,12 +33,27 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("max_primitives", max_primitives);
 }
 
+// Statistics of the distances of surface points from the primitive nearest to each [m].
+struct SurfaceDistances {
+  double median = 0.0;
+  double percentile_95 = 0.0;
+  double largest = 0.0;
+};
+
 // The primitives that approximate a mesh, in the mesh's frame.
 struct Decomposition {
   std::vector<Primitive> primitives;  // sorted by the area they explain, largest first
   std::vector<double> share;          // per primitive, the fraction of the area that it explains
   double explained = 0.0;             // fraction of the area within tolerance of some primitive
+  double tolerance = 0.0;             // DecomposeOptions::tolerance as a length [m]
+  SurfaceDistances distances;         // of the whole surface
+  // Per primitive, of the surface that is nearer to it than to the others; 0 where there is none.
+  std::vector<SurfaceDistances> distances_of;
 };
+
+// DecomposeOptions::tolerance for a mesh, from a length [m]. Throws InputError for a length that is
+// not above 0, or above the diagonal of the mesh's bounding box.
+double relative_tolerance(const TriangleMesh& mesh, double length);
 
 // Minimises an objective (region.h) that adds up the distances of the surface from the primitives,
 // the area of the primitives that lies away from the mesh, and a cost for each primitive. First the
@@ -47,10 +62,10 @@ struct Decomposition {
 // and primitives are refitted, merged and dropped.
 //
 // All this uses a fixed number of points sampled by area, so that the time hardly depends on the
-// number of triangles, and the mesh need not be closed or oriented. The explained fractions are
-// estimates from those points. The same arguments give the same result. Throws InputError for a
-// mesh without area, with an index out of range or a vertex that is not finite, and for an option
-// out of its range; throws Cancelled.
+// number of triangles, and the mesh need not be closed or oriented. The explained fractions and
+// the distances are estimates from those points. The same arguments give the same result. Throws
+// InputError for a mesh without area, with an index out of range or a vertex that is not finite,
+// and for an option out of its range; throws Cancelled.
 Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
                         const RunContext& context = {});
 

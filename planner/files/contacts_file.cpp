@@ -1,6 +1,9 @@
 #include "planner/files/contacts_file.h"
 
+#include <cmath>
+
 #include "planner/files/json_contact.h"
+#include "sim/quality/ranges.h"
 
 namespace prehend {
 namespace {
@@ -18,13 +21,20 @@ std::vector<Contact> read_list(const JsonField& list) {
   return contacts;
 }
 
+// A force or a torque.
+Vector3 read_load(const JsonField& field) {
+  const Vector3 load = field.vector3();
+  if (load.cwiseAbs().maxCoeff() > kLargestLoad) field.fail("must be within 1e9 of 0");
+  return load;
+}
+
 // {"force", "torque"}, each zero where it is missing. Files have torques in N m. Inside, the
 // torques of a wrench are multiplied by the torque scale.
 Wrench read_wrench(const JsonField& field, const WrenchFrame& frame) {
   field.allow_only({"force", "torque"});
   Wrench wrench = Wrench::Zero();
-  if (field.has("force")) wrench.head<3>() = field["force"].vector3();
-  if (field.has("torque")) wrench.tail<3>() = frame.torque_scale * field["torque"].vector3();
+  if (field.has("force")) wrench.head<3>() = read_load(field["force"]);
+  if (field.has("torque")) wrench.tail<3>() = frame.torque_scale * read_load(field["torque"]);
   return wrench;
 }
 
@@ -59,6 +69,9 @@ Eigen::MatrixXd read_matrix(const JsonField& field, std::size_t rows, std::size_
   Eigen::MatrixXd matrix(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
   for (std::size_t i = 0; i < rows; ++i) {
     const std::vector<double> line = lines[i].numbers(columns);
+    for (const double entry : line) {
+      if (std::abs(entry) > kLargestJacobian) lines[i].fail("entries must be within 1e6 of 0");
+    }
     matrix.row(static_cast<Eigen::Index>(i)) =
         Eigen::Map<const Eigen::RowVectorXd>(line.data(), static_cast<Eigen::Index>(columns));
   }
@@ -71,6 +84,10 @@ HandTorques read_hand(const JsonField& field, std::size_t contacts) {
   HandTorques hand;
   const std::size_t joints = field["torque_limits"].items().size();
   const std::vector<double> limits = field["torque_limits"].numbers(joints);
+  for (const double limit : limits) {
+    const bool accepted = limit == 0.0 || (limit >= kSmallestLoad && limit <= kLargestLoad);
+    if (!accepted) field["torque_limits"].fail("must be 0, or from 1e-9 to 1e9 N m");
+  }
   hand.limits = Eigen::Map<const Eigen::VectorXd>(limits.data(), static_cast<Eigen::Index>(joints));
   hand.jacobian = read_matrix(field["jacobian"], 3 * contacts, joints);
   if (field.has("spin")) hand.spin = read_matrix(field["spin"], contacts, joints);
@@ -91,7 +108,11 @@ ContactsFile read_contacts(const JsonFile& file) {
   // The wrench frame comes first: the wrenches of task and external are scaled by it.
   if (root.has("torque_origin")) read.frame.torque_origin = root["torque_origin"].vector3();
   read.frame.torque_scale = root.number_or("torque_scale", 1.0);
-  if (!(read.frame.torque_scale > 0.0)) root["torque_scale"].fail("must be above 0");
+  try {
+    check_frame(read.frame);
+  } catch (const InputError& error) {
+    root.fail(error);
+  }
   read.contacts = read_list(root["contacts"]);
   if (root.has("surface")) read.surface = read_list(root["surface"]);
   if (root.has("task")) read.task = read_task(root["task"], read.frame);

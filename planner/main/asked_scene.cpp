@@ -1,5 +1,6 @@
 #include "planner/main/asked_scene.h"
 
+#include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
 #include "sim/scene/scene_file.h"
@@ -20,6 +21,14 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   record.hand = asked.hand;
   record.scene = scene_reference(asked.scene);
   return {compile(load_scene(asked.scene, {record.hand, record.unit})), record};
+}
+
+double asked_tolerance(const TriangleMesh& object, double millimetres) {
+  try {
+    return relative_tolerance(object, 1e-3 * millimetres);
+  } catch (const InputError& error) {
+    throw error.about("--primitive-tolerance");
+  }
 }
 
 }  // namespace prehend

@@ -16,4 +16,8 @@ struct LoadedScene {
 // Throws InputError when neither names a scene.
 LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& command_line);
 
+// DecomposeOptions::tolerance from --primitive-tolerance [mm]. Throws InputError that names the
+// option.
+double asked_tolerance(const TriangleMesh& object, double millimetres);
+
 }  // namespace prehend

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct PlanCommand {
   int top = 10;
   bool path = false;  // paths of the arm as well
   std::string path_planner = "rrt_connect";
-  std::vector<std::string> exports;  // formats besides grasps.json
+  std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
+  std::vector<std::string> exports;           // formats besides grasps.json
   CommonOptions common;
 };
 
@@ -57,7 +59,8 @@ struct RenderCommand {
 struct InspectCommand {
   std::string file;
   std::string unit = "m";
-  std::filesystem::path save;  // of a scene: write it there; empty: do not
+  std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
+  std::filesystem::path save;                 // of a scene: write it there; empty: do not
 };
 
 // Arguments of `quality`.

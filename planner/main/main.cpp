@@ -122,6 +122,8 @@ struct Program {
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command.add_option("--primitive-tolerance", plan.primitive_tolerance,
+                       "how far the object's surface may be from its primitives, in mm");
     command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");
     command.add_option("--path-planner", plan.path_planner, "how ways are searched for")
         ->check(CLI::IsMember({"rrt_connect", "roadmap", "rrt_star"}))
@@ -191,6 +193,8 @@ struct Program {
         ->required();
     command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
         ->capture_default_str();
+    command.add_option("--primitive-tolerance", inspect.primitive_tolerance,
+                       "how far the object's surface may be from its primitives, in mm");
     command.add_option("--save", inspect.save, "of a scene: write it to this file");
     add_limits(command, limits);
     command.callback([this] {

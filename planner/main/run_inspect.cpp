@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
@@ -66,11 +67,29 @@ void print_mesh(const TriangleMesh& mesh) {
               std::string(mass_source_name(mass.source)).c_str());
 }
 
-void print_primitives(const TriangleMesh& mesh) {
-  const Decomposition parts = decompose(mesh);
-  std::printf("primitives: %zu, which explain %.1f %% of the surface\n", parts.primitives.size(),
-              100.0 * parts.explained);
-  for (const Primitive& primitive : parts.primitives) print_shape(primitive);
+void print_distances(const SurfaceDistances& d) {
+  std::printf("median %.3g, 95 %% %.3g, largest %.3g mm", kMillimetres * d.median,
+              kMillimetres * d.percentile_95, kMillimetres * d.largest);
+}
+
+void print_primitives(const TriangleMesh& mesh, const InspectCommand& command) {
+  DecomposeOptions options;
+  if (command.primitive_tolerance) {
+    options.tolerance = asked_tolerance(mesh, *command.primitive_tolerance);
+  }
+  const Decomposition parts = decompose(mesh, options);
+  std::printf(
+      "primitives: %zu, which explain %.1f %% of the surface: it is within %.3g mm of them\n",
+      parts.primitives.size(), 100.0 * parts.explained, kMillimetres * parts.tolerance);
+  std::printf("  distance of the surface from them: ");
+  print_distances(parts.distances);
+  std::printf("\n");
+  for (std::size_t k = 0; k < parts.primitives.size(); ++k) {
+    print_shape(parts.primitives[k]);
+    std::printf("           %.1f %% of the surface; distance ", 100.0 * parts.share[k]);
+    print_distances(parts.distances_of[k]);
+    std::printf("\n");
+  }
 }
 
 // What the file says of the joint's drive and friction; no line where it says nothing.
@@ -144,7 +163,7 @@ void print_platform(const Platform& platform) {
   }
 }
 
-void print_scene(const Scene& scene) {
+void print_scene(const Scene& scene, const InspectCommand& command) {
   std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
               scene.object.name.c_str(), std::string(material_name(scene.object.material)).c_str(),
               scene.object.mass, scene.hand.name.c_str(), scene.obstacles.size());
@@ -156,7 +175,7 @@ void print_scene(const Scene& scene) {
     print_mesh(body.mesh);
   }
   if (scene.primitives.empty()) {
-    print_primitives(scene.object.mesh);
+    print_primitives(scene.object.mesh, command);
   } else {
     std::printf("primitives: %zu, given by the scene\n", scene.primitives.size());
     for (const Primitive& primitive : scene.primitives) print_shape(primitive);
@@ -176,6 +195,13 @@ void need_metres(const InspectCommand& command) {
           {.field = "--unit", .problem = "only for mesh files", .value = command.unit});
 }
 
+// What the command line says of objects does not fit robots.
+void need_plain(const InspectCommand& command) {
+  need_metres(command);
+  require(!command.primitive_tolerance,
+          {.field = "--primitive-tolerance", .problem = "only for meshes and scenes"});
+}
+
 }  // namespace
 
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
@@ -183,7 +209,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     require_writable(std::filesystem::absolute(command.save).parent_path());
   // A file is preferred to a robot of the library of the same name.
   if (!is_there(command.file) && is_robot_name(command.file)) {
-    need_metres(command);
+    need_plain(command);
     print_platform(find_platform(command.file));
     return 0;
   }
@@ -196,18 +222,19 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
       std::printf("  left out: %d triangles without area, %d duplicates\n",
                   loaded.degenerate_removed, loaded.duplicates_removed);
     }
-    print_primitives(loaded.mesh);
+    print_primitives(loaded.mesh, command);
     return 0;
   }
   need_metres(command);
   const JsonFile json(file);
   // Robot files have chains, platform files robots; other JSON files are scenes.
   if (json.root().has("chains") || json.root().has("robots")) {
+    need_plain(command);
     print_platform(load_platform(file));
     return 0;
   }
   const Scene scene = load_scene(file);
-  print_scene(scene);
+  print_scene(scene, command);
   if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
   return 0;
 }

@@ -3,6 +3,7 @@
 #include "planner/exports/export_files.h"
 #include "planner/files/grasps_file.h"
 #include "planner/files/timings_file.h"
+#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
@@ -44,8 +45,11 @@ std::string names_of(const std::vector<ExportFile>& files) {
   return names;
 }
 
-PlanOptions options_of(const PlanCommand& command) {
+PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   PlanOptions options;
+  if (command.primitive_tolerance) {
+    options.primitives.tolerance = asked_tolerance(object, *command.primitive_tolerance);
+  }
   options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
   options.rank.top = command.top;
@@ -72,7 +76,7 @@ class PlanProgram {
     const CompiledScene scene = compile(std::move(loaded));
     watch_.lap(Stage::compile);
     const RunRecord record{scene_reference(command_.scene), command_.unit, command_.hand,
-                           options_of(command_)};
+                           options_of(command_, scene.scene.object.mesh)};
     const PlanResult result = plan_grasps(scene, record.options);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     if (result.status != PlanStatus::complete) throw InputError(no_candidates_words(scene, result));

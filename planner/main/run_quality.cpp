@@ -13,6 +13,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/json/json_pose.h"
+#include "sim/quality/ranges.h"
 #include "sim/quality/wrench_slice.h"
 
 namespace prehend {
@@ -31,9 +32,10 @@ void read_cone(const std::string& word, WrenchSpaceOptions& space) {
   if (word == "pyramid") return;
   std::istringstream number(word.rfind(prefix, 0) == 0 ? word.substr(prefix.size()) : "");
   // eof: nothing may follow the number.
-  if (!(number >> space.edges) || !number.eof() || space.edges < 3) {
+  if (!(number >> space.edges) || !number.eof() || space.edges < kFewestEdges ||
+      space.edges > kMostEdges) {
     throw InputError({.field = "--cone",
-                      .problem = "pyramid:EDGES with at least 3 edges, or exact",
+                      .problem = "pyramid:EDGES with 3 to 1024 edges, or exact",
                       .value = word});
   }
 }

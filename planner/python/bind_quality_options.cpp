@@ -15,7 +15,8 @@ void bind_quality_options(py::module_& core) {
               R"(What is unit: "l1", the sum of all normal forces, or "linf", each of them.)")
       .choice("cone", &WrenchSpaceOptions::cone, cones,
               R"("pyramid" with so many edges, or the "exact" friction cone.)")
-      .number("edges", &WrenchSpaceOptions::edges, {.lower = 3.0}, "Of a pyramid (>= 3).")
+      .number("edges", &WrenchSpaceOptions::edges, {.lower = 3.0, .upper = 1024.0},
+              "Of a pyramid (3 to 1024).")
       .choice("force", &WrenchSpaceOptions::force,
               {{"at_most", UnitForce::at_most}, {"exactly", UnitForce::exactly}},
               R"(Whether forces may stay below the unit: "at_most" or "exactly".)");
@@ -52,7 +53,8 @@ void bind_quality_options(py::module_& core) {
               "What is made as small as it can be: \"largest_normal\" (each contact has its own "
               "actuator) or \"sum_of_normals\" (all share one).")
       .choice("cone", &ForceOptions::cone, cones, R"("exact" or "pyramid".)")
-      .number("edges", &ForceOptions::edges, {.lower = 3.0}, "Of a pyramid (>= 3).")
+      .number("edges", &ForceOptions::edges, {.lower = 3.0, .upper = 1024.0},
+              "Of a pyramid (3 to 1024).")
       .number("residual_tolerance", &ForceOptions::residual_tolerance, kAbove0,
               "Of the wrench left over, relative to the wrench.")
       .number("gap_tolerance", &ForceOptions::gap_tolerance, kAbove0, "Of the measure, relative.");

@@ -1,7 +1,9 @@
 #include "planner/report/grasp_detail.h"
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "sim/base/input_error.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 
@@ -15,16 +17,22 @@ constexpr int kMostPoints = 200;
 constexpr int kSamples = 100;
 
 // Polytope of the wrench space. With the L1 norm and pyramids the space is the convex hull of the
-// wrenches of the pyramids' edges, which is exact; other spaces are approximated from inside by
-// points on their surface.
+// wrenches of the pyramids' edges, which is exact; other spaces, those of many edges, and those on
+// which qhull fails are approximated from inside by points on their surface.
 PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame,
                      const WrenchSpaceOptions& space) {
   const bool is_hull_of_columns =
       space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid;
-  if (!is_hull_of_columns) {
-    return set_hull(*wrench_space(contacts, frame, space), {.max_points = kMostPoints}).hull;
+  if (is_hull_of_columns && space.edges <= kMostHullEdges) {
+    try {
+      return wrench_hull(contact_wrenches(contacts, frame, space.edges)).points;
+    } catch (const InputError&) {
+      throw;
+    } catch (const std::runtime_error&) {
+      // qhull failed.
+    }
   }
-  return wrench_hull(contact_wrenches(contacts, frame, space.edges)).points;
+  return set_hull(*wrench_space(contacts, frame, space), {.max_points = kMostPoints}).hull;
 }
 
 // Epsilon (lower bound) of the contacts that are kept.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <span>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -13,7 +14,9 @@
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
+#include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
+#include "sim/quality/wrench_space.h"
 #include "sim/trial/sensitivity.h"
 
 namespace prehend {
@@ -96,6 +99,22 @@ Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candi
   return finished;
 }
 
+struct SpaceHull {
+  double volume = 0.0;
+  PointHull points;
+};
+
+// The full hull of the contacts' pyramids or, where these have many edges, one inside it, whose
+// volume is a lower bound.
+SpaceHull space_hull_of(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
+  if (edges <= kMostHullEdges) {
+    WrenchHull hull = wrench_hull(contact_wrenches(contacts, frame, edges));
+    return {hull.volume, std::move(hull.points)};
+  }
+  SetHull hull = set_hull(*wrench_space(contacts, frame, {.edges = edges}));
+  return {hull.volume_lower, std::move(hull.hull)};
+}
+
 // Volumes and sections of the wrench space, for the returned grasps only: the full 6-D hull takes
 // much longer than epsilon, which is all that ranking needs. A cancelled run leaves the rest
 // without.
@@ -115,8 +134,8 @@ void add_volumes(const CompiledScene& scene, const TrialOptions& options,
       grasp.volume = 0.0;
       return;
     }
-    const WrenchHull hull = wrench_hull(contact_wrenches(contacts_of(grasp.trial.contacts),
-                                                         scene.wrench_frame, options.cone_edges));
+    const std::vector<Contact> contacts = contacts_of(grasp.trial.contacts);
+    const SpaceHull hull = space_hull_of(contacts, scene.wrench_frame, options.cone_edges);
     grasp.volume = hull.volume;
     grasp.epsilon_nearby = epsilon_nearby(scene, grasp.trial, options);
     if (i < wanted.sections && !context.cancellation.requested()) {

@@ -6,16 +6,20 @@
 #include <numbers>
 #include <string>
 
+#include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/polygon.h"
+#include "sim/geometry/weld.h"
 
 namespace prehend {
 namespace {
 
 void need_positive(const char* name, double value) {
-  require(
-      value > 0.0 && std::isfinite(value),
-      {.field = name, .problem = "must be positive and finite", .value = std::to_string(value)});
+  // Twice what a vertex may be away from the middle.
+  require(value > 0.0 && value <= 2.0 * kFarthestVertex,
+          {.field = name,
+           .problem = "must be above 0 and at most 2e6 m",
+           .value = formatted("%g", value)});
 }
 
 void need_range(const char* name, int value, int lowest, int highest) {

@@ -16,7 +16,7 @@ void check_vertices(const TriangleMesh& mesh) {
     const Vector3& p = mesh.vertices[v];
     if (p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthestVertex) continue;
     throw InputError({.field = "vertices[" + std::to_string(v) + "]",
-                      .problem = "not finite, or farther out than 1e30 m"});
+                      .problem = "not finite, or farther out than 1e6 m"});
   }
 }
 

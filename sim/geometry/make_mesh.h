@@ -13,7 +13,7 @@ namespace prehend {
 // - Triangles without area and duplicates are removed (weld.h).
 // - Triangles are turned to face outward (orient_outward in mesh_checks.h).
 // Holes are kept. Throws InputError for an index out of range, a vertex that is not finite or has a
-// coordinate beyond 1e30 m, and a mesh without a triangle of positive area.
+// coordinate beyond 1e6 m, and a mesh without a triangle of positive area.
 TriangleMesh make_mesh(std::vector<Vector3> vertices, std::vector<Triangle> triangles,
                        double weld_fraction = 1e-6);
 

@@ -9,7 +9,12 @@ namespace prehend {
 Pose read_pose(const JsonField& field) {
   field.allow_only({"position", "quaternion_wxyz"});
   Pose pose = Pose::Identity();
-  if (field.has("position")) pose.translation() = field["position"].vector3();
+  if (field.has("position")) {
+    pose.translation() = field["position"].vector3();
+    if (pose.translation().cwiseAbs().maxCoeff() > kFarthestPosition) {
+      field["position"].fail("must be within 1e6 m of 0");
+    }
+  }
   if (field.has("quaternion_wxyz")) {
     const std::vector<double> q = field["quaternion_wxyz"].numbers(4);
     // Eigen's constructor takes w first, as the file does, although Eigen stores it last.

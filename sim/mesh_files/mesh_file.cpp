@@ -41,7 +41,7 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
     if (!p.allFinite()) throw InputError("vertex " + std::to_string(i) + " is not finite");
     p *= metres_per_unit;
     if (p.cwiseAbs().maxCoeff() > kFarthestVertex) {
-      throw InputError("vertex " + std::to_string(i) + " is farther out than 1e30 m");
+      throw InputError("vertex " + std::to_string(i) + " is farther out than 1e6 m");
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/base/input_error.h"
+#include "sim/quality/ranges.h"
 
 // The contact map (Murray, Li and Sastry 1994, section 5.2) has one column for each thing that a
 // contact can transmit: the wrench of a unit force along the normal, along each tangent, and of a
@@ -33,14 +34,25 @@ template <typename Value>
   throw InputError({.field = field, .problem = problem, .value = text.str()});
 }
 
-void check_finite(const std::string& field, const Eigen::Vector3d& vector) {
-  if (!vector.allFinite()) reject(field, "not finite", vector.transpose().format(kInline));
+// The limits as they are in messages.
+std::string number_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
 }
 
-void check_not_negative(const std::string& field, double value) {
-  if (!std::isfinite(value) || value < 0.0) {
-    reject(field, "must be finite and not negative", value);
+void check_point(const std::string& field, const Eigen::Vector3d& point) {
+  if (!point.allFinite()) reject(field, "not finite", point.transpose().format(kInline));
+  if (point.cwiseAbs().maxCoeff() > kLargestLength) {
+    reject(field, "must be within " + number_text(kLargestLength) + " m of 0",
+           point.transpose().format(kInline));
   }
+}
+
+// The comparison also turns away what is not a number.
+void check_range(const std::string& field, double value, double lowest, double highest) {
+  if (value >= lowest && value <= highest) return;
+  reject(field, "must be from " + number_text(lowest) + " to " + number_text(highest), value);
 }
 
 }  // namespace
@@ -67,20 +79,24 @@ ContactMap contact_map(const Contact& contact, const WrenchFrame& frame) {
 }
 
 void check_contact(const Contact& contact) {
-  check_finite("position", contact.position);
-  check_finite("normal", contact.normal);
+  check_point("position", contact.position);
+  if (!contact.normal.allFinite()) {
+    reject("normal", "not finite", contact.normal.transpose().format(kInline));
+  }
   if (std::abs(contact.normal.norm() - 1.0) > kUnitTolerance) {
     reject("normal", "not unit", contact.normal.transpose().format(kInline));
   }
-  check_not_negative("friction", contact.friction);
-  check_not_negative("torsion", contact.torsion);
+  check_range("friction", contact.friction, 0.0, kLargestFriction);
+  check_range("torsion", contact.torsion, 0.0, kLargestLength);
+}
+
+void check_frame(const WrenchFrame& frame) {
+  check_point("torque_origin", frame.torque_origin);
+  check_range("torque_scale", frame.torque_scale, kSmallestTorqueScale, kLargestTorqueScale);
 }
 
 void check_contacts(std::span<const Contact> contacts, const WrenchFrame& frame) {
-  check_finite("torque_origin", frame.torque_origin);
-  if (!std::isfinite(frame.torque_scale) || frame.torque_scale <= 0.0) {
-    reject("torque_scale", "must be positive and finite", frame.torque_scale);
-  }
+  check_frame(frame);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     try {
       check_contact(contacts[i]);

@@ -33,12 +33,14 @@ using ContactMap = Eigen::Matrix<double, 6, 4>;
 ContactMap contact_map(const Contact& contact, const WrenchFrame& frame);
 
 // Throws InputError whose field is "position", "normal", "friction" or "torsion" on a value that is
-// not finite, a normal that is not unit within 1e-3 (a nearly unit one is taken as its direction),
-// and negative friction or torsion.
+// outside its range (ranges.h), and on a normal that is not unit within 1e-3 (a nearly unit one is
+// taken as its direction).
 void check_contact(const Contact& contact);
 
-// check_contact for each, with the field under "contacts[i]". Throws InputError also on a torque
-// origin that is not finite, or a scale that is not positive and finite.
+// Throws InputError on a torque origin or scale outside its range.
+void check_frame(const WrenchFrame& frame);
+
+// check_frame, and check_contact for each, with the field under "contacts[i]".
 void check_contacts(std::span<const Contact> contacts, const WrenchFrame& frame);
 
 }  // namespace prehend

@@ -59,6 +59,7 @@ class Growth {
       // origin on its border, at an offset that is zero up to rounding.
       if (offset <= 0.0 && lower_ > rounding_) return bracket(EpsilonStatus::stalled);
       lower_ = std::max(lower_, offset);
+      if (lower_ > upper_ + slack()) return bracket(EpsilonStatus::stalled);
       if (upper_ - lower_ <= slack()) return bracket(EpsilonStatus::converged);
       if (upper_ < options_.cutoff) return bracket(EpsilonStatus::below_cutoff);
       if (polytope_.facets_made() >= options_.max_facets) return bracket(EpsilonStatus::limit);
@@ -107,8 +108,12 @@ class Growth {
   // The difference of the bounds at which the search has converged.
   double slack() const { return std::max(options_.relative_tolerance * upper_, rounding_); }
 
+  // The upper bound is a support value, which rounding hardly changes. A lower bound beyond it is
+  // that of facets which rounding has spoiled, and proves nothing.
   EpsilonBracket bracket(EpsilonStatus status) const {
-    return {lower_ > zero_ ? lower_ : 0.0, upper_, status, -upper_ * upper_normal_};
+    const bool spoiled = lower_ > upper_ + slack();
+    const double lower = lower_ > zero_ && !spoiled ? std::min(lower_, upper_) : 0.0;
+    return {lower, upper_, status, -upper_ * upper_normal_};
   }
 
   const SupportMap& set_;

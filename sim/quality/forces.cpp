@@ -1,13 +1,18 @@
 #include "sim/quality/forces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <utility>
 
 #include "sim/base/input_error.h"
 #include "sim/conic/conic_program.h"
 #include "sim/quality/force_program.h"
 #include "sim/quality/generated_forces.h"
+#include "sim/quality/ranges.h"
+#include "sim/quality/wrench.h"
 
 // Forces scale with the wrench that they balance. The program is therefore solved for the external
 // wrench scaled to length one, which makes all tolerances relative to it, and the forces are scaled
@@ -26,11 +31,40 @@ namespace {
 // while exact cones, whose curved border takes more points, cross near 100.
 constexpr std::size_t kManyPyramids = 48;
 constexpr std::size_t kManyExactCones = 100;
+// Nor are pyramids with more corners in all, however few, unknowns of one program: its matrices
+// grow with the square of their number.
+constexpr int kManyCorners = 1000;
+
+// The corners of all pyramids; 0 for exact cones.
+int corners_of(std::span<const Contact> contacts, const ForceOptions& options) {
+  int corners = 0;
+  for (const Contact& contact : contacts) {
+    if (options.cone == FrictionCone::exact) break;
+    corners += pyramid_corners(contact.model, options.edges);
+    if (corners > kMostCorners) break;  // enough to know, and no overflow
+  }
+  return corners;
+}
+
+[[noreturn]] void refuse(const std::string& field, const std::string& problem, double value) {
+  std::ostringstream text;
+  text << value;
+  throw InputError({.field = field, .problem = problem, .value = text.str()});
+}
+
+// Files have torques in N m; the largest is multiplied by the scale as they are.
+void check_external(const Wrench& external, const WrenchFrame& frame) {
+  require(external.allFinite(), {.field = "external", .problem = "not finite"});
+  const double force = external.head<3>().cwiseAbs().maxCoeff();
+  const double torque = external.tail<3>().cwiseAbs().maxCoeff();
+  if (force > kLargestLoad) refuse("external", "a force must be within 1e9 N of 0", force);
+  if (torque > frame.torque_scale * kLargestLoad) {
+    refuse("external", "a torque must be within 1e9 N m of 0", torque / frame.torque_scale);
+  }
+}
 
 void check(const ForceOptions& options) {
-  require(options.edges >= 3, {.field = "edges",
-                               .problem = "a friction pyramid needs at least 3",
-                               .value = std::to_string(options.edges)});
+  check_edges(options.edges);
   require(options.residual_tolerance > 0.0,
           {.field = "residual_tolerance", .problem = "must be positive"});
   require(options.gap_tolerance > 0.0, {.field = "gap_tolerance", .problem = "must be positive"});
@@ -43,10 +77,19 @@ void check(const HandTorques& hand, Eigen::Index contacts) {
   require(
       hand.spin.size() == 0 || (hand.spin.rows() == contacts && hand.spin.cols() == joints),
       {.field = "spin", .problem = "must have a row a contact and a column a joint, or be empty"});
-  require(hand.jacobian.allFinite() && hand.spin.allFinite(),
-          {.field = "jacobian, spin", .problem = "not finite"});
-  require((hand.limits.array() >= 0.0).all(),
-          {.field = "limits", .problem = "must not be negative"});
+  // The comparisons also turn away what is not a number.
+  const auto accepted = [](double entry) { return std::abs(entry) <= kLargestJacobian; };
+  for (const auto& [name, matrix] : {std::pair("jacobian", &hand.jacobian), {"spin", &hand.spin}}) {
+    for (const double entry : matrix->reshaped()) {
+      if (!accepted(entry)) refuse(name, "entries must be within 1e6 of 0", entry);
+    }
+  }
+  for (const double limit : hand.limits) {
+    const bool known = limit == 0.0 || std::isinf(limit) || std::abs(limit) <= kLargestLoad;
+    if (!known || limit < 0.0 || (limit > 0.0 && limit < kSmallestLoad)) {
+      refuse("limits", "must be 0, from 1e-9 to 1e9 N m, or infinite", limit);
+    }
+  }
 }
 
 // Judges the components for the unit wrench; true where they are good enough. Without any normal
@@ -93,19 +136,33 @@ GeneratedForces program_forces(const ForceBalance& balance, const ForceOptions& 
   return {program.components(solution), program.separation(solution)};
 }
 
+// The multipliers that were found, or the wrench itself where that proves more: of contacts that
+// push all with the same norm, none pushes farther along the wrench. It is a finite bound even
+// where rounding has spoiled the multipliers.
+ForceBalance::Separation best_separation(const ForceBalance& balance, const ForceOptions& options,
+                                         const ForceBalance::Separation& found) {
+  const ForceBalance::Separation plain{balance.wrench(),
+                                       Eigen::VectorXd::Zero(balance.limits().size())};
+  const bool better =
+      balance.lower_bound(plain, options.measure) > balance.lower_bound(found, options.measure);
+  return better ? plain : found;
+}
+
 // Solves for the unit wrench and judges what was found, however the search ended. The program takes
 // time with the cube of the number of contacts, and more memory than there is for thousands.
 ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                            const Wrench& external, const HandTorques* hand,
                            const ForceOptions& options) {
-  const double size = external.norm();
+  // The squares of small forces are not doubles.
+  const double size = external.stableNorm();
   const ForceBalance balance(contacts, frame, external / size, size, hand, options);
   const std::size_t few = options.cone == FrictionCone::exact ? kManyExactCones : kManyPyramids;
-  const bool many = hand == nullptr && contacts.size() > few;
+  const bool many =
+      hand == nullptr && (contacts.size() > few || corners_of(contacts, options) > kManyCorners);
   const GeneratedForces found =
       many ? generate_forces(balance, options.measure, options.gap_tolerance)
            : program_forces(balance, options);
-  const ForceBalance::Separation& separation = found.separation;
+  const ForceBalance::Separation separation = best_separation(balance, options, found.separation);
   // Also forces that leave over as much as the tolerance allows would have to be this large.
   const double smallest_sum =
       balance.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
@@ -129,14 +186,21 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
                              const Wrench& external, const HandTorques* hand,
                              const ForceOptions& options) {
   check_contacts(contacts, frame);
-  require(external.allFinite(), {.field = "external", .problem = "not finite"});
+  check_external(external, frame);
   check(options);
-  if (hand != nullptr) check(*hand, std::ssize(contacts));
+  if (hand != nullptr) {
+    check(*hand, std::ssize(contacts));
+    require(corners_of(contacts, options) <= kMostCorners,
+            {.field = "edges",
+             .problem = "with joint limits, the pyramids of all contacts may have " +
+                        std::to_string(kMostCorners) + " corners: fewer edges, or exact cones",
+             .value = std::to_string(options.edges)});
+  }
   if (external.isZero(0.0)) return no_forces(std::ssize(contacts), ForceOutcome::balanced);
   if (!contacts.empty()) return solve_forces(contacts, frame, external, hand, options);
   ContactForces result = no_forces(0, ForceOutcome::impossible);
   // Without contacts there is no contact wrench: the external wrench itself separates.
-  result.separating = external.normalized();
+  result.separating = external.stableNormalized();
   result.lowest = std::numeric_limits<double>::infinity();
   if (hand != nullptr) result.torque_multipliers.setZero(hand->limits.size());
   return result;
@@ -170,6 +234,8 @@ Resistance wrench_resistance(std::span<const Contact> contacts, const WrenchFram
   result.outcome = forces.outcome;
   if (balances) result.lower = measure > 0.0 ? 1.0 / measure : largest;
   result.upper = forces.lowest > 0.0 ? 1.0 / forces.lowest : largest;
+  // Forces that leave a little of the wrench over may be smaller than the proved bound.
+  result.lower = std::min(result.lower, result.upper);
   return result;
 }
 

@@ -24,7 +24,7 @@ enum class ForceMeasure {
 struct ForceOptions {
   ForceMeasure measure = ForceMeasure::largest_normal;
   FrictionCone cone = FrictionCone::exact;
-  int edges = 8;  // of the pyramid, >= 3; unused by the exact cone
+  int edges = 8;  // of the pyramid, 3 to 1024; unused by the exact cone
   // Forces count as balanced when they leave at most this part of the wrench over, and exceed no
   // joint torque's limit by more than this part of the limit.
   double residual_tolerance = 1e-8;
@@ -81,6 +81,10 @@ struct ContactForces {
 // as impossible: solutions so large are rounding errors of a grasp that cannot balance the wrench.
 inline constexpr double kLargestForce = 1e10;
 
+// With joint limits all corners of pyramids are unknowns of one program, whose time grows with the
+// cube of their number.
+inline constexpr int kMostCorners = 2000;
+
 // The forces inside the friction cones whose wrenches and `external` add up to zero, with the
 // smallest measure; with a `hand`, within its joint torque limits too. `external` is
 // [force; torque * torque_scale] in `frame`. A zero wrench needs no force; without contacts any
@@ -88,8 +92,9 @@ inline constexpr double kLargestForce = 1e10;
 // computation of optimal contact forces", 2007; Lobo et al., "Applications of second-order cone
 // programming", 1998, section 3.7; joint torques as in Buss, Hashimoto and Moore 1996.
 //
-// Throws InputError as check_contacts does, for a wrench that is not finite, for options out of
-// range, and for matrices of the wrong shape or that are not finite, or negative limits.
+// Throws InputError as check_contacts does, for a wrench, options, joint limits or entries of the
+// matrices that are out of range (ranges.h), for matrices of the wrong shape, and for joint limits
+// together with pyramids of more corners in all than kMostCorners.
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const ForceOptions& options = {});
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,

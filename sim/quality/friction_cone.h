@@ -30,7 +30,7 @@ struct ContactCone {
 };
 
 // A contact without friction has one coordinate, a point contact three, a soft finger four; in a
-// pyramid with `edges` (>= 3) edges each corner has one.
+// pyramid with `edges` (3 to 1024) edges each corner has one.
 ContactCone contact_cone(const Contact& contact, FrictionCone cone, int edges);
 
 }  // namespace prehend

@@ -1,6 +1,11 @@
 #include "sim/quality/grasp_matrix.h"
 
+#include <cmath>
+
 #include <Eigen/SVD>
+
+#include "sim/base/input_error.h"
+#include "sim/quality/ranges.h"
 
 namespace prehend {
 namespace {
@@ -49,7 +54,12 @@ double isotropy(const Eigen::MatrixXd& grasp_matrix) {
 // more rows than columns. Computed this way the products J J', which would square the condition
 // number, are not needed.
 double manipulability(const Eigen::MatrixXd& jacobian) {
-  return jacobian.size() == 0 ? 0.0 : singular_values(jacobian).prod();
+  if (jacobian.size() == 0) return 0.0;
+  require(jacobian.allFinite() && jacobian.cwiseAbs().maxCoeff() <= kLargestJacobian,
+          {.field = "jacobian", .problem = "entries must be within 1e6 of 0"});
+  const double product = singular_values(jacobian).prod();
+  require(std::isfinite(product), {.field = "manipulability", .problem = "no double is as large"});
+  return product;
 }
 
 }  // namespace prehend

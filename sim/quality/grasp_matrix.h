@@ -23,7 +23,8 @@ double smallest_singular_value(const Eigen::MatrixXd& grasp_matrix);
 double isotropy(const Eigen::MatrixXd& grasp_matrix);
 
 // sqrt(det(J J')) of a hand's Jacobian (rows: velocities at the contacts, columns: joints), or of
-// J' J where it has more rows than columns. Source: Yoshikawa 1985.
+// J' J where it has more rows than columns. Source: Yoshikawa 1985. Throws InputError for entries
+// outside their range (ranges.h), and where no double is as large as the result.
 double manipulability(const Eigen::MatrixXd& jacobian);
 
 }  // namespace prehend

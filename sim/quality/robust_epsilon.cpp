@@ -8,6 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/quality/ranges.h"
 
 // Samples are drawn one after the other from one generator, and every number is drawn in a
 // statement of its own: the order in which the arguments of one call are evaluated is up to the
@@ -52,7 +53,8 @@ void check(const NoiseOptions& noise) {
 }
 
 // One sample of the contacts: all of them moved and turned together by the error of the pose, then
-// each by its own. The logarithm of the friction is disturbed, so that it stays positive.
+// each by its own. The logarithm of the friction is disturbed, so that it stays positive. What
+// leaves the range of a contact is moved back to its border.
 std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const NoiseOptions& noise, Random& random) {
   const double r = 1.0 / frame.torque_scale;
@@ -62,10 +64,13 @@ std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFr
   for (Contact& contact : moved) {
     const Eigen::Vector3d own = normal_vector(random, noise.contact_position * r);
     contact.position =
-        frame.torque_origin + shift + own + turn * (contact.position - frame.torque_origin);
+        (frame.torque_origin + shift + own + turn * (contact.position - frame.torque_origin))
+            .cwiseMax(-kLargestLength)
+            .cwiseMin(kLargestLength);
     contact.normal =
         normal_rotation(random, noise.normal_angle) * turn * contact.normal.normalized();
-    contact.friction *= std::exp(noise.friction * random.normal());
+    const double rougher = contact.friction * std::exp(noise.friction * random.normal());
+    contact.friction = std::min(rougher, kLargestFriction);
   }
   return moved;
 }

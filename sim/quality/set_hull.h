@@ -14,6 +14,9 @@ struct SetHullOptions {
   double relative_tolerance = 1e-9;
   // Largest number of points. Once it is reached the hull of these points is returned.
   int max_points = 500;
+  // No points are added that would probably give the hull more facets than this: a hull of n points
+  // in six dimensions can have n^3 of them. 30,000 take about a second.
+  int max_facets = 30000;
 };
 
 // The hull of points of the set. It lies inside the set.
@@ -21,15 +24,17 @@ struct SetHull {
   bool complete = false;  // whether every facet is final
   PointHull hull;         // of points in six dimensions
   // Bounds of the set's volume: below, the volume of the hull; above, that of the pyramids over its
-  // facets, enlarged until together they contain the set.
+  // facets, enlarged until together they contain the set, or of the box around the set.
   double volume_lower = 0.0;
   double volume_upper = 0.0;
 };
 
 // Approximates the set from inside: round after round, the set's support points along the normals
 // of the hull's facets are added. A set that does not span six dimensions has a flat hull and no
-// volume. Throws InputError where the tolerance is not positive, and std::runtime_error with
-// qhull's message where qhull fails.
+// volume. Where qhull fails on the points of a round, the hull of the round before is returned; in
+// the first round that is a hull whose status is `failed`, and the bounds are the volumes of a
+// simplex inside the set and of the box around it. Throws InputError where the tolerance is not
+// positive.
 SetHull set_hull(const SupportMap& set, const SetHullOptions& options = {});
 
 }  // namespace prehend

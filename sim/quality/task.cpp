@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include <Eigen/LU>
 
 #include "sim/base/input_error.h"
 #include "sim/quality/forces.h"
+#include "sim/quality/ranges.h"
 
 // How much of a task the contacts can resist is a question about the grasp wrench space, the set of
 // the wrenches that forces of norm at most 1 can exert. A single wrench w is resisted k times where
@@ -57,9 +59,15 @@ struct Resist {
 
   Interval operator()(const TaskWrenches& task) const {
     if (task.wrenches.empty()) throw InputError({.field = "task", .problem = "no wrench"});
+    bool disturbs = false;
     for (const Wrench& wrench : task.wrenches) {
-      require(wrench.allFinite(), {.field = "task", .problem = "a wrench that is not finite"});
+      const double length = wrench.stableNorm();
+      disturbs = disturbs || length > 0.0;
+      // Neither holds for a length that is not a number.
+      require(length == 0.0 || (length >= kSmallestTask && std::isfinite(length)),
+              {.field = "task", .problem = "a wrench must be 0 or 1e-18 at least, and finite"});
     }
+    require(disturbs, {.field = "task", .problem = "all wrenches are 0: resisted in any size"});
     const double unbounded = std::numeric_limits<double>::infinity();
     // The smallest of the lower bounds and of the upper bounds enclose the smallest resistance. A
     // wrench that cannot be resisted at all decides the result.
@@ -74,25 +82,33 @@ struct Resist {
   }
 
   Interval operator()(const TaskEllipsoid& task) const {
-    const Eigen::FullPivLU<Eigen::Matrix<double, 6, 6>> lu(task.axes);
-    if (!task.axes.allFinite() || !lu.isInvertible()) {
-      throw InputError(
-          {.field = "task", .problem = "the axes of the ellipsoid must be finite and independent"});
+    // The axes are scaled to size 1, and the result back: the inverse of very short or very long
+    // ones would leave the range of doubles.
+    const double size = task.axes.cwiseAbs().maxCoeff();
+    const bool sized = task.axes.allFinite() && size >= kSmallestTask;
+    if (!sized || !Eigen::FullPivLU<Eigen::Matrix<double, 6, 6>>(task.axes / size).isInvertible()) {
+      throw InputError({.field = "task",
+                        .problem = "the axes of the ellipsoid must be finite and independent, the "
+                                   "longest at least 1e-18"});
     }
     if (contacts.empty()) return {};
     // As for single wrenches, forces may stay below the unit.
     WrenchSpaceOptions at_most = space;
     at_most.force = UnitForce::at_most;
     const auto set = wrench_space(contacts, frame, at_most);
-    const EpsilonBracket bracket = epsilon(SeenThrough(*set, task.axes), epsilon_options(at_most));
-    return {bracket.lower, bracket.upper};
+    const EpsilonBracket bracket =
+        epsilon(SeenThrough(*set, task.axes / size), epsilon_options(at_most));
+    return {bracket.lower / size, bracket.upper / size};
   }
 
   Interval operator()(const TaskGravity& task) const {
-    const double length = task.direction.norm();
-    if (!std::isfinite(length) || length <= 0.0 || !(task.weight > 0.0)) {
-      throw InputError(
-          {.field = "task", .problem = "gravity needs a direction and a weight above 0"});
+    const double length = task.direction.stableNorm();
+    // Neither comparison holds for what is not a number.
+    const auto in_range = [](double v) { return v >= kSmallestLoad && v <= kLargestLoad; };
+    if (!in_range(length) || !in_range(task.weight)) {
+      throw InputError({.field = "task",
+                        .problem = "gravity needs a direction of a length from 1e-9 to 1e9, and a "
+                                   "weight from 1e-9 to 1e9"});
     }
     Wrench pull = Wrench::Zero();
     pull.head<3>() = task.weight / length * task.direction;
@@ -112,6 +128,15 @@ Interval object_wrench_ratio(std::span<const Contact> contacts, const WrenchFram
                              std::span<const Contact> surface, const WrenchSpaceOptions& space) {
   // Every push inside a friction pyramid is a convex combination of the pyramid's corners: to
   // resist the corners is to resist all pushes.
+  check_edges(space.edges);
+  std::size_t corners = 0;
+  for (const Contact& contact : surface) {
+    corners += static_cast<std::size_t>(pyramid_corners(contact.model, space.edges));
+  }
+  require(corners <= kMostPushes,
+          {.field = "surface",
+           .problem = "its pyramids may have " + std::to_string(kMostPushes) + " corners in all",
+           .value = std::to_string(corners)});
   const Wrenches columns = contact_wrenches(surface, frame, space.edges);
   TaskWrenches task;
   for (Eigen::Index j = 0; j < columns.cols(); ++j) task.wrenches.push_back(columns.col(j));

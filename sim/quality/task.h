@@ -1,6 +1,7 @@
 // What a grasp is for: the disturbances it has to resist, and how much of them it can.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <variant>
 #include <vector>
@@ -34,13 +35,18 @@ using Task = std::variant<TaskWrenches, TaskEllipsoid, TaskGravity>;
 // The largest k such that contacts with at most unit force (of the space's norm) resist k times
 // every wrench of the task; 0 where some wrench of it cannot be resisted at all.
 // Source: Borst, Fischer and Hirzinger, ICRA 2004 (task wrench space); Pollard 1994.
-// Throws InputError for an empty task, wrenches that are not finite, axes that are not
-// independent, a weight or direction that is not positive; and as wrench_space.
+// Throws InputError for an empty task or one of zero wrenches only, wrenches and axes that are not
+// finite, too short (kSmallestTask) or dependent, a weight or direction outside its range
+// (ranges.h); and as wrench_space.
 Interval task_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,
                          const Task& task, const WrenchSpaceOptions& space = {});
 
+// The most corners of all pyramids of a surface: for each there is a program to be solved.
+inline constexpr std::size_t kMostPushes = 50000;
+
 // The task of a disturbing unit force anywhere on the object: `surface` are contacts spread over
-// it, whose cones (space.edges) push. Source: Pollard 1994 (object wrench space).
+// it, whose cones (space.edges) push. Source: Pollard 1994 (object wrench space). Throws also where
+// these have more corners in all than kMostPushes.
 Interval object_wrench_ratio(std::span<const Contact> contacts, const WrenchFrame& frame,
                              std::span<const Contact> surface,
                              const WrenchSpaceOptions& space = {});

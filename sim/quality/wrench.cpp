@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/base/input_error.h"
+#include "sim/quality/ranges.h"
 
 namespace prehend {
 
@@ -36,14 +37,18 @@ Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
   return corners;
 }
 
+// Not by require: this runs for every grasp that is judged, and the text is needed for none.
+void check_edges(int edges) {
+  if (edges >= kFewestEdges && edges <= kMostEdges) return;
+  throw InputError({.field = "edges",
+                    .problem = "of a friction pyramid: must be from " +
+                               std::to_string(kFewestEdges) + " to " + std::to_string(kMostEdges),
+                    .value = std::to_string(edges)});
+}
+
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
   check_contacts(contacts, frame);
-  // Not by require: this runs for every grasp that is judged, and the text is needed for none.
-  if (edges < 3) {
-    throw InputError({.field = "edges",
-                      .problem = "a friction pyramid needs at least 3",
-                      .value = std::to_string(edges)});
-  }
+  check_edges(edges);
   Eigen::Index columns = 0;
   for (const Contact& contact : contacts) columns += pyramid_corners(contact.model, edges);
   Wrenches wrenches(6, columns);

@@ -12,15 +12,18 @@ namespace prehend {
 
 using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-// The corners of each contact's friction cone with `edges` (>= 3) edges, cut at a unit normal
+// The corners of each contact's friction cone with `edges` (3 to 1024) edges, cut at a unit normal
 // force, contact after contact. A point contact has `edges` columns: edge j is n + friction (cos(2
 // pi j / edges) t + sin(...) n x t), with t the first tangent. A frictionless contact keeps all its
 // (equal) columns. A soft finger has pyramid_corners() of them on its ellipsoid: those of a point
 // contact, then as many at the latitudes of 45 degrees to either side, then the two poles (torque
 // only). Source: Miller and Allen, "GraspIt!", 2004, Building the Grasp Wrench Space, eq. (1).
-// Throws as check_contacts, or for fewer than 3 edges.
+// Throws as check_contacts and check_edges.
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame,
                           int edges = 8);
+
+// Throws InputError for a number of edges outside its range (ranges.h).
+void check_edges(int edges);
 
 // How many columns contact_wrenches makes of a contact.
 int pyramid_corners(ContactModel model, int edges);

@@ -6,6 +6,10 @@
 
 namespace prehend {
 
+// Of friction pyramids with more edges the full hull of a grasp of a few contacts takes a minute
+// and more: set_hull bounds its volume in about a second.
+inline constexpr int kMostHullEdges = 16;
+
 enum class HullStatus {
   solid,  // a hull with volume
   flat,   // the wrenches do not span six dimensions: no volume, no force closure

@@ -24,12 +24,12 @@ enum class UnitForce { at_most, exactly };
 struct WrenchSpaceOptions {
   WrenchNorm norm = WrenchNorm::l1;
   FrictionCone cone = FrictionCone::pyramid;
-  int edges = 8;  // of a pyramid, >= 3
+  int edges = 8;  // of a pyramid, 3 to 1024
   UnitForce force = UnitForce::at_most;
 };
 
 // The set as its support function, without enumerating its points.
-// Throws as check_contacts, or for fewer than 3 edges of a pyramid.
+// Throws as check_contacts, and for a pyramid as check_edges.
 std::unique_ptr<SupportMap> wrench_space(std::span<const Contact> contacts,
                                          const WrenchFrame& frame,
                                          const WrenchSpaceOptions& options = {});

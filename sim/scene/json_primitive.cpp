@@ -3,8 +3,10 @@
 namespace prehend {
 namespace {
 
+// A size [m].
 double positive(const JsonField& field) {
   if (!(field.number() > 0.0)) field.fail("must be positive");
+  if (field.number() > kFarthestPosition) field.fail("must be at most 1e6 m");
   return field.number();
 }
 
@@ -13,6 +15,7 @@ Shape read_shape(const JsonField& field) {
   if (shape == "box") {
     const Box box{field["size"].vector3()};
     if (!(box.size.minCoeff() > 0.0)) field["size"].fail("must be positive");
+    if (box.size.maxCoeff() > kFarthestPosition) field["size"].fail("must be at most 1e6 m");
     return box;
   }
   if (shape == "sphere") return Sphere{positive(field["radius"])};

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/base/input_error.h"
+#include "sim/quality/ranges.h"
 
 namespace prehend {
 namespace {
@@ -24,11 +25,10 @@ FrictionTable::FrictionTable()
 double FrictionTable::between(Material a, Material b) const { return values_[index(a)][index(b)]; }
 
 void FrictionTable::set(Material a, Material b, double friction) {
-  if (!std::isfinite(friction) || friction < 0.0) {
+  if (!(friction >= 0.0 && friction <= kLargestFriction)) {
     throw InputError({.field = "friction",
-                      .problem = "must be finite and not negative between " +
-                                 std::string(material_name(a)) + " and " +
-                                 std::string(material_name(b)),
+                      .problem = "must be from 0 to 1e6 between " + std::string(material_name(a)) +
+                                 " and " + std::string(material_name(b)),
                       .value = std::to_string(friction)});
   }
   values_[index(a)][index(b)] = friction;

@@ -98,6 +98,8 @@ std::string read_robot_source(const JsonField& field) {
   return robot_source(field.text());
 }
 
+constexpr double kLargestMass = 1e9;  // kg
+
 GraspableBody read_object(const JsonField& field) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
@@ -107,7 +109,13 @@ GraspableBody read_object(const JsonField& field) {
   const double mass = read_positive(field, "mass", kDefaultObjectMass);
   GraspableBody body =
       made_of(field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
-  if (field.has("center_of_mass")) body.center_of_mass = field["center_of_mass"].vector3();
+  if (body.mass > kLargestMass) field["mass"].fail("must be at most 1e9 kg");
+  if (field.has("center_of_mass")) {
+    body.center_of_mass = field["center_of_mass"].vector3();
+    if (body.center_of_mass.cwiseAbs().maxCoeff() > kFarthestPosition) {
+      field["center_of_mass"].fail("must be within 1e6 m of 0");
+    }
+  }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.source = read_source(field);
   return body;

@@ -40,5 +40,45 @@ TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   EXPECT_NE(flat.find("from the surface, the mesh encloses nothing\n"), std::string::npos) << flat;
 }
 
+// The surface of a cube is its primitive.
+TEST(Inspect, SaysHowFarTheSurfaceIsFromThePrimitives) {
+  const std::filesystem::path cube = cube_without("inspect_distances", 0);
+  const std::string out = inspected(cube);
+  // 5 % of the diagonal, 40 sqrt(3) mm.
+  EXPECT_NE(out.find("100.0 % of the surface: it is within 3.46 mm of them"), std::string::npos)
+      << out;
+  EXPECT_NE(out.find("distance of the surface from them: median "), std::string::npos) << out;
+  const ProgramRun asked = run_program("inspect " + cube.string() + " --primitive-tolerance 1.5");
+  EXPECT_NE(asked.out.find("it is within 1.5 mm of them"), std::string::npos) << asked.out;
+  for (const char* refused : {"0", "-1", "70"}) {
+    const ProgramRun run =
+        run_program("inspect " + cube.string() + " --primitive-tolerance " + refused);
+    EXPECT_EQ(run.status, 2) << run.out;
+    EXPECT_NE(run.err.find("--primitive-tolerance: must be above 0 and at most the object's "
+                           "diagonal, 69.28 mm"),
+              std::string::npos)
+        << run.err;
+  }
+}
+
+TEST(Inspect, RefusesCoordinatesOutOfRange) {
+  const std::filesystem::path folder = fresh_folder("inspect_range");
+  const auto refused = [&](const std::string& name, const std::string& text) {
+    std::ofstream(folder / name) << text;
+    const ProgramRun run = run_program("inspect " + (folder / name).string());
+    EXPECT_EQ(run.status, 2) << run.out;
+    return run.err;
+  };
+  EXPECT_NE(refused("far.obj", "v 0 0 0\nv 1e7 0 0\nv 0 1e7 0\nv 0 0 1e7\nf 1 2 3\nf 1 2 4\n")
+                .find("is farther out than 1e6 m"),
+            std::string::npos);
+  const std::string start = R"({"object": {"geometry": [{"shape": "box", "size": [)";
+  EXPECT_NE(refused("large.json", start + "1e308, 1, 1]}]}}").find("at most 2e6 m"),
+            std::string::npos);
+  EXPECT_NE(refused("moved.json", start + R"(1, 1, 1]}], "pose": {"position": [0, 1e308, 0]}}})")
+                .find("object.pose.position: must be within 1e6 m of 0"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace prehend::test

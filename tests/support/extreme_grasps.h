@@ -169,7 +169,7 @@ inline std::vector<ExtremeGrasp> frictions() {
   const Contacts loose = loose_grasp(random, 14, 0.0);
   std::vector<ExtremeGrasp> grasps;
   for (const auto& [text, friction] : std::vector<std::pair<std::string, double>>{
-           {"0", 0.0}, {"1e-9", 1e-9}, {"1e-6", 1e-6}, {"1", 1.0}, {"1e6", 1e6}, {"1e12", 1e12}}) {
+           {"0", 0.0}, {"1e-9", 1e-9}, {"1e-6", 1e-6}, {"1", 1.0}, {"1e6", 1e6}}) {
     Contacts rough = loose;
     for (Contact& contact : rough) contact.friction = friction;
     grasps.push_back({"four contacts, friction " + text, tetrahedron(friction), {}});
@@ -197,11 +197,6 @@ inline std::vector<ExtremeGrasp> sizes() {
     grasps.push_back(
         {"grasp and origin moved " + text + " radii", shifted(tetrahedron(), away), {away, 1.0}});
   }
-  grasps.push_back({"radius 1e100, torques not scaled", scaled(tetrahedron(), 1e100), {}});
-  grasps.push_back({"radius 1e200, torques not scaled", scaled(tetrahedron(), 1e200), {}});
-  grasps.push_back({"radius 1e200", scaled(tetrahedron(), 1e200), {{}, 1e-200}});
-  grasps.push_back({"radius 1e-200", scaled(tetrahedron(), 1e-200), {{}, 1e200}});
-  grasps.push_back({"friction 1e200", tetrahedron(1e200), {}});
   return grasps;
 }
 
@@ -243,8 +238,7 @@ inline std::vector<ExtremeGrasp> soft_fingers() {
                                                                                  {"1e-8", 1e-8},
                                                                                  {"1e-6", 1e-6},
                                                                                  {"0.01", 0.01},
-                                                                                 {"1e6", 1e6},
-                                                                                 {"1e12", 1e12}}) {
+                                                                                 {"1e6", 1e6}}) {
     grasps.push_back({"two soft fingers, torsion " + text, soft_pair(torsion), {}});
     grasps.push_back({"four soft fingers, torsion " + text, soft(tetrahedron(), torsion), {}});
   }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -23,6 +25,13 @@ struct RefusedGrasp {
   EpsilonOptions options = {};
 };
 
+// As in messages.
+inline std::string number(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 // Grasps of four contacts whose second one is invalid, which contact_wrenches refuses.
 inline std::vector<RefusedGrasp> refused_contacts() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -39,29 +48,31 @@ inline std::vector<RefusedGrasp> refused_contacts() {
   const ContactModel soft_finger = ContactModel::soft_finger;
   add("position NaN", {{nan, 0.0, 0.0}, x, 0.5}, "position: not finite (nan, 0, 0)");
   add("position infinite", {{0.0, infinity, 0.0}, x, 0.5}, "position: not finite (0, inf, 0)");
+  add("position 1.01e6 m away", {{0.0, -1.01e6, 0.0}, x, 0.5},
+      "position: must be within 1e+06 m of 0 (0, -1.01e+06, 0)");
   add("normal NaN", {zero, {0.0, 0.0, nan}, 0.5}, "normal: not finite (0, 0, nan)");
   add("normal infinite", {zero, {-infinity, 0.0, 0.0}, 0.5}, "normal: not finite (-inf, 0, 0)");
   add("normal of length 0", {zero, zero, 0.5}, "normal: not unit (0, 0, 0)");
   add("normal of length 0.9989", {zero, 0.9989 * x, 0.5}, "normal: not unit (0.9989, 0, 0)");
   add("normal of length 1.0011", {zero, 1.0011 * x, 0.5}, "normal: not unit (1.0011, 0, 0)");
   add("normal of length 1e200", {zero, 1e200 * x, 0.5}, "normal: not unit (1e+200, 0, 0)");
-  const std::string not_negative = ": must be finite and not negative ";
-  add("friction NaN", {zero, x, nan}, "friction" + not_negative + "(nan)");
-  add("friction infinite", {zero, x, infinity}, "friction" + not_negative + "(inf)");
-  add("friction -1e-9", {zero, x, -1e-9}, "friction" + not_negative + "(-1e-09)");
-  add("torsion NaN", {zero, x, 0.5, soft_finger, nan}, "torsion" + not_negative + "(nan)");
-  add("torsion infinite", {zero, x, 0.5, soft_finger, infinity},
-      "torsion" + not_negative + "(inf)");
-  add("torsion -1e-9", {zero, x, 0.5, soft_finger, -1e-9}, "torsion" + not_negative + "(-1e-09)");
+  const std::string range = ": must be from 0 to 1e+06 ";
+  for (const auto& [text, value] : {std::pair("NaN", nan), std::pair("infinite", infinity),
+                                    std::pair("-1e-9", -1e-9), std::pair("1.01e6", 1.01e6)}) {
+    const std::string shown = range + "(" + number(value) + ")";
+    add(std::string("friction ") + text, {zero, x, value}, "friction" + shown);
+    add(std::string("torsion ") + text, {zero, x, 0.5, soft_finger, value}, "torsion" + shown);
+  }
   return refused;
 }
 
-// All invalid input: contacts, frames and options, and grasps whose wrenches overflow.
+// All invalid input: contacts, frames and options.
 inline std::vector<RefusedGrasp> refused_grasps() {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
   const Contacts four = tetrahedron();
-  const std::string scale = "torque_scale: must be positive and finite ";
+  const std::string scale = "torque_scale: must be from 1e-09 to 1e+09 ";
+  const std::string edges = "edges: of a friction pyramid: must be from 3 to 1024 ";
   std::vector<RefusedGrasp> refused = refused_contacts();
   const std::vector<RefusedGrasp> others = {
       {"torque origin NaN", "torque_origin: not finite (0, nan, 0)", four, {{0.0, nan, 0.0}, 1.0}},
@@ -73,13 +84,15 @@ inline std::vector<RefusedGrasp> refused_grasps() {
       {"torque scale -1", scale + "(-1)", four, {{}, -1.0}},
       {"torque scale NaN", scale + "(nan)", four, {{}, nan}},
       {"torque scale infinite", scale + "(inf)", four, {{}, infinity}},
-      {"pyramids of 2 edges", "edges: a friction pyramid needs at least 3 (2)", four, {}, 2},
-      {"pyramids of -1 edges", "edges: a friction pyramid needs at least 3 (-1)", four, {}, -1},
-      {"torques of 1e309", "wrenches[0]: not finite", scaled(four, 1e300), {{}, 1e9}},
-      {"torsion times friction 1e309",
-       "wrenches[0]: not finite",
-       soft(tetrahedron(1e300), 1e9),
-       {}},
+      {"pyramids of 2 edges", edges + "(2)", four, {}, 2},
+      {"pyramids of -1 edges", edges + "(-1)", four, {}, -1},
+      {"pyramids of 1,025 edges", edges + "(1025)", four, {}, 1025},
+      {"torque scale 1e-10", scale + "(1e-10)", four, {{}, 1e-10}},
+      {"torque scale 1e10", scale + "(1e+10)", four, {{}, 1e10}},
+      {"torque origin 1e200 m away",
+       "torque_origin: must be within 1e+06 m of 0 (1e+200, 0, 0)",
+       four,
+       {{1e200, 0.0, 0.0}, 1.0}},
       {"tolerance -1", "relative_tolerance: must not be negative (-1.000000)", four, {}, 8, {-1.0}},
       {"tolerance NaN", "relative_tolerance: must not be negative (nan)", four, {}, 8, {nan}},
   };

@@ -328,12 +328,14 @@ class EvaluateOptions:
     _fields: Tuple[str, ...]
     seed: int
     trial: TrialOptions
+    volumes: int
     sections: int
     def __init__(
         self,
         *,
         seed: int = ...,
         trial: TrialOptions = ...,
+        volumes: int = ...,
         sections: int = ...,
     ) -> None: ...
     def __copy__(self) -> EvaluateOptions: ...

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrittenMistake{
             "NegativeFriction",
             R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": -1}]})",
-            "contacts[0].friction: must be finite and not negative (-1)"},
+            "contacts[0].friction: must be from 0 to 1e+06 (-1)"},
         WrittenMistake{
             "ContactField",
             R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1, "mu": 1}]})",

@@ -86,8 +86,9 @@ TEST(Shapes, RefuseSizesThatAreNotPositiveAndNameThem) {
     make_cylinder(-2.0, 1.0);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("cylinder radius: must be positive"),
-              std::string::npos);
+    EXPECT_NE(
+        std::string(error.what()).find("cylinder radius: must be above 0 and at most 2e6 m (-2)"),
+        std::string::npos);
   }
 }
 

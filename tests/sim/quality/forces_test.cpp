@@ -281,5 +281,23 @@ TEST(Forces, RejectsWhatMakesNoSense) {
   rejects_hand({Eigen::MatrixXd::Constant(6, 2, kInfinity), good.limits, {}});
 }
 
+// Without joint limits the corners are made as they are needed; with limits their number is capped.
+TEST(Forces, OfPyramidsWithManyEdges) {
+  const std::vector<Contact> contacts = ring_grasp(4, 0.5);
+  Wrench weight = Wrench::Zero();
+  weight[2] = -3.0;
+  ForceOptions many{.cone = FrictionCone::pyramid, .edges = 1024};
+  const ContactForces pyramids = balancing_forces(contacts, {}, weight, many);
+  const ContactForces cones = balancing_forces(contacts, {}, weight);
+  EXPECT_EQ(pyramids.outcome, ForceOutcome::balanced);
+  EXPECT_GE(pyramids.largest_normal, cones.lowest);
+  // The pyramids are narrower by 1 - cos(pi / 1024) = 5e-6.
+  EXPECT_LE(pyramids.largest_normal, (1.0 + 1e-5) * cones.largest_normal);
+  HandTorques hand{Eigen::MatrixXd::Ones(12, 1), Eigen::VectorXd::Constant(1, 100.0), {}};
+  EXPECT_THROW(balancing_forces(contacts, {}, weight, hand, many), InputError);
+  many.edges = 16;
+  EXPECT_EQ(balancing_forces(contacts, {}, weight, hand, many).outcome, ForceOutcome::balanced);
+}
+
 }  // namespace
 }  // namespace prehend::test

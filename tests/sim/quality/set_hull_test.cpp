@@ -116,6 +116,32 @@ TEST(SetHull, VolumeOfPyramidGraspsIsThatOfTheFullHull) {
   EXPECT_GT(checked, 5);
 }
 
+// The full hull of four pyramids of 128 edges has hundreds of thousands of facets, and that of
+// 1,024 far more. What is made of them is limited, and the bounds still hold the volumes of
+// pyramids of 8 edges, which are inside, and of the exact cones, around them.
+TEST(SetHull, FacetsOfPyramidsWithManyEdgesAreLimited) {
+  const Contacts cube = cube_grasp(0.5);
+  const Contacts contacts = {cube[0], cube[3], cube[5], cube[6]};
+  const double inside = set_hull(*wrench_space(contacts, {}, {.edges = 8})).volume_lower;
+  const double around =
+      set_hull(*wrench_space(contacts, {}, {.cone = FrictionCone::exact})).volume_upper;
+  for (const int edges : {128, 1024}) {
+    const auto set = wrench_space(contacts, {}, {.edges = edges});
+    for (const int limit : {3000, 30000}) {
+      const SetHull hull = set_hull(*set, {.max_facets = limit});
+      EXPECT_FALSE(hull.complete);
+      EXPECT_LE(hull.hull.offsets.size(), limit);
+      EXPECT_GT(hull.hull.offsets.size(), limit / 10);
+      EXPECT_LE(hull.volume_lower, around);
+      EXPECT_GE(hull.volume_upper, inside);
+      EXPECT_LT(hull.volume_lower, hull.volume_upper);
+      EXPECT_GT(hull.volume_lower, 0.2 * hull.volume_upper);
+    }
+    // Epsilon is that of all corners.
+    EXPECT_EQ(grasp_epsilon(contacts, {}, {.edges = edges}).status, EpsilonStatus::converged);
+  }
+}
+
 TEST(SetHull, FlatSetsHaveNoVolume) {
   Wrench half = Wrench::Ones();
   half[3] = 0.0;

@@ -106,14 +106,14 @@ TEST(ContactWrenches, ErrorsNameTheContactAndTheValue) {
   EXPECT_EQ(message({good, good, bad}), "contacts[2].normal: not unit (0, 0, 1.002)");
   bad = good;
   bad.friction = -0.5;
-  EXPECT_EQ(message({bad}), "contacts[0].friction: must be finite and not negative (-0.5)");
+  EXPECT_EQ(message({bad}), "contacts[0].friction: must be from 0 to 1e+06 (-0.5)");
 }
 
 TEST(ContactWrenches, ErrorsNameTheFrame) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(message({}, {Vector3d(0.0, 0.0, nan), 1.0}), "torque_origin: not finite (0, 0, nan)");
-  EXPECT_EQ(message({}, {Vector3d::Zero(), 0.0}), "torque_scale: must be positive and finite (0)");
-  EXPECT_EQ(message({}, {}, 2), "edges: a friction pyramid needs at least 3 (2)");
+  EXPECT_EQ(message({}, {Vector3d::Zero(), 0.0}), "torque_scale: must be from 1e-09 to 1e+09 (0)");
+  EXPECT_EQ(message({}, {}, 2), "edges: of a friction pyramid: must be from 3 to 1024 (2)");
 }
 
 }  // namespace

@@ -52,9 +52,9 @@ std::string refusal(double friction) {
 
 TEST(FrictionTable, RefusesWhatIsNoFriction) {
   EXPECT_EQ(refusal(-0.25),
-            "friction: must be finite and not negative between rubber and metal (-0.250000)");
+            "friction: must be from 0 to 1e6 between rubber and metal (-0.250000)");
   EXPECT_EQ(refusal(std::numeric_limits<double>::infinity()),
-            "friction: must be finite and not negative between rubber and metal (inf)");
+            "friction: must be from 0 to 1e6 between rubber and metal (inf)");
   EXPECT_NE(refusal(std::numeric_limits<double>::quiet_NaN()), "");
   EXPECT_EQ(refusal(0.0), "");
 }

@@ -1,0 +1,34 @@
+// The ranges of numbers that the quality measures accept. They cover whatever can be gripped with a
+// wide margin, and all that is computed from them fits doubles: the largest coordinate of a wrench
+// is below 1e22, and its sixth power, a volume, below 1e132.
+#pragma once
+
+namespace prehend {
+
+// Coordinates of positions and of the torque origin, and the torsion of a soft finger, are at most
+// this, in magnitude [m].
+inline constexpr double kLargestLength = 1e6;
+
+inline constexpr double kLargestFriction = 1e6;
+
+// Of WrenchFrame::torque_scale [1/m].
+inline constexpr double kSmallestTorqueScale = 1e-9;
+inline constexpr double kLargestTorqueScale = 1e9;
+
+// Components of external and task wrenches [N, N m], and joint torque limits that are not infinite,
+// are at most this, in magnitude.
+inline constexpr double kLargestLoad = 1e9;
+// Weights, joint torque limits and lengths of directions that are not zero are at least this.
+inline constexpr double kSmallestLoad = 1e-9;
+// The smallest length of a wrench of a task that is not zero, with its torque scaled: that of a
+// torque of kSmallestLoad at the smallest torque scale.
+inline constexpr double kSmallestTask = kSmallestLoad * kSmallestTorqueScale;
+
+// Entries of a hand's Jacobian and spin matrix, in magnitude [m/s per rad/s, rad/s per rad/s].
+inline constexpr double kLargestJacobian = 1e6;
+
+// Edges of a friction pyramid. With the most, epsilon is within 5e-6 of that of the exact cone.
+inline constexpr int kFewestEdges = 3;
+inline constexpr int kMostEdges = 1024;
+
+}  // namespace prehend
