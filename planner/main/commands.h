@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "planner/main/interrupts.h"
+#include "planner/propose/candidates.h"
+#include "primitives/decompose.h"
 
 namespace prehend {
 
@@ -26,6 +28,8 @@ struct PlanCommand {
   std::string hand;           // empty: the scene's
   std::string unit = "m";
   int top = 10;
+  int candidates = CandidateOptions{}.max_candidates;
+  double primitive_tolerance = DecomposeOptions{}.tolerance;
   bool path = false;  // paths of the arm as well
   std::string path_planner = "rrt_connect";
   std::vector<std::string> exports;  // formats besides grasps.json

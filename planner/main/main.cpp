@@ -122,6 +122,14 @@ struct Program {
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command.add_option("--candidates", plan.candidates, "candidates to try at most")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command
+        .add_option("--primitive-tolerance", plan.primitive_tolerance,
+                    "how far the object's primitives may be from it, as part of its size")
+        ->check(CLI::Range(1e-3, 1.0))
+        ->capture_default_str();
     command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");
     command.add_option("--path-planner", plan.path_planner, "how ways are searched for")
         ->check(CLI::IsMember({"rrt_connect", "roadmap", "rrt_star"}))

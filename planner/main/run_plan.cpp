@@ -49,6 +49,8 @@ PlanOptions options_of(const PlanCommand& command) {
   options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
   options.rank.top = command.top;
+  options.candidates.max_candidates = command.candidates;
+  options.primitives.tolerance = command.primitive_tolerance;
   if (command.path) {
     options.paths.emplace();
     // Paths look for postures of the arm with the same options as trials.
@@ -161,7 +163,7 @@ class PlanProgram {
 
   void print_result(const CompiledScene& scene, const PlanResult& result) const {
     std::cout << grasp_table(scene, result, index(command_.top)) << outcome_line(result) << "\n"
-              << blocker_line(result) << std::flush;
+              << blocker_line(result) << advice_lines(result) << std::flush;
   }
 
   int say_interrupted(const std::string& words) const {
