@@ -2,6 +2,7 @@
 
 #include "planner/exports/export_files.h"
 #include "planner/files/grasps_file.h"
+#include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
@@ -30,12 +31,6 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   pictures.emplace_back("best.png", grasp_picture(scene, posed, telling_side(scene, posed)));
   if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
   return pictures;
-}
-
-// Removes the files of an earlier run that this one may not write: a picture or report of other
-// grasps must not stand beside the new grasps.json.
-void remove_earlier(const std::filesystem::path& folder) {
-  for (const char* name : {"best.png", "best_arm.png", "report.html"}) remove_file(folder / name);
 }
 
 std::string names_of(const std::vector<ExportFile>& files) {
@@ -111,7 +106,7 @@ class PlanProgram {
                       const RunRecord& record) {
     const std::size_t tried = result.tried.size();
     if (tried == 0) return say_interrupted("nothing is written");
-    write_files({{"grasps.json", grasps_json(scene, result, record)}});
+    write_files(scene.scene, {{"grasps.json", grasps_json(scene, result, record)}});
     write_timings(result);
     print_result(scene, result);
     std::cout << "wrote " << folder_.string() << ": " << written_ << ", timings.json\n";
@@ -125,7 +120,7 @@ class PlanProgram {
     for (const std::string& format : command_.exports) {
       for (ExportFile& file : export_files(scene, result, format)) files.push_back(std::move(file));
     }
-    write_files(files);
+    write_files(scene.scene, files);
     write_timings(result);
     print_result(scene, result);
   }
@@ -149,10 +144,15 @@ class PlanProgram {
     return names;
   }
 
-  void write_files(const std::vector<ExportFile>& files) {
+  void write_files(const Scene& scene, const std::vector<ExportFile>& files) {
     make_folder(folder_);
-    remove_earlier(folder_);
-    for (const ExportFile& file : files) interrupts_.write(folder_ / file.name, file.content);
+    std::vector<std::string> names = {"timings.json"};
+    for (const ExportFile& file : files) {
+      interrupts_.write(folder_ / file.name, file.content);
+      names.push_back(file.name);
+    }
+    // Report and pictures are of earlier grasps, too, until this run writes its own.
+    remove_earlier_results(folder_, names, scene, command_.scene);
     written_ = names_of(files);
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace prehend {
@@ -25,5 +26,10 @@ void write_file(const std::filesystem::path& file, const std::string& content);
 // Removes the file, for instance one that an earlier run left. Does nothing where there is none;
 // other errors are ignored.
 void remove_file(const std::filesystem::path& file);
+
+// Removes the regular files of the folder whose names `chosen` accepts; links, also those to such
+// files, and folders stay. Errors are ignored.
+void remove_regular_files(const std::filesystem::path& folder,
+                          const std::function<bool(const std::string& name)>& chosen);
 
 }  // namespace prehend

@@ -155,7 +155,10 @@ class Mug(unittest.TestCase):
 
     def test_files_are_written(self):
         with tempfile.TemporaryDirectory() as folder:
+            for earlier in ("grasp_7.glb", "notes.txt"):
+                (pathlib.Path(folder) / earlier).write_text("of an earlier result")
             names = prehend.write(self.result, folder, exports=["csv"])
+            (pathlib.Path(folder) / "notes.txt").unlink()
             self.assertEqual(sorted(os.listdir(folder)), sorted(names))
             self.assertIn("report.html", names)
             text = (pathlib.Path(folder) / "grasps.json").read_text()
