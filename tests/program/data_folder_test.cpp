@@ -73,7 +73,7 @@ TEST(DataFolder, GoesWithABuildFolderThatIsMovedWithItsCheckout) {
 }
 
 // Changes a robot and a scene of the copy so that what is read tells where it came from.
-void mark(const fs::path& robots, const fs::path& scenes) {
+void mark_the_copy(const fs::path& robots, const fs::path& scenes) {
   const fs::path robot = robots / "parallel_jaw" / "robot.json";
   std::string text = content(robot);
   text.replace(text.find("\"open\""), 6, "\"copied\"");
@@ -107,7 +107,7 @@ TEST(DataFolder, OfACopyOfTheCheckoutIsThatOfTheCopy) {
   fs::copy(source / "robots", copy / "robots", fs::copy_options::recursive);
   fs::create_directories(copy / "benchmarks");
   fs::copy(source / "benchmarks" / "scenes", copy / "benchmarks" / "scenes");
-  mark(copy / "robots", copy / "benchmarks" / "scenes");
+  mark_the_copy(copy / "robots", copy / "benchmarks" / "scenes");
   const fs::path out = folder / "out";
   expect_reads_the_copy((build / "prehend").string(), out);
   fs::create_symlink(build / "prehend", folder / "linked");

@@ -19,7 +19,9 @@ fs::path checkout(const std::string& name, const fs::path& configured_for) {
   const fs::path folder = fresh_folder(name);
   fs::copy_file(fs::path(PREHEND_SOURCE_DIR) / "run", folder / "run");
   fs::create_directories(folder / ".ci");
-  std::ofstream(folder / ".ci" / "packages") << "# none\n";
+  for (const char* list : {"packages", "packages-python"}) {
+    std::ofstream(folder / ".ci" / list) << "# none\n";
+  }
   std::ofstream(folder / "CMakePresets.json") << "{}\n";
   write_script(folder / "build" / "release" / "prehend", "echo planned");
   std::ofstream(folder / "build" / "release" / "CMakeCache.txt")
@@ -79,6 +81,17 @@ TEST(RunScript, KnowsItsCheckoutThroughALink) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, "planned\n");
   EXPECT_EQ(content(folder / "calls").find("ninja"), 0U) << content(folder / "calls");
+}
+
+// The configuration of the other place knows no Python; CMake would refuse to change it here.
+TEST(RunScript, BuildsThePythonModuleAnewInACheckoutThatWasMoved) {
+  const fs::path folder = checkout("run_python", "/somewhere/else");
+  const ProgramRun run =
+      run_program("python -c 'print(1)'",
+                  "PATH=" + (folder / "tools").string() + ":$PATH " + (folder / "run").string());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "1\n");
+  EXPECT_EQ(content(folder / "calls").find("cmake --fresh"), 0U) << content(folder / "calls");
 }
 
 }  // namespace
