@@ -8,7 +8,7 @@ namespace {
 // Every object is read with the list of its permitted fields, so that a misspelt optional field is
 // refused instead of ignored.
 
-std::vector<Contact> read_contacts(const JsonField& list) {
+std::vector<Contact> read_list(const JsonField& list) {
   std::vector<Contact> contacts;
   for (const JsonField& field : list.items()) {
     FieldReader fields(field);
@@ -80,8 +80,11 @@ HandTorques read_hand(const JsonField& field, std::size_t contacts) {
 }  // namespace
 
 ContactsFile load_contacts(const std::filesystem::path& file) {
-  const JsonFile json(file);
-  const JsonField root = json.root();
+  return read_contacts(JsonFile(file));
+}
+
+ContactsFile read_contacts(const JsonFile& file) {
+  const JsonField root = file.root();
   root.allow_only(
       {"contacts", "torque_origin", "torque_scale", "task", "surface", "hand", "external", "name"});
   ContactsFile read;
@@ -89,8 +92,8 @@ ContactsFile load_contacts(const std::filesystem::path& file) {
   if (root.has("torque_origin")) read.frame.torque_origin = root["torque_origin"].vector3();
   read.frame.torque_scale = root.number_or("torque_scale", 1.0);
   if (!(read.frame.torque_scale > 0.0)) root["torque_scale"].fail("must be above 0");
-  read.contacts = read_contacts(root["contacts"]);
-  if (root.has("surface")) read.surface = read_contacts(root["surface"]);
+  read.contacts = read_list(root["contacts"]);
+  if (root.has("surface")) read.surface = read_list(root["surface"]);
   if (root.has("task")) read.task = read_task(root["task"], read.frame);
   if (root.has("hand")) read.hand = read_hand(root["hand"], read.contacts.size());
   if (root.has("external")) read.external = read_wrench(root["external"], read.frame);

@@ -10,6 +10,8 @@
 
 namespace prehend {
 
+class JsonFile;  // sim/json/json_field.h
+
 // What such a file says. Points are in metres, in one frame that all of the file shares.
 struct ContactsFile {
   std::vector<Contact> contacts;  // n contacts: position [m], unit normal into the object, friction
@@ -26,5 +28,7 @@ struct ContactsFile {
 // Reads a file. Throws InputError that names the file, the field and the value when it cannot be
 // read, has a field that is unknown, or a value that is not allowed.
 ContactsFile load_contacts(const std::filesystem::path& file);
+// As load_contacts, of a file that was parsed already.
+ContactsFile read_contacts(const JsonFile& file);
 
 }  // namespace prehend

@@ -1,11 +1,16 @@
 #include "planner/files/grasps_file.h"
 
 #include <filesystem>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "planner/files/json_grasp.h"
 #include "planner/files/json_settings.h"
 #include "sim/base/index.h"
+#include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
 #include "sim/json/json_fields.h"
 #include "sim/scene/json_primitive.h"
@@ -103,12 +108,29 @@ Json primitives_json(const std::vector<Primitive>& primitives) {
   return list;
 }
 
-Json grasps_list_json(const CompiledScene& scene, const PlanResult& result) {
-  Json list = Json::array();
+// File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
+std::string text_of(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+// The text of all fields but the grasps, which come last, then the grasps one after the other: as
+// JSON values, all of them together would take many times the memory of their text.
+void write_with_grasps(std::ostream& stream, std::string text, const CompiledScene& scene,
+                       const PlanResult& result) {
+  constexpr std::string_view kEmptyList = "[]\n}";
+  text.resize(text.size() - kEmptyList.size());
+  const std::string open = "{\n \"grasps\": [\n";
+  const std::string close = "\n ]\n}";
+  stream << text << "[";
   for (const ScoredGrasp& grasp : result.grasps) {
-    list.push_back(grasp_to_json(grasp, scene, result.primitives));
+    // Written as a list of one, so that it is indented as in the file.
+    const Json one{{"grasps", Json::array({grasp_to_json(grasp, scene, result.primitives)})}};
+    const std::string alone = text_of(one);
+    stream << (&grasp == result.grasps.data() ? "\n" : ",\n")
+           << std::string_view(alone).substr(open.size(),
+                                             alone.size() - open.size() - close.size());
   }
-  return list;
+  stream << (result.grasps.empty() ? "]\n}" : close) << "\n";
 }
 
 // "scene" is an object in files that prehend writes. In files of other programs it may also be a
@@ -193,14 +215,20 @@ void read_lists(FieldReader& fields, GraspFile& file, const CompiledScene& scene
 
 }  // namespace
 
-std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
-                        const RunRecord& record) {
+void write_grasps(std::ostream& stream, const CompiledScene& scene, const PlanResult& result,
+                  const RunRecord& record) {
   FieldWriter fields;
   file_fields(fields, record, result, scene);
   fields.derived("primitives", [&] { return primitives_json(result.primitives); });
-  fields.derived("grasps", [&] { return grasps_list_json(scene, result); });
-  // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
-  return std::move(fields).json().dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  fields.derived("grasps", [] { return Json::array(); });
+  write_with_grasps(stream, text_of(std::move(fields).json()), scene, result);
+}
+
+std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
+                        const RunRecord& record) {
+  std::ostringstream stream;
+  write_grasps(stream, scene, result, record);
+  return std::move(stream).str();
 }
 
 SceneReference read_scene_reference(const JsonFile& file) {
@@ -209,7 +237,7 @@ SceneReference read_scene_reference(const JsonFile& file) {
   // A path that is relative to the grasp file is preferred to one that is relative to the working
   // directory, and to a library scene of that name.
   const std::filesystem::path beside = file.path().parent_path() / reference.scene;
-  if (!reference.scene.empty() && std::filesystem::exists(beside)) {
+  if (!reference.scene.empty() && is_there(beside)) {
     reference.scene = beside.string();
   }
   return reference;

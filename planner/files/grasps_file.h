@@ -23,6 +23,9 @@ struct RunRecord {
 
 // The whole file as text; the same for the same result, on any number of threads. What is not UTF-8
 // in names is U+FFFD.
+void write_grasps(std::ostream& stream, const CompiledScene& scene, const PlanResult& result,
+                  const RunRecord& record);
+// The same as a text.
 std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
                         const RunRecord& record);
 

@@ -43,7 +43,7 @@ void grasp_contact_fields(auto& fields, auto& contact, const ValueNames<LinkId>&
 void approach_fields(auto& fields, auto& grasp) {
   fields("direction", grasp.candidate.approach_O);
   const double length = grasp.candidate.approach_O.norm();
-  fields.require("direction", length > 0.0, "must not be zero");
+  fields.require("direction", length > kShortestDirection, "must not be zero");
   // Directions written by hand need not be unit and are normalised. One that is unit up to rounding
   // stays as it is, so that writing and reading back does not change any bit.
   if constexpr (kReads<decltype(fields)>) {
@@ -172,12 +172,26 @@ struct PoseFields {
   }
 };
 
+// Left out where it was not computed.
+void nearby_field(auto& fields, auto& grasp) {
+  if (!kReads<decltype(fields)> && !grasp.epsilon_nearby) return;
+  fields.object("epsilon_nearby", [&](auto& inner) {
+    Interval range = grasp.epsilon_nearby.value_or(Interval{});
+    inner.needs("lowest");
+    inner.needs("highest");
+    inner("lowest", range.lower);
+    inner("highest", range.upper);
+    if constexpr (kReads<decltype(inner)>) grasp.epsilon_nearby = range;
+  });
+}
+
 void outcome_fields(auto& fields, auto& grasp) {
   auto& trial = grasp.trial;
   double epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
   fields.named("outcome", trial.outcome, value_names(kOutcomes, outcome_name));
   fields("epsilon", epsilon);
   fields("volume", grasp.volume);
+  nearby_field(fields, grasp);
   fields.derived("force_closure", [&] { return trial.outcome == Outcome::stable; });
   if constexpr (kReads<decltype(fields)>) {
     trial.epsilon.lower = epsilon;

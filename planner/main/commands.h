@@ -42,6 +42,7 @@ struct EvaluateCommand {
   std::string scene;  // empty: the file's
   std::string hand;
   std::string unit;
+  std::size_t volumes = 30;  // of so many grasps
   CommonOptions common;
 };
 

@@ -84,6 +84,12 @@ void Interrupts::write(const std::filesystem::path& file, const std::string& con
   write_file(file, content);
 }
 
+void Interrupts::write(const std::filesystem::path& file,
+                       const std::function<void(std::ostream&)>& write) {
+  const std::lock_guard lock(lock_);
+  write_file(file, write);
+}
+
 void Interrupts::wait() {
   int signal = 0;
   while (::sigwait(&watched_, &signal) == 0) {

@@ -46,6 +46,7 @@ class Interrupts {
 
   // As write_file, but not while the program is being ended: no part of a file stays behind.
   void write(const std::filesystem::path& file, const std::string& content);
+  void write(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
  private:
   void wait();

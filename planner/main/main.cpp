@@ -154,6 +154,11 @@ struct Program {
     command.add_option("grasps", evaluate.grasps, "grasp file (docs/grasps-file.md)")->required();
     add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit);
     evaluate.common.out = "out/evaluate";
+    command
+        .add_option("--volumes", evaluate.volumes,
+                    "for how many grasps the volume is computed, much slower than the rest")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     add_common(command, evaluate.common);
     add_contacts(command, evaluate.common);
     add_no_report(command, evaluate.common.no_report);

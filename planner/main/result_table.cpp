@@ -6,15 +6,25 @@
 #include "sim/base/formatted.h"
 
 namespace prehend {
+namespace {
+
+// "-" where it was not computed.
+std::string volume_words(const ScoredGrasp& grasp) {
+  return grasp.volume ? formatted("%.3g", *grasp.volume) : "-";
+}
+
+}  // namespace
+
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
   std::string text = formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s\n", "rank", "epsilon",
                                "volume", "contacts", "outcome", "preshape", "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
+    const std::string volume = volume_words(grasp);
     const std::string preshape = preshape_name(scene, grasp.candidate);
     text +=
-        formatted("%4zu  %8.4f  %9.3g  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
-                  grasp.volume.value_or(0.0), grasp.trial.contacts.size(),
+        formatted("%4zu  %8.4f  %9s  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
+                  volume.c_str(), grasp.trial.contacts.size(),
                   std::string(outcome_name(grasp.trial.outcome)).c_str(),
                   preshape.empty() ? "-" : preshape.c_str(), origin_words(grasp, result).c_str());
   }
@@ -77,8 +87,8 @@ std::string advice_lines(const PlanResult& result) {
 }
 
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {
-  return formatted("rank %zu   epsilon %.4f   volume %.3g   %zu contacts", rank,
-                   grasp.trial.epsilon.lower, grasp.volume.value_or(0.0),
+  return formatted("rank %zu   epsilon %.4f   volume %s   %zu contacts", rank,
+                   grasp.trial.epsilon.lower, volume_words(grasp).c_str(),
                    grasp.trial.contacts.size());
 }
 

@@ -1,4 +1,6 @@
 #include <iostream>
+#include <utility>
+#include <vector>
 
 #include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
@@ -13,23 +15,40 @@
 
 namespace prehend {
 
+namespace {
+
+struct Given {
+  LoadedScene loaded;
+  std::vector<Candidate> candidates;
+};
+
+// The parsed file, which takes several times the memory of the candidates, ends here.
+Given read_given(const EvaluateCommand& command) {
+  const JsonFile file(command.grasps);
+  LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
+  std::vector<Candidate> candidates =
+      given_candidates(read_grasps(file, loaded.scene), loaded.scene);
+  return {std::move(loaded), std::move(candidates)};
+}
+
+}  // namespace
+
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
   Stopwatch watch;
-  const JsonFile file(command.grasps);
-  const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
-  const std::vector<Candidate> candidates =
-      given_candidates(read_grasps(file, loaded.scene), loaded.scene);
+  const Given given = read_given(command);
+  const LoadedScene& loaded = given.loaded;
   watch.lap(Stage::load);
 
   ProgressBar bar(command.common.progress);
   EvaluateOptions options;
   options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
+  options.volumes = command.volumes;
   if (!command.common.no_report) options.sections = kMostDetailed;
   const RunContext context{command.common.threads, interrupts.cancellation(),
                            [&](const Progress& progress) { bar.show(progress); }};
-  const PlanResult result = evaluate(loaded.scene, candidates, options, context);
+  const PlanResult result = evaluate(loaded.scene, given.candidates, options, context);
   bar.clear();
   watch.add(result.times);
 
@@ -43,7 +62,9 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   }
   make_folder(command.common.out);
   interrupts.end_at_once("not all files are written");
-  interrupts.write(command.common.out / "grasps.json", grasps_json(loaded.scene, result, record));
+  interrupts.write(command.common.out / "grasps.json", [&](std::ostream& stream) {
+    write_grasps(stream, loaded.scene, result, record);
+  });
   interrupts.write(command.common.out / "timings.json",
                    timings_json(watch.laps(), result.trial_seconds, command.common.threads));
   remove_earlier_results(command.common.out, {"grasps.json", "timings.json"}, loaded.scene.scene,

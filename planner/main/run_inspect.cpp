@@ -4,6 +4,7 @@
 #include "planner/main/commands.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
@@ -181,7 +182,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   if (!command.save.empty())
     require_writable(std::filesystem::absolute(command.save).parent_path());
   // A file is preferred to a robot of the library of the same name.
-  if (!std::filesystem::exists(command.file) && is_robot_name(command.file)) {
+  if (!is_there(command.file) && is_robot_name(command.file)) {
     need_metres(command);
     print_platform(find_platform(command.file));
     return 0;

@@ -191,7 +191,11 @@ void bind_options(py::module_& core) {
   OptionsClass<EvaluateOptions>(core, "EvaluateOptions", "All that an evaluation depends on.")
       .number("seed", &EvaluateOptions::seed, kAtLeast0, "As in PlanOptions.")
       .field("trial", &EvaluateOptions::trial, "TrialOptions.")
-      .number("sections", &EvaluateOptions::sections, kAtLeast0, "As in PlanOptions.");
+      .number("volumes", &EvaluateOptions::volumes, kAtLeast0,
+              "So many of the grasps, the first ones, get a volume, which takes about 50 times as "
+              "long as the trial itself; nan for the others.")
+      .number("sections", &EvaluateOptions::sections, kAtLeast0,
+              "As in PlanOptions, at most as many as volumes.");
 }
 
 }  // namespace prehend::python

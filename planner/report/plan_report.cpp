@@ -44,8 +44,7 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.outcome = outcome_name(trial.outcome);
   grasp.force_closure = trial.outcome == Outcome::stable;
   grasp.epsilon = trial.epsilon;
-  const double volume = scored.volume.value_or(0.0);
-  grasp.volume = {volume, volume};
+  if (scored.volume) grasp.volume = Interval{*scored.volume, *scored.volume};
   grasp.origin = origin_words(scored, result);
   grasp.preshape = preshape_name(scene, scored.candidate);
   grasp.blame = words_of(blame(scene, trial));

@@ -26,7 +26,8 @@ struct ReportGrasp {
   std::string outcome;  // outcome_name(); empty: there was no trial
   bool force_closure = false;
   EpsilonBracket epsilon;
-  Interval volume;            // bounds of the volume of the wrench space
+  // Bounds of the volume of the wrench space; nothing where it was not computed.
+  std::optional<Interval> volume;
   std::string origin = {};    // origin_words(): the primitive and rule that it came from
   std::string preshape = {};  // preshape_name()
   std::string blame = {};     // which link collided with what; empty without a collision

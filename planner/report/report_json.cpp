@@ -177,11 +177,15 @@ Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
           {"segments", segments}};
 }
 
+Json interval_json(const Interval& interval) {
+  return {significant(interval.lower), significant(interval.upper)};
+}
+
 Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   Json json{{"outcome", grasp.outcome},
             {"force_closure", grasp.force_closure},
             {"epsilon", {significant(grasp.epsilon.lower), significant(grasp.epsilon.upper)}},
-            {"volume", {significant(grasp.volume.lower), significant(grasp.volume.upper)}},
+            {"volume", grasp.volume ? interval_json(*grasp.volume) : Json()},
             {"origin", grasp.origin},
             {"preshape", grasp.preshape},
             {"blame", grasp.blame},

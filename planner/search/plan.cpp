@@ -15,6 +15,7 @@
 #include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
 #include "sim/quality/wrench_hull.h"
+#include "sim/trial/sensitivity.h"
 
 namespace prehend {
 namespace {
@@ -99,9 +100,15 @@ Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candi
 // Volumes and sections of the wrench space, for the returned grasps only: the full 6-D hull takes
 // much longer than epsilon, which is all that ranking needs. A cancelled run leaves the rest
 // without.
-void add_volumes(const CompiledScene& scene, const TrialOptions& options, std::size_t sections,
-                 const RunContext& context, PlanResult& result) {
-  for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
+struct WantedSpaces {
+  std::size_t volumes = std::numeric_limits<std::size_t>::max();  // of the first grasps
+  std::size_t sections = 0;
+};
+
+void add_volumes(const CompiledScene& scene, const TrialOptions& options,
+                 const WantedSpaces& wanted, const RunContext& context, PlanResult& result) {
+  const std::size_t count = std::min(wanted.volumes, result.grasps.size());
+  for_each_in_parallel(count, context.threads, [&](std::size_t i) {
     if (context.cancellation.requested()) return;
     ScoredGrasp& grasp = result.grasps[i];
     // The volume is defined as 0 without force closure, which needs no hull.
@@ -112,12 +119,14 @@ void add_volumes(const CompiledScene& scene, const TrialOptions& options, std::s
     const WrenchHull hull = wrench_hull(contact_wrenches(contacts_of(grasp.trial.contacts),
                                                          scene.wrench_frame, options.cone_edges));
     grasp.volume = hull.volume;
-    if (i < sections && !context.cancellation.requested()) {
+    grasp.epsilon_nearby = epsilon_nearby(scene, grasp.trial, options);
+    if (i < wanted.sections && !context.cancellation.requested()) {
       grasp.sections = wrench_sections(hull.points);
     }
   });
   const auto is_missing = [&](const ScoredGrasp& grasp) { return !grasp.volume; };
-  if (std::any_of(result.grasps.begin(), result.grasps.end(), is_missing)) {
+  if (std::any_of(result.grasps.begin(), result.grasps.begin() + static_cast<std::ptrdiff_t>(count),
+                  is_missing)) {
     result.status = PlanStatus::cancelled;
   }
 }
@@ -232,7 +241,7 @@ class PlanRun {
       watch_.lap(Stage::paths);
     }
     if (result_.grasps.empty() && result_.status != PlanStatus::cancelled) explain();
-    add_volumes(scene_, options_.trial, options_.sections, context_, result_);
+    add_volumes(scene_, options_.trial, {.sections = options_.sections}, context_, result_);
     watch_.lap(Stage::volumes);
     result_.times = watch_.laps();
     return std::move(result_);
@@ -292,6 +301,7 @@ class PlanRun {
       const ProposedGrasp& proposed = proposed_[finished.candidates[i]];
       result_.grasps.push_back({std::move(finished.trials[i]),
                                 proposed.candidate,
+                                {},
                                 {},
                                 proposed.primitive,
                                 proposed.rule,
@@ -355,6 +365,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
     result.grasps.push_back({std::move(finished.trials[i]),
                              candidates[finished.candidates[i]],
                              {},
+                             {},
                              std::nullopt,
                              "given",
                              {},
@@ -362,7 +373,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
                              static_cast<int>(i)});
   }
   watch.lap(Stage::trials);
-  add_volumes(scene, options.trial, options.sections, context, result);
+  add_volumes(scene, options.trial, {options.volumes, options.sections}, context, result);
   watch.lap(Stage::volumes);
   result.times = watch.laps();
   return result;

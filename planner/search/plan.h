@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "primitives/decompose.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
+#include "sim/quality/interval.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
@@ -55,7 +57,10 @@ void for_each_setting(Options& options, const Visit& visit) {
 struct EvaluateOptions {
   std::uint64_t seed = 1;  // as in PlanOptions
   TrialOptions trial;
-  std::size_t sections = 0;  // as in PlanOptions
+  // For how many of the grasps, the first ones, the volume and epsilon_nearby are computed: that
+  // may take 50 times as long as the trial itself.
+  std::size_t volumes = std::numeric_limits<std::size_t>::max();
+  std::size_t sections = 0;  // as in PlanOptions; at most `volumes`
 };
 
 // A grasp with its quality and where it came from.
@@ -63,8 +68,11 @@ struct ScoredGrasp {
   Trial trial;          // pose, joints, contacts and epsilon that the trial found
   Candidate candidate;  // what was tried
   // Volume of the convex hull of contact wrenches (6-D, torques scaled); 0 without force closure,
-  // nothing where the call was cancelled before it was computed.
+  // nothing where it was not asked for or the call was cancelled before it was computed.
   std::optional<double> volume;
+  // Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
+  // (epsilon_nearby). Computed with the volume.
+  std::optional<Interval> epsilon_nearby;
   std::optional<int> primitive;  // index into PlanResult::primitives; none: given by the caller
   std::string rule;              // rule that proposed it, or "given"
   std::optional<Trajectory> path;

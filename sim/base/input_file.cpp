@@ -46,4 +46,14 @@ std::string read_file(const std::filesystem::path& file) {
   return bytes;
 }
 
+bool is_there(const std::filesystem::path& name) {
+  std::error_code unknown;
+  return std::filesystem::exists(name, unknown);
+}
+
+bool is_file(const std::filesystem::path& name) {
+  std::error_code unknown;
+  return std::filesystem::is_regular_file(name, unknown);
+}
+
 }  // namespace prehend

@@ -16,4 +16,9 @@ inline constexpr std::uintmax_t kLargestInputFile = std::uintmax_t{1} << 30;
 // larger than kLargestInputFile.
 std::string read_file(const std::filesystem::path& file);
 
+// Whether something of this name is there, and whether it is a regular file. False also when that
+// cannot be found out: of a name that is too long, or in a folder that may not be searched.
+bool is_there(const std::filesystem::path& name);
+bool is_file(const std::filesystem::path& name);
+
 }  // namespace prehend

@@ -41,6 +41,24 @@ void remove_old_parts(const std::filesystem::path& file) {
   }
 }
 
+// Writes the temporary file; an error of the system is returned.
+std::error_code write_part(const std::filesystem::path& part,
+                           const std::function<void(std::ostream&)>& write) {
+  errno = 0;
+  std::ofstream stream(part, std::ios::binary);
+  try {
+    write(stream);
+  } catch (...) {
+    stream.close();
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    throw;
+  }
+  stream.close();  // errors such as a full disk may appear only when the buffer is flushed
+  if (stream) return {};
+  return {errno != 0 ? errno : EIO, std::generic_category()};
+}
+
 }  // namespace
 
 void require_writable(const std::filesystem::path& folder) {
@@ -79,6 +97,11 @@ void make_folder(const std::filesystem::path& folder) {
 // every time either as it was or complete, also where the program is interrupted or the disk is
 // full.
 void write_file(const std::filesystem::path& file, const std::string& content) {
+  write_file(file, [&](std::ostream& stream) { stream << content; });
+}
+
+void write_file(const std::filesystem::path& file,
+                const std::function<void(std::ostream&)>& write) {
   // A link stays, and what it points to is written.
   std::error_code unlinked;
   const bool is_link = std::filesystem::is_symlink(file, unlinked);
@@ -95,12 +118,7 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
   // the process id, because two programs may write the same file.
   std::filesystem::path part = target;
   part += kPart + std::to_string(::getpid());
-  errno = 0;
-  std::ofstream stream(part, std::ios::binary);
-  stream << content;
-  stream.close();  // errors such as a full disk may appear only when the buffer is flushed
-  error.clear();
-  if (!stream) error.assign(errno != 0 ? errno : EIO, std::generic_category());
+  error = write_part(part, write);
   if (!error && std::filesystem::exists(earlier)) {
     std::filesystem::permissions(part, earlier.permissions(), error);
   }

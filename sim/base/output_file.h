@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <ostream>
 #include <string>
 
 namespace prehend {
@@ -22,6 +23,9 @@ void make_folder(const std::filesystem::path& folder);
 // killed programs left are removed. Throws InputError that names the file, also where the name
 // stands for something else than a regular file.
 void write_file(const std::filesystem::path& file, const std::string& content);
+// The same for content that is made while it is written, and never in memory as a whole. What
+// `write` throws is passed on, and the file is left as it was.
+void write_file(const std::filesystem::path& file, const std::function<void(std::ostream&)>& write);
 
 // Removes the file, for instance one that an earlier run left. Does nothing where there is none;
 // other errors are ignored.

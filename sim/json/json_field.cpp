@@ -72,8 +72,7 @@ class RepeatedKeys {
   std::vector<std::set<std::string>> keys_;
 };
 
-Json parse(const std::filesystem::path& file) {
-  const std::string text = read_file(file);
+Json parse(const std::filesystem::path& file, const std::string& text) {
   if (json_depth(text) > kDeepestJson) {
     throw InputError({.file = file.string(),
                       .problem = "nested deeper than " + std::to_string(kDeepestJson) + " levels"});
@@ -94,7 +93,10 @@ Json parse(const std::filesystem::path& file) {
 
 }  // namespace
 
-JsonFile::JsonFile(const std::filesystem::path& file) : path_(file), value_(parse(file)) {}
+JsonFile::JsonFile(const std::filesystem::path& file) : JsonFile(file, read_file(file)) {}
+
+JsonFile::JsonFile(std::filesystem::path file, const std::string& text)
+    : path_(std::move(file)), value_(parse(path_, text)) {}
 
 JsonField JsonFile::root() const { return JsonField(value_, path_, ""); }
 
@@ -162,6 +164,7 @@ double JsonField::number() const {
   if (!value_->is_number()) fail("must be a number");
   const double number = value_->get<double>();
   if (!std::isfinite(number)) fail("must be finite");
+  if (std::abs(number) > kLargestNumber) fail("must not be beyond 1e30");
   return number;
 }
 
@@ -202,6 +205,12 @@ std::vector<double> JsonField::numbers(std::size_t count) const {
 Vector3 JsonField::vector3() const {
   const std::vector<double> values = numbers(3);
   return {values[0], values[1], values[2]};
+}
+
+Vector3 JsonField::direction() const {
+  const Vector3 vector = vector3();
+  if (!(vector.norm() > kShortestDirection)) fail("must not be the zero vector");
+  return vector.normalized();
 }
 
 double JsonField::number_or(std::string_view key, double otherwise) const {

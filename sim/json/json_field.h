@@ -25,6 +25,8 @@ class JsonFile {
   // (read_file), has a syntax error (with the line), is nested deeper than kDeepestJson, or has an
   // object with two fields of the same name (with the name).
   explicit JsonFile(const std::filesystem::path& file);
+  // Parses `text` as the content of `file`, which is not opened. Throws as above.
+  JsonFile(std::filesystem::path file, const std::string& text);
 
   const std::filesystem::path& path() const { return path_; }
   // The outermost value.
@@ -34,6 +36,12 @@ class JsonFile {
   std::filesystem::path path_;
   nlohmann::json value_;
 };
+
+// Numbers must not be larger, whatever their unit: sums and products of several of them then stay
+// in the range of double.
+inline constexpr double kLargestNumber = 1e30;
+// Vectors that give a direction must be longer: the square of a shorter one has few digits or none.
+inline constexpr double kShortestDirection = 1e-100;
 
 // A value in a JSON file. Every function that reads it throws InputError "FILE: FIELD: problem
 // (VALUE)" when its type or value does not fit.
@@ -57,13 +65,15 @@ class JsonField {
   std::vector<JsonField> items() const;              // of an array
   std::vector<std::string> keys() const;             // of an object, sorted
 
-  // The value, checked for its type. Numbers must be finite, integers in the range of the type.
+  // The value, checked for its type. Numbers must be finite and at most kLargestNumber in size,
+  // integers in the range of the type.
   double number() const;
   int integer() const;
   bool boolean() const;
   std::uint64_t unsigned_integer() const;
   std::string text() const;  // not empty
   Vector3 vector3() const;
+  Vector3 direction() const;  // a vector that is not zero (kShortestDirection), made unit
   // A list of exactly `count` finite numbers.
   std::vector<double> numbers(std::size_t count) const;
 

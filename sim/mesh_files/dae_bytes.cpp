@@ -166,6 +166,16 @@ class DaeCheck {
     long long params = 0;
   };
 
+  // What an element of polygons promises and has.
+  struct Lists {
+    long long count = 0;
+    long long stride = 1;    // indices of a corner, one for each offset of its inputs
+    long long lists = 0;     // number of elements p
+    long long indices = 0;   // in all of them
+    long long polygons = 0;  // entries of vcount
+    long long corners = 0;   // their sum
+  };
+
   void open(const Tag& tag) {
     // assimp parses nested elements recursively; the limit protects its stack.
     constexpr std::size_t kDeepest = 200;
@@ -176,7 +186,10 @@ class DaeCheck {
     check_unit(tag);
     check_list(tag);
     if (has_count(tag.name)) count_of(tag, "count", std::nullopt);
-    if (tag.name == "input") count_of(tag, "offset", 0);
+    if (is_primitive(tag.name)) lists_ = {.count = count_of(tag, "count", std::nullopt)};
+    if (tag.name == "input") {
+      lists_.stride = std::max(lists_.stride, count_of(tag, "offset", 0) + 1);
+    }
     if (tag.name == "accessor") {
       const long long stride = count_of(tag, "stride", 1);
       // In doubles, in which the product of two counts cannot overflow.
@@ -211,6 +224,7 @@ class DaeCheck {
       throw InputError("a comment inside element " + in_quotes(tag.name));
     }
     if (tag.name == "node") nodes_.pop_back();
+    if (is_primitive(tag.name)) check_lists(tag.name);
     open_.pop_back();
   }
 
@@ -218,6 +232,12 @@ class DaeCheck {
   // fans, which it takes for polygons: those that are not flat would be cut into other triangles.
   static bool is_other_surface(std::string_view name) {
     return name == "ph" || name == "spline" || name == "brep" || name == "trifans";
+  }
+
+  // Lists of polygons. Points and lines are no surface.
+  static bool is_primitive(std::string_view name) {
+    return name == "triangles" || name == "polylist" || name == "polygons" || name == "tristrips" ||
+           name == "trifans";
   }
 
   static bool has_count(std::string_view name) {
@@ -246,6 +266,21 @@ class DaeCheck {
                        in_quotes(text.value_or("")));
     }
     return *value;
+  }
+
+  // assimp aborts the program where an element has more lists of polygons than its count says.
+  void check_lists(std::string_view name) const {
+    const bool one_list = name == "triangles" || name == "polylist";
+    bool fits = lists_.indices % lists_.stride == 0;
+    if (name == "triangles") fits = lists_.indices == 3 * lists_.count * lists_.stride;
+    if (name == "polylist") {
+      fits = lists_.polygons == lists_.count && lists_.indices == lists_.corners * lists_.stride;
+    }
+    if (one_list ? lists_.lists > 1 : lists_.lists != lists_.count) fits = false;
+    if (!fits) {
+      throw InputError("element " + in_quotes(name) + " has an index count that does not fit its " +
+                       std::to_string(lists_.count) + " polygons");
+    }
   }
 
   // The id in an attribute "#id".
@@ -283,7 +318,13 @@ class DaeCheck {
           throw InputError("element " + in_quotes(tag.name) + " has the entry " + in_quotes(word));
         }
         ++words;
+        if (tag.name == "vcount") lists_.corners += *integer_in(word);
       }
+    }
+    if (tag.name == "vcount") lists_.polygons += words;
+    if (tag.name == "p") {
+      lists_.indices += words;
+      ++lists_.lists;
     }
     if (tag.name != "float_array") return;
     if (count_of(tag, "count", std::nullopt) != words) {
@@ -311,6 +352,7 @@ class DaeCheck {
   std::vector<std::string> nodes_{""};  // open nodes, the file first
   std::vector<std::string> open_;       // open elements
   std::vector<Accessor> accessors_;
+  Lists lists_;
   std::map<std::string, long long> arrays_;  // lengths of the arrays of numbers
   int unnamed_ = 0;
 };

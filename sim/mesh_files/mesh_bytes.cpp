@@ -9,8 +9,6 @@ std::string checked_mesh_bytes(std::string_view extension, const std::string& by
   if (extension == "gltf") return checked_gltf(bytes, folder);
   if (extension == "glb") return checked_glb(bytes, folder);
   if (extension == "obj") return checked_obj(bytes);
-  if (extension == "stl") return checked_stl(bytes);
-  if (extension == "ply") check_ply(bytes);
   if (extension == "dae") check_dae(bytes);
   return bytes;
 }

@@ -12,6 +12,8 @@
 #include "sim/mesh_files/assimp_reader.h"
 #include "sim/mesh_files/mesh_bytes.h"
 #include "sim/mesh_files/off_reader.h"
+#include "sim/mesh_files/ply_reader.h"
+#include "sim/mesh_files/stl_reader.h"
 
 // A mesh file is read in steps: the bytes as a whole, their validation and parsing by format, then,
 // in the same way for all formats, units and welding. Errors are thrown without the file's name,
@@ -44,8 +46,10 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
   }
 }
 
-TriangleMesh read_raw(const std::filesystem::path& file, const std::string& extension) {
-  const std::string bytes = read_file(file);
+TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
+                      const std::string& extension) {
+  if (extension == "stl") return read_stl(bytes);
+  if (extension == "ply") return read_ply(bytes);
   if (extension == "off") {
     need_text(bytes);
     return read_off(bytes);
@@ -54,13 +58,15 @@ TriangleMesh read_raw(const std::filesystem::path& file, const std::string& exte
                           checked_mesh_bytes(extension, bytes, file.parent_path()));
 }
 
-LoadedMesh load(const std::filesystem::path& file, const MeshFileOptions& options) {
+// `bytes` is called for the content of the file, after everything else was checked.
+LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
+                const MeshFileOptions& options) {
   require(options.metres_per_unit > 0.0 && std::isfinite(options.metres_per_unit),
           {.field = "metres_per_unit",
            .problem = "must be positive and finite",
            .value = std::to_string(options.metres_per_unit)});
   const std::string extension = extension_of(file);
-  TriangleMesh raw = read_raw(file, extension);
+  TriangleMesh raw = read_raw(bytes(), file, extension);
   if (raw.empty()) throw InputError("no triangles");
   // Unused vertices are removed first: they may be invalid, and they must not enlarge the bounding
   // box that sets the weld tolerance.
@@ -83,7 +89,16 @@ double metres_per_unit(std::string_view unit) {
 
 LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options) {
   try {
-    return load(file, options);
+    return load([&] { return read_file(file); }, file, options);
+  } catch (const InputError& error) {
+    throw error.in_file(file.string());
+  }
+}
+
+LoadedMesh read_mesh(const std::string& bytes, const std::filesystem::path& file,
+                     const MeshFileOptions& options) {
+  try {
+    return load([&]() -> const std::string& { return bytes; }, file, options);
   } catch (const InputError& error) {
     throw error.in_file(file.string());
   }

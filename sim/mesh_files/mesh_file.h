@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "sim/geometry/triangle_mesh.h"
@@ -40,5 +41,10 @@ struct LoadedMesh {
 // coordinate beyond 1e30 m, or has no triangle of positive area. Damage that makes assimp crash,
 // hang or return wrong data is detected before assimp is called (mesh_bytes.h).
 LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options = {});
+
+// As load_mesh, of a file whose content is `bytes`. The file itself is not opened, only buffers
+// that stand beside it.
+LoadedMesh read_mesh(const std::string& bytes, const std::filesystem::path& file,
+                     const MeshFileOptions& options = {});
 
 }  // namespace prehend

@@ -9,12 +9,6 @@ namespace {
 // Directions typed with few digits are still meant to be orthogonal.
 constexpr double kOrthogonal = 1e-6;
 
-Vector3 direction(const JsonField& field) {
-  const Vector3 v = field.vector3();
-  if (!(v.norm() > 0.0)) field.fail("must not be the zero vector");
-  return v.normalized();
-}
-
 std::size_t find_dof(const JsonField& field, const std::string& name, const Robot& robot) {
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     if (robot.dofs[d].name == name) return d;
@@ -68,9 +62,9 @@ double value_unit(const Robot& robot, std::size_t dof, const FileUnits& units) {
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot) {
   field.allow_only({"approach", "closing", "origin", "preshapes"});
   Hand hand;
-  hand.approach = direction(field["approach"]);
+  hand.approach = field["approach"].direction();
   const JsonField closing = field["closing"];
-  hand.closing = direction(closing);
+  hand.closing = closing.direction();
   if (std::abs(hand.closing.dot(hand.approach)) > kOrthogonal) {
     closing.fail("must be orthogonal to the approach axis");
   }

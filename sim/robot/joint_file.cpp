@@ -30,9 +30,7 @@ void place_by_axis(const JsonField& field, const FileUnits& units, Joint& joint)
       field[key].fail("a joint has theta, d, a and alpha, or an origin and an axis, not both");
     }
   }
-  const JsonField axis = field["axis"];
-  if (!(axis.vector3().norm() > 0.0)) axis.fail("must not be the zero vector");
-  joint.axis = axis.vector3().normalized();
+  joint.axis = field["axis"].direction();
   if (field.has("origin")) joint.X_PJ = read_pose(field["origin"], units);
 }
 

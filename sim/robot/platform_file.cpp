@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/robot_file.h"
 #include "sim/robot/robot_file_parts.h"
@@ -12,7 +13,7 @@ namespace {
 // A robot file beside the platform, else a name of the library or a path.
 Robot read_named_robot(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
-  if (std::filesystem::is_regular_file(beside)) return load_robot(beside);
+  if (is_file(beside)) return load_robot(beside);
   return made_of(field, [&] { return find_robot(field.text()); });
 }
 
@@ -61,12 +62,13 @@ MountedRobot read_mounted(const JsonField& field, const FileUnits& units,
 
 }  // namespace
 
-Platform load_platform(const std::filesystem::path& file) {
-  const JsonFile json(file);
-  const JsonField root = json.root();
+Platform load_platform(const std::filesystem::path& file) { return read_platform(JsonFile(file)); }
+
+Platform read_platform(const JsonFile& file) {
+  const JsonField root = file.root();
   Platform platform;
   if (!root.has("robots")) {
-    Robot robot = load_robot(file);
+    Robot robot = read_robot(file);
     platform.name = robot.name;
     platform.robots.push_back({.name = platform.name, .robot = std::move(robot)});
     return platform;

@@ -9,10 +9,14 @@
 
 namespace prehend {
 
+class JsonFile;  // sim/json/json_field.h
+
 // A robot file, or a file with "robots". Throws InputError that names the file, the field and the
 // value: a robot that is not there or stands on one that comes later, an unknown chain, a name used
 // twice.
 Platform load_platform(const std::filesystem::path& file);
+// As load_platform, of a file that was parsed already.
+Platform read_platform(const JsonFile& file);
 
 // A platform or robot of the library by name ("obelix"), or a file by path.
 // Throws InputError that lists the names when it is neither.

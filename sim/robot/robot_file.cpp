@@ -1,6 +1,7 @@
 #include "sim/robot/robot_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -16,6 +17,8 @@ namespace {
 constexpr int kUndriven = -1;
 // Directions typed with few digits are still meant to be opposite [length of their sum].
 constexpr double kOpposed = 1e-6;
+// Smaller ratios of joint and drive count as 0: limits are divided by them.
+constexpr double kSmallestRatio = 1e-30;
 
 // Reads one file into one robot, in the order that later parts need earlier ones:
 // named geometry, base, joints, degrees of freedom, links, hand.
@@ -186,7 +189,8 @@ void RobotReader::read_drive(const JsonField& field, int dof) {
     }
   }
   joint.ratio = field.number_or("ratio", 1.0);
-  if (joint.ratio == 0.0) field["ratio"].fail("must not be 0, the joint would never move");
+  if (std::abs(joint.ratio) < kSmallestRatio)
+    field["ratio"].fail("must not be 0, the joint would never move");
   joint.offset = field.number_or("offset", 0.0) * unit_of(joint.type);
   joint.dof = dof;
 }
@@ -264,9 +268,8 @@ void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& ch
 
 }  // namespace
 
-Robot load_robot(const std::filesystem::path& file) {
-  const JsonFile json(file);
-  return RobotReader(json.root()).read();
-}
+Robot load_robot(const std::filesystem::path& file) { return read_robot(JsonFile(file)); }
+
+Robot read_robot(const JsonFile& file) { return RobotReader(file.root()).read(); }
 
 }  // namespace prehend

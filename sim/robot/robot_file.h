@@ -9,11 +9,15 @@
 
 namespace prehend {
 
+class JsonFile;  // sim/json/json_field.h
+
 // The robot that a file describes, in SI units. Throws InputError that names the file, the field
 // and the value: an unknown or missing field, a joint without a degree of freedom or a degree of
 // freedom without a joint, a lower limit above the upper one, a preshape outside limits, a link
 // without triangles, a mesh that cannot be read.
 Robot load_robot(const std::filesystem::path& file);
+// As load_robot, of a file that was parsed already.
+Robot read_robot(const JsonFile& file);
 
 // A robot of the library by name ("barrett"), or a robot file by path.
 // Throws InputError that lists the names when it is neither.

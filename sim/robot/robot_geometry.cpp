@@ -18,8 +18,10 @@ constexpr int kSphereSubdivisions = 2;
 constexpr int kMostSphereSubdivisions = 5;
 
 double positive(const JsonField& field, double unit) {
-  if (field.number() <= 0.0) field.fail("must be greater than 0");
-  return field.number() * unit;
+  // The tiniest numbers are 0 in another unit.
+  const double value = field.number() * unit;
+  if (!(value > 0.0)) field.fail("must be greater than 0");
+  return value;
 }
 
 int integer_or(const JsonField& object, std::string_view key, int otherwise, int low, int high) {
@@ -47,8 +49,9 @@ double mass_unit(const JsonField& field) {
 TriangleMesh box(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "size", "pose"});
   const JsonField size = shape["size"];
-  if ((size.vector3().array() <= 0.0).any()) size.fail("must be greater than 0");
-  return make_box(size.vector3() * units.length);
+  const Vector3 metres = size.vector3() * units.length;
+  if (!(metres.array() > 0.0).all()) size.fail("must be greater than 0");
+  return make_box(metres);
 }
 
 TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {

@@ -2,6 +2,7 @@
 
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
@@ -19,7 +20,7 @@ std::vector<std::string> names_in_library() {
   std::vector<std::string> names;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(library(), error)) {
-    if (std::filesystem::exists(entry.path() / kRobotFile)) {
+    if (is_there(entry.path() / kRobotFile)) {
       names.push_back(entry.path().filename().string());
     }
   }
@@ -35,12 +36,12 @@ bool is_path(const std::string& name_or_file) {
 
 // The file of a library name, else the path as it is.
 std::filesystem::path file_of(const std::string& name_or_file) {
-  if (is_path(name_or_file) && std::filesystem::exists(name_or_file)) return name_or_file;
+  if (is_path(name_or_file) && is_there(name_or_file)) return name_or_file;
   const std::vector<std::string> names = names_in_library();
   if (std::find(names.begin(), names.end(), name_or_file) != names.end()) {
     return library() / name_or_file / kRobotFile;
   }
-  if (std::filesystem::exists(name_or_file)) return name_or_file;
+  if (is_there(name_or_file)) return name_or_file;
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
   throw InputError(

@@ -5,12 +5,13 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 #include "sim/robot/platform_file.h"
 #include "sim/robot/robot_file.h"
 
 namespace prehend {
 std::string robot_source(const std::string& name_or_file) {
-  if (!std::filesystem::is_regular_file(name_or_file)) return name_or_file;
+  if (!is_file(name_or_file)) return name_or_file;
   return std::filesystem::absolute(name_or_file).lexically_normal().string();
 }
 

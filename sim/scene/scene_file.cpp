@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/json/json_field.h"
@@ -91,7 +92,7 @@ ShapeSource read_source(const JsonField& body) {
 // A name of the library, or the absolute path of a file: beside the scene if there is one.
 std::string read_robot_source(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
-  if (std::filesystem::is_regular_file(beside)) {
+  if (is_file(beside)) {
     return absolute_path(beside);
   }
   return robot_source(field.text());
@@ -100,9 +101,12 @@ std::string read_robot_source(const JsonField& field) {
 GraspableBody read_object(const JsonField& field) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
-  GraspableBody body = make_graspable(field.text_or("name", "object"), read_body_mesh(field),
-                                      read_material(field, Material::plastic),
-                                      read_positive(field, "mass", kDefaultObjectMass));
+  TriangleMesh mesh = read_body_mesh(field);
+  const std::string name = field.text_or("name", "object");
+  const Material material = read_material(field, Material::plastic);
+  const double mass = read_positive(field, "mass", kDefaultObjectMass);
+  GraspableBody body =
+      made_of(field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
   if (field.has("center_of_mass")) body.center_of_mass = field["center_of_mass"].vector3();
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.source = read_source(field);
@@ -248,18 +252,26 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   return scene;
 }
 
+void require_no_unit(const std::filesystem::path& file, const SceneSource& source) {
+  require(source.unit == SceneSource{}.unit,
+          {.file = file.string(),
+           .field = "unit",
+           .problem = "a scene says the units of its meshes itself",
+           .value = source.unit});
+}
+
 }  // namespace
+
+Scene read_scene(const JsonFile& file, const SceneSource& source) {
+  require_no_unit(file.path(), source);
+  return read_scene(file.root(), source);
+}
 
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source) {
   const std::filesystem::path file = find_scene(name_or_file.string());
   if (file.extension() == ".json") {
-    require(source.unit == SceneSource{}.unit,
-            {.file = file.string(),
-             .field = "unit",
-             .problem = "a scene says the units of its meshes itself",
-             .value = source.unit});
-    const JsonFile json(file);
-    return read_scene(json.root(), source);
+    require_no_unit(file, source);
+    return read_scene(JsonFile(file).root(), source);
   }
   GraspableBody object = make_graspable(
       file.stem().string(), mesh_from_file(file, metres_per_unit(source.unit)), Material::plastic);

@@ -9,6 +9,8 @@
 
 namespace prehend {
 
+class JsonFile;  // sim/json/json_field.h
+
 // What load_scene takes beside the file.
 struct SceneSource {
   // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it
@@ -26,5 +28,7 @@ inline constexpr const char* kDefaultHand = "barrett";
 // there is no such file, the library's scene of that name ("mug", see scene_library.h). Throws
 // InputError that names the file, the field and the value.
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source = {});
+// As load_scene, of a scene file that was parsed already.
+Scene read_scene(const JsonFile& file, const SceneSource& source = {});
 
 }  // namespace prehend

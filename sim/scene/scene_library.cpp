@@ -5,6 +5,7 @@
 
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 
 namespace prehend {
 namespace {
@@ -24,10 +25,10 @@ std::vector<std::string> library_scene_names() {
 }
 
 std::filesystem::path find_scene(const std::string& name_or_file) {
-  if (std::filesystem::exists(name_or_file)) return name_or_file;
+  if (is_there(name_or_file)) return name_or_file;
   const std::filesystem::path in_library = library() / (name_or_file + ".json");
   const bool is_name = name_or_file.find('/') == std::string::npos;
-  if (is_name && std::filesystem::exists(in_library)) return in_library;
+  if (is_name && is_there(in_library)) return in_library;
   std::string names;
   for (const std::string& name : library_scene_names()) names += (names.empty() ? "" : ", ") + name;
   throw InputError({.file = name_or_file,

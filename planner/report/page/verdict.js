@@ -67,7 +67,9 @@ function numberRows(grasp) {
     'quality ε', bracketText(grasp.epsilon),
     'the weakest disturbance it gives way to, as part of the contact force'
   ]];
-  rows.push(['volume', bracketText(grasp.volume), 'of the space of wrenches it can resist']);
+  if (grasp.volume) {
+    rows.push(['volume', bracketText(grasp.volume), 'of the space of wrenches it can resist']);
+  }
   if (grasp.detail && grasp.contacts.length > 0) {
     const {robust} = grasp.detail;
     rows.push([

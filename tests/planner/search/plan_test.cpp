@@ -79,6 +79,26 @@ TEST(Plan, EvaluateRepeatsWhatPlanFound) {
   EXPECT_EQ(same, static_cast<int>(planned.grasps.size()));
 }
 
+// Volumes that were not asked for are left out, which is not a cancelled run.
+TEST(Plan, EvaluateComputesAsManyVolumesAsAsked) {
+  const CompiledScene scene = default_scene();
+  const PlanResult planned = plan(scene, few_candidates(), RunContext{.threads = 2});
+  ASSERT_GE(planned.grasps.size(), 3U);
+  std::vector<Candidate> candidates;
+  for (const ScoredGrasp& grasp : planned.grasps) candidates.push_back(grasp.candidate);
+  EvaluateOptions options;
+  for (const std::size_t volumes :
+       {std::size_t{0}, std::size_t{2}, candidates.size(), std::size_t{1000}}) {
+    options.volumes = volumes;
+    const PlanResult result = evaluate(scene, candidates, options);
+    EXPECT_EQ(result.status, PlanStatus::complete);
+    ASSERT_EQ(result.grasps.size(), candidates.size());
+    for (std::size_t i = 0; i < result.grasps.size(); ++i) {
+      EXPECT_EQ(result.grasps[i].volume.has_value(), i < volumes) << i << " of " << volumes;
+    }
+  }
+}
+
 // The epsilon that ranks is that of the full hull.
 TEST(Plan, RanksAsTheFullHullWould) {
   const CompiledScene scene = default_scene();

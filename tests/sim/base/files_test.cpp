@@ -1,7 +1,9 @@
 // Reading and writing whole files, and what is refused as one.
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
+#include <stdexcept>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -125,6 +127,21 @@ TEST(RemoveRegularFiles, LeavesLinksFoldersAndWhatWasNotChosen) {
 
 TEST(RemoveRegularFiles, OfNoFolderDoesNothing) {
   remove_regular_files(own_folder() / "none", [](const std::string&) { return true; });
+}
+
+// Neither half of a new file nor a temporary one is left where making the content fails.
+TEST(WriteFile, LeavesTheOldFileWhereMakingTheContentFails) {
+  const fs::path folder = own_folder();
+  write_file(folder / "file", "old");
+  const auto half = [](std::ostream& stream) {
+    stream << "half of it";
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(write_file(folder / "file", half), std::runtime_error);
+  EXPECT_EQ(content(folder / "file"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1);
+  write_file(folder / "file", [](std::ostream& stream) { stream << "made " << 2; });
+  EXPECT_EQ(content(folder / "file"), "made 2");
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
-// Validation of STL files, text and binary. Nothing in the format tells the two apart for certain.
-// Text files begin with the word "solid", but so do the headers of some binary files; a binary file
-// has a size that follows from its number of facets. Numbers in binary files are little-endian.
+// Nothing in the format tells text and binary apart for certain. Text files begin with the word
+// "solid", but so do the headers of some binary files; a binary file has a size that follows from
+// its number of facets. Numbers in binary files are little-endian. assimp is not used for this
+// format: it refuses files whose normals are damaged, although they are not used, and loses memory.
+#include "sim/mesh_files/stl_reader.h"
+
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <cstring>
@@ -36,12 +40,28 @@ bool is_text(std::string_view bytes) {
   return word == "solid";
 }
 
+void add_facet(TriangleMesh& mesh, const std::array<Vector3, 3>& corners) {
+  const int first = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+  mesh.triangles.push_back({first, first + 1, first + 2});
+}
+
+Vector3 vertex_in(TextScan& scan) {
+  Vector3 vertex;
+  for (double& coordinate : vertex) {
+    coordinate = static_cast<float>(coordinate_in(scan, scan.next_word()));
+  }
+  return vertex;
+}
+
 // Facets must not be nested and must have three vertices with valid coordinates.
-void check_text(std::string_view bytes) {
+TriangleMesh read_text(std::string_view bytes) {
   need_text(bytes);
+  TriangleMesh mesh;
+  std::array<Vector3, 3> corners;
   TextScan scan(bytes);
   bool in_facet = false;
-  int vertices = 0;
+  std::size_t vertices = 0;
   while (scan.next_line()) {
     std::string word(scan.next_word());
     for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -51,21 +71,23 @@ void check_text(std::string_view bytes) {
       vertices = 0;
     } else if (word == "vertex") {
       if (!in_facet) scan.fail("a vertex outside a facet");
-      for (int k = 0; k < 3; ++k) coordinate_in(scan, scan.next_word());
+      const Vector3 vertex = vertex_in(scan);
+      if (vertices < corners.size()) corners[vertices] = vertex;
       ++vertices;
     } else if (word == "endfacet") {
       if (!in_facet || vertices < 3) {
         scan.fail("a facet with " + std::to_string(vertices) + " vertices");
       }
       in_facet = false;
+      add_facet(mesh, corners);
     }
   }
   if (in_facet) scan.fail("the file ends inside a facet");
+  return mesh;
 }
 
-// The file must be long enough for its count of facets. Bytes after the last facet are permitted;
-// checked_stl removes them.
-void check_binary(std::string_view bytes) {
+// The file must be long enough for its count of facets. Bytes after the last facet are permitted.
+TriangleMesh read_binary(std::string_view bytes) {
   if (bytes.size() < kHeader) {
     throw InputError("neither text nor binary STL: " + std::to_string(bytes.size()) + " bytes");
   }
@@ -74,17 +96,23 @@ void check_binary(std::string_view bytes) {
     throw InputError("promises " + std::to_string(facet_count(bytes)) +
                      " triangles, the file has room for " + std::to_string(room));
   }
+  TriangleMesh mesh;
+  for (std::uint64_t facet = 0; facet < facet_count(bytes); ++facet) {
+    std::array<float, 12> numbers;  // of the normal and the corners
+    std::memcpy(numbers.data(), bytes.data() + kHeader + kFacet * facet, sizeof(numbers));
+    std::array<Vector3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = {numbers[3 * k + 3], numbers[3 * k + 4], numbers[3 * k + 5]};
+    }
+    add_facet(mesh, corners);
+  }
+  return mesh;
 }
 
 }  // namespace
 
-std::string checked_stl(std::string_view bytes) {
-  if (is_text(bytes)) {
-    check_text(bytes);
-    return std::string(bytes);
-  }
-  check_binary(bytes);
-  return std::string(bytes.substr(0, kHeader + kFacet * facet_count(bytes)));
+TriangleMesh read_stl(std::string_view bytes) {
+  return is_text(bytes) ? read_text(bytes) : read_binary(bytes);
 }
 
 }  // namespace prehend

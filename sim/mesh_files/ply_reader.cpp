@@ -1,6 +1,9 @@
-// Validation of PLY files, text and binary. The header declares elements (vertex, face, others)
+// The header declares elements (vertex, face, others)
 // with typed properties; the body is traversed as declared, and lengths, indices and coordinates
-// are checked.
+// are checked. assimp is not used for this format: of some damaged files it frees
+// memory that it did not allocate.
+#include "sim/mesh_files/ply_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,6 +19,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/geometry/polygon.h"
 #include "sim/mesh_files/mesh_bytes.h"
 #include "sim/mesh_files/text_scan.h"
 
@@ -33,7 +38,7 @@ struct Scalar {
 struct Property {
   std::optional<Scalar> count;  // type of the count of a list
   Scalar value;
-  bool coordinate = false;    // x, y or z of a vertex
+  int coordinate = -1;        // 0, 1, 2: x, y or z of a vertex
   bool vertex_index = false;  // the list of a face
 };
 
@@ -81,7 +86,7 @@ Scalar scalar_named(const TextScan& scan, std::string_view name) {
 }
 
 // "element NAME COUNT". Each takes at least a byte, so a count beyond the size of the file is
-// wrong.
+// wrong. Vertices and faces stand in one list each.
 void read_element(TextScan& scan, Header& header, std::size_t file_size) {
   Element element;
   element.name = scan.next_word();
@@ -93,6 +98,9 @@ void read_element(TextScan& scan, Header& header, std::size_t file_size) {
               ", more than the file can hold");
   }
   element.count = *count;
+  for (const Element& other : header.elements) {
+    if (other.name == element.name) scan.fail("element " + in_quotes(other.name) + " given twice");
+  }
   if (element.name == "vertex") header.vertices = element.count;
   header.elements.push_back(std::move(element));
 }
@@ -110,31 +118,34 @@ void read_property(TextScan& scan, Header& header) {
   }
   property.value = scalar_named(scan, type);
   const std::string_view name = scan.next_word();
-  property.coordinate = element.name == "vertex" && (name == "x" || name == "y" || name == "z");
+  constexpr std::string_view kCoordinates = "xyz";
+  if (element.name == "vertex" && !property.count && name.size() == 1 &&
+      kCoordinates.find(name) != kCoordinates.npos) {
+    property.coordinate = static_cast<int>(kCoordinates.find(name));
+  }
   property.vertex_index = property.count && (name == "vertex_index" || name == "vertex_indices");
   element.properties.push_back(property);
 }
 
 // The surface must be what is read here: vertices with x, y and z, and faces with one list of their
-// vertices. assimp reads triangles from other elements in part (of strips the first triangle), and
-// skips what it does not know, so that files would be misread without a word. Elements that hold no
-// list of vertices (edge, material, camera) are no part of the surface.
+// vertices. A surface of other elements (strips) would be left out without a word. Elements that
+// hold no list of vertices (edge, material, camera) are no part of the surface.
 void check_elements(const Header& header) {
   bool has_faces = false;
   for (const Element& element : header.elements) {
-    const auto count = [&](bool Property::*what) {
-      return std::count_if(element.properties.begin(), element.properties.end(),
-                           [&](const Property& property) { return property.*what; });
-    };
-    if (element.name == "vertex" && count(&Property::coordinate) != 3) {
+    std::array<int, 3> coordinates{};
+    int lists = 0;
+    for (const Property& property : element.properties) {
+      if (property.coordinate >= 0) ++coordinates[static_cast<std::size_t>(property.coordinate)];
+      lists += int{property.vertex_index};
+    }
+    if (element.name == "vertex" && coordinates != std::array<int, 3>{1, 1, 1}) {
       throw InputError("element vertex must have one x, one y and one z");
     }
     if (element.name == "face") {
       has_faces = true;
-      if (count(&Property::vertex_index) != 1) {
-        throw InputError("element face must have one list vertex_indices");
-      }
-    } else if (count(&Property::vertex_index) > 0 || element.name == "tristrips") {
+      if (lists != 1) throw InputError("element face must have one list vertex_indices");
+    } else if (lists > 0 || element.name == "tristrips") {
       throw InputError("a surface of element " + in_quotes(element.name) +
                        " is not supported, only of faces");
     }
@@ -169,7 +180,7 @@ Header read_header(std::string_view bytes) {
       header.lines = scan.line_number();
       check_elements(header);
       return header;
-    }
+    }  // other lines are comments, with or without the word for it
   }
   throw InputError("the PLY header does not end");
 }
@@ -246,45 +257,91 @@ class Body {
   std::size_t at_;
 };
 
-// Reads a list; the entries of a face must be valid vertex indices. A length within the limit fits
-// an int. Comparisons are negated so that they also reject NaN.
-void check_list(Body& body, const Property& property, const Element& element, long long vertices) {
+// Reads a list; the entries of a face must be valid vertex indices, which are returned. A length
+// within the limit fits an int. Comparisons are negated so that they also reject NaN.
+std::vector<int> read_list(Body& body, const Property& property, const Element& element,
+                           long long vertices) {
   constexpr double kLongest = 1e6;
   const double count = body.next(*property.count, element);
   if (!(count >= 0.0) || count > kLongest || count != std::floor(count)) {
     body.fail("a PLY list of length " + std::to_string(count));
   }
+  std::vector<int> corners;
   for (int i = 0; i < static_cast<int>(count); ++i) {
     const double index = body.next(property.value, element);
     if (!property.vertex_index) continue;
-    if (!(index >= 0.0) || index >= static_cast<double>(vertices)) {
-      body.fail(formatted("a face refers to vertex %.0f of %lld", index, vertices));
+    if (!(index >= 0.0) || index >= static_cast<double>(vertices) || index != std::floor(index)) {
+      body.fail(formatted("a face refers to vertex %.10g of %lld", index, vertices));
+    }
+    corners.push_back(static_cast<int>(index));
+  }
+  return corners;
+}
+
+// Faces may precede their vertices, so they are triangulated when all is read.
+TriangleMesh triangulated(std::vector<Vector3> vertices,
+                          const std::vector<std::vector<int>>& faces) {
+  TriangleMesh mesh{.vertices = std::move(vertices), .triangles = {}};
+  std::vector<Vector3> corners;
+  for (const std::vector<int>& face : faces) {
+    const auto vertex = [&](int k) { return face[static_cast<std::size_t>(k)]; };
+    corners.clear();
+    for (const int v : face) corners.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+    for (const Triangle& t : triangulate_face(corners)) {
+      mesh.triangles.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
     }
   }
+  return mesh;
+}
+
+// Numbers beyond the range of float as infinity: to convert them is undefined.
+double in_float_range(double value) {
+  constexpr double kMost = std::numeric_limits<float>::max();
+  return std::abs(value) > kMost ? std::numeric_limits<double>::infinity() : value;
+}
+
+// What of the body is kept.
+struct Surface {
+  std::vector<Vector3> vertices;
+  std::vector<std::vector<int>> faces;
+};
+
+// Reads one entry of an element. Triangulation takes O(n^2) time, hence the limit of corners.
+void read_entry(Body& body, const Header& header, const Element& element, Surface& surface) {
+  constexpr std::size_t kMostCorners = 10'000;
+  Vector3 vertex = Vector3::Zero();
+  for (const Property& property : element.properties) {
+    if (property.count) {
+      std::vector<int> corners = read_list(body, property, element, header.vertices);
+      if (corners.size() > kMostCorners) {
+        body.fail("a face with " + std::to_string(corners.size()) + " corners, more than " +
+                  std::to_string(kMostCorners));
+      }
+      if (corners.size() >= 3) surface.faces.push_back(std::move(corners));
+      continue;
+    }
+    const double value = body.next(property.value, element);
+    if (property.coordinate < 0) continue;
+    vertex[property.coordinate] = static_cast<float>(in_float_range(value));
+    if (!std::isfinite(vertex[property.coordinate])) {
+      body.fail("vertex " + std::to_string(surface.vertices.size()) + " is not finite");
+    }
+  }
+  if (element.name == "vertex") surface.vertices.push_back(vertex);
 }
 
 }  // namespace
 
 // The body has no marks between its values: an element can be found only by reading everything
 // before it. So all elements are read, also those that no mesh uses.
-void check_ply(std::string_view bytes) {
+TriangleMesh read_ply(std::string_view bytes) {
   const Header header = read_header(bytes);
   Body body(bytes, header);
+  Surface surface;
   for (const Element& element : header.elements) {
-    for (long long i = 0; i < element.count; ++i) {
-      for (const Property& property : element.properties) {
-        if (property.count) {
-          check_list(body, property, element, header.vertices);
-          continue;
-        }
-        const double value = body.next(property.value, element);
-        // assimp stores coordinates as float, so a double beyond its range counts as infinite.
-        if (property.coordinate && !std::isfinite(static_cast<float>(value))) {
-          body.fail("vertex " + std::to_string(i) + " is not finite");
-        }
-      }
-    }
+    for (long long i = 0; i < element.count; ++i) read_entry(body, header, element, surface);
   }
+  return triangulated(std::move(surface.vertices), surface.faces);
 }
 
 }  // namespace prehend

@@ -1,0 +1,42 @@
+#include "sim/trial/sensitivity.h"
+
+#include <algorithm>
+
+namespace prehend {
+namespace {
+
+double epsilon_at(const CompiledScene& scene, const Trial& trial, const Pose& X_OH,
+                  const TrialOptions& options) {
+  const std::vector<GraspContact> contacts = grasp_contacts(scene, X_OH, trial.joints, options);
+  if (contacts.empty()) return 0.0;
+  return std::max(0.0, epsilon_l1(contact_wrenches(contacts_of(contacts), scene.wrench_frame,
+                                                   options.cone_edges))
+                           .lower);
+}
+
+}  // namespace
+
+Interval epsilon_nearby(const CompiledScene& scene, const Trial& trial, const TrialOptions& options,
+                        const NearbyOptions& nearby) {
+  Interval range{trial.epsilon.lower, trial.epsilon.lower};
+  const auto include = [&](const Pose& X_OH, const TrialOptions& with) {
+    const double epsilon = epsilon_at(scene, trial, X_OH, with);
+    range.lower = std::min(range.lower, epsilon);
+    range.upper = std::max(range.upper, epsilon);
+  };
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 unit = Vector3::Unit(axis);
+    for (const double way : {-1.0, 1.0}) {
+      include(trial.X_OH * translation(way * nearby.shift * unit), options);
+      include(trial.X_OH * Eigen::AngleAxisd(way * nearby.turn, unit), options);
+    }
+  }
+  for (const double way : {-1.0, 1.0}) {
+    TrialOptions with = options;
+    with.contact.threshold *= 1.0 + way * nearby.threshold;
+    include(trial.X_OH, with);
+  }
+  return range;
+}
+
+}  // namespace prehend

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/json/json_field.h"
+#include "sim/robot/platform_file.h"
+#include "sim/robot/robot_file.h"
+#include "tests/fuzz/mesh_promises.h"
+#include "tests/fuzz/untrusted_files.h"
+
+namespace prehend::fuzz {
+namespace {
+
+void check_joint(const Joint& joint, const Robot& robot) {
+  promised(finite(joint.X_PJ) && finite(joint.X_JA), "the frames of a joint are finite");
+  promised(std::abs(joint.axis.norm() - 1.0) < 1e-9, "the axis of a joint is unit");
+  promised(joint.lower <= joint.upper, "the limits of a joint are in order");
+  promised(std::isfinite(joint.zero) && std::isfinite(joint.offset) && std::isfinite(joint.ratio),
+           "the numbers of a joint are finite");
+  promised(joint.dof >= 0 && joint.dof < static_cast<int>(robot.dofs.size()),
+           "a degree of freedom drives every joint");
+}
+
+void check_dof(const DegreeOfFreedom& dof) {
+  promised(std::isfinite(dof.lower) && std::isfinite(dof.upper), "limits are finite");
+  promised(dof.lower <= dof.initial && dof.initial <= dof.upper, "it starts inside its limits");
+  promised(std::isfinite(dof.closing_velocity) && std::isfinite(dof.max_velocity) &&
+               std::isfinite(dof.max_acceleration),
+           "velocities and accelerations are finite");
+}
+
+void check_hand(const Hand& hand, const Robot& robot) {
+  promised(std::abs(hand.approach.norm() - 1.0) < 1e-9, "the approach axis is unit");
+  promised(std::abs(hand.closing.norm() - 1.0) < 1e-9, "the closing axis is unit");
+  promised(hand.origin.allFinite(), "the origin is finite");
+  promised(!hand.preshapes.empty(), "a hand has preshapes");
+  for (const Preshape& preshape : hand.preshapes) {
+    promised(preshape.dofs.size() == robot.dofs.size(), "a preshape has a value for each");
+    promised(0.0 <= preshape.min_width && preshape.min_width <= preshape.max_width &&
+                 std::isfinite(preshape.max_width) && std::isfinite(preshape.depth),
+             "widths and depth are finite and in order");
+  }
+}
+
+void check_links(const Robot& robot) {
+  promised(!robot.links.empty(), "a robot has a base link");
+  for (const Link& link : robot.links) {
+    check_usable(link.mesh);
+    promised(link.joint >= -1 && link.joint < static_cast<int>(robot.joints.size()),
+             "every link follows a joint");
+    promised(std::isfinite(link.inertial.mass) && link.inertial.mass >= 0.0,
+             "the mass of a link is a finite number");
+    promised(link.inertial.center_of_mass.allFinite() && link.inertial.inertia.allFinite(),
+             "the inertia of a link is finite");
+  }
+}
+
+void check_robot(const Robot& robot) {
+  require_tree(robot);
+  for (const Joint& joint : robot.joints) check_joint(joint, robot);
+  for (const DegreeOfFreedom& dof : robot.dofs) check_dof(dof);
+  check_links(robot);
+  if (robot.hand) check_hand(*robot.hand, robot);
+  std::vector<Pose> X_BL;
+  link_poses(robot, joint_values(robot, initial_dofs(robot)), X_BL);
+  promised(std::all_of(X_BL.begin(), X_BL.end(), finite), "links are at finite places");
+}
+
+}  // namespace
+
+void read_robot_file(std::string_view name, const std::string& bytes) {
+  check_robot(read_robot(JsonFile(pretended_path(name, "json"), bytes)));
+}
+
+void read_platform_file(std::string_view name, const std::string& bytes) {
+  const Platform platform = read_platform(JsonFile(pretended_path(name, "json"), bytes));
+  promised(!platform.robots.empty(), "a platform has robots");
+  for (const MountedRobot& mounted : platform.robots) check_robot(mounted.robot);
+  check_robot(assemble(platform).robot);
+}
+
+}  // namespace prehend::fuzz
