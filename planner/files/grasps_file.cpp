@@ -83,6 +83,25 @@ void result_fields(auto& fields, auto& result) {
   });
 }
 
+// Only of plans without a grasp.
+void advice_fields(auto& fields, auto& result) {
+  if (!kReads<decltype(fields)> && result.rules.empty() && result.advice.empty()) return;
+  fields.objects("rules", result.rules, [](auto& inner, auto& rule) {
+    inner.needs("rule");
+    inner("rule", rule.rule);
+    inner.object("outcomes", [&](auto& counts) {
+      for (const Outcome outcome : kOutcomes) {
+        counts(outcome_name(outcome), rule.outcomes[static_cast<std::size_t>(outcome)]);
+      }
+    });
+  });
+  fields.objects("advice", result.advice, [](auto& inner, auto& advice) {
+    for (const char* name : {"hint", "words"}) inner.needs(name);
+    inner.named("hint", advice.hint, value_names(kHints, hint_name));
+    inner("words", advice.words);
+  });
+}
+
 Json primitives_json(const std::vector<Primitive>& primitives) {
   Json list = Json::array();
   for (const Primitive& primitive : primitives) list.push_back(primitive_to_json(primitive));
@@ -174,6 +193,7 @@ void file_fields(auto& fields, auto& record, auto& result, const CompiledScene& 
   }
   settings_field(fields, record);
   result_fields(fields, result);
+  advice_fields(fields, result);
 }
 
 void read_lists(FieldReader& fields, GraspFile& file, const CompiledScene& scene) {

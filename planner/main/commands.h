@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "planner/main/interrupts.h"
+#include "planner/propose/candidates.h"
+#include "primitives/decompose.h"
 
 namespace prehend {
 
@@ -27,6 +29,7 @@ struct PlanCommand {
   std::string hand;           // empty: the scene's
   std::string unit = "m";
   int top = 10;
+  int candidates = CandidateOptions{}.max_candidates;
   bool path = false;  // paths of the arm as well
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions

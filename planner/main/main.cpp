@@ -122,6 +122,9 @@ struct Program {
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
+    command.add_option("--candidates", plan.candidates, "candidates to try at most")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
     command.add_option("--primitive-tolerance", plan.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");

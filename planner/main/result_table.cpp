@@ -68,6 +68,24 @@ std::string blocker_line(const PlanResult& result) {
   return text.empty() ? text : text + "\n";
 }
 
+std::string advice_lines(const PlanResult& result) {
+  std::string text;
+  if (!result.rules.empty()) text += "no grasp holds; by rule:\n";
+  for (const RuleCount& rule : result.rules) {
+    std::string counts;
+    for (const Outcome outcome : kOutcomes) {
+      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
+      if (count == 0) continue;
+      counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " +
+                std::string(outcome_name(outcome));
+    }
+    text += "  " + rule.rule + ": " + counts + "\n";
+  }
+  if (!result.advice.empty()) text += "what may help:\n";
+  for (const Advice& advice : result.advice) text += "  " + advice.words + "\n";
+  return text;
+}
+
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {
   return formatted("rank %zu   epsilon %.4f   volume %s   %zu contacts", rank,
                    grasp.trial.epsilon.lower, volume_words(grasp).c_str(),

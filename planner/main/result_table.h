@@ -16,6 +16,9 @@ std::string outcome_line(const PlanResult& result);
 // "blocked by: table 120 (hand_blocked), ...", a line that is empty where nothing was.
 std::string blocker_line(const PlanResult& result);
 
+// Of a plan without a grasp: how the candidates of each rule ended, and what to try. Else empty.
+std::string advice_lines(const PlanResult& result);
+
 // "rank 1   epsilon 0.2130 ...": a picture's title.
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank);
 

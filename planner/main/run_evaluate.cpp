@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
@@ -61,14 +62,14 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   }
   make_folder(command.common.out);
   interrupts.end_at_once("not all files are written");
-  // A report of an earlier run would not match the new grasps.json.
-  remove_file(command.common.out / "report.html");
-  if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
   interrupts.write(command.common.out / "grasps.json", [&](std::ostream& stream) {
     write_grasps(stream, loaded.scene, result, record);
   });
   interrupts.write(command.common.out / "timings.json",
                    timings_json(watch.laps(), result.trial_seconds, command.common.threads));
+  remove_earlier_results(command.common.out, {"grasps.json", "timings.json"}, loaded.scene.scene,
+                         command.grasps);
+  if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
   constexpr std::size_t kMostRows = 20;
   std::cout << grasp_table(loaded.scene, result, kMostRows);
   if (result.grasps.size() > kMostRows) {

@@ -2,6 +2,7 @@
 
 #include "planner/exports/export_files.h"
 #include "planner/files/grasps_file.h"
+#include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
@@ -33,12 +34,6 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   return pictures;
 }
 
-// Removes the files of an earlier run that this one may not write: a picture or report of other
-// grasps must not stand beside the new grasps.json.
-void remove_earlier(const std::filesystem::path& folder) {
-  for (const char* name : {"best.png", "best_arm.png", "report.html"}) remove_file(folder / name);
-}
-
 std::string names_of(const std::vector<ExportFile>& files) {
   std::string names;
   for (const ExportFile& file : files) names += (names.empty() ? "" : ", ") + file.name;
@@ -53,6 +48,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
   options.rank.top = command.top;
+  options.candidates.max_candidates = command.candidates;
   if (command.path) {
     options.paths.emplace();
     // Paths look for postures of the arm with the same options as trials.
@@ -113,7 +109,7 @@ class PlanProgram {
                       const RunRecord& record) {
     const std::size_t tried = result.tried.size();
     if (tried == 0) return say_interrupted("nothing is written");
-    write_files({{"grasps.json", grasps_json(scene, result, record)}});
+    write_files(scene.scene, {{"grasps.json", grasps_json(scene, result, record)}});
     write_timings(result);
     print_result(scene, result);
     std::cout << "wrote " << folder_.string() << ": " << written_ << ", timings.json\n";
@@ -127,7 +123,7 @@ class PlanProgram {
     for (const std::string& format : command_.exports) {
       for (ExportFile& file : export_files(scene, result, format)) files.push_back(std::move(file));
     }
-    write_files(files);
+    write_files(scene.scene, files);
     write_timings(result);
     print_result(scene, result);
   }
@@ -151,10 +147,15 @@ class PlanProgram {
     return names;
   }
 
-  void write_files(const std::vector<ExportFile>& files) {
+  void write_files(const Scene& scene, const std::vector<ExportFile>& files) {
     make_folder(folder_);
-    remove_earlier(folder_);
-    for (const ExportFile& file : files) interrupts_.write(folder_ / file.name, file.content);
+    std::vector<std::string> names = {"timings.json"};
+    for (const ExportFile& file : files) {
+      interrupts_.write(folder_ / file.name, file.content);
+      names.push_back(file.name);
+    }
+    // Report and pictures are of earlier grasps, too, until this run writes its own.
+    remove_earlier_results(folder_, names, scene, command_.scene);
     written_ = names_of(files);
   }
 
@@ -165,7 +166,7 @@ class PlanProgram {
 
   void print_result(const CompiledScene& scene, const PlanResult& result) const {
     std::cout << grasp_table(scene, result, index(command_.top)) << outcome_line(result) << "\n"
-              << blocker_line(result) << std::flush;
+              << blocker_line(result) << advice_lines(result) << std::flush;
   }
 
   int say_interrupted(const std::string& words) const {

@@ -1,6 +1,7 @@
 #include <iostream>
 
 #include "planner/files/grasps_file.h"
+#include "planner/files/result_files.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/show/contact_sheet.h"
@@ -98,17 +99,6 @@ void write_sheet(const std::filesystem::path& folder, const CompiledScene& scene
   print_written(folder, {"contact_sheet.png"});
 }
 
-// Removes the frames of an earlier run. Names are collected first, since it is unspecified what the
-// listing of a folder shows that changes meanwhile.
-void remove_frames(const std::filesystem::path& folder, const std::string& start) {
-  std::vector<std::filesystem::path> old;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with(start) && name.ends_with(".png")) old.push_back(entry.path());
-  }
-  for (const std::filesystem::path& file : old) remove_file(file);
-}
-
 std::string frame_title(const DrawnGrasp& grasp, const NamedFrame& frame, std::size_t number,
                         std::size_t count) {
   return "grasp " + std::to_string(grasp.number) + "   frame " + std::to_string(number) + " of " +
@@ -119,7 +109,9 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
                   const DrawnGrasp& grasp, int count, Interrupts& interrupts) {
   const std::string start = formatted("approach_%03zu_frame_", grasp.number);
   // An earlier run may have written more frames of this grasp than this one will.
-  remove_frames(folder, start);
+  remove_regular_files(folder, [&](const std::string& name) {
+    return is_rendered_file(name) && name.starts_with(start);
+  });
   if (count == 0) return;
   const ScoredGrasp& result = grasp.result;
   const std::vector<NamedFrame> frames = named_frames(
@@ -158,6 +150,8 @@ int run_render(const RenderCommand& command, Interrupts& interrupts) {
   const std::filesystem::path& folder = command.common.out;
   make_folder(folder);
   interrupts.end_at_once("pictures that were drawn are written");
+  // All grasps are drawn: pictures of others must not stand beside them.
+  if (command.grasp == 0) remove_regular_files(folder, is_rendered_file);
   write_each(folder, loaded.scene, grasps, interrupts);
   if (command.grasp == 0) write_sheet(folder, loaded.scene, grasps, interrupts);
   write_frames(folder, loaded.scene, grasps.front(), command.frames, interrupts);

@@ -110,6 +110,7 @@ Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive
       }
     }
   }
+  proposals.in_all = static_cast<int>(proposals.grasps.size());
   keep_evenly(proposals.grasps, static_cast<std::size_t>(options.max_candidates));
   return proposals;
 }

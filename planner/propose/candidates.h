@@ -47,6 +47,7 @@ struct ProposedGrasp {
 // takes give no candidate.
 struct Proposals {
   std::vector<ProposedGrasp> grasps;
+  int in_all = 0;                // number of candidates before they were thinned out
   double smallest_width = 0.0;   // smallest width of all rules; infinite without any rule [m]
   double largest_opening = 0.0;  // largest max_width of the hand's preshapes [m]
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "planner/exports/export_files.h"
+#include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
@@ -93,6 +94,10 @@ void bind_files(py::module_& core) {
   });
   core.def("timings_json", [](const PlanHandle& plan, int threads) {
     return timings_json(plan.result->times, plan.result->trial_seconds, threads);
+  });
+  core.def("remove_earlier_results", [](const PlanHandle& plan, const std::string& folder,
+                                        const std::vector<std::string>& written) {
+    remove_earlier_results(folder, written, plan.scene->scene);
   });
   core.def("report_html", &report_in_python);
   core.def("export_formats", &export_formats);

@@ -128,6 +128,28 @@ py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
   return fields;
 }
 
+py::list advice(const PlanResult& result) {
+  py::list list;
+  for (const Advice& one : result.advice) {
+    list.append(py::make_tuple(text(hint_name(one.hint)), text(one.words)));
+  }
+  return list;
+}
+
+// Rule and outcomes, those with at least one candidate.
+py::list rules(const PlanResult& result) {
+  py::list list;
+  for (const RuleCount& rule : result.rules) {
+    py::dict counts;
+    for (const Outcome outcome : kOutcomes) {
+      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
+      if (count > 0) counts[py::str(text(outcome_name(outcome)))] = count;
+    }
+    list.append(py::make_tuple(rule.rule, counts));
+  }
+  return list;
+}
+
 py::dict result_dict(const PlanHandle& plan) {
   const PlanResult& result = *plan.result;
   py::dict outcomes;
@@ -149,6 +171,8 @@ py::dict result_dict(const PlanHandle& plan) {
       result.status == PlanStatus::object_too_large || result.status == PlanStatus::no_candidates
           ? no_candidates_words(*plan.scene, result)
           : "";
+  fields["advice"] = advice(result);
+  fields["rules"] = rules(result);
   fields["outcomes"] = outcomes;
   fields["blockers"] = blockers(result);
   fields["stages"] = named_counts(result);

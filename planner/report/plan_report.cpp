@@ -88,6 +88,14 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
     report.blockers.push_back(
         {std::string(outcome_name(blocker.outcome)), blocker.link, blocker.by, blocker.count});
   }
+  for (const RuleCount& rule : result.rules) {
+    ReportRule& row = report.rules.emplace_back(ReportRule{rule.rule, {}});
+    for (const Outcome outcome : kOutcomes) {
+      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
+      if (count > 0) row.outcomes.emplace_back(outcome_name(outcome), count);
+    }
+  }
+  for (const Advice& advice : result.advice) report.advice.push_back(advice.words);
   report.candidates_in_all = result.tried.size();
   const std::size_t count = std::min(result.tried.size(), options.most_candidates);
   // Candidates are in the order of primitives and rules; every n-th one represents all of them.

@@ -61,6 +61,12 @@ struct ReportBlocker {
   int count = 0;
 };
 
+// How the candidates of one rule ended (RuleCount).
+struct ReportRule {
+  std::string rule;
+  std::vector<std::pair<std::string, int>> outcomes;  // outcome_name() and count, without zeros
+};
+
 // A whole report: of a plan, of an evaluation, or (without scene) of contacts alone.
 struct Report {
   std::string title;
@@ -74,6 +80,9 @@ struct Report {
   std::size_t grasps_in_all = 0;  // including those that the report leaves out
   std::vector<ReportOutcome> outcomes = {};
   std::vector<ReportBlocker> blockers = {};
+  // Of a plan without a grasp.
+  std::vector<ReportRule> rules = {};
+  std::vector<std::string> advice = {};
   std::vector<ReportCandidate> candidates = {};
   std::size_t candidates_in_all = 0;  // including those that the report leaves out
 };

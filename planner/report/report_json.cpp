@@ -254,6 +254,13 @@ std::string report_json(const Report& report) {
                                 {"by", blocker.by},
                                 {"count", blocker.count}});
   }
+  json["rules"] = Json::array();
+  for (const ReportRule& rule : report.rules) {
+    Json counts = Json::array();
+    for (const auto& [name, count] : rule.outcomes) counts.push_back({name, count});
+    json["rules"].push_back({{"rule", rule.rule}, {"outcomes", counts}});
+  }
+  json["advice"] = report.advice;
   json["candidates"] = candidates_json(report);
   // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "planner/search/find_advice.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -258,6 +259,7 @@ class PlanRun {
       count(PlanCount::paths, result_.grasps.size());
       watch_.lap(Stage::paths);
     }
+    if (result_.grasps.empty() && result_.status != PlanStatus::cancelled) explain();
     add_volumes(scene_, options_.trial, {.sections = options_.sections}, context_, result_);
     watch_.lap(Stage::volumes);
     result_.times = watch_.laps();
@@ -290,6 +292,7 @@ class PlanRun {
     result_.smallest_width = proposals.smallest_width;
     result_.largest_opening = proposals.largest_opening;
     proposed_ = std::move(proposals.grasps);
+    in_all_ = proposals.in_all;
     if (proposed_.empty()) {
       // Otherwise some width is at most the largest opening, but no preshape has a range that
       // contains it, or the rules gave nothing at all.
@@ -326,12 +329,33 @@ class PlanRun {
     }
     count(PlanCount::ranked, result_.grasps.size());
     watch_.lap(Stage::rank);
+    if (result_.grasps.empty()) unranked_ = std::move(finished.trials);
+  }
+
+  // Says why there is no grasp. A caller who does not wait for advice gets the rest.
+  void explain() {
+    for (const Tried& tried : result_.tried) {
+      const std::string& rule = proposed_[index(tried.candidate)].rule;
+      auto known = std::find_if(result_.rules.begin(), result_.rules.end(),
+                                [&](const RuleCount& count) { return count.rule == rule; });
+      if (known == result_.rules.end()) {
+        known = result_.rules.insert(known, {rule, {}});
+      }
+      ++known->outcomes[static_cast<std::size_t>(tried.outcome)];
+    }
+    try {
+      result_.advice = find_advice(scene_, options_, result_, unranked_, in_all_, context_);
+    } catch (const Cancelled&) {
+      result_.advice.clear();
+    }
   }
 
   const CompiledScene& scene_;
   const PlanOptions& options_;
   const RunContext& context_;
   std::vector<ProposedGrasp> proposed_;
+  int in_all_ = 0;               // number of candidates before they were thinned out
+  std::vector<Trial> unranked_;  // all trials, where none is stable
   PlanResult result_;
   Stopwatch watch_;
 };
@@ -380,6 +404,10 @@ std::string no_candidates_words(const CompiledScene& scene, const PlanResult& re
   if (std::isfinite(result.smallest_width)) {
     message << ": the smallest size to close on is " << 1000.0 * result.smallest_width
             << " mm, the hand opens to " << 1000.0 * result.largest_opening << " mm";
+  }
+  // The words above end with the hint about the unit.
+  for (const Advice& advice : result.advice) {
+    if (advice.hint != Hint::unit) message << "; try " << advice.words;
   }
   return message.str();
 }

@@ -11,6 +11,7 @@
 
 #include "planner/path/grasp_path.h"
 #include "planner/propose/candidates.h"
+#include "planner/search/advice.h"
 #include "planner/search/rank.h"
 #include "planner/search/run_trials.h"
 #include "planner/search/stopwatch.h"
@@ -163,9 +164,13 @@ struct PlanResult {
   std::vector<Tried> tried;                      // finished trials, in the order of candidates
   std::array<int, kOutcomes.size()> outcomes{};  // number of trials with each Outcome
   std::vector<Blocker> blockers;                 // those with the most candidates first
-  std::vector<StageCount> stages;                // in the order of the stages
-  std::vector<StageTime> times;                  // wall-clock time of each stage
-  TrialSeconds trial_seconds;                    // of all trials, on all threads together
+  // Of plan() without a grasp, unless cancelled: how the candidates of each rule ended, in the
+  // order in which the rules were first proposed, and what may help. Empty where there are grasps.
+  std::vector<RuleCount> rules;
+  std::vector<Advice> advice;
+  std::vector<StageCount> stages;  // in the order of the stages
+  std::vector<StageTime> times;    // wall-clock time of each stage
+  TrialSeconds trial_seconds;      // of all trials, on all threads together
 };
 
 // Plans grasps: decomposes the object into primitives (unless the scene gives them), proposes
@@ -189,8 +194,8 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
                     const EvaluateOptions& options = {}, const RunContext& context = {});
 
 // Why there was nothing to try, in one line: "mug: no grasp to try with hand NAME: the smallest
-// size to close on is ... mm, the hand opens to ... mm". For a result whose status is
-// object_too_large or no_candidates.
+// size to close on is ... mm, the hand opens to ... mm; try --hand ...". For a result whose status
+// is object_too_large or no_candidates.
 std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result);
 
 }  // namespace prehend

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <unistd.h>
+#include <vector>
 
 #include "sim/base/input_error.h"
 
@@ -131,6 +132,23 @@ void write_file(const std::filesystem::path& file,
 void remove_file(const std::filesystem::path& file) {
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
+}
+
+// Names are collected first, since it is unspecified what the listing of a folder shows that
+// changes meanwhile.
+void remove_regular_files(const std::filesystem::path& folder,
+                          const std::function<bool(const std::string& name)>& chosen) {
+  std::vector<std::filesystem::path> files;
+  std::error_code ignored;
+  for (std::filesystem::directory_iterator at(folder, ignored), end; at != end;
+       at.increment(ignored)) {
+    std::error_code unreadable;
+    // Of the entry itself, not of what a link points to.
+    const bool is_regular =
+        at->symlink_status(unreadable).type() == std::filesystem::file_type::regular;
+    if (is_regular && chosen(at->path().filename().string())) files.push_back(at->path());
+  }
+  for (const std::filesystem::path& file : files) remove_file(file);
 }
 
 }  // namespace prehend

@@ -31,4 +31,9 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
 // other errors are ignored.
 void remove_file(const std::filesystem::path& file);
 
+// Removes the regular files of the folder whose names `chosen` accepts; links, also those to such
+// files, and folders stay. Errors are ignored.
+void remove_regular_files(const std::filesystem::path& folder,
+                          const std::function<bool(const std::string& name)>& chosen);
+
 }  // namespace prehend

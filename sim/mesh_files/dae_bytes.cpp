@@ -180,7 +180,8 @@ class DaeCheck {
     // assimp parses nested elements recursively; the limit protects its stack.
     constexpr std::size_t kDeepest = 200;
     if (is_other_surface(tag.name)) {
-      throw InputError("element " + in_quotes(tag.name) + " is not supported: only polygons are");
+      throw InputError("element " + in_quotes(tag.name) +
+                       " is not supported: only polygons and strips are");
     }
     check_unit(tag);
     check_list(tag);
@@ -227,9 +228,10 @@ class DaeCheck {
     open_.pop_back();
   }
 
-  // Parts of a surface that assimp leaves out without a word: polygons with holes, and curves.
+  // Parts of a surface that assimp leaves out without a word, polygons with holes and curves, and
+  // fans, which it takes for polygons: those that are not flat would be cut into other triangles.
   static bool is_other_surface(std::string_view name) {
-    return name == "ph" || name == "spline" || name == "brep";
+    return name == "ph" || name == "spline" || name == "brep" || name == "trifans";
   }
 
   // Lists of polygons. Points and lines are no surface.

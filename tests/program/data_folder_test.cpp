@@ -72,6 +72,57 @@ TEST(DataFolder, GoesWithABuildFolderThatIsMovedWithItsCheckout) {
   expect_finds_all(kPlain + (build / "prehend").string());
 }
 
+// Changes a robot and a scene of the copy so that what is read tells where it came from.
+void mark_the_copy(const fs::path& robots, const fs::path& scenes) {
+  const fs::path robot = robots / "parallel_jaw" / "robot.json";
+  std::string text = content(robot);
+  text.replace(text.find("\"open\""), 6, "\"copied\"");
+  std::ofstream(robot) << text;
+  std::ofstream(scenes / "mug.json")
+      << R"({"object": {"name": "copied", "geometry": [{"shape": "box", "size": [0.03, 0.03, 0.03]}]},)"
+      << R"( "hand": "parallel_jaw"})";
+}
+
+void expect_reads_the_copy(const std::string& program, const fs::path& out) {
+  const ProgramRun run = run_program(
+      "plan mug --top 1 --candidates 5 --no-report --out " + out.string(), kPlain + program);
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string grasps = content(out / "grasps.json");
+  EXPECT_NE(grasps.find("\"name\": \"copied\""), std::string::npos) << program;
+  EXPECT_NE(grasps.find("\"preshape\": \"copied\""), std::string::npos) << program;
+}
+
+// The program still has the path of the checkout that it was built in, where the data are
+// unchanged.
+TEST(DataFolder, OfACopyOfTheCheckoutIsThatOfTheCopy) {
+  const fs::path folder = fresh_folder("data_copied");
+  const fs::path source = PREHEND_SOURCE_DIR;
+  const fs::path copy = folder / "copy";
+  const fs::path build = copy / fs::relative(kBuilt, source);
+  fs::create_directories(build / "share" / "prehend");
+  fs::copy_file(PREHEND_PROGRAM, build / "prehend");
+  for (const char* data : {"robots", "scenes"}) {
+    fs::copy_symlink(kBuilt / "share" / "prehend" / data, build / "share" / "prehend" / data);
+  }
+  fs::copy(source / "robots", copy / "robots", fs::copy_options::recursive);
+  fs::create_directories(copy / "benchmarks");
+  fs::copy(source / "benchmarks" / "scenes", copy / "benchmarks" / "scenes");
+  mark_the_copy(copy / "robots", copy / "benchmarks" / "scenes");
+  const fs::path out = folder / "out";
+  expect_reads_the_copy((build / "prehend").string(), out);
+  fs::create_symlink(build / "prehend", folder / "linked");
+  expect_reads_the_copy((folder / "linked").string(), out);
+  // From another working directory, by a relative path, and moved once more.
+  fs::create_directories(folder / "elsewhere");
+  const std::string relative = fs::relative(build / "prehend", folder / "elsewhere").string();
+  const ProgramRun run = run_program(
+      "inspect parallel_jaw", "cd " + (folder / "elsewhere").string() + " && " + kPlain + relative);
+  EXPECT_NE(run.out.find("copied"), std::string::npos) << run.out << run.err;
+  fs::rename(copy, folder / "moved");
+  expect_reads_the_copy((folder / "moved" / fs::relative(kBuilt, source) / "prehend").string(),
+                        out);
+}
+
 TEST(DataFolder, IsTheOneThatTheEnvironmentNames) {
   const fs::path folder = fresh_folder("data_named");
   const fs::path program = copied_program(folder);

@@ -19,7 +19,9 @@ fs::path checkout(const std::string& name, const fs::path& configured_for) {
   const fs::path folder = fresh_folder(name);
   fs::copy_file(fs::path(PREHEND_SOURCE_DIR) / "run", folder / "run");
   fs::create_directories(folder / ".ci");
-  std::ofstream(folder / ".ci" / "packages") << "# none\n";
+  for (const char* list : {"packages", "packages-python"}) {
+    std::ofstream(folder / ".ci" / list) << "# none\n";
+  }
   std::ofstream(folder / "CMakePresets.json") << "{}\n";
   write_script(folder / "build" / "release" / "prehend", "echo planned");
   std::ofstream(folder / "build" / "release" / "CMakeCache.txt")
@@ -52,6 +54,44 @@ TEST(RunScript, DoesNotConfigureAgainWhereNothingMoved) {
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_EQ(run.out, "planned\n");
   EXPECT_EQ(content(folder / "calls").find("ninja"), 0U) << content(folder / "calls");
+}
+
+// A copy beside the original, which is still there: its build folder names the original.
+TEST(RunScript, BuildsAnewInACopyBesideTheOriginal) {
+  const fs::path original = fs::path(testing::TempDir()) / "run_original";
+  (void)checkout("run_original", original);
+  const fs::path copy = checkout("run_copy", original);
+  const ProgramRun run = run_in(copy);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(content(copy / "calls").find("cmake --fresh -S " + copy.string() + " "), 0U)
+      << content(copy / "calls");
+  EXPECT_NE(content(copy / "calls").find("ninja -C " + copy.string() + "/build/release prehend"),
+            std::string::npos)
+      << content(copy / "calls");
+  EXPECT_FALSE(fs::exists(original / "calls"));
+}
+
+// The path of the checkout may have a link in it; it is the same checkout.
+TEST(RunScript, KnowsItsCheckoutThroughALink) {
+  const fs::path folder = checkout("run_linked", fs::path(testing::TempDir()) / "run_linked");
+  const fs::path link = fresh_folder("run_links") / "checkout";
+  fs::create_directory_symlink(folder, link);
+  const ProgramRun run = run_program(
+      "plan", "cd / && PATH=" + (folder / "tools").string() + ":$PATH " + (link / "run").string());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "planned\n");
+  EXPECT_EQ(content(folder / "calls").find("ninja"), 0U) << content(folder / "calls");
+}
+
+// The configuration of the other place knows no Python; CMake would refuse to change it here.
+TEST(RunScript, BuildsThePythonModuleAnewInACheckoutThatWasMoved) {
+  const fs::path folder = checkout("run_python", "/somewhere/else");
+  const ProgramRun run =
+      run_program("python -c 'print(1)'",
+                  "PATH=" + (folder / "tools").string() + ":$PATH " + (folder / "run").string());
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "1\n");
+  EXPECT_EQ(content(folder / "calls").find("cmake --fresh"), 0U) << content(folder / "calls");
 }
 
 }  // namespace

@@ -155,7 +155,10 @@ class Mug(unittest.TestCase):
 
     def test_files_are_written(self):
         with tempfile.TemporaryDirectory() as folder:
+            for earlier in ("grasp_7.glb", "notes.txt"):
+                (pathlib.Path(folder) / earlier).write_text("of an earlier result")
             names = prehend.write(self.result, folder, exports=["csv"])
+            (pathlib.Path(folder) / "notes.txt").unlink()
             self.assertEqual(sorted(os.listdir(folder)), sorted(names))
             self.assertIn("report.html", names)
             text = (pathlib.Path(folder) / "grasps.json").read_text()
@@ -332,7 +335,16 @@ class Scenes(unittest.TestCase):
         self.assertEqual(result.status, "object_too_large")
         self.assertGreater(result.smallest_width, result.largest_opening)
         self.assertIn("the hand opens to", result.reason)
+        self.assertEqual(result.advice, [])
         self.assertEqual((len(result), result.poses.shape), (0, (0, 4, 4)))
+
+    def test_a_plan_without_a_grasp_says_what_may_help(self):
+        result = prehend.plan(prehend.make_scene(box_mesh(0.12, 0.12, 0.12), hand="parallel_jaw"))
+        self.assertEqual([one.hint for one in result.advice], ["other_hand"])
+        self.assertIn("--hand parallel_jaw_wide", result.advice[0].words)
+        few = prehend.PlanOptions(candidates=prehend.CandidateOptions(max_candidates=5))
+        held = prehend.plan(prehend.make_scene(box_mesh(0.05, 0.05, 0.1), hand="franka_hand"), few)
+        self.assertEqual((held.advice, held.rules), ([], []))
 
     def test_decompositions_and_primitives(self):
         found = prehend.decompose(box_mesh(0.05, 0.06, 0.12))

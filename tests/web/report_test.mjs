@@ -255,6 +255,8 @@ test('a plan without a grasp shows why, and names stay text', async () => {
   assert.equal(await report.text('#title'), `</script>${nastyName}, barrett`);
   assert.match(await report.text('#summary'), /800 candidates were tried and none holds/);
   assert.ok((await report.text('#blockers')).includes('<img src=x onerror=alert(2)>'));
+  const advice = await report.text('#advice');
+  assert.ok(advice.includes('the obstacle <img src=x onerror=alert(2)> is in the way'), advice);
   assert.equal(await report.page.locator('#grasp').isVisible(), false);
   const arrows = await report.picture('#scene');
   assert.ok(arrows.colors > 300);

@@ -75,6 +75,7 @@ from ._plan import (
     run_trial,
 )
 from ._results import (
+    Advice,
     Blocker,
     Candidate,
     Contact,
@@ -86,6 +87,7 @@ from ._results import (
     Primitive,
     Proposals,
     ProposedGrasp,
+    RuleCount,
     Segment,
     Stage,
     Trial,
@@ -104,6 +106,7 @@ from ._scene import (
 
 __all__ = [
     "OUTCOMES",
+    "Advice",
     "Blocker",
     "Cancellation",
     "Cancelled",
@@ -137,6 +140,7 @@ __all__ = [
     "RankOptions",
     "ReachOptions",
     "Robot",
+    "RuleCount",
     "Scene",
     "Segment",
     "SettleOptions",

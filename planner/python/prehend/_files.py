@@ -145,7 +145,8 @@ def write(
     """Writes what the program writes of a plan.
 
     That is grasps.json, timings.json, best.png (and best_arm.png), with `report` report.html, and
-    the files of the formats in `exports`. Everything is made before anything is written.
+    the files of the formats in `exports`. Everything is made before anything is written. What an
+    earlier result left in the folder is removed (docs/exports.md).
 
     Args:
         folder: made where it is missing.
@@ -172,4 +173,5 @@ def write(
     target.mkdir(parents=True, exist_ok=True)
     for name, content in files.items():
         _write_whole(target / name, content)
+    _core.remove_earlier_results(result._core, os.fsdecode(target), list(files))
     return list(files)

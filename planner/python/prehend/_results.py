@@ -302,6 +302,22 @@ class Stage:
     count: int
 
 
+class Advice(NamedTuple):
+    """Something that may help where a plan found no grasp."""
+
+    hint: str
+    """"friction", "soft_contacts", "other_hand", "tolerance", "obstacle", "arm", "candidates", "path" or "unit"."""
+    words: str
+    """What to change and why, with the option of the program or the field of the scene file."""
+
+
+class RuleCount(NamedTuple):
+    """How the candidates of one rule ended."""
+
+    rule: str
+    outcomes: Dict[str, int]
+
+
 class Tried(NamedTuple):
     """All candidates that were tried, in the order they were made."""
 
@@ -329,6 +345,10 @@ class PlanResult:
         """"complete", "cancelled", "object_too_large" or "no_candidates"."""
         self.reason: str = fields["words"]
         """Why nothing could be tried, in one line; "" where something was."""
+        self.advice: List[Advice] = [Advice(*one) for one in fields["advice"]]
+        """Of plan() without a grasp: what may help."""
+        self.rules: List[RuleCount] = [RuleCount(*rule) for rule in fields["rules"]]
+        """Of plan() without a grasp: how the candidates of each rule ended."""
         self.untested: int = fields["untested"]
         """Candidates that a cancelled call left untried."""
         self.smallest_width: float = fields["smallest_width"]

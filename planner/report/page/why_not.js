@@ -17,6 +17,25 @@ class WhyNot {
             ' in the scene as arrows that point the way the hand came.');
     fill('outcomes', this.chart());
     fill('blockers', ...this.blockers());
+    fill('advice', ...this.advice());
+  }
+
+  // What may help, and how the candidates of each rule ended: of plans without a grasp.
+  advice() {
+    const parts = [];
+    if (data.advice.length > 0) {
+      parts.push(
+          element('h2', {}, 'What may help'),
+          element('ul', {}, ...data.advice.map((words) => element('li', {}, words))));
+    }
+    if (data.rules.length > 0) {
+      const rows = data.rules.map(
+          ({rule, outcomes}) => element(
+              'tr', {}, element('td', {}, rule),
+              element('td', {}, outcomes.map(([name, count]) => `${count} ${name}`).join(', '))));
+      parts.push(element('h2', {}, 'By rule'), element('table', {}, ...rows));
+    }
+    return parts;
   }
 
   chart() {

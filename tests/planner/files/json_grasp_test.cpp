@@ -25,7 +25,12 @@ class ArmResult : public testing::Test {
   static const ScoredGrasp& scored() {
     static const ScoredGrasp kScored = [] {
       const test::Grasp grasp = test::grasp_in_the_farther_posture(scene());
-      return ScoredGrasp{grasp.trial, grasp.candidate, 0.0, std::nullopt, "given", {}, {}};
+      ScoredGrasp scored;
+      scored.trial = grasp.trial;
+      scored.candidate = grasp.candidate;
+      scored.volume = 0.0;
+      scored.rule = "given";
+      return scored;
     }();
     return kScored;
   }

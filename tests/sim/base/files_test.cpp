@@ -110,6 +110,25 @@ TEST(RequireWritable, LooksAtTheNearestFolderThatExists) {
   }
 }
 
+TEST(RemoveRegularFiles, LeavesLinksFoldersAndWhatWasNotChosen) {
+  const fs::path folder = own_folder();
+  std::ofstream(folder / "old") << "x";
+  std::ofstream(folder / "other") << "x";
+  fs::create_directories(folder / "old_folder");
+  fs::create_symlink(folder / "other", folder / "old_link");
+  fs::create_symlink(folder / "none", folder / "old_broken");
+  remove_regular_files(folder, [](const std::string& name) { return name.starts_with("old"); });
+  EXPECT_FALSE(fs::exists(folder / "old"));
+  EXPECT_EQ(content(folder / "other"), "x");
+  EXPECT_TRUE(fs::is_directory(folder / "old_folder"));
+  EXPECT_TRUE(fs::is_symlink(folder / "old_link"));
+  EXPECT_TRUE(fs::is_symlink(folder / "old_broken"));
+}
+
+TEST(RemoveRegularFiles, OfNoFolderDoesNothing) {
+  remove_regular_files(own_folder() / "none", [](const std::string&) { return true; });
+}
+
 // Neither half of a new file nor a temporary one is left where making the content fails.
 TEST(WriteFile, LeavesTheOldFileWhereMakingTheContentFails) {
   const fs::path folder = own_folder();

@@ -1,0 +1,71 @@
+// What the program says where no grasp holds.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/program.h"
+
+namespace prehend::test {
+namespace {
+
+ProgramRun plan_scene(const std::filesystem::path& folder, const std::string& scene,
+                      const std::string& words) {
+  std::ofstream(folder / "scene.json") << scene;
+  return run_program("plan " + (folder / "scene.json").string() + " --out " +
+                     (folder / "out").string() + " " + words);
+}
+
+// A plate that lies on a table.
+const char* const kPlate =
+    R"({"object": {"geometry": [{"shape": "cylinder", "radius": 0.11, "height": 0.02}],
+                   "pose": {"position": [0, 0, 0.0101]}},
+        "hand": "parallel_jaw",
+        "obstacles": [{"name": "table", "geometry": [{"shape": "box", "size": [1, 1, 0.1]}],
+                       "pose": {"position": [0, 0, -0.05]}}]})";
+
+TEST(NoGrasp, IsExplainedInTheTerminalTheFileAndTheReport) {
+  const std::filesystem::path folder = fresh_folder("no_grasp_plate");
+  const ProgramRun run = plan_scene(folder, kPlate, "");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("no grasp holds; by rule:\n  cylinder side, thumb along: "),
+            std::string::npos)
+      << run.out;
+  const std::string words = "the obstacle table is in the way: without it, ";
+  EXPECT_NE(run.out.find("what may help:\n  " + words), std::string::npos) << run.out;
+  const auto grasps = nlohmann::json::parse(content(folder / "out" / "grasps.json"));
+  EXPECT_EQ(grasps["advice"][0]["hint"], "obstacle");
+  EXPECT_EQ(grasps["advice"][0]["words"].get<std::string>().find(words), 0U);
+  EXPECT_NE(content(folder / "out" / "report.html").find(words), std::string::npos);
+}
+
+TEST(NoGrasp, WhereNothingCouldBeTriedIsOneLineWithAnotherHand) {
+  const std::filesystem::path folder = fresh_folder("no_grasp_wide");
+  const std::string scene =
+      R"({"object": {"geometry": [{"shape": "box", "size": [0.12, 0.12, 0.12]}]},
+          "hand": "parallel_jaw"})";
+  const ProgramRun run = plan_scene(folder, scene, "");
+  expect_refused(run, "the hand opens to 80 mm; try --hand ");
+  const std::string start = "try --hand ";
+  const std::size_t at = run.err.find(start) + start.size();
+  const std::string hand = run.err.substr(at, run.err.find(',', at) - at);
+  const ProgramRun other = plan_scene(folder, scene, "--no-report --hand " + hand);
+  EXPECT_EQ(other.status, 0) << other.err;
+  EXPECT_EQ(other.out.find("no grasp holds"), std::string::npos) << other.out;
+}
+
+TEST(NoGrasp, SaysNothingOfTheKindWhereThereIsOne) {
+  const std::filesystem::path folder = fresh_folder("no_grasp_held");
+  const ProgramRun run =
+      plan_scene(folder, R"({"object": {"geometry": [{"shape": "box", "size": [0.05, 0.05, 0.05]}]},
+                  "hand": "parallel_jaw"})",
+                 "--no-report --candidates 20 --primitive-tolerance 3.4641");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("20 tried: "), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("may help"), std::string::npos) << run.out;
+  const auto grasps = nlohmann::json::parse(content(folder / "out" / "grasps.json"));
+  // The cube's diagonal is 86.6 mm long.
+  EXPECT_NEAR(grasps["settings"]["primitive_tolerance"], 0.04, 1e-6);
+  EXPECT_EQ(grasps["settings"]["max_candidates"], 20);
+}
+
+}  // namespace
+}  // namespace prehend::test
