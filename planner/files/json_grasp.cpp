@@ -181,7 +181,7 @@ void nearby_field(auto& fields, auto& grasp) {
     inner.needs("highest");
     inner("lowest", range.lower);
     inner("highest", range.upper);
-    if constexpr (kReads<decltype(inner)>) grasp.epsilon_nearby = range;
+    if constexpr (kReads<decltype(fields)>) grasp.epsilon_nearby = range;
   });
 }
 

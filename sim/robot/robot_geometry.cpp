@@ -51,21 +51,23 @@ TriangleMesh box(const JsonField& shape, const FileUnits& units) {
   const JsonField size = shape["size"];
   const Vector3 metres = size.vector3() * units.length;
   if (!(metres.array() > 0.0).all()) size.fail("must be greater than 0");
-  return make_box(metres);
+  return made_of(size, [&] { return make_box(metres); });
 }
 
 TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "radius", "height", "sides", "pose"});
-  return make_cylinder(positive(shape["radius"], units.length),
-                       positive(shape["height"], units.length),
-                       integer_or(shape, "sides", kCylinderSides, 3, kMostCylinderSides));
+  const double radius = positive(shape["radius"], units.length);
+  const double height = positive(shape["height"], units.length);
+  const int sides = integer_or(shape, "sides", kCylinderSides, 3, kMostCylinderSides);
+  return made_of(shape, [&] { return make_cylinder(radius, height, sides); });
 }
 
 TriangleMesh sphere(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "radius", "subdivisions", "pose"});
-  return make_sphere(
-      positive(shape["radius"], units.length),
-      integer_or(shape, "subdivisions", kSphereSubdivisions, 0, kMostSphereSubdivisions));
+  const double radius = positive(shape["radius"], units.length);
+  const int subdivisions =
+      integer_or(shape, "subdivisions", kSphereSubdivisions, 0, kMostSphereSubdivisions);
+  return made_of(shape["radius"], [&] { return make_sphere(radius, subdivisions); });
 }
 
 // Turns x, y, z into the axes of the named plane and its normal.

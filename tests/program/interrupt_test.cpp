@@ -222,12 +222,7 @@ TEST(Limits, MemoryEndsInOneLine) {
   GTEST_SKIP() << "the address sanitizer reserves more memory than any limit leaves";
 #endif
   const std::filesystem::path folder = own_folder();
-  std::ofstream(folder / "contacts.json") << R"({"contacts": [
-      {"position": [0.1, 0, 0], "normal": [-1, 0, 0], "friction": 0.5},
-      {"position": [-0.1, 0, 0], "normal": [1, 0, 0], "friction": 0.5}]})";
-  const ProgramRun run = run_program("quality '" + (folder / "contacts.json").string() +
-                                     "' --no-report --cone pyramid:10000000 --memory-limit 500 "
-                                     "--out '" +
+  const ProgramRun run = run_program("plan mug --no-report --memory-limit 20 --out '" +
                                      (folder / "out").string() + "'");
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.err, "prehend: out of memory\n");

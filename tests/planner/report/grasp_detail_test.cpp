@@ -178,9 +178,12 @@ TEST(SpaceSections, OfWhatSpansNothingAreEmpty) {
 // Torques so small beside the forces that the wrenches are flat have no sections, not joggled ones.
 TEST(SpaceSections, TorquesInAVastScaleAreFlat) {
   WrenchFrame frame;
-  for (const double scale : {1e-11, 1e11, 1e80}) {
+  for (const double scale : {1e-9, 1e9}) {
     frame.torque_scale = scale;
-    const WrenchSections sections = space_sections(octahedron_grasp(0.5), frame, {});
+    // Levers of a few millimetres or of kilometres make torques of 1e-12 and 1e12.
+    std::vector<Contact> contacts = octahedron_grasp(0.5);
+    for (Contact& contact : contacts) contact.position *= scale < 1.0 ? 1e-3 : 1e3;
+    const WrenchSections sections = space_sections(contacts, frame, {});
     EXPECT_TRUE(sections.forces.empty() && sections.torques.empty()) << scale;
   }
 }

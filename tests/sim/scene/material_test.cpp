@@ -51,8 +51,7 @@ std::string refusal(double friction) {
 }
 
 TEST(FrictionTable, RefusesWhatIsNoFriction) {
-  EXPECT_EQ(refusal(-0.25),
-            "friction: must be from 0 to 1e6 between rubber and metal (-0.250000)");
+  EXPECT_EQ(refusal(-0.25), "friction: must be from 0 to 1e6 between rubber and metal (-0.250000)");
   EXPECT_EQ(refusal(std::numeric_limits<double>::infinity()),
             "friction: must be from 0 to 1e6 between rubber and metal (inf)");
   EXPECT_NE(refusal(std::numeric_limits<double>::quiet_NaN()), "");
