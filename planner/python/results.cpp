@@ -120,6 +120,10 @@ py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
   py::dict fields = trial_dict(handle);
   // Not computed: the run was cancelled before.
   fields["volume"] = scored.volume.value_or(std::numeric_limits<double>::quiet_NaN());
+  fields["epsilon_nearby"] =
+      scored.epsilon_nearby
+          ? py::object(py::make_tuple(scored.epsilon_nearby->lower, scored.epsilon_nearby->upper))
+          : py::none();
   fields["primitive"] = scored.primitive;
   fields["rule"] = scored.rule;
   fields["path"] = scored.path ? py::object(path_dict(*scored.path)) : py::none();

@@ -271,6 +271,9 @@ class Grasp(Trial):
     volume: float
     """Of the hull of the wrenches that the grasp can exert; 0 without force closure, NaN where the
     plan was cancelled before."""
+    epsilon_nearby: Optional[Tuple[float, float]]
+    """Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
+    or the contact threshold changed by 10 %; None where the volume was not computed."""
     primitive: Optional[int]
     """Number of the primitive that it came from; None for a grasp that was given."""
     rule: str

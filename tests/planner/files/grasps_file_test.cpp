@@ -53,6 +53,7 @@ ScoredGrasp some_grasp(const CompiledScene& scene) {
   grasp.candidate.approach_O = Vector3(0.6, 0.0, 0.8);
   grasp.candidate.approach_distance = 0.2;
   grasp.volume = 0.0625;
+  grasp.epsilon_nearby = Interval{0.125, 0.25};
   grasp.primitive = 1;
   grasp.rule = "cylinder side, thumb across";
   return grasp;

@@ -1,0 +1,63 @@
+#include "sim/trial/sensitivity.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/scenes.h"
+
+namespace prehend {
+namespace {
+
+// The Franka hand over a bar of 12 mm along its closing direction.
+class Nearby : public testing::Test {
+ protected:
+  static const CompiledScene& scene() {
+    static const CompiledScene kScene =
+        test::compiled(find_robot("franka_hand"), make_box({0.012, 0.12, 0.02}), {});
+    return kScene;
+  }
+
+  static const Trial& held() {
+    static const Trial kHeld = [] {
+      Candidate candidate;
+      const double reach = scene().scene.hand.hand->origin.z() + 0.0373;
+      candidate.X_OH = translation({0.0, 0.0, -reach});
+      candidate.preshape = 0;
+      return run_trial(scene(), candidate);
+    }();
+    return kHeld;
+  }
+};
+
+TEST_F(Nearby, IsEpsilonAloneWithoutAnyChange) {
+  ASSERT_EQ(held().outcome, Outcome::stable);
+  const Interval range = epsilon_nearby(scene(), held(), {}, {0.0, 0.0, 0.0});
+  EXPECT_EQ(range.lower, held().epsilon.lower);
+  EXPECT_EQ(range.upper, held().epsilon.lower);
+}
+
+// Flat fingers close to the same small gap on both sides, far from the threshold.
+TEST_F(Nearby, IsNarrowWhereNoContactIsNearTheThreshold) {
+  const Interval range = epsilon_nearby(scene(), held(), {});
+  EXPECT_LE(range.lower, held().epsilon.lower);
+  EXPECT_GE(range.upper, held().epsilon.lower);
+  EXPECT_GT(range.lower, 0.9 * held().epsilon.lower);
+}
+
+// With the threshold at the largest gap of all, a slightly smaller one loses that contact, and with
+// hard contacts of one finger alone nothing is held.
+TEST_F(Nearby, ReachesZeroWhereTheThresholdIsTheGap) {
+  TrialOptions options;
+  options.soft_fingers = false;
+  double largest = 0.0;
+  for (const GraspContact& contact : grasp_contacts(scene(), held().X_OH, held().joints, options)) {
+    largest = std::max(largest, contact.gap);
+  }
+  options.contact.threshold = 1.01 * largest;
+  EXPECT_EQ(epsilon_nearby(scene(), held(), options, {0.0, 0.0, 0.9}).lower, 0.0);
+  EXPECT_GT(epsilon_nearby(scene(), held(), options, {0.0, 0.0, 0.0}).lower, 0.0);
+}
+
+}  // namespace
+}  // namespace prehend
