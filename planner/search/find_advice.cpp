@@ -166,7 +166,7 @@ class Adviser {
           formatted("friction: it is %.2g between %s (hand) and %s (object); with %.2g, ",
                     slippery->point.friction, material.c_str(), object.c_str(), friction) +
               held.words() + " that touch would hold. If the surfaces are rougher than assumed, " +
-              "say so in the scene file: \"material\" of the object, or \"friction\"");
+              R"(say so in the scene file: "material" of the object, or "friction")");
       return;
     }
   }
