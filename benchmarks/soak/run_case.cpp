@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "benchmarks/soak/resources.h"
+#include "benchmarks/support/resources.h"
 #include "planner/files/grasps_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -32,12 +32,12 @@ class Watch {
           }
         }) {}
 
-  double seconds() const { return processor_seconds() - start_; }
+  double seconds() const { return benchmark::processor_seconds() - start_; }
   const Cancellation& cancellation() const { return cancellation_; }
 
  private:
   Cancellation cancellation_;
-  double start_ = processor_seconds();
+  double start_ = benchmark::processor_seconds();
   std::jthread thread_;
 };
 
@@ -72,13 +72,13 @@ class CaseRun {
 
   // plan() on one thread. Nothing when it took too long; that is then a fault.
   std::optional<PlanResult> planned() {
-    forget_most_megabytes();
+    benchmark::forget_most_megabytes();
     const Watch watch(interrupted_);
     const RunContext context{.threads = 1, .cancellation = watch.cancellation()};
     scene_.emplace(compile(made_.known.scene, context));
     PlanResult result = plan(*scene_, made_.options, context);
     findings_.seconds = watch.seconds();
-    findings_.megabytes = most_megabytes();
+    findings_.megabytes = benchmark::most_megabytes();
     if (interrupted_()) return {};
     if (findings_.megabytes > kMostMegabytes) {
       fault("large", std::to_string(findings_.megabytes) + " MB");

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-namespace prehend::soak {
+namespace prehend::benchmark {
 
 // Time of all threads on processors [s].
 inline double processor_seconds() {
@@ -26,4 +26,4 @@ inline double most_megabytes() {
 
 inline void forget_most_megabytes() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
-}  // namespace prehend::soak
+}  // namespace prehend::benchmark
