@@ -4,21 +4,16 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <mutex>
-#include <span>
 #include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "planner/search/find_advice.h"
+#include "planner/search/find_paths.h"
+#include "planner/search/measure_grasps.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
-#include "sim/parallel/parallel.h"
-#include "sim/quality/set_hull.h"
-#include "sim/quality/wrench_hull.h"
-#include "sim/quality/wrench_space.h"
-#include "sim/trial/sensitivity.h"
 
 namespace prehend {
 namespace {
@@ -100,132 +95,6 @@ Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candi
   return finished;
 }
 
-struct SpaceHull {
-  double volume = 0.0;
-  PointHull points;
-};
-
-// The full hull of the contacts' pyramids or, where these have many edges, one inside it, whose
-// volume is a lower bound.
-SpaceHull space_hull_of(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
-  if (edges <= kMostHullEdges) {
-    WrenchHull hull = wrench_hull(contact_wrenches(contacts, frame, edges));
-    return {hull.volume, std::move(hull.points)};
-  }
-  SetHull hull = set_hull(*wrench_space(contacts, frame, {.edges = edges}));
-  return {hull.volume_lower, std::move(hull.hull)};
-}
-
-// Volumes and sections of the wrench space, for the returned grasps only: the full 6-D hull takes
-// much longer than epsilon, which is all that ranking needs. A cancelled run leaves the rest
-// without.
-struct WantedSpaces {
-  std::size_t volumes = std::numeric_limits<std::size_t>::max();  // of the first grasps
-  std::size_t sections = 0;
-};
-
-void add_volumes(const CompiledScene& scene, const TrialOptions& options,
-                 const WantedSpaces& wanted, const RunContext& context, PlanResult& result) {
-  const std::size_t count = std::min(wanted.volumes, result.grasps.size());
-  for_each_in_parallel(count, context.threads, [&](std::size_t i) {
-    if (context.cancellation.requested()) return;
-    ScoredGrasp& grasp = result.grasps[i];
-    // The volume is defined as 0 without force closure, which needs no hull.
-    if (grasp.trial.outcome != Outcome::stable) {
-      grasp.volume = 0.0;
-      return;
-    }
-    const std::vector<Contact> contacts = contacts_of(grasp.trial.contacts);
-    const SpaceHull hull = space_hull_of(contacts, scene.wrench_frame, options.cone_edges);
-    grasp.volume = hull.volume;
-    grasp.epsilon_nearby = epsilon_nearby(scene, grasp.trial, options);
-    if (i < wanted.sections && !context.cancellation.requested()) {
-      grasp.sections = wrench_sections(hull.points);
-    }
-  });
-  const auto is_missing = [&](const ScoredGrasp& grasp) { return !grasp.volume; };
-  if (std::any_of(result.grasps.begin(), result.grasps.begin() + static_cast<std::ptrdiff_t>(count),
-                  is_missing)) {
-    result.status = PlanStatus::cancelled;
-  }
-}
-
-// Finds paths for the best of the ranked grasps.
-class PathSearch {
- public:
-  PathSearch(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
-             PlanResult& result)
-      : scene_(scene), options_(options), context_(context), result_(result) {}
-
-  // Searches in groups of as many grasps as are still wanted, in the order of their rank. All of a
-  // group are searched before the next one begins, so that the same grasps are searched, and the
-  // result is the same, on any number of threads. Grasps without a path are left out and counted
-  // as Outcome::no_path.
-  void run() {
-    // result_.grasps is refilled with those that have a path, in the order of their rank.
-    all_ = std::move(result_.grasps);
-    result_.grasps.clear();
-    const std::size_t wanted = std::min(index(options_.rank.top), all_.size());
-    progress_ = {Stage::paths, 0, static_cast<int>(wanted), 0};
-    if (context_.progress) context_.progress(progress_);
-    std::size_t next = 0;
-    while (next < all_.size() && result_.grasps.size() < wanted &&
-           result_.status != PlanStatus::cancelled) {
-      // Depends on results of earlier groups only, never on the number of threads.
-      const std::size_t count = std::min(wanted - result_.grasps.size(), all_.size() - next);
-      // Bytes instead of vector<bool>, whose elements share words and must not be written by
-      // several threads.
-      std::vector<std::uint8_t> searched(count, 0);
-      for_each_in_parallel(count, context_.threads,
-                           [&](std::size_t i) { searched[i] = search(next + i) ? 1 : 0; });
-      for (std::size_t i = 0; i < count; ++i) take(all_[next + i], searched[i] != 0);
-      next += count;
-    }
-  }
-
- private:
-  // Plans the path of grasp i; false when it was cancelled. The seed derives from the grasp's rank,
-  // not from the thread or the order of the calls.
-  bool search(std::size_t i) {
-    ScoredGrasp& grasp = all_[i];
-    GraspPathOptions path = *options_.paths;
-    path.transfer.seed = derived_seed(options_.seed, i);
-    try {
-      grasp.path = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
-    } catch (const Cancelled&) {
-      return false;
-    }
-    if (grasp.path && context_.progress) {
-      const std::lock_guard lock(progress_lock_);
-      ++progress_.done;
-      context_.progress(progress_);
-    }
-    return true;
-  }
-
-  // Moves a grasp with a path into the result, or records why it is not there.
-  void take(ScoredGrasp& grasp, bool searched) {
-    if (!searched) {
-      result_.status = PlanStatus::cancelled;
-    } else if (grasp.path) {
-      result_.grasps.push_back(std::move(grasp));
-    } else {
-      // The trial was counted as stable. Each candidate is counted under one outcome only.
-      --result_.outcomes[static_cast<std::size_t>(Outcome::stable)];
-      ++result_.outcomes[static_cast<std::size_t>(Outcome::no_path)];
-      result_.tried[index(grasp.tried)].outcome = Outcome::no_path;
-    }
-  }
-
-  const CompiledScene& scene_;
-  const PlanOptions& options_;
-  const RunContext& context_;
-  PlanResult& result_;
-  std::vector<ScoredGrasp> all_;
-  std::mutex progress_lock_;
-  Progress progress_;
-};
-
 // The options with every seed in them derived from the one seed of the plan.
 PlanOptions with_seeds(PlanOptions options) {
   options.primitives.seed = derived_seed(options.seed);
@@ -255,12 +124,12 @@ class PlanRun {
     if (result_.status == PlanStatus::complete) try_and_rank();
     // A plan that was cancelled during the trials returns its ranked grasps without paths.
     if (result_.status == PlanStatus::complete && options_.paths) {
-      PathSearch(scene_, options_, context_, result_).run();
+      find_paths(scene_, options_, context_, result_);
       count(PlanCount::paths, result_.grasps.size());
       watch_.lap(Stage::paths);
     }
     if (result_.grasps.empty() && result_.status != PlanStatus::cancelled) explain();
-    add_volumes(scene_, options_.trial, {.sections = options_.sections}, context_, result_);
+    measure_grasps(scene_, options_.trial, {.sections = options_.sections}, context_, result_);
     watch_.lap(Stage::volumes);
     result_.times = watch_.laps();
     return std::move(result_);
@@ -390,7 +259,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
                              static_cast<int>(i)});
   }
   watch.lap(Stage::trials);
-  add_volumes(scene, options.trial, {options.volumes, options.sections}, context, result);
+  measure_grasps(scene, options.trial, {options.volumes, options.sections}, context, result);
   watch.lap(Stage::volumes);
   result.times = watch.laps();
   return result;

@@ -17,9 +17,10 @@ double epsilon_at(const CompiledScene& scene, const Trial& trial, const Pose& X_
 }  // namespace
 
 Interval epsilon_nearby(const CompiledScene& scene, const Trial& trial, const TrialOptions& options,
-                        const NearbyOptions& nearby) {
+                        const NearbyOptions& nearby, const RunContext& context) {
   Interval range{trial.epsilon.lower, trial.epsilon.lower};
   const auto include = [&](const Pose& X_OH, const TrialOptions& with) {
+    context.cancellation.check();
     const double epsilon = epsilon_at(scene, trial, X_OH, with);
     range.lower = std::min(range.lower, epsilon);
     range.upper = std::max(range.upper, epsilon);

@@ -17,8 +17,8 @@ struct NearbyOptions {
 // with a larger or a smaller threshold. Where the interval is wide, epsilon rests on a contact
 // whose gap is close to the threshold, or on which corners of a flat contact count as equally near:
 // the grasp is on the border between two sets of contacts. `trial` must be stable and of `scene`;
-// its epsilon is in the interval.
+// its epsilon is in the interval. Throws Cancelled.
 Interval epsilon_nearby(const CompiledScene& scene, const Trial& trial, const TrialOptions& options,
-                        const NearbyOptions& nearby = {});
+                        const NearbyOptions& nearby = {}, const RunContext& context = {});
 
 }  // namespace prehend
