@@ -24,12 +24,14 @@
 //   platform_file.h       a platform by name or file
 // The answer
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
+//   advice.h              what may help where a plan has no grasp
 //   grasp_words.h         where a grasp came from, in words
 //   run_context.h         threads, progress and cancellation of all that takes long
 // One step alone
 //   decompose.h           an object into boxes, spheres and cylinders
 //   candidates.h          where a hand may come from
 //   trial.h               one candidate, from pre-grasp to quality
+//   sensitivity.h         how much that quality changes with the hand moved by next to nothing
 //   inverse_kinematics.h  the degrees of freedom that bring a robot to a pose
 //   move_robot.h          the same for a robot that others carry
 //   reach.h               whether an arm follows the hand's approach
@@ -105,6 +107,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
+#include "sim/trial/sensitivity.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
