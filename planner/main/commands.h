@@ -9,6 +9,7 @@
 
 #include "planner/main/interrupts.h"
 #include "planner/propose/candidates.h"
+#include "planner/report/plan_report.h"
 #include "primitives/decompose.h"
 
 namespace prehend {
@@ -43,7 +44,7 @@ struct EvaluateCommand {
   std::string scene;  // empty: the file's
   std::string hand;
   std::string unit;
-  std::size_t volumes = 30;  // of so many grasps
+  std::size_t volumes = kMostDetailed;  // of so many grasps: those that the report shows in detail
   CommonOptions common;
 };
 

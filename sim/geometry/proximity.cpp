@@ -316,6 +316,9 @@ TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const P
 
 bool is_inside(const ProximityMesh& mesh, const Vector3& p_M) {
   const ProximityMesh::Data& data = mesh.data();
+  // Answers most queries, also for meshes whose boundaries are too long to be stored.
+  const BoxNode& box = data.tree.front();
+  if (((p_M - box.center).cwiseAbs().array() > box.half.array()).any()) return false;
   return winding_number(data.mesh, data.tree, data.boundaries, p_M) >= 0.5;
 }
 
