@@ -47,7 +47,7 @@ bool TextScan::next_line() {
 }
 
 std::string_view TextScan::next_word() {
-  constexpr std::string_view kBlank = " \t\v\f";
+  constexpr std::string_view kBlank = " \t";
   const std::size_t first = std::min(line_.find_first_not_of(kBlank), line_.size());
   line_.remove_prefix(first);
   const std::size_t length = std::min(line_.find_first_of(kBlank), line_.size());

@@ -16,8 +16,9 @@ class TextScan {
 
   // Moves to the next line (lines end with LF, CR or CR LF). False at the end of the text.
   bool next_line();
-  // The next word of the current line; empty when there is none left. Words are separated by white
-  // space (space, tab, vertical tab, form feed).
+  // The next word of the current line; empty when there is none left. Words are separated by spaces
+  // and tabs, and by nothing else: what other parsers do with a vertical tab differs, and assimp
+  // reads numbers from one in a COLLADA list until the memory is full.
   std::string_view next_word();
   // Number of the current line, from 1; 0 before the first line.
   int line_number() const { return line_number_; }

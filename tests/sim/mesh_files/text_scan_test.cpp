@@ -20,6 +20,14 @@ TEST(TextScan, EndsLinesAtEveryKindOfBreak) {
   EXPECT_EQ(words, "1a1b2c3d5e");
 }
 
+TEST(TextScan, SeparatesWordsBySpacesAndTabsOnly) {
+  TextScan scan("a \tb\vc\fd");
+  ASSERT_TRUE(scan.next_line());
+  EXPECT_EQ(scan.next_word(), "a");
+  EXPECT_EQ(scan.next_word(), "b\vc\fd");
+  EXPECT_EQ(scan.next_word(), "");
+}
+
 TEST(NumberIn, TakesWholeWordsOnly) {
   EXPECT_EQ(number_in("+1.5e1"), 15.0);
   EXPECT_EQ(number_in("-.5"), -0.5);
