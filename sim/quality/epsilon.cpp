@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
+#include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/quality/expanding_polytope.h"
 #include "sim/quality/start_simplex.h"
@@ -126,10 +129,31 @@ class Growth {
   ExpandingPolytope polytope_;
 };
 
-// The result of the full hull by qhull, for wrenches on which the search stalled at `bracket`. If
-// qhull fails too, the bracket remains the answer.
+// A lower bound from the facets of the full hull: the smallest distance of one of its simplices
+// from the origin. qhull merges facets that are nearly in one plane, so that its planes may miss
+// corners by far more than rounding; what counts here is the lowest corner (fit_offset).
+Hyperplane lowest_simplex(const Wrenches& wrenches, const PointHull& hull) {
+  std::vector<Wrench> points;
+  for (const auto& column : wrenches.colwise()) points.emplace_back(column);
+  Hyperplane lowest{Wrench::Zero(), std::numeric_limits<double>::infinity()};
+  for (Eigen::Index f = 0; f < hull.offsets.size(); ++f) {
+    FacetCorners corners;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      corners[i] = &points[index(hull.corners(static_cast<Eigen::Index>(i), f))];
+    }
+    Hyperplane plane = fit_offset(hull.normals.col(f), corners).plane;
+    if (plane.offset >= lowest.offset) continue;
+    const Hyperplane fitted = fit_plane(plane.normal, corners).plane;
+    if (fitted.offset > plane.offset) plane = fitted;
+    if (plane.offset < lowest.offset) lowest = plane;
+  }
+  return lowest;
+}
+
+// The bounds with the help of the full hull by qhull, for wrenches on which the search stalled at
+// `bracket`. If qhull fails too, the bracket remains the answer.
 EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options,
-                         const EpsilonBracket& bracket) {
+                         EpsilonBracket bracket) {
   WrenchHull hull;
   try {
     hull = wrench_hull(wrenches);
@@ -137,10 +161,22 @@ EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options
     return bracket;
   }
   if (!hull.force_closure()) return {};
-  const double epsilon = std::clamp(hull.min_offset, bracket.lower, bracket.upper);
-  const bool dropped = epsilon < options.cutoff;
-  return {epsilon, epsilon, dropped ? EpsilonStatus::below_cutoff : EpsilonStatus::converged,
-          hull.weakest};
+  const Hyperplane lowest = lowest_simplex(wrenches, hull.points);
+  for (const Wrench& normal : {Wrench(-hull.weakest.normalized()), lowest.normal}) {
+    const double value = (normal.transpose() * wrenches).maxCoeff();
+    if (value >= bracket.upper) continue;
+    bracket.upper = value;
+    bracket.weakest = -value * normal;
+  }
+  bracket.lower = std::min(std::max(bracket.lower, lowest.offset), bracket.upper);
+  const double rounding = 2.0 * ExpandingPolytope::kRounding * wrenches.cwiseAbs().maxCoeff();
+  const double slack = std::max(options.relative_tolerance * bracket.upper, rounding);
+  if (bracket.upper < options.cutoff) {
+    bracket.status = EpsilonStatus::below_cutoff;
+  } else if (bracket.upper - bracket.lower <= slack) {
+    bracket.status = EpsilonStatus::converged;
+  }
+  return bracket;
 }
 
 // The bracket of wrenches whose squares would leave the range of doubles, computed from the same

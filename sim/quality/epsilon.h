@@ -18,7 +18,7 @@ enum class EpsilonStatus {
   below_cutoff,      // upper fell below the caller's cutoff; lower is what was proved until then
   limit,             // facets used up; the bracket stands
   stalled,           // rounding leaves no better polytope; the bracket stands. From epsilon_l1 only
-                     // where qhull fails on the same wrenches
+                     // where the full hull by qhull brings the bounds no closer either
 };
 
 // The enumerator's name, as it is written in files.
@@ -72,8 +72,8 @@ EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {}
 
 // Epsilon of the convex hull of the columns of `wrenches` (6 x n), which is the hull's smallest
 // facet offset: Ferrari and Canny's L1 measure (ICRA 1992) when the columns are those of
-// contact_wrenches. Where rounding stalls the growth, the full hull (wrench_hull) decides. No
-// columns: no force closure. Throws InputError for a column that is not finite, and for a
+// contact_wrenches. Where rounding stalls the growth, the facets of the full hull (wrench_hull)
+// give the bounds. No columns: no force closure. Throws InputError for a column that is not finite, and for a
 // tolerance as epsilon does.
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
 
