@@ -121,4 +121,13 @@ std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners) {
   return fan;
 }
 
+void add_triangles(TriangleMesh& mesh, std::span<const int> face) {
+  std::vector<Vector3> corners;
+  for (const int v : face) corners.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+  const auto vertex = [&](int k) { return face[static_cast<std::size_t>(k)]; };
+  for (const Triangle& t : triangulate_face(corners)) {
+    mesh.triangles.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
+  }
+}
+
 }  // namespace prehend

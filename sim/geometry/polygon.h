@@ -1,6 +1,7 @@
 // Triangulation of simple polygons in the plane and of polygonal faces in space.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/geometry/triangle_mesh.h"
@@ -21,5 +22,8 @@ std::vector<Triangle> triangulate_polygon(const std::vector<Eigen::Vector2d>& co
 // bent or self-intersecting faces) the result is a fan about the first corner. Returns nothing for
 // fewer than three corners.
 std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners);
+
+// Appends the triangles of a face whose corners are these vertices of the mesh.
+void add_triangles(TriangleMesh& mesh, std::span<const int> face);
 
 }  // namespace prehend

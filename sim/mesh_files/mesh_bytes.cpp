@@ -8,7 +8,6 @@ std::string checked_mesh_bytes(std::string_view extension, const std::string& by
                                const std::filesystem::path& folder) {
   if (extension == "gltf") return checked_gltf(bytes, folder);
   if (extension == "glb") return checked_glb(bytes, folder);
-  if (extension == "obj") return checked_obj(bytes);
   if (extension == "dae") check_dae(bytes);
   return bytes;
 }

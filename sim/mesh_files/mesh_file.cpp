@@ -11,6 +11,7 @@
 #include "sim/geometry/weld.h"
 #include "sim/mesh_files/assimp_reader.h"
 #include "sim/mesh_files/mesh_bytes.h"
+#include "sim/mesh_files/obj_reader.h"
 #include "sim/mesh_files/off_reader.h"
 #include "sim/mesh_files/ply_reader.h"
 #include "sim/mesh_files/stl_reader.h"
@@ -48,6 +49,7 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
 
 TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
                       const std::string& extension) {
+  if (extension == "obj") return read_obj(bytes);
   if (extension == "stl") return read_stl(bytes);
   if (extension == "ply") return read_ply(bytes);
   if (extension == "off") {

@@ -83,7 +83,6 @@ void read_face(OffLines& lines, TriangleMesh& mesh) {
     lines.scan().fail("a face of " + std::to_string(corners) + " corners");
   }
   std::vector<int> face;
-  std::vector<Vector3> points;
   for (long long k = 1; k <= corners; ++k) {
     const long long v = lines.integer(static_cast<std::size_t>(k), "a vertex of a face");
     if (v < 0 || v >= static_cast<long long>(mesh.vertices.size())) {
@@ -91,13 +90,8 @@ void read_face(OffLines& lines, TriangleMesh& mesh) {
                         std::to_string(mesh.vertices.size()));
     }
     face.push_back(static_cast<int>(v));
-    points.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
   }
-  for (const Triangle& t : triangulate_face(points)) {
-    mesh.triangles.push_back({face[static_cast<std::size_t>(t[0])],
-                              face[static_cast<std::size_t>(t[1])],
-                              face[static_cast<std::size_t>(t[2])]});
-  }
+  add_triangles(mesh, face);
 }
 
 }  // namespace

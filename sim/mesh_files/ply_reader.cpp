@@ -278,22 +278,6 @@ std::vector<int> read_list(Body& body, const Property& property, const Element& 
   return corners;
 }
 
-// Faces may precede their vertices, so they are triangulated when all is read.
-TriangleMesh triangulated(std::vector<Vector3> vertices,
-                          const std::vector<std::vector<int>>& faces) {
-  TriangleMesh mesh{.vertices = std::move(vertices), .triangles = {}};
-  std::vector<Vector3> corners;
-  for (const std::vector<int>& face : faces) {
-    const auto vertex = [&](int k) { return face[static_cast<std::size_t>(k)]; };
-    corners.clear();
-    for (const int v : face) corners.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
-    for (const Triangle& t : triangulate_face(corners)) {
-      mesh.triangles.push_back({vertex(t[0]), vertex(t[1]), vertex(t[2])});
-    }
-  }
-  return mesh;
-}
-
 // Numbers beyond the range of float as infinity: to convert them is undefined.
 double in_float_range(double value) {
   constexpr double kMost = std::numeric_limits<float>::max();
@@ -341,7 +325,10 @@ TriangleMesh read_ply(std::string_view bytes) {
   for (const Element& element : header.elements) {
     for (long long i = 0; i < element.count; ++i) read_entry(body, header, element, surface);
   }
-  return triangulated(std::move(surface.vertices), surface.faces);
+  // Faces may precede their vertices, so they are triangulated when all is read.
+  TriangleMesh mesh{.vertices = std::move(surface.vertices), .triangles = {}};
+  for (const std::vector<int>& face : surface.faces) add_triangles(mesh, face);
+  return mesh;
 }
 
 }  // namespace prehend

@@ -125,6 +125,9 @@ TEST(LoadMesh, ReadsWhatTheTextFormatsAllow) {
   expect_tetrahedron(
       written("more.obj", replaced(test::obj_sample(), "f 1 3 2", "f 1 \\\n3 \\\n2")));
   expect_tetrahedron(
+      written("faces_first.obj",
+              "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n"));
+  expect_tetrahedron(
       written("comment.off", replaced(test::off_sample(), "1 0 0\n", "# one\n\n1 0 0 # here\n")));
   expect_tetrahedron(written("short.off", replaced(test::off_sample(), "4 4 0", "4 4")));
   expect_tetrahedron(
@@ -201,15 +204,21 @@ void expect_errors(const std::string& sample, const std::vector<Damage>& damages
 }
 
 TEST(LoadMesh, NamesTheLineOfADamagedObj) {
-  expect_errors(test::obj_sample(), {{"a.obj", "v 1 0", "v nan 0", "line 2: a coordinate"},
-                                     {"a.obj", "v 1 0", "v inf 0", "line 2: a coordinate"},
-                                     {"a.obj", "v 1 0", "v 1e300 0", "line 2: a coordinate"},
-                                     {"a.obj", "v 1 0", "v one 0", "line 2: a coordinate"},
-                                     {"a.obj", "v 1 0 0", "v 1 0", "line 2: a vertex with fewer"},
-                                     {"a.obj", "f 1 3 2", "f 1 3 9", "line 5: a face refers to"},
-                                     {"a.obj", "f 1 3 2", "f 1 3 -9", "line 5: a face refers to"},
-                                     {"a.obj", "f 1 3 2", "f 1 3 0", "line 5: a face has"},
-                                     {"a.obj", "f 1 3 2", "f 1 3 x", "line 5: a face has"}});
+  expect_errors(test::obj_sample(),
+                {{"a.obj", "v 1 0", "v nan 0", "line 2: a coordinate"},
+                 {"a.obj", "v 1 0", "v inf 0", "line 2: a coordinate"},
+                 {"a.obj", "v 1 0", "v 1e300 0", "line 2: a coordinate"},
+                 {"a.obj", "v 1 0", "v one 0", "line 2: a coordinate"},
+                 {"a.obj", "v 1 0 0", "v 1 0", "line 2: a vertex with fewer"},
+                 {"a.obj", "f 1 3 2", "f 1 3 9", "line 5: a face refers to"},
+                 {"a.obj", "f 1 3 2", "f 1 3 -9", "line 5: a face refers to"},
+                 {"a.obj", "f 1 3 2", "f 1 3 0", "line 5: a face has"},
+                 {"a.obj", "f 1 3 2", "f 1 3 x", "line 5: a face has"},
+                 {"a.obj", "f 1 3 2", "f 1 3 4294967298", "line 5: a face has"}});
+  std::string wide = "f";
+  for (int k = 0; k < 10001; ++k) wide += " 1";
+  expect_error(written("corners.obj", replaced(test::obj_sample(), "f 1 3 2", wide)),
+               "line 5: a face with more than 10000 corners");
   expect_error(written("wide.obj", "\xFE\xFF\n"), "UTF-16");
 }
 
