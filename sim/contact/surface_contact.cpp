@@ -179,17 +179,17 @@ class PairContacts {
     const double slope = options_.angular_tolerance;
     if (!supports(object_, pair.a, on_object, -normal, slope)) return;
     if (!supports(link_, pair.b, X_LO_ * on_link, X_LO_.linear() * normal, slope)) return;
-    if (is_behind_a_wall(pair.a, on_object, on_link, normal)) return;
+    if (gap > 3.0 * kOnFeature && is_behind_a_wall(on_object, on_link, normal)) return;
     points_.push_back({on_object, normal, gap});
   }
 
-  // The far side of a wall that is thinner than the threshold is within it, too. Its triangle `t`
-  // faces away from the link; a sheet without thickness may do so as well, but has nothing before
-  // it.
-  bool is_behind_a_wall(int t, const Vector3& on_object, const Vector3& on_link,
+  // Behind a wall that is thinner than the threshold, its far side is within the threshold, too,
+  // and so may be another wall. Nothing of the object lies between the link and a real contact.
+  bool is_behind_a_wall(const Vector3& on_object, const Vector3& on_link,
                         const Vector3& normal) const {
-    if (unit_normal(corners_of(object_.mesh(), t)).dot(normal) <= 0.0) return false;
-    const Vector3 before = on_object - kOnFeature * normal;
+    // So far before the contact that the triangles around it, whose borders are widened by
+    // kOnFeature, are not taken for a wall.
+    const Vector3 before = on_object - 3.0 * kOnFeature * normal;
     return std::any_of(pairs_.begin(), pairs_.end(), [&](const TrianglePair& pair) {
       return passes_through(on_link, before, corners_of(object_.mesh(), pair.a));
     });

@@ -64,9 +64,9 @@ struct ContactWorkspace {
 // face contacts (one triangle projected on the other's plane and clipped to it, nearest points
 // only), and the nearest points of the pair for edge and vertex contacts. A point is left out where
 // the surface around it rises above the contact's tangent plane, since there is then a nearer
-// contact beside it, and on the far side of a wall that is thinner than the threshold. Points at
-// the same place with the same normal are given once. Sorted by gap, nearest first. `X_OL` is the
-// link's pose in O. Source: Miller and Allen 2004, "Contact Determination", figures 6 and 7.
+// contact beside it, and behind a wall that is thinner than the threshold. Points at the same place
+// with the same normal are given once. Sorted by gap, nearest first. `X_OL` is the link's pose in
+// O. Source: Miller and Allen 2004, "Contact Determination", figures 6 and 7.
 void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                          const ContactOptions& options, ContactWorkspace& workspace,
                          std::vector<SurfaceContact>& points);

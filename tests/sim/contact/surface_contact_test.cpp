@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -175,6 +176,31 @@ TEST(SurfaceContact, TheFarSideOfAThinWallIsNoContact) {
     const auto contacts = Touching(object, link, X_WO, X_WL).points();
     EXPECT_GE(contacts.size(), 4U);
     for (const SurfaceContact& contact : contacts) EXPECT_NEAR(contact.position.z(), 0.0, 1e-9);
+  });
+}
+
+// A block of glass with a bubble 20 um under its face: a box that faces inwards. At its upper edges
+// the sides of the bubble neither face the link nor away from it.
+TEST(SurfaceContact, WhatLiesBehindAThinWallIsNoContact) {
+  constexpr double kWall = 2e-5;
+  TriangleMesh object = transformed(make_box({0.02, 0.02, 0.01}), translation({0.0, 0.0, -0.005}));
+  TriangleMesh bubble =
+      transformed(make_box({0.01, 0.01, 0.004}), translation({0.0, 0.0, -0.002 - kWall}));
+  for (Triangle& t : bubble.triangles) std::swap(t[1], t[2]);
+  append(object, bubble);
+  // In the bubble, another block 10 um below its ceiling: it faces the link.
+  append(object, transformed(make_box({0.004, 0.004, 0.002}),
+                             translation({0.0, 0.0, -0.001 - 1.5 * kWall})));
+  each_frame(68, 20, [&](const Pose& X_WO, const Pose& X_WL, double /*gap*/) {
+    for (const double turn : {0.0, 1e-3}) {
+      const TriangleMesh link =
+          transformed(make_box({0.03, 0.03, 0.03}),
+                      translation({0.0, 0.0, 5e-5}) * test::turned(turn, Vector3::UnitX()) *
+                          translation({0.0, 0.015 * std::sin(turn), 0.015}));
+      const auto contacts = Touching(object, link, X_WO, X_WL).points();
+      EXPECT_FALSE(contacts.empty());
+      for (const SurfaceContact& contact : contacts) EXPECT_NEAR(contact.position.z(), 0.0, 1e-9);
+    }
   });
 }
 
