@@ -192,9 +192,9 @@ class Reducer {
       const Json& view = views[index_in(entry, "bufferView", views.size())];
       const std::uint64_t stride = count_in(view, "byteStride", 0);
       const std::uint64_t count = count_in(entry, "count", 0);
+      if (count == 0) throw InputError({.field = "accessors", .problem = "one has no elements"});
       const std::uint64_t step = stride == 0 ? bytes : stride;
-      const std::uint64_t end =
-          count_in(entry, "byteOffset", 0) + (count == 0 ? 0 : step * (count - 1) + bytes);
+      const std::uint64_t end = count_in(entry, "byteOffset", 0) + step * (count - 1) + bytes;
       // glTF permits strides up to 252 bytes.
       if (stride > 252 || (stride != 0 && stride < bytes) ||
           end > count_in(view, "byteLength", 0)) {
@@ -223,6 +223,14 @@ class Reducer {
       if (indices["type"] != "SCALAR" || (type != 5121 && type != 5123 && type != 5125)) {
         throw InputError({.field = "indices", .problem = "must be unsigned whole numbers"});
       }
+    }
+    // assimp takes memory for "corners - 2" triangles of a strip or fan, also where that is below
+    // 0.
+    const Json& corners =
+        entry.contains("indices") ? accessors[entry["indices"].get<std::size_t>()] : points;
+    const bool joined = count_in(entry, "mode", kTriangles) > kTriangles;
+    if (joined && count_in(corners, "count", 0) < 3) {
+      throw InputError({.field = "primitives", .problem = "a strip or fan of less than 3 corners"});
     }
     entry["attributes"] = positions;
     return entry;

@@ -80,11 +80,11 @@ Inertial read_inertial(const JsonField& field, const FileUnits& units, const Tri
 }  // namespace
 
 Link read_link(const JsonField& field, const FileUnits& units, const NamedGeometry& named,
-               int joint) {
+               ShapeBudget& budget, int joint) {
   Link link{.name = field["name"].text(),
             .material = field["material"].text(),
             .joint = joint,
-            .mesh = read_geometry(field["geometry"], units, named)};
+            .mesh = read_geometry(field["geometry"], units, named, budget)};
   link.inertial = read_inertial(field, units, link.mesh);
   return link;
 }

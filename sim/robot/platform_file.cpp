@@ -31,14 +31,14 @@ int find_chain(const JsonField& field, const Robot& robot) {
   field.fail("no chain of this name in " + robot.name);
 }
 
-Link read_mount(const JsonField& field, const FileUnits& units) {
+Link read_mount(const JsonField& field, const FileUnits& units, ShapeBudget& budget) {
   field.allow_only(
       {"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
-  return read_link(field, units, {}, -1);
+  return read_link(field, units, {}, budget, -1);
 }
 
-MountedRobot read_mounted(const JsonField& field, const FileUnits& units,
-                          const Platform& platform) {
+MountedRobot read_mounted(const JsonField& field, const FileUnits& units, const Platform& platform,
+                          ShapeBudget& budget) {
   field.allow_only({"name", "robot", "on", "mount"});
   MountedRobot mounted;
   mounted.name = field["name"].text();
@@ -56,7 +56,7 @@ MountedRobot read_mounted(const JsonField& field, const FileUnits& units,
   } else if (!platform.robots.empty()) {
     field.fail("every robot but the first needs \"on\"");
   }
-  if (field.has("mount")) mounted.mount = read_mount(field["mount"], units);
+  if (field.has("mount")) mounted.mount = read_mount(field["mount"], units, budget);
   return mounted;
 }
 
@@ -76,8 +76,9 @@ Platform read_platform(const JsonFile& file) {
   root.allow_only({"name", "units", "robots"});
   platform.name = root["name"].text();
   const FileUnits units = read_units(root);
+  ShapeBudget budget;
   for (const JsonField& field : root["robots"].items()) {
-    platform.robots.push_back(read_mounted(field, units, platform));
+    platform.robots.push_back(read_mounted(field, units, platform, budget));
   }
   if (platform.robots.empty()) root["robots"].fail("a platform needs at least one robot");
   return platform;

@@ -47,6 +47,7 @@ class RobotReader {
 
   JsonField root_;
   FileUnits units_;
+  ShapeBudget budget_;
   NamedGeometry named_;
   std::map<std::string, int> joint_index_;
   std::vector<std::string> joint_field_;  // where each joint stands in the file
@@ -115,13 +116,16 @@ Robot RobotReader::read() {
 void RobotReader::read_named_geometry() {
   const JsonField all = root_["geometries"];
   for (const std::string& name : all.keys()) {
-    named_.emplace(name, read_geometry(all[name], units_, {}));  // these do not refer to each other
+    const std::size_t before = budget_.spent();
+    // Named geometries do not refer to each other.
+    TriangleMesh mesh = read_geometry(all[name], units_, {}, budget_);
+    named_.emplace(name, Geometry{std::move(mesh), budget_.spent() - before});
   }
 }
 
 void RobotReader::add_link(const JsonField& field, int joint) {
   require_new_name(field["name"], robot_.links);
-  robot_.links.push_back(read_link(field, units_, named_, joint));
+  robot_.links.push_back(read_link(field, units_, named_, budget_, joint));
 }
 
 void RobotReader::read_chain(const JsonField& field) {

@@ -17,7 +17,7 @@ Joint read_joint(const JsonField& field, const FileUnits& units);
 // there may be is the caller's to check. Refused are an unknown material, a geometry without a
 // solid whose mass is to be found from it, and an inertia that no body has.
 Link read_link(const JsonField& field, const FileUnits& units, const NamedGeometry& named,
-               int joint);
+               ShapeBudget& budget, int joint);
 
 // The hand of a robot whose joints and degrees of freedom have been read already.
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot);

@@ -184,16 +184,26 @@ Pose read_pose(const JsonField& steps, const FileUnits& units) {
   return pose;
 }
 
+void ShapeBudget::spend(const JsonField& field, std::size_t triangles) {
+  constexpr std::size_t kMost = 50'000;
+  spent_ += triangles;
+  if (spent_ > kMost) {
+    field.fail("the shapes of the file have more than " + std::to_string(kMost) + " triangles");
+  }
+}
+
 TriangleMesh read_geometry(const JsonField& field, const FileUnits& units,
-                           const NamedGeometry& named) {
+                           const NamedGeometry& named, ShapeBudget& budget) {
   if (field.is_text()) {
     const auto found = named.find(field.text());
     if (found == named.end()) field.fail("no geometry of this name in \"geometries\"");
-    return found->second;
+    budget.spend(field, found->second.of_shapes);
+    return found->second.mesh;
   }
   TriangleMesh mesh;
   for (const JsonField& part : field.items()) {
     TriangleMesh piece = read_part(part, units);
+    if (!part.has("mesh") && !part.has("triangles")) budget.spend(part, piece.triangles.size());
     if (part.has("pose")) piece = transformed(piece, read_pose(part["pose"], units));
     append(mesh, piece);
   }

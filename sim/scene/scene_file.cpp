@@ -61,14 +61,14 @@ double read_unit(const JsonField& body) {
 }
 
 // Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
-TriangleMesh read_body_mesh(const JsonField& body) {
+TriangleMesh read_body_mesh(const JsonField& body, ShapeBudget& budget) {
   const int given = int{body.has("mesh")} + int{body.has("generate")} + int{body.has("geometry")};
   if (given != 1) body.fail("needs exactly one of mesh, generate, geometry");
   if (body.has("mesh")) {
     const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
     return mesh_from_file(file, read_unit(body));
   }
-  if (body.has("geometry")) return read_geometry(body["geometry"], FileUnits{}, {});
+  if (body.has("geometry")) return read_geometry(body["geometry"], FileUnits{}, {}, budget);
   try {
     return generate_object(body["generate"].text(), read_triangles(body));
   } catch (const InputError& error) {
@@ -100,10 +100,10 @@ std::string read_robot_source(const JsonField& field) {
 
 constexpr double kLargestMass = 1e9;  // kg
 
-GraspableBody read_object(const JsonField& field) {
+GraspableBody read_object(const JsonField& field, ShapeBudget& budget) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "center_of_mass", "pose", "primitives"});
-  TriangleMesh mesh = read_body_mesh(field);
+  TriangleMesh mesh = read_body_mesh(field, budget);
   const std::string name = field.text_or("name", "object");
   const Material material = read_material(field, Material::plastic);
   const double mass = read_positive(field, "mass", kDefaultObjectMass);
@@ -121,11 +121,11 @@ GraspableBody read_object(const JsonField& field) {
   return body;
 }
 
-StaticBody read_obstacle(const JsonField& field) {
+StaticBody read_obstacle(const JsonField& field, ShapeBudget& budget) {
   field.allow_only(
       {"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose"});
   StaticBody body{field["name"].text(),
-                  read_body_mesh(field),
+                  read_body_mesh(field, budget),
                   Pose::Identity(),
                   read_material(field, Material::wood),
                   {}};
@@ -229,7 +229,8 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   }
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
-  scene.object = read_object(root["object"]);
+  ShapeBudget budget;
+  scene.object = read_object(root["object"], budget);
   if (root["object"].has("primitives")) {
     for (const JsonField& field : root["object"]["primitives"].items()) {
       scene.primitives.push_back(read_primitive(field));
@@ -251,7 +252,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   }
   if (root.has("obstacles")) {
     for (const JsonField& field : root["obstacles"].items()) {
-      scene.obstacles.push_back(read_obstacle(field));
+      scene.obstacles.push_back(read_obstacle(field, budget));
     }
   }
   if (root.has("friction")) read_friction(root["friction"], scene.friction);
