@@ -35,6 +35,7 @@ struct ProximityMesh::Data {
   std::vector<BoxNode> tree;
   BoundaryTree boundaries;
   std::vector<Corners> corners_mm;     // per triangle
+  std::vector<Vector3> normals;        // per triangle, unit; zero for one without area
   std::vector<int> first_triangle_at;  // per vertex, start of its run in triangles_at
   std::vector<int> triangles_at;
   Vector3 ball_center = Vector3::Zero();
@@ -53,6 +54,17 @@ std::vector<Corners> corners_in_mm(const TriangleMesh& mesh) {
                        mesh.vertices[index(t[2])] * kMillimetres});
   }
   return corners;
+}
+
+std::vector<Vector3> unit_normals(const std::vector<Corners>& triangles) {
+  std::vector<Vector3> normals;
+  normals.reserve(triangles.size());
+  for (const Corners& c : triangles) {
+    const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+    const double length = area.norm();
+    normals.push_back(length > 0.0 ? Vector3(area / length) : Vector3::Zero());
+  }
+  return normals;
 }
 
 // The triangles at every vertex in one array (compressed rows): counting, prefix sums, then filling
@@ -75,7 +87,9 @@ void build_incidence(ProximityMesh::Data& data) {
 
 // Traverses both trees at once, nearer pair first, so that small distances are found early and
 // prune the rest. `Visitor` has:
-// bool prune(double squared)   whether pairs at this squared distance [m^2] or more are unwanted
+// double wanted() const        squared distance [m^2] at which pairs begin to be unwanted
+// bool prune(double squared)   whether pairs at this squared distance or more are unwanted; called
+//                              for each pair of boxes that is left out
 // void visit(int a, int b)     called for pairs of triangles that were not pruned
 template <typename Visitor>
 class PairWalk {
@@ -84,15 +98,18 @@ class PairWalk {
       : a_(a.data().tree), b_(b.data().tree), distance_(X_AB), visitor_(visitor) {}
 
   void run() {
-    if (!visitor_.prune(squared(0, 0))) descend(0, 0);
+    const Placed root = distance_.placed(b_.front());
+    if (!visitor_.prune(squared(0, 0, root))) descend(0, 0, root);
   }
 
  private:
-  double squared(int node_a, int node_b) const {
-    return distance_.squared(a_[index(node_a)], b_[index(node_b)]);
+  using Placed = BoxDistance::Placed;
+
+  double squared(int node_a, int node_b, const Placed& in_a) const {
+    return distance_.squared(a_[index(node_a)], b_[index(node_b)], in_a, visitor_.wanted());
   }
 
-  void descend(int node_a, int node_b) {
+  void descend(int node_a, int node_b, const Placed& in_a) {
     const BoxNode& a = a_[index(node_a)];
     const BoxNode& b = b_[index(node_b)];
     if (a.is_leaf() && b.is_leaf()) {
@@ -100,21 +117,26 @@ class PairWalk {
       return;
     }
     // Descend into the larger box: its children improve the bound the most.
-    const bool split_a =
-        b.is_leaf() || (!a.is_leaf() && a.half.squaredNorm() > b.half.squaredNorm());
-    int near_a = split_a ? a.left : node_a;
-    int near_b = split_a ? node_b : b.left;
-    int far_a = split_a ? a.left + 1 : node_a;
-    int far_b = split_a ? node_b : b.left + 1;
-    double near = squared(near_a, near_b);
-    double far = squared(far_a, far_b);
-    if (far < near) {
-      std::swap(near, far);
-      std::swap(near_a, far_a);
-      std::swap(near_b, far_b);
+    if (b.is_leaf() || (!a.is_leaf() && a.half.squaredNorm() > b.half.squaredNorm())) {
+      const double first = squared(a.left, node_b, in_a);
+      const double second = squared(a.left + 1, node_b, in_a);
+      const int nearer = second < first ? 1 : 0;
+      if (!visitor_.prune(std::min(first, second))) descend(a.left + nearer, node_b, in_a);
+      if (!visitor_.prune(std::max(first, second))) descend(a.left + 1 - nearer, node_b, in_a);
+    } else {
+      const std::array<Placed, 2> children{distance_.placed(b_[index(b.left)]),
+                                           distance_.placed(b_[index(b.left + 1)])};
+      const double first = squared(node_a, b.left, children[0]);
+      const double second = squared(node_a, b.left + 1, children[1]);
+      const int nearer = second < first ? 1 : 0;
+      const int farther = 1 - nearer;
+      if (!visitor_.prune(std::min(first, second))) {
+        descend(node_a, b.left + nearer, children[index(nearer)]);
+      }
+      if (!visitor_.prune(std::max(first, second))) {
+        descend(node_a, b.left + farther, children[index(farther)]);
+      }
     }
-    if (!visitor_.prune(near)) descend(near_a, near_b);
-    if (!visitor_.prune(far)) descend(far_a, far_b);
   }
 
   const std::vector<BoxNode>& a_;
@@ -129,6 +151,8 @@ class PairDistance {
   PairDistance(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB)
       : a_(a.data().corners_mm),
         b_(b.data().corners_mm),
+        normals_a_(a.data().normals),
+        normals_b_(b.data().normals),
         rotation_(X_AB.linear()),
         shift_(X_AB.translation() * kMillimetres) {}
 
@@ -139,7 +163,9 @@ class PairDistance {
     const Corners& q = b_[index(tb)];
     const Corners v{rotation_ * q[0] + shift_, rotation_ * q[1] + shift_,
                     rotation_ * q[2] + shift_};
-    return std::max(height_over(u, v), height_over(v, u)) / kMillimetres;
+    const double over_u = height(normals_a_[index(ta)], u[0], v);
+    const double over_v = height(rotation_ * normals_b_[index(tb)], v[0], u);
+    return std::max(over_u, over_v) / kMillimetres;
   }
 
   // The distance alone, 0 for triangles that intersect.
@@ -161,22 +187,21 @@ class PairDistance {
   }
 
  private:
-  // Smallest distance of the points from the triangle's plane if they are all on one side, else 0;
-  // 0 for a triangle without area, too.
-  static double height_over(const Corners& triangle, const Corners& points) {
-    const Vector3 n = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
-    const double length = n.norm();
-    if (length == 0.0) return 0.0;
-    const double h0 = n.dot(points[0] - triangle[0]);
-    const double h1 = n.dot(points[1] - triangle[0]);
-    const double h2 = n.dot(points[2] - triangle[0]);
+  // Smallest distance of the points from the plane through p with this normal if they are all on
+  // one side, else 0; 0 for the normal of a triangle without area, too.
+  static double height(const Vector3& normal, const Vector3& p, const Corners& points) {
+    const double h0 = normal.dot(points[0] - p);
+    const double h1 = normal.dot(points[1] - p);
+    const double h2 = normal.dot(points[2] - p);
     const double above = std::min({h0, h1, h2});
     const double below = -std::max({h0, h1, h2});
-    return std::max({0.0, above, below}) / length;
+    return std::max({0.0, above, below});
   }
 
   const std::vector<Corners>& a_;
   const std::vector<Corners>& b_;
+  const std::vector<Vector3>& normals_a_;
+  const std::vector<Vector3>& normals_b_;
   Matrix3 rotation_;
   Vector3 shift_;
 };
@@ -193,9 +218,13 @@ struct NearestVisitor {
   TrianglePair pair = {};
 
   // The distances are compared as squares, which saves a root for each pair of boxes.
+  double wanted() const {
+    const double distance_wanted = std::min(cap, best * factor);
+    return distance_wanted * distance_wanted;
+  }
+
   bool prune(double squared) {
-    const double wanted = std::min(cap, best * factor);
-    if (squared < wanted * wanted) return false;
+    if (squared < wanted()) return false;
     pruned = std::min(pruned, squared);
     return true;
   }
@@ -217,18 +246,58 @@ struct CrossVisitor {
   const PairDistance& distance;
   bool crossed = false;
 
+  double wanted() const { return 0.0; }
   bool prune(double squared) const { return crossed || squared > 0.0; }
   void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
 };
 
-// Collects all pairs within `limit` [m], until there are more than `most`.
+// Lists the pairs that are near each other by cheap bounds of their distance, and measures those
+// that may be the nearest: the smaller their distance, the fewer pairs are near. Pairs that were
+// listed before that was known are left out at the end.
+struct NearPairsVisitor {
+  const PairDistance& distance;
+  const NearPairsOptions& options;
+  std::vector<NearPair>& pairs;
+  double best = std::numeric_limits<double>::infinity();
+  double limit = std::numeric_limits<double>::infinity();
+  bool too_many = false;
+
+  double wanted() const { return limit * limit; }
+  bool prune(double squared) const { return squared > limit * limit || too_many; }
+
+  void visit(int ta, int tb) {
+    double bound = distance.plane_bound(ta, tb);
+    if (bound > limit) return;
+    if (bound < best) bound = measure(ta, tb);
+    if (bound > limit) return;
+    pairs.push_back({{ta, tb}, bound});
+    if (pairs.size() <= options.most) return;
+    drop_far();
+    too_many = pairs.size() > options.most;
+  }
+
+  double measure(int ta, int tb) {
+    const double d = distance(ta, tb);
+    if (d < best) {
+      best = d;
+      limit = std::max(options.reach * best, best + options.least_reach);
+    }
+    return d;
+  }
+
+  void drop_far() {
+    std::erase_if(pairs, [&](const NearPair& near) { return near.at_least > limit; });
+  }
+};
+
+// Collects all pairs within `limit` [m].
 struct CollectVisitor {
   const PairDistance& distance;
   double limit;
-  std::size_t most;
   std::vector<TrianglePair>& pairs;
 
-  bool prune(double squared) const { return squared > limit * limit || pairs.size() > most; }
+  double wanted() const { return limit * limit; }
+  bool prune(double squared) const { return squared > limit * limit; }
   void visit(int ta, int tb) {
     if (distance.plane_bound(ta, tb) <= limit && distance(ta, tb) <= limit) {
       pairs.push_back({ta, tb});
@@ -246,6 +315,7 @@ ProximityMesh::ProximityMesh(TriangleMesh mesh, const RunContext& context) {
   data->boundaries = build_boundary_tree(data->mesh, data->tree, context);
   context.cancellation.check();
   data->corners_mm = corners_in_mm(data->mesh);
+  data->normals = unit_normals(data->corners_mm);
   build_incidence(*data);
   context.cancellation.check();
   data->ball_center = bounds(data->mesh).center();
@@ -284,23 +354,46 @@ bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& 
   return visitor.crossed;
 }
 
-bool find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                       double distance, std::vector<TrianglePair>& pairs, std::size_t most) {
+void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                       double distance, std::vector<TrianglePair>& pairs) {
   pairs.clear();
   const PairDistance pair_distance(a, b, X_AB);
-  CollectVisitor visitor{pair_distance, distance, most, pairs};
+  CollectVisitor visitor{pair_distance, distance, pairs};
   PairWalk(a, b, X_AB, visitor).run();
-  return pairs.size() <= most;
 }
 
-Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                 std::span<const TrianglePair> pairs) {
+bool find_near_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                     const NearPairsOptions& options, NearPairs& near) {
+  near.pairs.clear();
   const PairDistance distance(a, b, X_AB);
+  NearPairsVisitor visitor{distance, options, near.pairs};
+  if (options.hint.a >= 0 && options.hint.b >= 0) visitor.measure(options.hint.a, options.hint.b);
+  PairWalk(a, b, X_AB, visitor).run();
+  if (visitor.too_many) return false;
+  visitor.drop_far();
+  near.beyond = visitor.limit;
+  return true;
+}
+
+Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double moved,
+                 NearPairs& near) {
+  const PairDistance distance(a, b, X_AB);
+  near.beyond -= moved;
   Gap gap{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(), {}};
-  for (const TrianglePair& pair : pairs) {
-    const double d = distance(pair.a, pair.b);
-    if (d < gap.upper) gap = {d, d, pair};
+  std::size_t nearest = 0;
+  for (std::size_t i = 0; i < near.pairs.size(); ++i) {
+    NearPair& listed = near.pairs[i];
+    listed.at_least -= moved;
+    if (listed.at_least >= gap.upper) continue;
+    listed.at_least = std::max(listed.at_least, distance.plane_bound(listed.pair.a, listed.pair.b));
+    if (listed.at_least >= gap.upper) continue;
+    const double d = distance(listed.pair.a, listed.pair.b);
+    listed.at_least = d;
+    if (d >= gap.upper) continue;
+    gap = {d, d, listed.pair};
+    nearest = i;
   }
+  if (nearest != 0) std::swap(near.pairs[0], near.pairs[nearest]);
   return gap;
 }
 

@@ -74,15 +74,44 @@ bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& 
 
 // Collects all pairs of triangles whose distance is at most `distance` [m], in the order of the
 // traversal. The content of `pairs` is replaced; passing the same vector again saves allocations.
-// If there are more than `most`, it stops early and returns false.
-bool find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                       double distance, std::vector<TrianglePair>& pairs,
-                       std::size_t most = std::numeric_limits<std::size_t>::max());
+void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                       double distance, std::vector<TrianglePair>& pairs);
 
-// The smallest distance among `pairs` and the pair that has it; lower and upper are infinite when
-// there are no pairs. The same as find_gap when `pairs` contains the nearest pair.
-Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                 std::span<const TrianglePair> pairs);
+// A pair of triangles and a lower bound of its distance [m].
+struct NearPair {
+  TrianglePair pair;
+  double at_least = 0.0;
+};
+
+// Which pairs find_near_pairs lists: those closer than `reach` times the gap of the surfaces, and
+// those closer than the gap plus `least_reach` [m].
+struct NearPairsOptions {
+  double reach = 1.5;
+  double least_reach = 0.0;
+  std::size_t most = std::numeric_limits<std::size_t>::max();  // pairs in the list
+  TrianglePair hint;                                           // as in GapOptions
+};
+
+// All pairs that are near each other, in the order of the traversal, and a bound of the others.
+struct NearPairs {
+  std::vector<NearPair> pairs;
+  double beyond = 0.0;  // no pair that is not listed is closer than this [m]
+};
+
+// Lists the pairs; `near` is replaced, and passing the same one again saves allocations. Most
+// bounds are rough ones that cost little, so that a few pairs may be listed that are farther away.
+// Where there would be more than `most`, it stops early and returns false: `near` is then useless.
+bool find_near_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                     const NearPairsOptions& options, NearPairs& near);
+
+// The smallest distance among listed pairs and the pair that has it, after a motion in which no
+// point came closer to the other mesh by more than `moved` [m] since the list was made or last
+// asked. Lower and upper are infinite when there are no pairs. Only pairs whose bound admits it are
+// measured; their bounds are raised, all others lowered by `moved`, which is also taken from
+// `beyond`. The nearest pair is put first: it is probably the nearest again. The same as find_gap
+// where the result is at most `beyond`.
+Gap gap_of_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double moved,
+                 NearPairs& near);
 
 // Distance between two triangles [m], 0 where they intersect, and the nearest points: p_A on the
 // first in a's frame, p_B on the second in b's frame. The points are not meaningful when the

@@ -6,22 +6,24 @@
 #include "sim/base/index.h"
 
 namespace prehend {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
   ++queries_;
-  if (near_bound_ > 0.0) {
-    // Pairs that are not listed were at least near_bound_ apart, and came closer by at most
-    // `moved`.
-    near_bound_ -= moved;
-    Gap gap = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);
-    if (gap.lower <= near_bound_) {
+  if (near_.beyond > 0.0) {
+    const Gap gap = gap_of_pairs(*a_, *b_, X_AB, moved, near_);
+    if (gap.lower <= near_.beyond) {
       last_pair_ = gap.pair;
       return gap;
     }
     // The listed pairs are farther apart than the bound for all others. That bound still holds for
     // every pair, and is worth a step while it is not too small.
-    if (near_bound_ > options_->least_reach) return {near_bound_, gap.upper, gap.pair};
-    near_bound_ = 0.0;
+    if (near_.beyond > options_->least_reach) return {near_.beyond, gap.upper, gap.pair};
+    near_.beyond = 0.0;
   }
   return query_trees(X_AB, motion_left);
 }
@@ -50,26 +52,41 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
     }
     parts_meet_ = apart <= 0.0;
   }
-  Gap gap =
+  // The pair found last is often near enough still to list what is near at once.
+  const double at_most =
+      last_pair_.a >= 0 ? triangle_gap(*a_, *b_, X_AB, last_pair_).distance : kFar;
+  if (at_most == 0.0) return {0.0, 0.0, last_pair_};
+  if (at_most > std::min(list_below_, motion_left)) {
+    const Gap gap =
+        find_gap(*a_, *b_, X_AB,
+                 {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
+    if (gap.pair.a >= 0) last_pair_ = gap.pair;
+    if (gap.upper == 0.0) return gap;
+    if (gap.upper > list_below_) return without_list(X_AB, gap);
+  }
+  return list_near_pairs(X_AB, motion_left);
+}
+
+// Near contact, list the triangle pairs within a somewhat larger distance than the gap, and take
+// the exact gap from them. Until the bodies have moved by the difference, the closest pair is in
+// the list, and queries need not search the trees.
+Gap GapTracker::list_near_pairs(const Pose& X_AB, double motion_left) {
+  const NearPairsOptions near{options_->reach, options_->least_reach, index(options_->most_pairs),
+                              last_pair_};
+  if (find_near_pairs(*a_, *b_, X_AB, near, near_)) {
+    const Gap exact = gap_of_pairs(*a_, *b_, X_AB, 0.0, near_);
+    last_pair_ = exact.pair;
+    return exact;
+  }
+  // Fine meshes that lie flat on each other have too many such pairs. The next attempt waits until
+  // the gap has shrunk, since attempts take time.
+  near_.beyond = 0.0;
+  const Gap gap =
       find_gap(*a_, *b_, X_AB,
                {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
-  if (gap.upper == 0.0) return gap;
-  if (gap.upper > list_below_) return without_list(X_AB, gap);
-  // Near contact, list the triangle pairs within a somewhat larger distance than the gap, and take
-  // the exact gap from them. Until the bodies have moved by the difference, the closest pair is in
-  // the list, and queries need not search the trees.
-  const double bound = std::max(options_->reach * gap.upper, gap.upper + options_->least_reach);
-  if (!find_pairs_within(*a_, *b_, X_AB, bound, near_pairs_, index(options_->most_pairs))) {
-    // Fine meshes that lie flat on each other have too many such pairs. The next attempt waits
-    // until the gap has shrunk, since attempts take time.
-    list_below_ = 0.5 * gap.upper;
-    return without_list(X_AB, gap);
-  }
-  near_bound_ = bound;
-  const Gap exact = gap_of_pairs(*a_, *b_, X_AB, near_pairs_);
-  last_pair_ = exact.pair;
-  return exact;
+  list_below_ = 0.5 * gap.upper;
+  return gap.upper == 0.0 ? gap : without_list(X_AB, gap);
 }
 
 Gap GapTracker::without_list(const Pose& X_AB, const Gap& gap) {

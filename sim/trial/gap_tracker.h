@@ -43,6 +43,7 @@ class GapTracker {
  private:
   double part_separation(const Pose& X_AB);
   Gap query_trees(const Pose& X_AB, double motion_left);
+  Gap list_near_pairs(const Pose& X_AB, double motion_left);
   // The answer where there is no list, from that of a search of the trees: exact near contact.
   Gap without_list(const Pose& X_AB, const Gap& gap);
 
@@ -54,10 +55,8 @@ class GapTracker {
   // query.
   std::vector<Vector3> directions_;
   bool parts_meet_ = false;  // convex parts have overlapped: their distance is no use any more
-  std::vector<TrianglePair> near_pairs_;  // triangle pairs listed as near
-  // Pairs that are not listed are at least this far apart [m]; 0: there is no list.
-  double near_bound_ = 0.0;
-  TrianglePair last_pair_;  // the closest pair found last, where the next search begins
+  NearPairs near_;           // beyond is 0 where there is no list
+  TrianglePair last_pair_;   // the closest pair found last, where the next search begins
   int queries_ = 0;
 };
 

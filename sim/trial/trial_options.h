@@ -36,16 +36,16 @@ void for_each_setting(Options& options, const Visit& visit) {
 struct GapTrackerOptions {
   // Below this gap the pairs of nearby triangles are listed; at larger gaps the list would be too
   // long [m].
-  double near = 2e-3;
+  double near = 5e-4;
   // The list holds all pairs closer than reach * gap, and at least those closer than gap +
   // least_reach [m].
-  double reach = 1.5;
+  double reach = 2.0;
   double least_reach = 3e-4;
   // A longer list costs more than a search of the bounding-volume trees and is not kept; the next
   // one is tried when the gap is half as large.
   int most_pairs = 400;
   // Relative error allowed in a query of the trees, whose answer only limits the next step.
-  double looseness = 0.4;
+  double looseness = 0.5;
 };
 
 template <SettingsOf<GapTrackerOptions> Options, typename Visit>

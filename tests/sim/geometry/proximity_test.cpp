@@ -2,6 +2,7 @@
 #include "sim/geometry/proximity.h"
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -114,12 +115,92 @@ TEST(FindPairsWithin, IsTheBruteForceSet) {
       for (const TrianglePair& p : found) sorted.emplace_back(p.a, p.b);
       std::sort(sorted.begin(), sorted.end());
       ASSERT_EQ(sorted, expected) << pair.name << " pose " << i;
-      const Gap gap = gap_of_pairs(pair.a, pair.b, X_AB, found);
-      ASSERT_DOUBLE_EQ(gap.upper, find_gap(pair.a, pair.b, X_AB).upper);
-      EXPECT_TRUE(find_pairs_within(pair.a, pair.b, X_AB, limit, found, expected.size()));
-      EXPECT_FALSE(find_pairs_within(pair.a, pair.b, X_AB, limit, found, expected.size() - 1));
     }
   }
+}
+
+// Whether the list has every pair that is closer than `limit`, and no bound exceeds a distance.
+void expect_lists_near_pairs(const MeshPair& pair, const Pose& X_AB, const NearPairs& near,
+                             double limit) {
+  std::set<std::pair<int, int>> listed;
+  for (const NearPair& p : near.pairs) {
+    ASSERT_LE(p.at_least, triangle_gap(pair.a, pair.b, X_AB, p.pair).distance + kDistanceRounding);
+    listed.emplace(p.pair.a, p.pair.b);
+  }
+  ASSERT_EQ(listed.size(), near.pairs.size());
+  std::vector<TrianglePair> expected;
+  find_pairs_within(pair.a, pair.b, X_AB, limit, expected);
+  for (const TrianglePair& p : expected) ASSERT_TRUE(listed.contains({p.a, p.b}));
+}
+
+TEST(FindNearPairs, ListsWhatIsNearAndBoundsTheRest) {
+  Random random(14);
+  NearPairs near;
+  for (const MeshPair& pair : mesh_pairs()) {
+    for (int i = 0; i < 20; ++i) {
+      SCOPED_TRACE(pair.name + " pose " + std::to_string(i));
+      const Pose X_AB = random_pose(random);
+      const double gap = find_gap(pair.a, pair.b, X_AB).upper;
+      NearPairsOptions options;
+      options.reach = random.uniform(1.0, 2.0);
+      options.least_reach = random.uniform(1e-4, 5e-3);
+      if (i % 3 == 0) {
+        options.hint = {static_cast<int>(random.index(pair.a.mesh().triangles.size())),
+                        static_cast<int>(random.index(pair.b.mesh().triangles.size()))};
+      }
+      ASSERT_TRUE(find_near_pairs(pair.a, pair.b, X_AB, options, near));
+      ASSERT_NEAR(near.beyond, std::max(options.reach * gap, gap + options.least_reach),
+                  kDistanceRounding);
+      expect_lists_near_pairs(pair, X_AB, near, near.beyond - kDistanceRounding);
+      // A hint at the nearest pair leaves nothing in the list for a while that is dropped later.
+      options.hint = find_gap(pair.a, pair.b, X_AB).pair;
+      ASSERT_TRUE(find_near_pairs(pair.a, pair.b, X_AB, options, near));
+      const std::size_t count = near.pairs.size();
+      options.most = count;
+      EXPECT_TRUE(find_near_pairs(pair.a, pair.b, X_AB, options, near));
+      options.most = count - 1;
+      EXPECT_FALSE(find_near_pairs(pair.a, pair.b, X_AB, options, near));
+    }
+  }
+}
+
+// The list is asked while the second mesh moves, until it may no longer hold the nearest pair.
+TEST(GapOfPairs, IsTheGapWhileTheListReaches) {
+  Random random(15);
+  NearPairs near;
+  int compared = 0;
+  for (const MeshPair& pair : mesh_pairs()) {
+    const double radius = pair.b.ball_center().norm() + pair.b.ball_radius();
+    for (int i = 0; i < 20; ++i) {
+      SCOPED_TRACE(pair.name + " pose " + std::to_string(i));
+      Pose X_AB = random_pose(random);
+      ASSERT_TRUE(find_near_pairs(pair.a, pair.b, X_AB,
+                                  {.reach = 1.0, .least_reach = 5e-3, .hint = {}}, near));
+      double moved = 0.0;
+      while (near.beyond > moved) {
+        const double beyond = near.beyond - moved;
+        const Gap gap = gap_of_pairs(pair.a, pair.b, X_AB, moved, near);
+        EXPECT_EQ(near.beyond, beyond);
+        const double expected = find_gap(pair.a, pair.b, X_AB).upper;
+        ASSERT_EQ(gap.lower, gap.upper);
+        ASSERT_GE(gap.upper, std::min(expected, near.beyond) - kDistanceRounding);
+        if (gap.upper <= near.beyond) {
+          ASSERT_NEAR(gap.upper, expected, kDistanceRounding);
+          ++compared;
+        }
+        for (const NearPair& p : near.pairs) {
+          ASSERT_LE(p.at_least,
+                    triangle_gap(pair.a, pair.b, X_AB, p.pair).distance + kDistanceRounding);
+        }
+        const double angle = random.uniform(0.0, 1e-3) / radius;
+        const Vector3 shift = random.uniform(0.0, 5e-4) * random.direction();
+        moved = angle * radius + shift.norm() + kDistanceRounding;
+        const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
+        X_AB = pose_from(turn * X_AB.linear(), X_AB.translation() + shift);
+      }
+    }
+  }
+  EXPECT_GT(compared, 300);
 }
 
 // Two triangles as meshes; sizes in metres.
