@@ -73,8 +73,8 @@ EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {}
 // Epsilon of the convex hull of the columns of `wrenches` (6 x n), which is the hull's smallest
 // facet offset: Ferrari and Canny's L1 measure (ICRA 1992) when the columns are those of
 // contact_wrenches. Where rounding stalls the growth, the facets of the full hull (wrench_hull)
-// give the bounds. No columns: no force closure. Throws InputError for a column that is not finite, and for a
-// tolerance as epsilon does.
+// give the bounds. No columns: no force closure. Throws InputError for a column that is not finite,
+// and for a tolerance as epsilon does.
 EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
 
 }  // namespace prehend
