@@ -224,8 +224,8 @@ class Reducer {
         throw InputError({.field = "indices", .problem = "must be unsigned whole numbers"});
       }
     }
-    // assimp takes memory for "corners - 2" triangles of a strip or fan, also where that is below
-    // 0.
+    // assimp takes memory for "corners - 2" triangles of a strip or fan, also for a negative
+    // number.
     const Json& corners =
         entry.contains("indices") ? accessors[entry["indices"].get<std::size_t>()] : points;
     const bool joined = count_in(entry, "mode", kTriangles) > kTriangles;

@@ -6,11 +6,6 @@
 #include "sim/base/index.h"
 
 namespace prehend {
-namespace {
-
-constexpr double kFar = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
   ++queries_;
@@ -53,18 +48,23 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
     parts_meet_ = apart <= 0.0;
   }
   // The pair found last is often near enough still to list what is near at once.
-  const double at_most =
-      last_pair_.a >= 0 ? triangle_gap(*a_, *b_, X_AB, last_pair_).distance : kFar;
+  const double at_most = last_pair_.a >= 0 ? triangle_gap(*a_, *b_, X_AB, last_pair_).distance
+                                           : std::numeric_limits<double>::infinity();
   if (at_most == 0.0) return {0.0, 0.0, last_pair_};
   if (at_most > std::min(list_below_, motion_left)) {
-    const Gap gap =
-        find_gap(*a_, *b_, X_AB,
-                 {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
-    if (gap.pair.a >= 0) last_pair_ = gap.pair;
+    const Gap gap = loose_gap(X_AB, motion_left);
     if (gap.upper == 0.0) return gap;
     if (gap.upper > list_below_) return without_list(X_AB, gap);
   }
   return list_near_pairs(X_AB, motion_left);
+}
+
+Gap GapTracker::loose_gap(const Pose& X_AB, double motion_left) {
+  const Gap gap =
+      find_gap(*a_, *b_, X_AB,
+               {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
+  if (gap.pair.a >= 0) last_pair_ = gap.pair;
+  return gap;
 }
 
 // Near contact, list the triangle pairs within a somewhat larger distance than the gap, and take
@@ -81,11 +81,8 @@ Gap GapTracker::list_near_pairs(const Pose& X_AB, double motion_left) {
   // Fine meshes that lie flat on each other have too many such pairs. The next attempt waits until
   // the gap has shrunk, since attempts take time.
   near_.beyond = 0.0;
-  const Gap gap =
-      find_gap(*a_, *b_, X_AB,
-               {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
-  if (gap.pair.a >= 0) last_pair_ = gap.pair;
-  list_below_ = 0.5 * gap.upper;
+  const Gap gap = loose_gap(X_AB, motion_left);
+  list_below_ = 0.5 * std::min(list_below_, gap.upper);
   return gap.upper == 0.0 ? gap : without_list(X_AB, gap);
 }
 

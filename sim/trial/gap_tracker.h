@@ -43,6 +43,8 @@ class GapTracker {
  private:
   double part_separation(const Pose& X_AB);
   Gap query_trees(const Pose& X_AB, double motion_left);
+  // Bounds from a search of the trees, loose ones.
+  Gap loose_gap(const Pose& X_AB, double motion_left);
   Gap list_near_pairs(const Pose& X_AB, double motion_left);
   // The answer where there is no list, from that of a search of the trees: exact near contact.
   Gap without_list(const Pose& X_AB, const Gap& gap);
