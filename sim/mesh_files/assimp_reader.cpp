@@ -11,8 +11,8 @@
 #include <vector>
 
 #include <assimp/BaseImporter.h>
-#include <assimp/DefaultIOSystem.h>
 #include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/importerdesc.h>
@@ -56,30 +56,23 @@ class BytesStream final : public Assimp::IOStream {
   size_t at_ = 0;
 };
 
-// The file system that assimp sees: the bytes of the mesh file and, for glTF (`buffers`), regular
-// files named *.bin. Materials, textures and everything else do not exist, so a mesh file cannot
-// make assimp open other files.
-class ClosedFileSystem final : public Assimp::DefaultIOSystem {
+// The file system that assimp sees: one file. Buffers, materials, textures and everything else do
+// not exist, so a mesh file cannot make assimp open other files.
+class ClosedFileSystem final : public Assimp::IOSystem {
  public:
-  ClosedFileSystem(std::string file, const std::string& bytes, bool buffers)
-      : file_(std::move(file)), bytes_(bytes), buffers_(buffers) {}
+  ClosedFileSystem(std::string file, const std::string& bytes)
+      : file_(std::move(file)), bytes_(bytes) {}
 
-  bool Exists(const char* name) const override { return name == file_ || is_buffer(name); }
-  Assimp::IOStream* Open(const char* name, const char* mode) override {
-    if (name == file_) return new BytesStream(bytes_);
-    return is_buffer(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+  bool Exists(const char* name) const override { return name == file_; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* name, const char*) override {
+    return name == file_ ? new BytesStream(bytes_) : nullptr;
   }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
 
  private:
-  bool is_buffer(const std::filesystem::path& name) const {
-    std::error_code ignored;
-    return buffers_ && name.extension() == ".bin" &&
-           std::filesystem::is_regular_file(name, ignored);
-  }
-
   std::string file_;
   const std::string& bytes_;
-  bool buffers_;
 };
 
 // Removes all importers that do not read this extension. assimp otherwise guesses the format from
@@ -180,17 +173,16 @@ void add_nodes(TriangleMesh& mesh, const aiScene& scene) {
 
 }  // namespace
 
-TriangleMesh read_with_assimp(const std::filesystem::path& file, const std::string& extension,
-                              const std::string& bytes) {
+TriangleMesh read_with_assimp(const std::string& bytes, const std::string& extension) {
   try {
     Assimp::Importer importer;
     keep_importers(importer, extension);
     // Axes are used as written: converting Z_UP to Y_UP would lay the objects down.
     importer.SetPropertyInteger(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, 1);
-    const bool is_gltf = extension == "gltf" || extension == "glb";
+    const std::string name = "mesh." + extension;
     // The importer takes ownership of its file system.
-    importer.SetIOHandler(new ClosedFileSystem(file.string(), bytes, is_gltf));
-    const aiScene* scene = importer.ReadFile(file.string(), 0);
+    importer.SetIOHandler(new ClosedFileSystem(name, bytes));
+    const aiScene* scene = importer.ReadFile(name, 0);
     TriangleMesh mesh;
     if (scene == nullptr)
       throw InputError("cannot be read as " + extension + ": " +

@@ -1,7 +1,6 @@
 // Reads a mesh file with assimp. assimp is used behind this header only.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "sim/geometry/triangle_mesh.h"
@@ -11,10 +10,9 @@ namespace prehend {
 // All triangles of all nodes of the file, with the transforms of the nodes applied, polygons
 // triangulated (triangulate_face), points and lines left out and vertices not merged. COLLADA
 // lengths are multiplied by the file's own metres per unit; axes are never turned, whatever the
-// file declares as up. `extension` selects the format ("gltf", "glb", "dae").
-// `bytes` is the content of `file`; apart from it only *.bin files of glTF are opened: no
-// materials, no textures. Throws InputError with a one-line message that does not name the file.
-TriangleMesh read_with_assimp(const std::filesystem::path& file, const std::string& extension,
-                              const std::string& bytes);
+// file declares as up. `bytes` is the whole content of a file of the format `extension` ("glb" or
+// "dae"); no files are opened: no buffers, no materials, no textures. Throws InputError with a
+// one-line message.
+TriangleMesh read_with_assimp(const std::string& bytes, const std::string& extension);
 
 }  // namespace prehend

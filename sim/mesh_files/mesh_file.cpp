@@ -56,8 +56,8 @@ TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& fil
     need_text(bytes);
     return read_off(bytes);
   }
-  return read_with_assimp(file, extension,
-                          checked_mesh_bytes(extension, bytes, file.parent_path()));
+  return read_with_assimp(checked_mesh_bytes(extension, bytes, file.parent_path()),
+                          extension == "gltf" ? "glb" : extension);
 }
 
 // `bytes` is called for the content of the file, after everything else was checked.

@@ -75,6 +75,12 @@ TEST(LoadMesh, ReadsAGltfBufferBesideTheFile) {
   expect_error(file, "buffers: promise 72 bytes, there are 20");
 }
 
+TEST(LoadMesh, ReadsAGltfBufferWhoseNameIsEscaped) {
+  const auto file = written("blank.gltf", test::gltf_json("\"uri\":\"two%20words.bin\","));
+  written("two words.bin", test::gltf_buffer());
+  expect_tetrahedron(file);
+}
+
 TEST(LoadMesh, ScalesToMetres) {
   const auto file = written("mm.obj", test::obj_sample());
   const LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit("mm")});
