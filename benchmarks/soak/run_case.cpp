@@ -156,6 +156,9 @@ class CaseRun {
       const std::string name = "candidate " + std::to_string(again[i]->candidate);
       compare(name, *again[i], trial, result);
       if (trial.outcome != Outcome::not_force_closure) continue;
+      // Centring may have moved the hand to where the arm cannot follow. Such a trial has no
+      // posture to judge (Trial::arm_line).
+      if (scene_->arm && trial.arm_line.empty()) continue;
       ++findings_.other_trials;
       judge_trial(name, trial);
     }
