@@ -40,11 +40,11 @@ std::vector<Vector3> used_vertices(const TriangleMesh& mesh) {
 
 // The corners of the convex hull of `points`; all of them where there are few or the hull fails.
 ConvexPoints hull_around(const std::vector<Vector3>& points) {
-  if (points.size() <= kFewPoints) return {points};
+  if (points.size() <= kFewPoints) return ConvexPoints(points);
   const TriangleMesh hull = convex_hull(points);
-  if (hull.empty()) return {points};
+  if (hull.empty()) return ConvexPoints(points);
   std::vector<Vector3> corners = used_vertices(hull);
-  if (corners.size() <= kManyCorners) return {std::move(corners)};
+  if (corners.size() <= kManyCorners) return ConvexPoints(std::move(corners));
   return coarse_hull(hull, kCoarseCorners);
 }
 
@@ -110,18 +110,17 @@ ConvexPoints coarse_hull(const TriangleMesh& hull, int most) {
         [&](const Vector3& p, const Vector3& q) { return p.dot(direction) < q.dot(direction); });
     chosen.insert(static_cast<std::size_t>(farthest - corners.begin()));
   }
-  ConvexPoints coarse;
-  for (const std::size_t c : chosen) coarse.points.push_back(corners[c]);
-  const TriangleMesh inner = convex_hull(coarse.points);
-  if (inner.empty()) return {corners};
+  std::vector<Vector3> kept;
+  for (const std::size_t c : chosen) kept.push_back(corners[c]);
+  const TriangleMesh inner = convex_hull(kept);
+  if (inner.empty()) return ConvexPoints(corners);
   std::vector<Vector3> normals;
   for (std::size_t t = 0; t < inner.triangles.size(); ++t) {
     normals.push_back(doubled_area_vector(inner, t).normalized());
   }
-  for (const Vector3& p : corners) {
-    coarse.margin = std::max(coarse.margin, height_above(inner, normals, p));
-  }
-  return coarse;
+  double margin = 0.0;
+  for (const Vector3& p : corners) margin = std::max(margin, height_above(inner, normals, p));
+  return ConvexPoints(std::move(kept), margin);
 }
 
 }  // namespace prehend

@@ -1,5 +1,5 @@
 // Distance and intersection queries between two triangle meshes, and the pairs of triangles in
-// contact. FCL is used behind this header only.
+// contact.
 #pragma once
 
 #include <limits>

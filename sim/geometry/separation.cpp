@@ -10,9 +10,14 @@
 // tetrahedra) can make the result smaller but never wrong.
 #include "sim/geometry/separation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "sim/geometry/lanes.h"
+#include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
 namespace {
@@ -22,20 +27,6 @@ constexpr int kMostSteps = 24;
 // Stop when the lower bound reaches this fraction of the upper one. The bound only decides whether
 // an exact query is needed, so that more steps do not pay.
 constexpr double kGoodFraction = 0.9;
-
-// Support function of the hull: the point that lies farthest along `direction`.
-const Vector3& farthest(const ConvexPoints& set, const Vector3& direction) {
-  const Vector3* best = nullptr;
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Vector3& p : set.points) {
-    const double along = p.dot(direction);
-    if (along > most) {
-      most = along;
-      best = &p;
-    }
-  }
-  return *best;
-}
 
 // Up to four points of the set b - a, the first `size` of `point`.
 struct Simplex {
@@ -131,7 +122,73 @@ Vector3 nearest_to_origin(Simplex& s) {
   }
 }
 
+// How far the points of a block lie along d. A block has the coordinates x of as many points as
+// there are lanes, then y, then z.
+inline Lanes along(const float* block, const std::array<Lanes, 3>& d) {
+  return d[0] * load_lanes(block) + d[1] * load_lanes(block + kLanes) +
+         d[2] * load_lanes(block + 2 * kLanes);
+}
+
 }  // namespace
+
+ConvexPoints::ConvexPoints(std::vector<Vector3> points, double margin)
+    : points_(std::move(points)), margin_(margin) {
+  // Coordinates from the centre are small, and so are their rounding errors. A sum of three
+  // products of numbers that were rounded themselves is off by at most 8 half units in the last
+  // place of sqrt(3) radii; two such sums are compared.
+  Bounds box;
+  for (const Vector3& p : points_) {
+    box.lower = box.lower.cwiseMin(p);
+    box.upper = box.upper.cwiseMax(p);
+  }
+  const Vector3 center = box.center();
+  double radius = 0.0;
+  for (const Vector3& p : points_) radius = std::max(radius, (p - center).norm());
+  search_error_ = 32.0 * 0.5 * std::numeric_limits<float>::epsilon() * radius;
+  // The last blocks are filled up with the first point.
+  const std::size_t blocks = (points_.size() + 2 * kLanes - 1) / (2 * kLanes) * 2;
+  blocks_.resize(3 * kLanes * blocks);
+  for (std::size_t i = 0; i < blocks * kLanes; ++i) {
+    const Vector3 p = points_[i < points_.size() ? i : 0] - center;
+    for (std::size_t k = 0; k < 3; ++k) {
+      blocks_[(3 * (i / kLanes) + k) * kLanes + i % kLanes] =
+          static_cast<float>(p[static_cast<Vector3::Index>(k)]);
+    }
+  }
+}
+
+// Each lane keeps the largest value it has seen and where. Two sets of lanes take turns, so that no
+// comparison waits for the one before.
+const Vector3& ConvexPoints::farthest(const Vector3& direction) const {
+  const std::array<Lanes, 3> d{Lanes(static_cast<float>(direction.x())),
+                               Lanes(static_cast<float>(direction.y())),
+                               Lanes(static_cast<float>(direction.z()))};
+  using std::experimental::max;
+  using std::experimental::where;
+  Lanes even_most(-std::numeric_limits<float>::infinity());
+  Lanes odd_most = even_most;
+  Lanes even_at(0.0F);
+  Lanes odd_at(0.0F);
+  float number = 0.0F;  // of the block
+  const float* const end = blocks_.data() + blocks_.size();
+  for (const float* block = blocks_.data(); block != end; block += 6 * kLanes) {
+    const Lanes even = along(block, d);
+    const Lanes odd = along(block + 3 * kLanes, d);
+    where(even > even_most, even_at) = number;
+    where(odd > odd_most, odd_at) = number + 1.0F;
+    even_most = max(even, even_most);
+    odd_most = max(odd, odd_most);
+    number += 2.0F;
+  }
+  where(odd_most > even_most, even_at) = odd_at;
+  even_most = max(odd_most, even_most);
+  std::size_t lane = 0;
+  for (std::size_t i = 1; i < kLanes; ++i) {
+    if (even_most[i] > even_most[lane]) lane = i;
+  }
+  const std::size_t found = static_cast<std::size_t>(even_at[lane]) * kLanes + lane;
+  return points_[found < points_.size() ? found : 0];
+}
 
 double separation(const ConvexPoints& a, const ConvexPoints& b, const Pose& X_AB,
                   Vector3& direction) {
@@ -143,7 +200,7 @@ double separation(const ConvexPoints& a, const ConvexPoints& b, const Pose& X_AB
   for (int step = 0; step < kMostSteps; ++step) {
     n.normalize();
     // The support point of b - a against n: the smallest value of n . (b - a) over the whole set.
-    const Vector3 reach = X_AB * farthest(b, R_BA * -n) - farthest(a, n);
+    const Vector3 reach = X_AB * b.farthest(R_BA * -n) - a.farthest(n);
     const double bound = n.dot(reach);
     if (bound > best) {
       best = bound;
@@ -156,7 +213,7 @@ double separation(const ConvexPoints& a, const ConvexPoints& b, const Pose& X_AB
     // intersect.
     if (!(upper > 0.0) || simplex.size == 4 || best >= kGoodFraction * upper) break;
   }
-  return best - a.margin - b.margin;
+  return best - a.margin() - b.margin() - a.search_error() - b.search_error();
 }
 
 }  // namespace prehend

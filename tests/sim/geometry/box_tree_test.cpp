@@ -1,13 +1,11 @@
-// Every box holds what is below it, and box distances never exceed what they bound.
+// Every box holds what is below it.
 #include "sim/geometry/box_tree.h"
 
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include <gtest/gtest.h>
 
-#include "sim/base/random.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/object_generator.h"
 
@@ -57,53 +55,6 @@ TEST(BoxTree, SplitsTrianglesThatLieOnTopOfEachOther) {
 }
 
 TEST(BoxTree, OfNothingIsEmpty) { EXPECT_TRUE(build_box_tree({}).empty()); }
-
-constexpr double kAny = std::numeric_limits<double>::infinity();
-
-double squared_distance(const Pose& X_AB, const BoxNode& a, const BoxNode& b, double enough) {
-  const BoxDistance distance(X_AB);
-  return distance.squared(a, b, distance.placed(b), enough);
-}
-
-TEST(BoxDistance, NeverExceedsTheDistanceOfAnyTwoPoints) {
-  Random random(21);
-  int positive = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const Pose X_AB = random.pose(0.2);
-    BoxNode a;
-    BoxNode b;
-    a.center = random.in_box(0.05);
-    b.center = random.in_box(0.05);
-    a.half = random.in_box(0.08).cwiseAbs();
-    b.half = random.in_box(0.08).cwiseAbs();
-    const double squared = squared_distance(X_AB, a, b, kAny);
-    positive += squared > 0.0;
-    // Where less is enough, no more than that is promised.
-    const double enough = random.uniform(0.0, 0.01);
-    const double some = squared_distance(X_AB, a, b, enough);
-    ASSERT_TRUE(some == squared || (some > enough && some < squared));
-    for (int k = 0; k < 100; ++k) {
-      // Half of the points on corners, where boxes are nearest.
-      const auto point_of = [&](const BoxNode& box) -> Vector3 {
-        Vector3 s = random.in_box(1.0);
-        if (k % 2 == 0) s = s.array().sign();
-        return box.center + s.cwiseProduct(box.half);
-      };
-      const Vector3 p = point_of(a);
-      const Vector3 q = X_AB * point_of(b);
-      ASSERT_LE(squared, (p - q).squaredNorm() + kBoxRounding);
-    }
-  }
-  EXPECT_GT(positive, 200);
-}
-
-TEST(BoxDistance, IsExactForBoxesWithParallelAxes) {
-  BoxNode a;
-  a.half = {0.1, 0.2, 0.3};
-  EXPECT_NEAR(squared_distance(translation({0.6, 0.0, 0.9}), a, a, kAny), 0.4 * 0.4 + 0.3 * 0.3,
-              1e-15);
-  EXPECT_EQ(squared_distance(translation({0.1, 0.1, 0.1}), a, a, kAny), 0.0);
-}
 
 }  // namespace
 }  // namespace prehend

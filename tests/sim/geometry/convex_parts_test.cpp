@@ -15,8 +15,8 @@ namespace {
 // How far a set reaches along a unit direction.
 double support(const ConvexPoints& set, const Vector3& direction) {
   double most = -1e9;
-  for (const Vector3& p : set.points) most = std::max(most, p.dot(direction));
-  return most + set.margin;
+  for (const Vector3& p : set.points()) most = std::max(most, p.dot(direction));
+  return most + set.margin();
 }
 
 // Points on an ellipsoid with these half axes [m].
@@ -31,9 +31,9 @@ std::vector<Vector3> ellipsoid(const Vector3& half, int count) {
 TEST(CoarseHull, ContainsTheHullAndIsCloseToIt) {
   for (const Vector3& half : {Vector3(0.04, 0.04, 0.04), Vector3(0.01, 0.02, 0.1)}) {
     const ConvexPoints fine{ellipsoid(half, 4000)};
-    const ConvexPoints coarse = coarse_hull(convex_hull(fine.points), 256);
-    EXPECT_LE(coarse.points.size(), 256U);
-    EXPECT_LT(coarse.margin, 0.02 * half.maxCoeff());
+    const ConvexPoints coarse = coarse_hull(convex_hull(fine.points()), 256);
+    EXPECT_LE(coarse.points().size(), 256U);
+    EXPECT_LT(coarse.margin(), 0.02 * half.maxCoeff());
     Random random(4);
     for (int i = 0; i < 2000; ++i) {
       const Vector3 direction = random.direction();
@@ -46,16 +46,16 @@ TEST(CoarseHull, OfFewCornersHasNoMargin) {
   const std::vector<Vector3> cube{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0},
                                   {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}};
   const ConvexPoints coarse = coarse_hull(convex_hull(cube), 256);
-  EXPECT_EQ(coarse.points.size(), cube.size());
-  EXPECT_EQ(coarse.margin, 0.0);
+  EXPECT_EQ(coarse.points().size(), cube.size());
+  EXPECT_EQ(coarse.margin(), 0.0);
 }
 
 TEST(ConvexParts, OfARoundMeshOfManyTrianglesAreFewPoints) {
   const TriangleMesh mesh = convex_hull(ellipsoid({0.03, 0.03, 0.05}, 4000));
   const std::vector<ConvexPoints> parts = convex_parts(mesh);
   ASSERT_EQ(parts.size(), 1U);
-  EXPECT_LE(parts.front().points.size(), 256U);
-  EXPECT_GT(parts.front().margin, 0.0);
+  EXPECT_LE(parts.front().points().size(), 256U);
+  EXPECT_GT(parts.front().margin(), 0.0);
 }
 
 // A lower bound must not exceed the distance of any two points.
@@ -67,7 +67,7 @@ TEST(ConvexParts, SeparationStaysBelowTheDistanceOfTheSurfaces) {
     const Pose X_AB = translation({apart, 0.0, 0.0});
     double least = 1e9;
     for (const Vector3& p : mesh.vertices) {
-      for (const Vector3& q : ball.points) least = std::min(least, (X_AB * q - p).norm());
+      for (const Vector3& q : ball.points()) least = std::min(least, (X_AB * q - p).norm());
     }
     Vector3 direction = Vector3::Zero();
     EXPECT_LE(separation(round, ball, X_AB, direction), least);
