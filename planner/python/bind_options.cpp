@@ -91,6 +91,8 @@ void bind_trial_options(py::module_& core) {
       .number("angle", &SettleOptions::angle, kAbove0, "Of one turn [rad].")
       .number("steps", &SettleOptions::steps, kAtLeast0,
               "Turns that are tried at most; 0: the object keeps its attitude.")
+      .number("least_angle", &SettleOptions::least_angle, kAbove0,
+              "A turn that does not help is tried again at half its angle, down to this [rad].")
       .number("loosen", &SettleOptions::loosen, kAtLeast0,
               "Fingers open by this before the object turns [m].")
       .number("least_gain", &SettleOptions::least_gain, kAtLeast0,

@@ -100,6 +100,16 @@ void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vec
   }
 }
 
+Pose link_pose(const Robot& robot, const std::vector<int>& chain,
+               const std::vector<double>& joints) {
+  Pose X_BL = Pose::Identity();
+  for (const int j : chain) {
+    const Joint& joint = robot.joints[index(j)];
+    X_BL = X_BL * joint.X_PJ * across(joint, joints[index(j)]);
+  }
+  return X_BL;
+}
+
 void require_tree(const Robot& robot) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     const Joint& joint = robot.joints[j];

@@ -151,6 +151,11 @@ void link_poses(const Robot& robot, const std::vector<double>& joints, std::vect
 // Joints from the base to `joint`, in that order; none for joint -1.
 std::vector<int> joints_to(const Robot& robot, int joint);
 
+// X_BL, as in link_poses, of the links that the last joint of `chain` (from joints_to) moves: of
+// one link in less time than of all.
+Pose link_pose(const Robot& robot, const std::vector<int>& chain,
+               const std::vector<double>& joints);
+
 // Throws InputError "ROBOT: joint NAME: ..." unless every joint stands after its parent, has a unit
 // axis and a degree of freedom, and every chain is a path. Robots read from files are like this;
 // those built in code are checked when they are compiled or assembled.

@@ -206,10 +206,12 @@ class Closing {
   // The link's pose in the frame of what it is paired with, at time t.
   Pose relative_pose(const ClosingPair& pairing, double t) {
     motion_.joints_at(t, joints_);
-    link_poses(scene_.scene.hand, joints_, X_HL_);
-    const Pose& X_HL = X_HL_[index(pairing.link)];
+    const auto pose_of = [&](LinkId link) {
+      return link_pose(scene_.scene.hand, scene_.links[index(link)].joints, joints_);
+    };
+    const Pose X_HL = pose_of(pairing.link);
     if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
-      return X_HL_[index(*other)].inverse() * X_HL;
+      return pose_of(*other).inverse() * X_HL;
     }
     return scene_.pose_in(std::get<BodyId>(pairing.other), start_.X_OH * X_HL);
   }
@@ -251,7 +253,6 @@ class Closing {
   ClosingMotion motion_;
   std::vector<ClosingPair> pairings_;
   std::vector<double> joints_;
-  std::vector<Pose> X_HL_;
 };
 
 }  // namespace

@@ -132,7 +132,9 @@ void settle(const CompiledScene& scene, const TrialOptions& options, Trial& tria
   Trial now = trial;
   TurningRoom room(scene, trial, options);
   double angle = options.settle.angle;
-  for (int k = 0; k < options.settle.steps && now.outcome != Outcome::stable; ++k) {
+  for (int k = 0; k < options.settle.steps && angle >= options.settle.least_angle &&
+                  now.outcome != Outcome::stable;
+       ++k) {
     if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, room, context)) {
       now = std::move(*next);
     } else {

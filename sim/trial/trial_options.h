@@ -11,6 +11,10 @@ namespace prehend {
 struct SettleOptions {
   double angle = 0.07;  // of one turn [rad]
   int steps = 24;       // most turns that are tried; 0: the object does not settle
+  // A turn that does not bring the fingers closer is tried again at half its angle, down to this:
+  // over the width of a finger it moves the surface by less than contacts need to count as even
+  // (ContactOptions::evenness) [rad].
+  double least_angle = 2.5e-4;
   // Fingers open by this before the object turns, so that they do not start inside it [m].
   double loosen = 3e-3;
   // Turning goes on while the fingers come closer by more than this in a step [m].
@@ -22,9 +26,10 @@ struct SettleOptions {
 
 template <SettingsOf<SettleOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [angle, steps, loosen, least_gain, least_arm] = options;
+  auto& [angle, steps, least_angle, loosen, least_gain, least_arm] = options;
   visit("angle", angle);
   visit("steps", steps);
+  visit("least_angle", least_angle);
   visit("loosen", loosen);
   visit("least_gain", least_gain);
   visit("least_arm", least_arm);

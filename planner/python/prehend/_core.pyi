@@ -159,6 +159,7 @@ class SettleOptions:
     _fields: Tuple[str, ...]
     angle: float
     steps: int
+    least_angle: float
     loosen: float
     least_gain: float
     least_arm: float
@@ -167,6 +168,7 @@ class SettleOptions:
         *,
         angle: float = ...,
         steps: int = ...,
+        least_angle: float = ...,
         loosen: float = ...,
         least_gain: float = ...,
         least_arm: float = ...,
