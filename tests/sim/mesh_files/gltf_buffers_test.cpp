@@ -11,8 +11,6 @@
 namespace prehend {
 namespace {
 
-using nlohmann::json;
-
 TEST(Base64, GivesTheVectorsOfRfc4648) {
   const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},
                                                                  {"Zg==", "f"},
@@ -37,7 +35,7 @@ TEST(Base64, RefusesWhatIsNone) {
 }
 
 TEST(GltfBuffers, LieOneBehindTheOther) {
-  const json list = json::parse(R"([{"byteLength": 3},
+  const nlohmann::json list = nlohmann::json::parse(R"([{"byteLength": 3},
       {"byteLength": 5, "uri": "data:;base64,Zm9vYmFy"},
       {"byteLength": 0, "uri": "data:x;base64,"}])");
   const GltfBuffers buffers = fetch_gltf_buffers(list, "chunk", ".");
@@ -58,7 +56,7 @@ TEST(GltfBuffers, AreRefusedWithAReason) {
       {R"([7])", "is not an object"}};
   for (const auto& [list, reason] : bad) {
     try {
-      fetch_gltf_buffers(json::parse(list), "chunk", ".");
+      fetch_gltf_buffers(nlohmann::json::parse(list), "chunk", ".");
       ADD_FAILURE() << list;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
