@@ -3,6 +3,7 @@
 // its result is plausible.
 #include "sim/geometry/mass_properties.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -159,6 +160,13 @@ std::optional<MassProperties> enclosed(const TriangleMesh& mesh) {
   return MassProperties{source, solid.zeroth, solid.center(), solid.unit_inertia()};
 }
 
+bool has_area(const TriangleMesh& mesh) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!is_degenerate(mesh, t)) return true;
+  }
+  return false;
+}
+
 // For a mesh with a bounding-box diagonal of 1 about the origin: the attempts in the order of
 // MassSource.
 MassProperties of_unit_size(TriangleMesh mesh) {
@@ -178,13 +186,9 @@ MassProperties of_unit_size(TriangleMesh mesh) {
 }  // namespace
 
 MassProperties mass_properties(const TriangleMesh& mesh) {
-  const MeshChecks checks = check_mesh(mesh);
-  require(checks.nonfinite_vertices == 0,
-          {.field = "mesh", .problem = "has vertices that are not finite"});
-  require(checks.triangles > checks.degenerate_triangles,
-          {.field = "mesh",
-           .problem = "has no triangle of positive area",
-           .value = std::to_string(checks.triangles) + " triangles"});
+  const bool finite = std::all_of(mesh.vertices.begin(), mesh.vertices.end(),
+                                  [](const Vector3& p) { return p.allFinite(); });
+  require(finite, {.field = "mesh", .problem = "has vertices that are not finite"});
   // Computed about the centre of the bounds and at unit size: the volumes of tetrahedra from a
   // distant origin would cancel most digits, and those of tiny meshes would fall below absolute
   // thresholds.
@@ -193,6 +197,10 @@ MassProperties mass_properties(const TriangleMesh& mesh) {
   const Bounds box = bounds(unit);
   const double size = box.diagonal();
   for (Vector3& p : unit.vertices) p = (p - box.center()) / size;
+  // At that size, tiny triangles that are far from each other may have no area.
+  require(has_area(unit), {.field = "mesh",
+                           .problem = "has no triangle of positive area",
+                           .value = std::to_string(unit.triangles.size()) + " triangles"});
   MassProperties mass = of_unit_size(std::move(unit));
   mass.volume *= size * size * size;
   mass.center_of_mass = box.center() + size * mass.center_of_mass;

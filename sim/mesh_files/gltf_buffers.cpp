@@ -86,11 +86,14 @@ std::string from_base64(std::string_view text) {
 
 GltfBuffers fetch_gltf_buffers(const nlohmann::json& buffers, std::string_view chunk,
                                const std::filesystem::path& folder) {
-  // A GLB, as which the data is handed on, counts its bytes in 32 bits.
+  // A GLB, as which the data is handed on, counts its bytes in 32 bits. What is fetched is counted,
+  // not what is declared: many buffers of no length may name one large file.
   constexpr std::size_t kMostBytes = std::size_t{1} << 31;
+  std::size_t bytes = 0;
   GltfBuffers result;
-  for (const nlohmann::json& entry : buffers) {
-    const nlohmann::json buffer = gltf_members(entry, {"uri", "byteLength"});
+  for (const nlohmann::json& buffer : buffers) {
+    if (!buffer.is_object())
+      throw InputError({.field = "buffers", .problem = "one is not an object"});
     const std::size_t declared = gltf_count(buffer, "byteLength", 0);
     const bool has_uri = buffer.contains("uri");
     if (!has_uri && !result.starts.empty())
@@ -104,7 +107,8 @@ GltfBuffers fetch_gltf_buffers(const nlohmann::json& buffers, std::string_view c
     }
     result.starts.push_back(result.bytes.size());
     result.lengths.push_back(declared);
-    if (result.bytes.size() + declared > kMostBytes)
+    bytes += given.size();
+    if (bytes > kMostBytes)
       throw InputError({.field = "buffers", .problem = "more than 2 GiB together"});
     result.bytes += given.substr(0, declared);
     result.bytes.resize((result.bytes.size() + 3) / 4 * 4, '\0');

@@ -6,6 +6,7 @@
 
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/polygon.h"
+#include "sim/geometry/weld.h"
 #include "sim/mesh_files/mesh_file.h"
 
 namespace prehend {
@@ -208,6 +209,9 @@ TriangleMesh read_geometry(const JsonField& field, const FileUnits& units,
     append(mesh, piece);
   }
   if (mesh.empty()) field.fail("a link needs at least one triangle");
+  for (const Vector3& p : mesh.vertices) {
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) field.fail("reaches beyond 1e6 m");
+  }
   return mesh;
 }
 

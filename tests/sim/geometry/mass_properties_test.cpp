@@ -145,5 +145,23 @@ TEST(MassProperties, RefuseAMeshOfNoArea) {
   EXPECT_THROW(mass_properties({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}), InputError);
 }
 
+// Areas are compared with the size of the whole: what is too small beside it has none.
+TEST(MassProperties, OfThinThingsFarApartAreFiniteOrRefused) {
+  for (const double thin : {1e-3, 1e-30, 1e-100, 1e-160, 1e-300}) {
+    for (const double far : {1.0, 1e6, 1e13, 1e100}) {
+      SCOPED_TRACE(testing::Message() << thin << " m thin, " << far << " m apart");
+      TriangleMesh mesh = make_box({0.08, 0.04, thin});
+      append(mesh, transformed(mesh, translation({far, 0.0, 0.0})));
+      try {
+        const MassProperties mass = mass_properties(mesh);
+        EXPECT_TRUE(std::isfinite(mass.volume) && mass.center_of_mass.allFinite() &&
+                    mass.unit_inertia.allFinite());
+      } catch (const InputError& error) {
+        EXPECT_GT(far, 1e6) << error.what();
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace prehend

@@ -1,5 +1,8 @@
 #include "sim/mesh_files/gltf_buffers.h"
 
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,8 +13,6 @@
 
 namespace prehend {
 namespace {
-
-using nlohmann::json;
 
 TEST(Base64, GivesTheVectorsOfRfc4648) {
   const std::vector<std::pair<std::string, std::string>> vectors{{"", ""},
@@ -37,7 +38,7 @@ TEST(Base64, RefusesWhatIsNone) {
 }
 
 TEST(GltfBuffers, LieOneBehindTheOther) {
-  const json list = json::parse(R"([{"byteLength": 3},
+  const nlohmann::json list = nlohmann::json::parse(R"([{"byteLength": 3},
       {"byteLength": 5, "uri": "data:;base64,Zm9vYmFy"},
       {"byteLength": 0, "uri": "data:x;base64,"}])");
   const GltfBuffers buffers = fetch_gltf_buffers(list, "chunk", ".");
@@ -55,15 +56,27 @@ TEST(GltfBuffers, AreRefusedWithAReason) {
       {R"([{"byteLength": 1, "uri": "/etc/passwd"}])", "only files *.bin"},
       {R"([{"byteLength": 1, "uri": 7}])", "is not text"},
       {R"([{"byteLength": -1}])", "is not a count"},
-      {R"([7])", "is not an object"}};
+      {R"([7])", "one is not an object"}};
   for (const auto& [list, reason] : bad) {
     try {
-      fetch_gltf_buffers(json::parse(list), "chunk", ".");
+      fetch_gltf_buffers(nlohmann::json::parse(list), "chunk", ".");
       ADD_FAILURE() << list;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(reason), std::string::npos) << error.what();
     }
   }
+}
+
+// A list of buffers without a length that name a large file again and again would be read for ever.
+TEST(GltfBuffers, AreCountedByWhatIsFetched) {
+  const std::filesystem::path folder = testing::TempDir();
+  const std::filesystem::path file = folder / "large_buffer.bin";
+  std::ofstream(file) << "x";
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 29);
+  const nlohmann::json one = {{"uri", "large_buffer.bin"}};
+  const nlohmann::json list(5, one);
+  EXPECT_THROW(fetch_gltf_buffers(list, {}, folder), InputError);
+  std::filesystem::remove(file);
 }
 
 }  // namespace
