@@ -243,6 +243,11 @@ void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pos
   TreeWalk(a.data().wide, b.data().wide, X_AB, visitor).run();
 }
 
+void find_triangles_in(const ProximityMesh& mesh, const Bounds& box, std::vector<int>& triangles) {
+  triangles.clear();
+  collect_in_box(mesh.data().wide, box, triangles);
+}
+
 bool find_near_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                      const NearPairsOptions& options, NearPairs& near) {
   near.pairs.clear();

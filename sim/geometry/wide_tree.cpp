@@ -94,9 +94,38 @@ class WideBuilder {
   WideTree tree_;
 };
 
+// Appends the triangles below a node whose boxes meet the box.
+void collect_below(const WideTree& tree, WideChild at, const WideBox& box,
+                   std::vector<int>& triangles) {
+  const WideNode& node = tree.nodes[index(at)];
+  Lanes apart(-std::numeric_limits<float>::infinity());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Lanes between = abs(load_lanes(node.center[k].data()) - box.center[k]);
+    apart = max(apart, between - load_lanes(node.half[k].data()) - box.half[k]);
+  }
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (apart[lane] > 0.0F) continue;
+    if (is_triangle(node.child[lane])) {
+      triangles.push_back(~node.child[lane]);
+    } else {
+      collect_below(tree, node.child[lane], box, triangles);
+    }
+  }
+}
+
 }  // namespace
 
 WideTree build_wide_tree(const std::vector<BoxNode>& binary) { return WideBuilder(binary).build(); }
+
+// Each distance along an axis is the sum of three numbers, none larger than the radius and those of
+// the box.
+void collect_in_box(const WideTree& tree, const Bounds& box, std::vector<int>& triangles) {
+  const BoxNode given{box.center(), 0.5 * box.size(), -1, -1};
+  WideBox around = rounded(given, tree.origin);
+  const double size = tree.radius + (given.center - tree.origin).norm() + given.half.norm();
+  for (float& half : around.half) half += 4.0F * kHalfUnit * static_cast<float>(size);
+  collect_below(tree, 0, around, triangles);
+}
 
 // The numbers in a distance along one axis are at most the sum S of both radii and the shift, times
 // sqrt(3) for a bound of the rotated ones. Each is the sum of three products and a shift, of
