@@ -70,11 +70,7 @@ class PairDistance {
   PairDistance(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB)
       : a_(a.data().triangles), b_(b.data().triangles), X_AB_(X_AB) {}
 
-  double bound(int ta, int tb) { return plane_bound(a_[index(ta)], placed(tb)); }
-  double operator()(int ta, int tb) { return nearest(ta, tb).distance; }
-  NearestPoints nearest(int ta, int tb) { return triangle_distance(a_[index(ta)], placed(tb)); }
-
- private:
+  // Triangle `tb` of mesh b in a's frame; valid until the next one is asked for.
   const PlacedTriangle& placed(int tb) {
     if (tb == placed_) return in_a_;
     placed_ = tb;
@@ -84,6 +80,11 @@ class PairDistance {
     return in_a_;
   }
 
+  double bound(int ta, int tb) { return plane_bound(a_[index(ta)], placed(tb)); }
+  double operator()(int ta, int tb) { return nearest(ta, tb).distance; }
+  NearestPoints nearest(int ta, int tb) { return triangle_distance(a_[index(ta)], placed(tb)); }
+
+ private:
   const std::vector<PlacedTriangle>& a_;
   const std::vector<PlacedTriangle>& b_;
   const Pose X_AB_;
@@ -109,6 +110,7 @@ struct NearestVisitor {
   }
 
   void left_out(double squared) { pruned = std::min(pruned, squared); }
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
 
   void visit(int ta, int tb) {
     const double bound = distance.bound(ta, tb);
@@ -129,6 +131,7 @@ struct CrossVisitor {
 
   double wanted() const { return crossed ? -1.0 : 0.0; }
   void left_out(double) const {}
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
   void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
 };
 
@@ -145,6 +148,7 @@ struct NearPairsVisitor {
 
   double wanted() const { return too_many ? -1.0 : limit * limit; }
   void left_out(double) const {}
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
 
   void visit(int ta, int tb) {
     double bound = distance.bound(ta, tb);
@@ -179,6 +183,7 @@ struct CollectVisitor {
 
   double wanted() const { return limit * limit; }
   void left_out(double) const {}
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
   void visit(int ta, int tb) {
     if (distance.bound(ta, tb) <= limit && distance(ta, tb) <= limit) {
       pairs.push_back({ta, tb});
