@@ -132,7 +132,9 @@ struct CrossVisitor {
   double wanted() const { return crossed ? -1.0 : 0.0; }
   void left_out(double) const {}
   const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
-  void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
+  void visit(int ta, int tb) {
+    crossed = crossed || (distance.bound(ta, tb) == 0.0 && distance(ta, tb) == 0.0);
+  }
 };
 
 // Lists the pairs that are near each other by cheap bounds of their distance, and measures those
