@@ -189,9 +189,8 @@ class PairContacts {
     // kOnFeature, are not taken for a wall.
     const Vector3 before = on_object - 3.0 * kOnFeature * normal;
     const Vector3 border = Vector3::Constant(10.0 * kOnFeature);
-    find_triangles_in(object_,
-                      {on_link.cwiseMin(before) - border, on_link.cwiseMax(before) + border},
-                      walls_);
+    find_triangles_in(
+        object_, {on_link.cwiseMin(before) - border, on_link.cwiseMax(before) + border}, walls_);
     return std::any_of(walls_.begin(), walls_.end(), [&](int wall) {
       return passes_through(on_link, before, corners_of(object_.mesh(), wall));
     });

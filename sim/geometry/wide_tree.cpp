@@ -246,8 +246,7 @@ Lanes WideDistance::squared(const WideNode& node_a, const Prism& b) const {
   for (const HalfSpace& side : b) {
     const Lanes height = side.normal[0] * center[0] + side.normal[1] * center[1] +
                          side.normal[2] * center[2] - (side.height + rounding_);
-    const Lanes below =
-        side.sizes[0] * half[0] + side.sizes[1] * half[1] + side.sizes[2] * half[2];
+    const Lanes below = side.sizes[0] * half[0] + side.sizes[1] * half[1] + side.sizes[2] * half[2];
     apart = max(apart, height - below);
   }
   return apart * apart;

@@ -44,8 +44,8 @@ struct WideTree {
 // empty.
 WideTree build_wide_tree(const std::vector<BoxNode>& binary);
 
-// Appends the triangles whose boxes meet `box`, given in the frame of the mesh. Rounding errs on the
-// side of triangles that miss it.
+// Appends the triangles whose boxes meet `box`, given in the frame of the mesh. Rounding errs on
+// the side of triangles that miss it.
 void collect_in_box(const WideTree& tree, const Bounds& box, std::vector<int>& triangles);
 
 // Lower bounds of the distance between boxes of two trees a and b at a fixed relative pose.
