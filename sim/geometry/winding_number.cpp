@@ -19,47 +19,14 @@
 namespace prehend {
 namespace {
 
-// A sum of angles, each in (-pi, pi], without an arc tangent for each: their directions are
-// multiplied as complex numbers, and counted is how often the direction of the product passes the
-// negative real axis.
-class AngleSum {
- public:
-  // Adds the angle of (x, y), a vector of any length.
-  void add(double x, double y) {
-    // An angle of nothing: a degenerate triangle, or one with a corner at the point.
-    const double length = std::abs(x) + std::abs(y);
-    if (!(length > 0.0)) return;
-    const double scale = 1.0 / length;
-    const double product_x = scale * (x_ * x - y_ * y);
-    const double product_y = scale * (x_ * y + y_ * x);
-    if (y >= 0.0 && y_ >= 0.0 && product_y < 0.0) ++turns_;
-    if (y < 0.0 && y_ < 0.0 && product_y >= 0.0) --turns_;
-    x_ = product_x;
-    y_ = product_y;
-    // Each factor shortens the product, at most to 1 / sqrt(2).
-    if (std::abs(x_) + std::abs(y_) < kShort) {
-      x_ /= kShort;
-      y_ /= kShort;
-    }
-  }
-
-  double angle() const { return std::atan2(y_, x_) + 2.0 * std::numbers::pi * turns_; }
-
- private:
-  static constexpr double kShort = 0x1p-100;
-  double x_ = 1.0;
-  double y_ = 0.0;
-  int turns_ = 0;
-};
-
-// Adds half the solid angle of a triangle seen from the origin, positive where its back faces the
-// origin (Van Oosterom and Strackee 1983).
-void add_half_solid_angle(const Vector3& a, const Vector3& b, const Vector3& c, AngleSum& sum) {
+// Solid angle of a triangle seen from the origin, positive where its back faces the origin (Van
+// Oosterom and Strackee 1983).
+double solid_angle(const Vector3& a, const Vector3& b, const Vector3& c) {
   const double la = a.norm();
   const double lb = b.norm();
   const double lc = c.norm();
-  const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-  sum.add(x, a.dot(b.cross(c)));
+  const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  return 2.0 * std::atan2(a.dot(b.cross(c)), denominator);
 }
 
 // How often the triangles of a part traverse an edge from `low` to `high`, less how often the other
@@ -170,18 +137,16 @@ class SolidAngle {
              const BoundaryTree& boundaries, const Vector3& p_M)
       : mesh_(mesh), tree_(tree), boundaries_(boundaries), p_M_(p_M) {}
 
-  // Adds half the solid angles.
-  void add_below(int i, AngleSum& sum) const {
+  double below(int i) const {
     const BoxNode& node = tree_[index(i)];
     if (node.is_leaf()) {
       const Triangle& t = mesh_.triangles[index(node.triangle)];
-      return add_half_solid_angle(seen(t[0]), seen(t[1]), seen(t[2]), sum);
+      return solid_angle(seen(t[0]), seen(t[1]), seen(t[2]));
     }
     const BoundaryTree::Boundary& boundary = boundaries_.nodes[index(i)];
     const bool is_outside = ((p_M_ - node.center).cwiseAbs().array() > node.half.array()).any();
-    if (is_outside && boundary.count >= 0) return add_fan(boundary, sum);
-    add_below(node.left, sum);
-    add_below(node.left + 1, sum);
+    if (is_outside && boundary.count >= 0) return fan(boundary);
+    return below(node.left) + below(node.left + 1);
   }
 
  private:
@@ -189,14 +154,14 @@ class SolidAngle {
   Vector3 seen(int v) const { return mesh_.vertices[index(v)] - p_M_; }
 
   // The fan from the first vertex of the boundary.
-  void add_fan(const BoundaryTree::Boundary& boundary, AngleSum& sum) const {
-    if (boundary.count == 0) return;
+  double fan(const BoundaryTree::Boundary& boundary) const {
+    if (boundary.count == 0) return 0.0;
     const auto edges =
         std::span(boundaries_.edges).subspan(index(boundary.first), index(boundary.count));
     const Vector3 apex = seen(edges.front()[0]);
-    for (const auto& [from, to] : edges) {
-      add_half_solid_angle(apex, seen(from), seen(to), sum);
-    }
+    double sum = 0.0;
+    for (const auto& [from, to] : edges) sum += solid_angle(apex, seen(from), seen(to));
+    return sum;
   }
 
   const TriangleMesh& mesh_;
@@ -215,9 +180,7 @@ BoundaryTree build_boundary_tree(const TriangleMesh& mesh, const std::vector<Box
 double winding_number(const TriangleMesh& mesh, const std::vector<BoxNode>& tree,
                       const BoundaryTree& boundaries, const Vector3& p_M) {
   if (tree.empty()) return 0.0;
-  AngleSum half;
-  SolidAngle(mesh, tree, boundaries, p_M).add_below(0, half);
-  return half.angle() / (2.0 * std::numbers::pi);
+  return SolidAngle(mesh, tree, boundaries, p_M).below(0) / (4.0 * std::numbers::pi);
 }
 
 }  // namespace prehend
