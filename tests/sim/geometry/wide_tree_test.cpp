@@ -172,9 +172,13 @@ TEST(WideTree, FindsAllTrianglesWhoseBoxesMeetABox) {
       }
       const double apart = (own.lower - box.upper).cwiseMax(box.lower - own.upper).maxCoeff();
       ASSERT_LE(times[t], 1);
-      if (apart <= 0.0) ASSERT_EQ(times[t], 1);
+      if (apart <= 0.0) {
+        ASSERT_EQ(times[t], 1);
+      }
       // Single precision at the size of the mesh, 0.1 m.
-      if (apart > 1e-6) ASSERT_EQ(times[t], 0);
+      if (apart > 1e-6) {
+        ASSERT_EQ(times[t], 0);
+      }
     }
   }
 }
