@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/index.h"
+#include "sim/contact/contact_copies.h"
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/weld.h"
 
@@ -111,17 +112,15 @@ bool passes_through(const Vector3& a, const Vector3& b, const Corners& c) {
 // Collects the contacts of pairs of triangles, one of the object and one of the link.
 class PairContacts {
  public:
-  // `pairs`: all that are within the threshold.
   PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
-               const ContactOptions& options, const std::vector<TrianglePair>& pairs,
-               std::vector<SurfaceContact>& points)
+               const ContactOptions& options, ContactWorkspace& workspace)
       : object_(object),
         link_(link),
         X_OL_(X_OL),
         X_LO_(X_OL.inverse()),
         options_(options),
-        pairs_(pairs),
-        points_(points) {}
+        walls_(workspace.walls),
+        points_(workspace.points) {}
 
   void add(TrianglePair pair) {
     const Corners on_object = corners_of(object_.mesh(), pair.a);
@@ -185,13 +184,15 @@ class PairContacts {
 
   // Behind a wall that is thinner than the threshold, its far side is within the threshold, too,
   // and so may be another wall. Nothing of the object lies between the link and a real contact.
-  bool is_behind_a_wall(const Vector3& on_object, const Vector3& on_link,
-                        const Vector3& normal) const {
+  bool is_behind_a_wall(const Vector3& on_object, const Vector3& on_link, const Vector3& normal) {
     // So far before the contact that the triangles around it, whose borders are widened by
     // kOnFeature, are not taken for a wall.
     const Vector3 before = on_object - 3.0 * kOnFeature * normal;
-    return std::any_of(pairs_.begin(), pairs_.end(), [&](const TrianglePair& pair) {
-      return passes_through(on_link, before, corners_of(object_.mesh(), pair.a));
+    const Vector3 border = Vector3::Constant(10.0 * kOnFeature);
+    find_triangles_in(
+        object_, {on_link.cwiseMin(before) - border, on_link.cwiseMax(before) + border}, walls_);
+    return std::any_of(walls_.begin(), walls_.end(), [&](int wall) {
+      return passes_through(on_link, before, corners_of(object_.mesh(), wall));
     });
   }
 
@@ -200,7 +201,7 @@ class PairContacts {
   const Pose X_OL_;
   const Pose X_LO_;
   const ContactOptions& options_;
-  const std::vector<TrianglePair>& pairs_;
+  std::vector<int>& walls_;
   std::vector<SurfaceContact>& points_;
 };
 
@@ -216,22 +217,13 @@ bool nearer(const SurfaceContact& a, const SurfaceContact& b) {
 void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                          const ContactOptions& options, ContactWorkspace& workspace,
                          std::vector<SurfaceContact>& points) {
-  points.clear();
   find_pairs_within(object, link, X_OL, options.threshold, workspace.pairs);
   workspace.points.clear();
-  PairContacts contacts(object, link, X_OL, options, workspace.pairs, workspace.points);
+  PairContacts contacts(object, link, X_OL, options, workspace);
   for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
+  // The nearest of several copies comes first and is the one that stays.
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
-  for (const SurfaceContact& contact : workspace.points) {
-    // Sorted by gap, the nearest of several copies comes first and is the one that stays. Normals
-    // of two copies may each be off by the angular tolerance, hence twice that.
-    const bool known = std::any_of(points.begin(), points.end(), [&](const SurfaceContact& other) {
-      return (other.position - contact.position).norm() <= options.same_place * options.threshold &&
-             other.normal.cross(contact.normal).norm() <= 2.0 * options.angular_tolerance &&
-             other.normal.dot(contact.normal) > 0.0;
-    });
-    if (!known) points.push_back(contact);
-  }
+  first_copies(workspace.points, options, workspace.copies, points);
 }
 
 }  // namespace prehend

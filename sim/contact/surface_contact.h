@@ -53,10 +53,23 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("weakest_patch", weakest_patch);
 }
 
+// A contact of a list by its height along a fixed direction (contact_copies.h).
+struct ContactHeight {
+  double height = 0.0;      // [m]
+  std::size_t contact = 0;  // index in the list
+  bool kept = false;
+};
+struct ContactCopies {
+  std::vector<ContactHeight> by_height;
+  std::vector<std::size_t> place;  // of each contact of the list in by_height
+};
+
 // Buffers that calls may share, to allocate less; one for each thread.
 struct ContactWorkspace {
   std::vector<TrianglePair> pairs;
   std::vector<SurfaceContact> points;
+  std::vector<int> walls;
+  ContactCopies copies;
 };
 
 // All point contacts between an object and a link that do not intersect, before they are reduced to

@@ -70,11 +70,7 @@ class PairDistance {
   PairDistance(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB)
       : a_(a.data().triangles), b_(b.data().triangles), X_AB_(X_AB) {}
 
-  double bound(int ta, int tb) { return plane_bound(a_[index(ta)], placed(tb)); }
-  double operator()(int ta, int tb) { return nearest(ta, tb).distance; }
-  NearestPoints nearest(int ta, int tb) { return triangle_distance(a_[index(ta)], placed(tb)); }
-
- private:
+  // Triangle `tb` of mesh b in a's frame; valid until the next one is asked for.
   const PlacedTriangle& placed(int tb) {
     if (tb == placed_) return in_a_;
     placed_ = tb;
@@ -84,6 +80,11 @@ class PairDistance {
     return in_a_;
   }
 
+  double bound(int ta, int tb) { return plane_bound(a_[index(ta)], placed(tb)); }
+  double operator()(int ta, int tb) { return nearest(ta, tb).distance; }
+  NearestPoints nearest(int ta, int tb) { return triangle_distance(a_[index(ta)], placed(tb)); }
+
+ private:
   const std::vector<PlacedTriangle>& a_;
   const std::vector<PlacedTriangle>& b_;
   const Pose X_AB_;
@@ -109,6 +110,7 @@ struct NearestVisitor {
   }
 
   void left_out(double squared) { pruned = std::min(pruned, squared); }
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
 
   void visit(int ta, int tb) {
     const double bound = distance.bound(ta, tb);
@@ -129,7 +131,10 @@ struct CrossVisitor {
 
   double wanted() const { return crossed ? -1.0 : 0.0; }
   void left_out(double) const {}
-  void visit(int ta, int tb) { crossed = crossed || distance(ta, tb) == 0.0; }
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
+  void visit(int ta, int tb) {
+    crossed = crossed || (distance.bound(ta, tb) == 0.0 && distance(ta, tb) == 0.0);
+  }
 };
 
 // Lists the pairs that are near each other by cheap bounds of their distance, and measures those
@@ -145,6 +150,7 @@ struct NearPairsVisitor {
 
   double wanted() const { return too_many ? -1.0 : limit * limit; }
   void left_out(double) const {}
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
 
   void visit(int ta, int tb) {
     double bound = distance.bound(ta, tb);
@@ -179,6 +185,7 @@ struct CollectVisitor {
 
   double wanted() const { return limit * limit; }
   void left_out(double) const {}
+  const PlacedTriangle& triangle_b(int tb) { return distance.placed(tb); }
   void visit(int ta, int tb) {
     if (distance.bound(ta, tb) <= limit && distance(ta, tb) <= limit) {
       pairs.push_back({ta, tb});
@@ -241,6 +248,11 @@ void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pos
   PairDistance pair_distance(a, b, X_AB);
   CollectVisitor visitor{pair_distance, distance, pairs};
   TreeWalk(a.data().wide, b.data().wide, X_AB, visitor).run();
+}
+
+void find_triangles_in(const ProximityMesh& mesh, const Bounds& box, std::vector<int>& triangles) {
+  triangles.clear();
+  collect_in_box(mesh.data().wide, box, triangles);
 }
 
 bool find_near_pairs(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,

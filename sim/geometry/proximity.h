@@ -77,6 +77,11 @@ bool surfaces_cross(const ProximityMesh& a, const ProximityMesh& b, const Pose& 
 void find_pairs_within(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                        double distance, std::vector<TrianglePair>& pairs);
 
+// Collects the triangles whose bounding boxes meet `box` (mesh frame), in the order of the tree,
+// and possibly a few that miss it by rounding of single precision. The content of `triangles` is
+// replaced.
+void find_triangles_in(const ProximityMesh& mesh, const Bounds& box, std::vector<int>& triangles);
+
 // A pair of triangles and a lower bound of its distance [m].
 struct NearPair {
   TrianglePair pair;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "sim/base/index.h"
+#include "sim/geometry/triangle_distance.h"
 #include "sim/geometry/wide_tree.h"
 
 namespace prehend {
@@ -17,6 +18,7 @@ namespace prehend {
 //                               no more pairs are wanted
 // void left_out(double squared) called with a lower bound of the squared distance of pairs of boxes
 //                               that are left out
+// const PlacedTriangle& triangle_b(int b)  the triangle in the frame of the first mesh
 // void visit(int a, int b)      called for pairs of triangles
 template <typename Visitor>
 class TreeWalk {
@@ -26,11 +28,12 @@ class TreeWalk {
 
   void run() {
     note_wanted();
-    descend(a_.root, distance_.placed(b_.root));
+    descend(a_.root, distance_.placed(b_.root), nullptr);
   }
 
  private:
   using Placed = WideDistance::Placed;
+  using Prism = WideDistance::Prism;
 
   // The lanes that are wanted, nearest first.
   struct Wanted {
@@ -63,19 +66,27 @@ class TreeWalk {
   // What is wanted, in single precision and not below the visitor's own. It changes with visits.
   void note_wanted() { wanted_ = 1.000001F * static_cast<float>(visitor_.wanted()); }
 
-  void descend(const WideBox& a, const Placed& b) {
+  // `prism`: that of b where it is a triangle, null where it is not known yet.
+  void descend(const WideBox& a, const Placed& b, const Prism* prism) {
     const bool a_ends = is_triangle(a.child);
     const bool b_ends = is_triangle(b.box.child);
     if (a_ends && b_ends) {
       visitor_.visit(~a.child, ~b.box.child);
       note_wanted();
+    } else if (b_ends && prism == nullptr && size_of(b.box) > kLarge * size_of(a)) {
+      const Prism own = distance_.prism(visitor_.triangle_b(~b.box.child));
+      into_a(a_.nodes[index(a.child)], b, &own);
     } else if (b_ends || (!a_ends && size_of(a) > size_of(b.box))) {
       // Into the larger box: its children improve the bound the most.
-      into_a(a_.nodes[index(a.child)], b);
+      into_a(a_.nodes[index(a.child)], b, prism);
     } else {
       into_b(a, b_.nodes[index(b.box.child)]);
     }
   }
+
+  // Of sizes (squares): a triangle whose box is four times as large as another box may be far from
+  // it though the boxes meet. For smaller ones its prism does not pay.
+  static constexpr float kLarge = 16.0F;
 
   static float size_of(const WideBox& box) {
     return box.half[0] * box.half[0] + box.half[1] * box.half[1] + box.half[2] * box.half[2];
@@ -87,9 +98,13 @@ class TreeWalk {
             node.child[lane]};
   }
 
-  void into_a(const WideNode& node, const Placed& b) {
+  // The box of a large triangle that is aligned with no axis is mostly empty. Many boxes of a fine
+  // mesh may be in it that are far from the triangle, which its prism shows.
+  void into_a(const WideNode& node, const Placed& b, const Prism* prism) {
+    Lanes bound = distance_.squared(node, b, wanted_);
+    if (prism != nullptr) bound = std::experimental::max(bound, distance_.squared(node, *prism));
     std::array<float, kLanes> squared;
-    distance_.squared(node, b, wanted_).copy_to(squared.data(), std::experimental::element_aligned);
+    bound.copy_to(squared.data(), std::experimental::element_aligned);
     const Wanted wanted = wanted_lanes(squared);
     for (std::size_t i = 0; i < wanted.count; ++i) {
       const std::size_t lane = wanted.lane[i];
@@ -97,7 +112,7 @@ class TreeWalk {
       if (squared[lane] > wanted_) {
         leave_out(squared[lane]);
       } else {
-        descend(box_of(node, lane), b);
+        descend(box_of(node, lane), b, prism);
       }
     }
   }
@@ -119,7 +134,7 @@ class TreeWalk {
         b.center_A[k] = in_a.center_A[k][lane];
         b.half_A[k] = in_a.half_A[k][lane];
       }
-      descend(a, b);
+      descend(a, b, nullptr);
     }
   }
 

@@ -149,8 +149,9 @@ NearestPoints nearest_on_edges(const Corners& u, std::size_t i, const Corners& v
   return {(on_u - on_v).norm(), on_u, on_v};
 }
 
-// The nearest points of all nine pairs of edges.
-NearestPoints nearest_edges(const Corners& u, const Corners& v) {
+// The nearest points of all nine pairs of edges. What works on lanes is inlined: compilers call
+// functions to fill them otherwise.
+[[gnu::flatten]] NearestPoints nearest_edges(const Corners& u, const Corners& v) {
   const Edges edges(v);
   std::array<double, 3 * Edges::kCount> squared;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -94,15 +94,45 @@ class WideBuilder {
   WideTree tree_;
 };
 
+// Appends the triangles below a node whose boxes meet the box.
+void collect_below(const WideTree& tree, WideChild at, const WideBox& box,
+                   std::vector<int>& triangles) {
+  const WideNode& node = tree.nodes[index(at)];
+  Lanes apart(-std::numeric_limits<float>::infinity());
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Lanes between = abs(load_lanes(node.center[k].data()) - box.center[k]);
+    apart = max(apart, between - load_lanes(node.half[k].data()) - box.half[k]);
+  }
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (apart[lane] > 0.0F) continue;
+    if (is_triangle(node.child[lane])) {
+      triangles.push_back(~node.child[lane]);
+    } else {
+      collect_below(tree, node.child[lane], box, triangles);
+    }
+  }
+}
+
 }  // namespace
 
 WideTree build_wide_tree(const std::vector<BoxNode>& binary) { return WideBuilder(binary).build(); }
+
+// Each distance along an axis is the sum of three numbers, none larger than the radius and those of
+// the box.
+void collect_in_box(const WideTree& tree, const Bounds& box, std::vector<int>& triangles) {
+  const BoxNode given{box.center(), 0.5 * box.size(), -1, -1};
+  WideBox around = rounded(given, tree.origin);
+  const double size = tree.radius + (given.center - tree.origin).norm() + given.half.norm();
+  for (float& half : around.half) half += 4.0F * kHalfUnit * static_cast<float>(size);
+  collect_below(tree, 0, around, triangles);
+}
 
 // The numbers in a distance along one axis are at most the sum S of both radii and the shift, times
 // sqrt(3) for a bound of the rotated ones. Each is the sum of three products and a shift, of
 // numbers that were rounded themselves, and the second distance rotates the first: fewer than 32
 // roundings of at most half a unit in the last place of S.
-WideDistance::WideDistance(const WideTree& a, const WideTree& b, const Pose& X_AB) {
+WideDistance::WideDistance(const WideTree& a, const WideTree& b, const Pose& X_AB)
+    : origin_(a.origin) {
   const Vector3 shift = X_AB * b.origin - a.origin;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto row = static_cast<Vector3::Index>(i);
@@ -182,6 +212,44 @@ Lanes WideDistance::squared(const WideBox& a, const WideNode& node_b, float enou
     along_b += apart * apart;
   }
   return max(along_a, along_b);
+}
+
+WideDistance::HalfSpace WideDistance::half_space(const Vector3& point,
+                                                 const Vector3& normal) const {
+  HalfSpace half_space;
+  for (std::size_t k = 0; k < 3; ++k) {
+    half_space.normal[k] = static_cast<float>(normal[static_cast<Vector3::Index>(k)]);
+    half_space.sizes[k] = std::abs(half_space.normal[k]);
+  }
+  half_space.height = static_cast<float>(normal.dot(point - origin_));
+  return half_space;
+}
+
+WideDistance::Prism WideDistance::prism(const PlacedTriangle& b_in_a) const {
+  const std::array<Vector3, 3>& c = b_in_a.corner;
+  const Vector3& n = b_in_a.normal;
+  const auto side = [&](std::size_t k) {
+    return half_space(c[k], (c[(k + 1) % 3] - c[k]).cross(n).normalized());
+  };
+  return {half_space(c[0], n), half_space(c[0], -n), side(0), side(1), side(2)};
+}
+
+// Fewer roundings than in the distances above, of numbers that are not larger.
+Lanes WideDistance::squared(const WideNode& node_a, const Prism& b) const {
+  const std::array<Lanes, 3> center{load_lanes(node_a.center[0].data()),
+                                    load_lanes(node_a.center[1].data()),
+                                    load_lanes(node_a.center[2].data())};
+  const std::array<Lanes, 3> half{load_lanes(node_a.half[0].data()),
+                                  load_lanes(node_a.half[1].data()),
+                                  load_lanes(node_a.half[2].data())};
+  Lanes apart(0.0F);
+  for (const HalfSpace& side : b) {
+    const Lanes height = side.normal[0] * center[0] + side.normal[1] * center[1] +
+                         side.normal[2] * center[2] - (side.height + rounding_);
+    const Lanes below = side.sizes[0] * half[0] + side.sizes[1] * half[1] + side.sizes[2] * half[2];
+    apart = max(apart, height - below);
+  }
+  return apart * apart;
 }
 
 }  // namespace prehend

@@ -7,6 +7,7 @@
 
 #include "sim/geometry/box_tree.h"
 #include "sim/geometry/lanes.h"
+#include "sim/geometry/triangle_distance.h"
 #include "sim/geometry/triangle_mesh.h"
 
 namespace prehend {
@@ -43,6 +44,10 @@ struct WideTree {
 // empty.
 WideTree build_wide_tree(const std::vector<BoxNode>& binary);
 
+// Appends the triangles whose boxes meet `box`, given in the frame of the mesh. Rounding errs on
+// the side of triangles that miss it.
+void collect_in_box(const WideTree& tree, const Bounds& box, std::vector<int>& triangles);
+
 // Lower bounds of the distance between boxes of two trees a and b at a fixed relative pose.
 //
 // Each box is enclosed in a box aligned with the axes of the other; both distances between aligned
@@ -73,7 +78,23 @@ class WideDistance {
   };
   Lanes squared(const WideBox& a, const WideNode& node_b, float enough, PlacedNode& in_a) const;
 
+  // A half-space in a's frame: the points with normal . p <= height, from the origin of the tree.
+  struct HalfSpace {
+    std::array<float, 3> normal{};
+    std::array<float, 3> sizes{};  // absolute values of the normal
+    float height = 0.0F;
+  };
+  // The prism over a triangle: between its plane from both sides, and within its edges.
+  using Prism = std::array<HalfSpace, 5>;
+  // That of a triangle of b that is given in a's frame. One without a normal has no bounds.
+  Prism prism(const PlacedTriangle& b_in_a) const;
+  // Squared lower bounds [m^2] of the distances between the triangle and the boxes of a node of a.
+  Lanes squared(const WideNode& node_a, const Prism& b) const;
+
  private:
+  HalfSpace half_space(const Vector3& point, const Vector3& normal) const;
+
+  Vector3 origin_;                                // of tree a
   std::array<std::array<float, 3>, 3> rotation_;  // R_AB
   std::array<std::array<float, 3>, 3> sizes_;     // its absolute values
   std::array<float, 3> shift_;                    // origin of b from that of a, in a

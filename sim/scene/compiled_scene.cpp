@@ -84,6 +84,7 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   CompiledScene compiled{.scene = scene};
   compiled.links = compile_links(scene, scene.hand);
   compiled.bodies = placed_bodies(scene, context);
+  compiled.near_obstacles = BodyTree(compiled.bodies);
   compiled.self_pairs = separate_pairs(compiled.links);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     context.cancellation.check();

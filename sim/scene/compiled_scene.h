@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/quality/wrench.h"
+#include "sim/scene/body_tree.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_link.h"
 #include "sim/scene/scene.h"
@@ -18,6 +19,7 @@ struct CompiledScene {
   Scene scene;
   // The object, at the identity, then the obstacles as in scene.obstacles; in the object's frame O.
   std::vector<PlacedBody> bodies = {};
+  BodyTree near_obstacles = {};           // over the obstacles among `bodies`
   std::vector<CompiledLink> links = {};   // of the hand, as scene.hand.links
   std::vector<LinkPair> self_pairs = {};  // link pairs of the hand checked for self-collision
   // Per preshape of the hand and self pair, the gap at that preshape [m].

@@ -17,13 +17,25 @@ struct ApproachPair {
   double safe_until = 0.0;  // proven free of contact up to this travel
 };
 
-std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const TrialOptions& options) {
+// The pairs that may meet on the way: each link with the object, and with the obstacles that reach
+// into the region which the ball around the link sweeps.
+std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const ApproachMotion& motion,
+                                         const std::vector<Pose>& X_HL,
+                                         const TrialOptions& options) {
   std::vector<ApproachPair> all;
+  std::vector<BodyId> near;
+  const auto add = [&](std::size_t l, BodyId body) {
+    all.push_back(
+        {link_id(l), body, GapTracker(scene.body(body).mesh, scene.links[l].mesh, options.gaps)});
+  };
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      all.push_back({link_id(l), BodyId::at(b),
-                     GapTracker(scene.bodies[b].mesh, scene.links[l].mesh, options.gaps)});
-    }
+    const ProximityMesh& mesh = scene.links[l].mesh;
+    const Vector3 center_H = X_HL[l] * mesh.ball_center();
+    add(l, BodyId::object());
+    scene.near_obstacles.find({motion.at(0.0) * center_H, motion.at(motion.distance) * center_H,
+                               mesh.ball_radius() + options.contact.threshold},
+                              near);
+    for (const BodyId body : near) add(l, body);
   }
   return all;
 }
@@ -65,7 +77,7 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
   link_poses(scene.scene.hand, joints, X_HL);
   ApproachResult result;
   result.object_clearance.assign(scene.links.size(), 0.0);
-  std::vector<ApproachPair> all = approach_pairs(scene, options);
+  std::vector<ApproachPair> all = approach_pairs(scene, motion, X_HL, options);
   if (const ApproachPair* enclosed = enclosed_at_start(scene, motion, X_HL, all)) {
     result.end = ApproachEnd::starts_in_collision;
     result.touch = {enclosed->link, enclosed->body};

@@ -56,6 +56,25 @@ class ClosingMotion {
     return sum;
   }
 
+  // Bound on how far any point of the link can move at all [m]. A self-centering finger may pass
+  // its limit by as much as the other one was stopped short of it, which is at most its whole way.
+  double farthest(const CompiledLink& link) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < link.joints.size(); ++k) {
+      const std::size_t j = index(link.joints[k]);
+      const int dof = hand_.joints[j].dof;
+      double way = 0.0;
+      for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
+        if (other == j || (hand_.joints[other].dof == dof &&
+                           hand_.dofs[index(dof)].coupling == Coupling::self_centering)) {
+          way += until_[other];
+        }
+      }
+      sum += std::abs(velocity_[j]) * way * link.reach[k];
+    }
+    return sum;
+  }
+
   // Stops all joints between the palm and the link, since each of them would press the link into
   // what it touches. A rigid degree of freedom then cannot move at all: its other joints, which may
   // belong to other fingers, stop too.
@@ -168,16 +187,19 @@ class Closing {
   // Every pair that the closing motion can bring together. Links that do not move are left out:
   // they touch nothing that they did not touch before.
   void add_pairings() {
+    motion_.joints_at(0.0, joints_);
     for (std::size_t l = 0; l < scene_.links.size(); ++l) {
       const CompiledLink& link = scene_.links[l];
       if (motion_.speed(link, 0.0) == 0.0) continue;
-      for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-        const BodyId body = BodyId::at(b);
-        ClosingPair pairing{link_id(l), body,
-                            GapTracker(scene_.bodies[b].mesh, link.mesh, options_.gaps)};
-        const bool known = body.is_object() && !start_.object_clearance.empty();
-        start_pairing(pairing, known ? start_.object_clearance[l] : 0.0);
-      }
+      add_pairing(l, BodyId::object(),
+                  start_.object_clearance.empty() ? 0.0 : start_.object_clearance[l]);
+      // Obstacles beyond what any point of the link can reach are left out.
+      const Vector3 center_O = start_.X_OH * link_pose(scene_.scene.hand, link.joints, joints_) *
+                               link.mesh.ball_center();
+      const double reach =
+          link.mesh.ball_radius() + motion_.farthest(link) + options_.contact.threshold;
+      scene_.near_obstacles.find({center_O, center_O, reach}, near_);
+      for (const BodyId body : near_) add_pairing(l, body, 0.0);
     }
     for (std::size_t p = 0; p < scene_.self_pairs.size(); ++p) {
       const LinkPair& pair = scene_.self_pairs[p];
@@ -187,6 +209,13 @@ class Closing {
       ClosingPair pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh, options_.gaps)};
       start_pairing(pairing, start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
     }
+  }
+
+  void add_pairing(std::size_t l, BodyId body, double clearance) {
+    const CompiledLink& link = scene_.links[l];
+    ClosingPair pairing{link_id(l), body,
+                        GapTracker(scene_.body(body).mesh, link.mesh, options_.gaps)};
+    start_pairing(pairing, clearance);
   }
 
   // Only pairs that can move come here, so that the speed is above 0. A clearance of 0 is no proof:
@@ -253,6 +282,7 @@ class Closing {
   ClosingMotion motion_;
   std::vector<ClosingPair> pairings_;
   std::vector<double> joints_;
+  std::vector<BodyId> near_;
 };
 
 }  // namespace

@@ -1,19 +1,25 @@
 #include "sim/trial/hand_collision.h"
 
+#include <algorithm>
+
 namespace prehend {
 
 std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
                                           const std::vector<double>& joints) {
   std::vector<Pose> X_HL;
   link_poses(scene.scene.hand, joints, X_HL);
+  std::vector<BodyId> near;
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
+    const CompiledLink& link = scene.links[l];
     const Pose X_OL = X_OH * X_HL[l];
-    for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-      const BodyId body = BodyId::at(b);
-      if (bodies_overlap(scene.body(body), scene.links[l], scene.pose_in(body, X_OL))) {
-        return HandContact{link_id(l), body};
-      }
-    }
+    const auto overlaps = [&](BodyId body) {
+      return bodies_overlap(scene.body(body), link, scene.pose_in(body, X_OL));
+    };
+    if (overlaps(BodyId::object())) return HandContact{link_id(l), BodyId::object()};
+    const Vector3 center_O = X_OL * link.mesh.ball_center();
+    scene.near_obstacles.find({center_O, center_O, link.mesh.ball_radius()}, near);
+    const auto found = std::find_if(near.begin(), near.end(), overlaps);
+    if (found != near.end()) return HandContact{link_id(l), *found};
   }
   return std::nullopt;
 }

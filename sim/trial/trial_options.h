@@ -46,9 +46,9 @@ struct GapTrackerOptions {
   // least_reach [m].
   double reach = 2.0;
   double least_reach = 3e-4;
-  // A longer list costs more than a search of the bounding-volume trees and is not kept; the next
-  // one is tried when the gap is half as large.
-  int most_pairs = 400;
+  // A longer list is not kept; the next one is tried when the gap is half as large. Searches of the
+  // bounding-volume trees cost more than this many pairs, of which most are only looked at.
+  int most_pairs = 2000;
   // Relative error allowed in a query of the trees, whose answer only limits the next step.
   double looseness = 0.5;
 };

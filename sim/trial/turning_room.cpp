@@ -22,6 +22,24 @@ double gap_between(const CollisionBody& a, const CollisionBody& b, const Pose& X
   return apart > enough ? apart : find_gap(a.mesh, b.mesh, X_AB).lower;
 }
 
+// A lower bound of the gap between a body at X_OB and all obstacles, exact where it is not above
+// `enough` [m]. Obstacles that are several times as far away are not looked at; that far is enough
+// for several turns.
+double smallest_gap(const CompiledScene& scene, const CollisionBody& body, const Pose& X_OB,
+                    double enough) {
+  const double far = 8.0 * enough;
+  const Vector3 center_O = X_OB * body.mesh.ball_center();
+  std::vector<BodyId> near;
+  scene.near_obstacles.find({center_O, center_O, body.mesh.ball_radius() + far}, near);
+  const Pose X_BO = X_OB.inverse();
+  double least = far;
+  for (const BodyId id : near) {
+    const PlacedBody& obstacle = scene.body(id);
+    least = std::min(least, gap_between(body, obstacle, X_BO * obstacle.X_RB, enough));
+  }
+  return least;
+}
+
 // Bound on how far a point of a body moves when the body turns by `angle` about any axis through
 // the origin of `center`'s frame: the arc of the farthest point of its bounding ball [m].
 double turning_motion(const Vector3& center, double radius, double angle) {
@@ -85,12 +103,7 @@ double TurningRoom::object_gap(const Trial& now, double enough) const {
   // Here the hand rests at its pose of the start, and all turns so far have moved the object. So
   // the object is where its pose relative to the hand is the present one: X_SO X_OH = X_OH_start.
   const Pose X_SO = X_OH_start_ * now.X_OH.inverse();  // S: the object's frame at the start
-  double least = std::numeric_limits<double>::infinity();
-  for (const PlacedBody& obstacle : scene_.obstacles()) {
-    least = std::min(
-        least, gap_between(scene_.object(), obstacle, X_SO.inverse() * obstacle.X_RB, enough));
-  }
-  return least;
+  return smallest_gap(scene_, scene_.object(), X_SO, enough);
 }
 
 double TurningRoom::hand_gap(const Trial& now, double enough) const {
@@ -98,10 +111,7 @@ double TurningRoom::hand_gap(const Trial& now, double enough) const {
   link_poses(scene_.scene.hand, now.joints, X_HL);
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t l = 0; l < scene_.links.size(); ++l) {
-    const Pose X_LO = (now.X_OH * X_HL[l]).inverse();
-    for (const PlacedBody& obstacle : scene_.obstacles()) {
-      least = std::min(least, gap_between(scene_.links[l], obstacle, X_LO * obstacle.X_RB, enough));
-    }
+    least = std::min(least, smallest_gap(scene_, scene_.links[l], now.X_OH * X_HL[l], enough));
   }
   return least;
 }

@@ -150,5 +150,83 @@ TEST(WideDistance, IsNearTheDistanceOfBoxesWithParallelAxes) {
   EXPECT_EQ(squared({0.1, 0.1, 0.1}), 0.0);
 }
 
+TEST(WideTree, FindsAllTrianglesWhoseBoxesMeetABox) {
+  Random random(22);
+  TriangleMesh mesh = generate_object("mug", 700);
+  const Vector3 far(30.0, -20.0, 10.0);
+  for (Vector3& p : mesh.vertices) p += far;
+  const WideTree tree = build_wide_tree(build_box_tree(mesh));
+  for (int run = 0; run < 300; ++run) {
+    const Vector3 center = far + random.in_box(0.08);
+    const Vector3 half = random.in_box(0.02).cwiseAbs();
+    const Bounds box{center - half, center + half};
+    std::vector<int> found;
+    collect_in_box(tree, box, found);
+    std::vector<int> times(mesh.triangles.size(), 0);
+    for (const int t : found) ++times[static_cast<std::size_t>(t)];
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      Bounds own;
+      for (const int v : mesh.triangles[t]) {
+        own.lower = own.lower.cwiseMin(mesh.vertices[static_cast<std::size_t>(v)]);
+        own.upper = own.upper.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)]);
+      }
+      const double apart = (own.lower - box.upper).cwiseMax(box.lower - own.upper).maxCoeff();
+      ASSERT_LE(times[t], 1);
+      if (apart <= 0.0) {
+        ASSERT_EQ(times[t], 1);
+      }
+      // Single precision at the size of the mesh, 0.1 m.
+      if (apart > 1e-6) {
+        ASSERT_EQ(times[t], 0);
+      }
+    }
+  }
+}
+
+TEST(WideDistance, OfAPrismNeverExceedsTheDistanceOfAnyPointOfItsTriangle) {
+  Random random(23);
+  int positive = 0;
+  for (int i = 0; i < 600; ++i) {
+    const Vector3 far = random.in_box(20.0);
+    const WideTree a = tree_of(random_boxes(random), far);
+    const WideTree b = tree_of(random_boxes(random), Vector3::Zero());
+    PlacedTriangle triangle;
+    for (Vector3& corner : triangle.corner) corner = far + random.in_box(0.15);
+    triangle.normal = reliable_normal(triangle.corner);
+    const WideDistance distance(a, b, translation(far));
+    const Lanes squared = distance.squared(a.nodes[0], distance.prism(triangle));
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      positive += squared[lane] > 0.0F ? 1 : 0;
+      const WideBox box = lane_of(a.nodes[0], lane);
+      for (int k = 0; k < 100; ++k) {
+        const double s = random.uniform();
+        const double t = random.uniform() * (1.0 - s);
+        const Vector3 p = triangle.corner[0] + s * (triangle.corner[1] - triangle.corner[0]) +
+                          t * (triangle.corner[2] - triangle.corner[0]);
+        const Vector3 apart =
+            ((p - far - vector_of(box.center)).cwiseAbs() - vector_of(box.half)).cwiseMax(0.0);
+        ASSERT_LE(0.999999 * squared[lane], apart.squaredNorm());
+      }
+    }
+  }
+  EXPECT_GT(positive, 500);
+}
+
+// A plate across the diagonal of its box: the prism tells what the box does not.
+TEST(WideDistance, OfAPrismIsThatOfItsPlaneOverTheTriangleAndOfItsEdgesBeside) {
+  const WideTree a =
+      tree_of(std::vector<WideBox>(kLanes, {{}, {1e-6F, 1e-6F, 1e-6F}, -1}), {0, 0, 0});
+  const auto distance_of = [&](const std::array<Vector3, 3>& corners) {
+    const WideDistance distance(a, a, translation(Vector3::Zero()));
+    const PlacedTriangle triangle{corners, reliable_normal(corners)};
+    return std::sqrt(
+        static_cast<double>(distance.squared(a.nodes[0], distance.prism(triangle))[0]));
+  };
+  EXPECT_NEAR(distance_of({Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)}),
+              1.0 / std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(distance_of({Vector3(1, -1, 0), Vector3(1, 1, 0), Vector3(2, 0, 0)}), 1.0, 1e-5);
+  EXPECT_EQ(distance_of({Vector3(1, 1, 1), Vector3(1, 1, 1), Vector3(1, 1, 1)}), 0.0);
+}
+
 }  // namespace
 }  // namespace prehend

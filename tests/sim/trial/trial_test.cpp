@@ -2,6 +2,7 @@
 #include "sim/trial/trial.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <gtest/gtest.h>
@@ -183,6 +184,29 @@ TEST(Trial, ItsContactsAreThoseOfItsPosture) {
     EXPECT_EQ(again[i].point.position, trial.contacts[i].point.position);
   }
   EXPECT_EQ(contacts_of(again).size(), again.size());
+}
+
+// Obstacles that neither the hand nor the object can reach change no bit of a trial, however many.
+TEST(Trial, ObstaclesOutOfReachChangeNothing) {
+  const Robot hand = find_robot("parallel_jaw_wide");
+  const TriangleMesh table = test::block({0.6, 0.6, 0.02}, {0.0, 0.0, -0.011});
+  const std::vector<StaticBody> near{test::obstacle(table, Vector3::Zero())};
+  std::vector<StaticBody> many = near;
+  Random random(5);
+  for (int k = 0; k < 60; ++k) {
+    const double angle = random.uniform(0.0, 6.28);
+    many.push_back(test::obstacle(test::block({0.1, 0.1, 0.3}, Vector3::Zero()),
+                                  {2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.2}));
+  }
+  const CompiledScene few_scene = compiled(hand, generate_object("mug", 1000), near);
+  const CompiledScene many_scene = compiled(hand, generate_object("mug", 1000), many);
+  const Vector3 middle(0.0, 0.0, 0.0525);
+  for (const Candidate& candidate :
+       {aimed(hand, middle, -kZ, kY), aimed(hand, middle, -kZ, kX), aimed(hand, middle, kX, kY),
+        aimed(hand, middle, kX, kZ), aimed(hand, middle, kZ, kX)}) {
+    EXPECT_EQ(test::bytes_of(run_trial(few_scene, candidate)),
+              test::bytes_of(run_trial(many_scene, candidate)));
+  }
 }
 
 }  // namespace
