@@ -206,28 +206,26 @@ TEST(RefineGrasps, CanBeCancelled) {
   }
 }
 
-// A box between the plates of a jaw. Turned about the approach, the jaw touches two edges and not
-// the faces; with hard contacts two points are no force closure, with faces aligned they are four
-// each. The search turns the jaw back.
-Candidate jaw_from_above(double yaw, double aside) {
+// The jaw comes down onto a box, `aside` [m] of its middle along the plates.
+Candidate jaw_from_above(double aside) {
   Matrix3 down;
   down << 1, 0, 0, 0, -1, 0, 0, 0, -1;
   Candidate candidate;
-  candidate.X_OH =
-      pose_from(Eigen::AngleAxisd(yaw, Vector3::UnitZ()) * down, Vector3(0.0, aside, 0.05));
+  candidate.X_OH = pose_from(down, Vector3(0.0, aside, 0.05));
   candidate.approach_O = -Vector3::UnitZ();
   candidate.approach_distance = 0.05;
   candidate.preshape = 0;
   return candidate;
 }
 
+// Wrenches are taken about the middle of the box: there a jaw resists the most torque.
 TEST(RefineGrasps, AJawThatHoldsABoxOffItsMiddleGoesToTheMiddle) {
   const CompiledScene scene =
       test::compiled(find_robot("parallel_jaw"), make_box({0.04, 0.12, 0.04}));
-  const Candidate off = jaw_from_above(0.0, 0.035);
+  const Candidate off = jaw_from_above(0.035);
   const Trial parent = run_trial(scene, off);
   ASSERT_EQ(parent.outcome, Outcome::stable);
-  const Trial ideal = run_trial(scene, jaw_from_above(0.0, 0.0));
+  const Trial ideal = run_trial(scene, jaw_from_above(0.0));
   const auto refined = refine_grasps(scene, {{off, parent}});
   ASSERT_EQ(refined.size(), 1U);
   EXPECT_LT(std::abs(refined[0].trial.X_OH.translation().y()), 0.01);
