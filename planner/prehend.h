@@ -31,6 +31,7 @@
 //   decompose.h           an object into boxes, spheres and cylinders
 //   candidates.h          where a hand may come from
 //   trial.h               one candidate, from pre-grasp to quality
+//   refine_grasps.h       the best grasps improved by trials of grasps near them
 //   sensitivity.h         how much that quality changes with the hand moved by next to nothing
 //   inverse_kinematics.h  the degrees of freedom that bring a robot to a pose
 //   move_robot.h          the same for a robot that others carry
@@ -75,6 +76,7 @@
 #include "planner/search/advice.h"
 #include "planner/search/grasp_words.h"
 #include "planner/search/plan.h"
+#include "planner/search/refine_grasps.h"
 #include "planner/show/contact_sheet.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"

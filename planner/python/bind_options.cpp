@@ -1,6 +1,7 @@
 #include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/search/plan.h"
+#include "planner/search/refine_grasps.h"
 
 namespace prehend::python {
 namespace {
@@ -163,6 +164,25 @@ void bind_path_options(py::module_& core) {
       .field("check", &GraspPathOptions::check, "PathCheckOptions: of the finished path.");
 }
 
+void bind_refine_options(py::module_& core) {
+  OptionsClass<RefineOptions>(core, "RefineOptions",
+                              "How the best grasps are improved by trials of grasps near them.")
+      .choice("objective", &RefineOptions::objective,
+              {{"epsilon", RefineObjective::epsilon}, {"robust", RefineObjective::robust}},
+              R"(What is made larger: "epsilon", or "robust", its mean under random errors.)")
+      .number("grasps", &RefineOptions::grasps, kAtLeast1,
+              "So many of the grasps, the best ones, are refined (>= 1).")
+      .number("trials", &RefineOptions::trials, kAtLeast0, "Most trials for all of them together.")
+      .number("turn", &RefineOptions::turn, kAbove0,
+              "First turn of the hand that is tried, about the middle of its contacts [rad].")
+      .number("shift", &RefineOptions::shift, kAbove0, "First shift of the hand [m].")
+      .number("spread", &RefineOptions::spread, kAtLeast0,
+              "First change of the degrees of freedom that do not close; 0: none [rad or m].")
+      .number("reach", &RefineOptions::reach, kAtLeast1,
+              "No change is larger than the first one times this (>= 1).")
+      .field("noise", &RefineOptions::noise, "NoiseOptions, for the objective \"robust\".");
+}
+
 }  // namespace
 
 void bind_options(py::module_& core) {
@@ -171,6 +191,7 @@ void bind_options(py::module_& core) {
   bind_reach_options(core);
   bind_trial_options(core);
   bind_path_options(core);
+  bind_refine_options(core);
   OptionsClass<RankOptions>(core, "RankOptions", "Which grasps are returned.")
       .number("top", &RankOptions::top, kAtLeast1, "So many grasps (>= 1).")
       .number("same_distance", &RankOptions::same_distance, kAtLeast0,

@@ -50,6 +50,7 @@ enum class Stage {
   candidates,  // candidate grasps are generated
   trials,      // every candidate grasp is tried
   rank,        // stable grasps are sorted
+  refine,      // the best grasps are improved by trials of grasps near them
   paths,       // arm paths to the best grasps are planned
   volumes,     // volumes and sections of the wrench hulls of the returned grasps
   report,      // the report is written
@@ -57,15 +58,15 @@ enum class Stage {
 };
 
 // All stages, in the order of the enum.
-inline constexpr std::array<Stage, 10> kStages = {
-    Stage::load, Stage::compile, Stage::primitives, Stage::candidates, Stage::trials,
-    Stage::rank, Stage::paths,   Stage::volumes,    Stage::report,     Stage::picture};
+inline constexpr std::array<Stage, 11> kStages = {
+    Stage::load,   Stage::compile, Stage::primitives, Stage::candidates, Stage::trials, Stage::rank,
+    Stage::refine, Stage::paths,   Stage::volumes,    Stage::report,     Stage::picture};
 
 // Name of a stage in files and progress lines: "load", "compile" and so on.
 constexpr std::string_view stage_name(Stage stage) {
   constexpr std::array<std::string_view, kStages.size()> kNames = {
-      "load", "compile", "primitives", "candidates", "trials",
-      "rank", "paths",   "volumes",    "report",     "picture"};
+      "load",   "compile", "primitives", "candidates", "trials", "rank",
+      "refine", "paths",   "volumes",    "report",     "picture"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 

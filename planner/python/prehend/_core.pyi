@@ -286,6 +286,31 @@ class GraspPathOptions:
     def __copy__(self) -> GraspPathOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> GraspPathOptions: ...
 
+class RefineOptions:
+    _fields: Tuple[str, ...]
+    objective: Literal["epsilon", "robust"]
+    grasps: int
+    trials: int
+    turn: float
+    shift: float
+    spread: float
+    reach: float
+    noise: NoiseOptions
+    def __init__(
+        self,
+        *,
+        objective: Literal["epsilon", "robust"] = ...,
+        grasps: int = ...,
+        trials: int = ...,
+        turn: float = ...,
+        shift: float = ...,
+        spread: float = ...,
+        reach: float = ...,
+        noise: NoiseOptions = ...,
+    ) -> None: ...
+    def __copy__(self) -> RefineOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> RefineOptions: ...
+
 class RankOptions:
     _fields: Tuple[str, ...]
     top: int

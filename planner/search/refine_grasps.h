@@ -1,0 +1,100 @@
+// Refinement: the best grasps of a plan, improved by trials of grasps close to them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "sim/base/run_context.h"
+#include "sim/base/settings.h"
+#include "sim/quality/robust_epsilon.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// What a refinement makes larger.
+enum class RefineObjective {
+  epsilon,  // the lower bound of epsilon, by which grasps are ranked
+  robust,   // its mean under random errors (RobustEpsilon::mean)
+};
+
+// The name in files: the same word as the enumerator.
+constexpr std::string_view refine_objective_name(RefineObjective objective) {
+  return objective == RefineObjective::epsilon ? "epsilon" : "robust";
+}
+
+// The defaults are measured, see docs/refinement.md.
+struct RefineOptions {
+  RefineObjective objective = RefineObjective::epsilon;
+  int grasps = 4;    // so many of the given grasps, the first ones, are refined (>= 1)
+  int trials = 160;  // most trials for all of them together (>= 0)
+  // The first changes that are tried. Later ones are longer where that helps and shorter where it
+  // does not.
+  double turn = 0.09;    // of the hand about the middle of its contacts, > 0 [rad]
+  double shift = 9e-3;   // of the hand, > 0 [m]
+  double spread = 0.09;  // of the degrees of freedom that do not close; 0: none [rad or m]
+  // No change is larger than the first one times this (>= 1).
+  double reach = 10.0 / 3.0;
+  NoiseOptions noise = {.samples = 50};  // for the objective `robust`
+};
+
+template <SettingsOf<RefineOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [objective, grasps, trials, turn, shift, spread, reach, noise] = options;
+  auto& [pose_position, pose_angle, contact_position, normal_angle, friction, samples, seed] =
+      noise;
+  visit("objective", objective);
+  visit("grasps", grasps);
+  visit("trials", trials);
+  visit("turn", turn);
+  visit("shift", shift);
+  visit("spread", spread);
+  visit("reach", reach);
+  visit("noise_pose_position", pose_position);
+  visit("noise_pose_angle", pose_angle);
+  visit("noise_contact_position", contact_position);
+  visit("noise_normal_angle", normal_angle);
+  visit("noise_friction", friction);
+  visit("noise_samples", samples);
+}
+
+// A grasp to refine: what was tried, and its trial.
+struct TriedGrasp {
+  Candidate candidate;
+  Trial trial;
+};
+
+// A grasp that is better than the one that it was made from.
+struct RefinedGrasp {
+  Candidate candidate;
+  Trial trial;          // of the candidate; stable, without a back-off
+  int parent = 0;       // index into the given grasps
+  double gain = 0.0;    // by how much the objective is larger than the parent's, > 0
+  int trials_used = 0;  // trials that were made for this parent
+};
+
+// How many trials refine_grasps makes for so many given grasps: at most options.trials, whatever
+// their results are. Throws InputError as refine_grasps, for the options.
+int refine_trials(std::size_t grasps, const RefineOptions& options = {});
+
+// Improves the first options.grasps of `grasps`, each by a pattern search over the pose of its hand
+// and the spread of its fingers, in which every step is a trial. After a while the better half goes
+// on alone, and so on until one is left: all rounds have equally many trials. Returns the refined
+// grasps, at most one for each of `grasps` and in their order; none for a grasp than which nothing
+// better was found.
+//
+// A grasp is tried without backing off, so the best is one that holds in the first closing; with
+// the same options, run_trial gives the same trial of its candidate.
+//
+// The trials of a step run in parallel on context.threads threads; the result is the same on any
+// number of them. Reports progress after each trial.
+//
+// Throws InputError for options outside their range, for a grasp whose trial is not stable or has
+// no contacts ("grasps[2].trial: not stable"), and Cancelled.
+std::vector<RefinedGrasp> refine_grasps(const CompiledScene& scene,
+                                        const std::vector<TriedGrasp>& grasps,
+                                        const TrialOptions& options = {},
+                                        const RefineOptions& refine = {},
+                                        const RunContext& context = {});
+
+}  // namespace prehend
