@@ -9,7 +9,8 @@ void add_kernels(const Results& results, PageWriter& page) {
   if (entries.empty()) return;
   page.heading(2, "Kernels");
   page.paragraph(
-      "One call each, measured by Google Benchmark. A sample is the mean of the many calls of one "
+      "One call each, measured by Google Benchmark. A sample is the mean of the "
+      "many calls of one "
       "repetition, so that the spread is that of the machine, not of the inputs.");
   RangeChart chart{"Kernels: one call", "median, 90 %, 99 % of the repetitions [ns]", {}};
   std::vector<std::vector<std::string>> rows;

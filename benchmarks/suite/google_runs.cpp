@@ -15,7 +15,7 @@ class TimesOfRuns : public ::benchmark::BenchmarkReporter {
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
-      nanoseconds_[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+      nanoseconds_[run.run_name.function_name].push_back(run.GetAdjustedCPUTime());
     }
   }
   const std::vector<double>& of(const std::string& name) { return nanoseconds_[name]; }
@@ -35,8 +35,7 @@ void run_kernels(const std::vector<Kernel>& kernels, const Sizes& sizes, Record&
                                    })
         ->Repetitions(sizes.repetitions)
         ->MinTime(sizes.kernel_seconds)
-        ->Unit(::benchmark::kNanosecond)
-        ->UseRealTime();
+        ->Unit(::benchmark::kNanosecond);
   }
   TimesOfRuns times;
   ::benchmark::RunSpecifiedBenchmarks(&times);

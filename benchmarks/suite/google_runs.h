@@ -18,8 +18,8 @@ struct Kernel {
   std::function<double()> call_all;
 };
 
-// Adds an entry for each kernel, in order: the time of one call [ns]. Its samples are the means of
-// the repetitions.
+// Adds an entry for each kernel, in order: the processor time of one call [ns], which other
+// programs that run disturb least. Its samples are the means of the repetitions.
 void run_kernels(const std::vector<Kernel>& kernels, const Sizes& sizes, Record& record);
 
 }  // namespace prehend::bench

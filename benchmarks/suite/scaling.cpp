@@ -10,6 +10,7 @@
 #include "benchmarks/suite/sample_grasps.h"
 #include "benchmarks/suite/scaling_scenes.h"
 #include "benchmarks/support/percentile.h"
+#include "benchmarks/support/resources.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench_hull.h"
 
@@ -18,13 +19,7 @@ namespace {
 
 using benchmark::Clock;
 using benchmark::milliseconds_since;
-
-template <typename Call>
-double milliseconds_of(const Call& call) {
-  const Clock::time_point start = Clock::now();
-  call();
-  return milliseconds_since(start);
-}
+using benchmark::processor_milliseconds;
 
 double sum_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -37,7 +32,8 @@ std::vector<double> times_in_contact(const CompiledScene& scene,
   std::vector<double> times;
   for (const Candidate& candidate : candidates) {
     Trial trial;
-    const double took = milliseconds_of([&] { trial = run_trial(scene, candidate, options); });
+    const double took =
+        processor_milliseconds([&] { trial = run_trial(scene, candidate, options); });
     if (!trial.contacts.empty()) times.push_back(took);
   }
   return times;
@@ -53,7 +49,7 @@ void measure_grown(const MemoryCase& what, Scene scene, const std::vector<Candid
                    const std::string& program, Record& record) {
   record.say(std::to_string(what.value) + " " + what.size);
   CompiledScene compiled;
-  const double ready = milliseconds_of([&] { compiled = compile(std::move(scene)); });
+  const double ready = processor_milliseconds([&] { compiled = compile(std::move(scene)); });
   record.add(what.size, "scene made ready", "ms", ready, what.value);
   record.add(what.size, "trial in contact", "ms", times_in_contact(compiled, candidates),
              what.value);
@@ -69,7 +65,7 @@ void measure_triangles(const Sizes& sizes, const std::string& program, Record& r
     const Clock::time_point start = Clock::now();
     Scene scene = mug_scene(triangles);
     const double found =
-        milliseconds_of([&] { (void)decompose(scene.object.mesh, {}, {.threads = 1}); });
+        processor_milliseconds([&] { (void)decompose(scene.object.mesh, {}, {.threads = 1}); });
     record.add(kTriangles, "primitives found", "ms", found, triangles);
     measure_grown({kTriangles, triangles, sizes.scaling_trials}, std::move(scene), candidates,
                   program, record);
@@ -99,13 +95,13 @@ void measure_candidates(const Sizes& sizes, const std::string& program, Record& 
     record.say(std::to_string(wanted) + " candidates");
     std::vector<Candidate> candidates;
     const double proposed =
-        milliseconds_of([&] { candidates = propose(scene, primitives, wanted); });
+        processor_milliseconds([&] { candidates = propose(scene, primitives, wanted); });
     proposing.took(wanted, 1e-3 * proposed);
     if (candidates.size() < static_cast<std::size_t>(wanted)) break;  // the rules have no more
     record.add(kCandidates, "candidates proposed", "ms", proposed, wanted);
     if (!trying.allows(wanted)) continue;
     std::vector<std::optional<Trial>> results;
-    const double tried = milliseconds_of(
+    const double tried = processor_milliseconds(
         [&] { results = run_trials(scene, candidates, standard_setting().trial, {.threads = 1}); });
     trying.took(wanted, 1e-3 * tried);
     record.add(kCandidates, "all trials", "ms", tried, wanted);
@@ -113,7 +109,7 @@ void measure_candidates(const Sizes& sizes, const std::string& program, Record& 
     for (std::optional<Trial>& trial : results) {
       if (trial) trials.push_back(std::move(*trial));
     }
-    record.add(kCandidates, "ranked", "ms", milliseconds_of([&] { (void)rank(trials, {}); }),
+    record.add(kCandidates, "ranked", "ms", processor_milliseconds([&] { (void)rank(trials, {}); }),
                wanted);
     // The process does all trials once more.
     add_memory(program, {kCandidates, wanted, 0}, record);
@@ -130,7 +126,7 @@ void measure_quality(const std::string& series, const Sizes& sizes, Record& reco
     std::vector<double> times;
     for (const std::vector<Contact>& grasp : holding_grasps(contacts, sizes.grasps)) {
       const Wrenches wrenches = contact_wrenches(grasp, {});
-      times.push_back(milliseconds_of([&] { call(wrenches); }));
+      times.push_back(processor_milliseconds([&] { call(wrenches); }));
     }
     record.add(kContacts, series, "ms", times, contacts);
     // The hull in six dimensions grows with the third power of its points at worst.
@@ -145,7 +141,7 @@ void measure_contacts(const Sizes& sizes, Record& record) {
                   [](const Wrenches& wrenches) { (void)wrench_hull(wrenches); });
 }
 
-// Whole plans on 1, 2, 4, ... threads, up to two or the number of processors.
+// Whole plans by the wall clock on 1, 2, 4, ... threads, up to two or the number of processors.
 void measure_threads(const Sizes& sizes, int cores, Record& record) {
   const CompiledScene scene = scene_of_triangles(5000);
   const int trials = 10 * sizes.scaling_trials;
@@ -153,9 +149,9 @@ void measure_threads(const Sizes& sizes, int cores, Record& record) {
     record.say(std::to_string(threads) + " threads");
     std::vector<double> plans;
     for (int run = 0; run < sizes.thread_runs; ++run) {
-      plans.push_back(milliseconds_of([&] {
-        (void)plan(scene, plan_options(standard_setting(), trials, 1), {.threads = threads});
-      }));
+      const Clock::time_point start = Clock::now();
+      (void)plan(scene, plan_options(standard_setting(), trials, 1), {.threads = threads});
+      plans.push_back(milliseconds_since(start));
     }
     record.add(kThreads, "whole plan", "ms", plans, threads);
   }

@@ -5,13 +5,12 @@
 #include "benchmarks/suite/parts.h"
 #include "benchmarks/suite/planning.h"
 #include "benchmarks/suite/record.h"
-#include "benchmarks/support/percentile.h"
+#include "benchmarks/support/resources.h"
 
 namespace prehend::bench {
 namespace {
 
-using benchmark::Clock;
-using benchmark::milliseconds_since;
+using benchmark::processor_milliseconds;
 
 double epsilon_of(const Trial& trial) {
   return trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
@@ -27,9 +26,9 @@ AtSetting run_all(const CompiledScene& scene, const std::vector<Candidate>& cand
                   const AccuracySetting& setting) {
   AtSetting result;
   for (const Candidate& candidate : candidates) {
-    const Clock::time_point start = Clock::now();
-    const Trial trial = run_trial(scene, candidate, setting.trial);
-    result.milliseconds.push_back(milliseconds_since(start));
+    Trial trial;
+    result.milliseconds.push_back(
+        processor_milliseconds([&] { trial = run_trial(scene, candidate, setting.trial); }));
     result.epsilons.push_back(epsilon_of(trial));
   }
   return result;

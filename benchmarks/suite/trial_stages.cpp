@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "benchmarks/support/percentile.h"
+#include "benchmarks/support/resources.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/grasp_at.h"
 #include "sim/trial/self_centering.h"
@@ -20,12 +20,10 @@ struct ClosingSeconds {
   double quality = 0.0;
 };
 
-// Seconds of a call, added to `sum`.
+// Processor seconds of a call, added to `sum`.
 template <typename Call>
 void timed(double& sum, const Call& call) {
-  const auto start = benchmark::Clock::now();
-  call();
-  sum += 1e-3 * benchmark::milliseconds_since(start);
+  sum += 1e-3 * benchmark::processor_milliseconds(call);
 }
 
 void close_once(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,

@@ -6,7 +6,7 @@
 #include "benchmarks/suite/planning.h"
 #include "benchmarks/suite/record.h"
 #include "benchmarks/suite/trial_stages.h"
-#include "benchmarks/support/percentile.h"
+#include "benchmarks/support/resources.h"
 #include "planner/path/check_path.h"
 #include "sim/base/formatted.h"
 #include "sim/scene/scene_file.h"
@@ -15,8 +15,7 @@
 namespace prehend::bench {
 namespace {
 
-using benchmark::Clock;
-using benchmark::milliseconds_since;
+using benchmark::processor_milliseconds;
 
 double percent(std::size_t part, std::size_t whole) {
   return 100.0 * static_cast<double>(part) / static_cast<double>(whole);
@@ -42,9 +41,9 @@ void measure_hand(const std::string& series, const CompiledScene& scene, int cou
   std::size_t holding = 0;
   StageSeconds stages{};
   for (const Candidate& candidate : candidates) {
-    const Clock::time_point start = Clock::now();
-    const Trial trial = run_trial(scene, candidate, setting.trial);
-    const double took = milliseconds_since(start);
+    Trial trial;
+    const double took =
+        processor_milliseconds([&] { trial = run_trial(scene, candidate, setting.trial); });
     all += took;
     if (trial.outcome == Outcome::stable) ++holding;
     if (trial.contacts.empty()) continue;
@@ -69,17 +68,16 @@ void measure_paths_of(const std::string& name, const Sizes& sizes, Record& recor
   std::vector<double> checks;
   std::vector<double> motions;
   for (const ScoredGrasp& grasp : best_grasps(scene, sizes.path_trials, sizes.paths)) {
-    Clock::time_point start = Clock::now();
-    (void)find_reach(*scene.arm, approach_line(scene, grasp.candidate, grasp.trial), {});
-    reaches.push_back(milliseconds_since(start));
-    start = Clock::now();
-    const auto path = plan_grasp_path(scene, grasp.candidate, grasp.trial);
+    reaches.push_back(processor_milliseconds([&] {
+      (void)find_reach(*scene.arm, approach_line(scene, grasp.candidate, grasp.trial), {});
+    }));
+    std::optional<Trajectory> path;
+    const double planned = processor_milliseconds(
+        [&] { path = plan_grasp_path(scene, grasp.candidate, grasp.trial); });
     if (!path) continue;
-    paths.push_back(milliseconds_since(start));
+    paths.push_back(planned);
     motions.push_back(path->times.back());
-    start = Clock::now();
-    (void)check_path(scene, *path);
-    checks.push_back(milliseconds_since(start));
+    checks.push_back(processor_milliseconds([&] { (void)check_path(scene, *path); }));
   }
   record.add(kReach, name, "ms", reaches);
   record.add(kPath, name, "ms", paths);
