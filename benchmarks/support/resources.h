@@ -14,6 +14,15 @@ inline double processor_seconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+// Processor time of a call, all threads together [ms]. Unlike a wall clock it hardly depends on
+// what else the machine does.
+template <typename Call>
+double processor_milliseconds(const Call& call) {
+  const double start = processor_seconds();
+  call();
+  return 1e3 * (processor_seconds() - start);
+}
+
 // The most memory that was resident since forget_most_megabytes (Linux; 0 elsewhere) [MB].
 inline double most_megabytes() {
   std::ifstream status("/proc/self/status");

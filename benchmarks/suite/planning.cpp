@@ -1,0 +1,92 @@
+#include "benchmarks/suite/planning.h"
+
+#include <cmath>
+
+#include "sim/geometry/object_generator.h"
+#include "sim/scene/make_scene.h"
+
+namespace prehend::bench {
+namespace {
+
+// Rules that sample directions, places and turns more densely, so that there are about `times` as
+// many candidates.
+CandidateOptions denser(double times) {
+  CandidateOptions options;
+  const double root = std::sqrt(times);
+  const auto scaled = [](int value, double by) {
+    return static_cast<int>(std::lround(value * by));
+  };
+  options.rules.cylinder_directions = scaled(options.rules.cylinder_directions, root);
+  options.rules.places = scaled(options.rules.places, root);
+  options.rules.sphere_directions = scaled(options.rules.sphere_directions, root);
+  options.rules.sphere_turns = scaled(options.rules.sphere_turns, root);
+  // Dense candidates are closer to each other than duplicates otherwise are.
+  options.duplicate_distance /= times;
+  options.duplicate_angle /= times;
+  return options;
+}
+
+}  // namespace
+
+std::vector<AccuracySetting> accuracy_settings() {
+  AccuracySetting draft{"draft", {}};
+  draft.trial.contact_gap = 8e-5;
+  draft.trial.cone_edges = 6;
+  draft.trial.back_off_tries = 1;
+  draft.trial.settle.steps = 8;
+  AccuracySetting fine{"fine", {}};
+  fine.trial.contact_gap = 2e-5;
+  fine.trial.cone_edges = 16;
+  return {draft, standard_setting(), fine};
+}
+
+AccuracySetting standard_setting() { return {kDefaultSetting, {}}; }
+
+int default_trials() { return PlanOptions{}.candidates.max_candidates; }
+
+PlanOptions plan_options(const AccuracySetting& setting, int trials, std::uint64_t seed) {
+  PlanOptions options;
+  options.seed = seed;
+  options.trial = setting.trial;
+  const int standing = options.candidates.max_candidates;
+  if (trials > standing) options.candidates = denser(static_cast<double>(trials) / standing);
+  options.candidates.max_candidates = trials;
+  return options;
+}
+
+std::vector<ScoredGrasp> best_grasps(const CompiledScene& scene, int trials, int most) {
+  PlanOptions options = plan_options(standard_setting(), trials, 1);
+  options.rank.top = most;
+  return plan(scene, options).grasps;
+}
+
+CompiledScene object_scene(const std::string& object, int triangles, const std::string& hand) {
+  return compile(make_scene(
+      make_graspable(object, generate_object(object, triangles), Material::plastic), hand));
+}
+
+std::vector<Primitive> primitives_of(const CompiledScene& scene) {
+  if (!scene.scene.primitives.empty()) return scene.scene.primitives;
+  return decompose(scene.scene.object.mesh).primitives;
+}
+
+std::vector<Candidate> propose(const CompiledScene& scene, const std::vector<Primitive>& primitives,
+                               int count) {
+  Proposals proposals;
+  constexpr double kMostDense = 1e4;
+  for (double times = 1.0; times <= kMostDense; times *= 2.0) {
+    CandidateOptions options = denser(times);
+    options.max_candidates = count;
+    proposals = propose_grasps(scene, primitives, options);
+    if (proposals.in_all >= count || proposals.grasps.empty()) break;
+  }
+  std::vector<Candidate> candidates;
+  for (const ProposedGrasp& grasp : proposals.grasps) candidates.push_back(grasp.candidate);
+  return candidates;
+}
+
+std::vector<Candidate> propose(const CompiledScene& scene, int count) {
+  return propose(scene, primitives_of(scene), count);
+}
+
+}  // namespace prehend::bench
