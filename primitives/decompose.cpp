@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "primitives/align.h"
 #include "primitives/fit.h"
 #include "primitives/inscribed.h"
 #include "primitives/polish.h"
@@ -214,8 +215,10 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
                    [&](std::size_t a, std::size_t b) { return share[a] > share[b]; });
   Decomposition result;
   std::vector<Primitive> fitted;
+  const SurfaceMoments moments = surface_moments(unit.mesh);
   for (const std::size_t k : order) {
-    fitted.push_back(on_vertices(regions[k].primitive, regions[k].points, unit.mesh));
+    const Primitive primitive = aligned(regions[k].primitive, moments);
+    fitted.push_back(on_vertices(primitive, regions[k].points, unit.mesh));
     result.primitives.push_back(rescaled(fitted.back(), unit));
     result.share.push_back(share[k]);
     result.explained += share[k];
