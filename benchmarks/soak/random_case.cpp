@@ -86,7 +86,7 @@ PlanOptions plan_options(Random& random, bool has_arm) {
   PlanOptions options;
   options.seed = mixed(random.index(1000000)) >> 1U;
   options.rank.top = random.integer(1, has_arm ? 3 : 6);
-  options.candidates.max_candidates = has_arm ? random.integer(50, 200) : random.integer(20, 200);
+  options.search.trials = has_arm ? random.integer(50, 200) : random.integer(20, 200);
   if (random.index(4) == 0) options.primitives.max_primitives = random.integer(1, 20);
   if (random.index(4) == 0) options.primitives.tolerance = random.uniform(0.005, 0.2);
   if (random.index(4) == 0) options.candidates.start_clearance = random.uniform(0.0, 0.05);

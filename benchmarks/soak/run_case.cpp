@@ -138,15 +138,25 @@ class CaseRun {
   void try_again(const PlanResult& result) {
     if (result.tried.empty()) return;
     constexpr int kAgain = 3;
-    const Proposals proposals =
-        propose_grasps(*scene_, result.primitives, made_.options.candidates);
+    // The whole search again, which finds the same candidates in the same order.
+    TrialOptions as_planned = made_.options.trial;
+    as_planned.reach.kinematics.seed = derived_seed(made_.options.seed);
+    const SearchResult searched =
+        search_grasps(*scene_, result.primitives, made_.options.candidates, made_.options.search,
+                      as_planned, {.threads = 1});
+    // Behind them are the grasps that a refinement found.
+    const std::size_t searched_before = result.tried.size() - refined_of(result);
+    if (searched.trials.size() != searched_before) {
+      return fault("again", std::to_string(searched.trials.size()) + " tried instead of " +
+                                std::to_string(searched_before));
+    }
     Random random(made_.seed);
     std::vector<const Tried*> again;
     std::vector<Candidate> candidates;
     for (int i = 0; i < kAgain; ++i) {
-      again.push_back(&result.tried[random.index(result.tried.size())]);
+      again.push_back(&result.tried[random.index(searched_before)]);
       const auto which = static_cast<std::size_t>(again.back()->candidate);
-      candidates.push_back(proposals.grasps.at(which).candidate);
+      candidates.push_back(searched.proposed.at(which).candidate);
     }
     const PlanResult evaluated =
         evaluate(*scene_, candidates, {.seed = made_.options.seed, .trial = made_.options.trial},
@@ -162,6 +172,13 @@ class CaseRun {
       ++findings_.other_trials;
       judge_trial(name, trial);
     }
+  }
+
+  static std::size_t refined_of(const PlanResult& result) {
+    for (const StageCount& stage : result.stages) {
+      if (stage.what == PlanCount::refined) return static_cast<std::size_t>(stage.count);
+    }
+    return 0;
   }
 
   void compare(const std::string& name, const Tried& tried, const Trial& trial,

@@ -1,33 +1,9 @@
 #include "benchmarks/suite/planning.h"
 
-#include <cmath>
-
 #include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
 
 namespace prehend::bench {
-namespace {
-
-// Rules that sample directions, places and turns more densely, so that there are about `times` as
-// many candidates.
-CandidateOptions denser(double times) {
-  CandidateOptions options;
-  const double root = std::sqrt(times);
-  const auto scaled = [](int value, double by) {
-    return static_cast<int>(std::lround(value * by));
-  };
-  options.rules.cylinder_directions = scaled(options.rules.cylinder_directions, root);
-  options.rules.places = scaled(options.rules.places, root);
-  options.rules.sphere_directions = scaled(options.rules.sphere_directions, root);
-  options.rules.sphere_turns = scaled(options.rules.sphere_turns, root);
-  // Dense candidates are closer to each other than duplicates otherwise are.
-  options.duplicate_distance /= times;
-  options.duplicate_angle /= times;
-  return options;
-}
-
-}  // namespace
-
 std::vector<AccuracySetting> accuracy_settings() {
   AccuracySetting draft{"draft", {}};
   draft.trial.contact_gap = 8e-5;
@@ -42,15 +18,13 @@ std::vector<AccuracySetting> accuracy_settings() {
 
 AccuracySetting standard_setting() { return {kDefaultSetting, {}}; }
 
-int default_trials() { return PlanOptions{}.candidates.max_candidates; }
+int default_trials() { return SearchOptions{}.trials; }
 
 PlanOptions plan_options(const AccuracySetting& setting, int trials, std::uint64_t seed) {
   PlanOptions options;
   options.seed = seed;
   options.trial = setting.trial;
-  const int standing = options.candidates.max_candidates;
-  if (trials > standing) options.candidates = denser(static_cast<double>(trials) / standing);
-  options.candidates.max_candidates = trials;
+  options.search.trials = trials;
   return options;
 }
 
@@ -72,14 +46,7 @@ std::vector<Primitive> primitives_of(const CompiledScene& scene) {
 
 std::vector<Candidate> propose(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                                int count) {
-  Proposals proposals;
-  constexpr double kMostDense = 1e4;
-  for (double times = 1.0; times <= kMostDense; times *= 2.0) {
-    CandidateOptions options = denser(times);
-    options.max_candidates = count;
-    proposals = propose_grasps(scene, primitives, options);
-    if (proposals.in_all >= count || proposals.grasps.empty()) break;
-  }
+  const Proposals proposals = propose_grasps(scene, primitives, static_cast<std::size_t>(count));
   std::vector<Candidate> candidates;
   for (const ProposedGrasp& grasp : proposals.grasps) candidates.push_back(grasp.candidate);
   return candidates;

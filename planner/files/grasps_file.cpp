@@ -60,6 +60,10 @@ void status_fields(auto& fields, auto& result) {
     fields.named("status", result.status, value_names(kPlanStatuses, plan_status_name));
   }
   if (kReads<decltype(fields)> || result.untested > 0) fields("untested", result.untested);
+  if (kReads<decltype(fields)> || result.ways_untested > 0) {
+    fields("ways", result.ways);
+    fields("ways_untested", result.ways_untested);
+  }
 }
 
 void result_fields(auto& fields, auto& result) {

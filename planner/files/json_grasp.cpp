@@ -103,9 +103,9 @@ std::vector<double> dofs_of_joints(const std::vector<double>& joints, const Robo
 }
 
 // Where the hand starts, and where its fingers ended. In a file that prehend wrote "dofs" and
-// "joints" are where they ended, and "preshape" is where they started, null where the start was
-// given as numbers: such a grasp starts where it ended. In other files the first of preshape,
-// joints and dofs is where it starts.
+// "joints" are where they ended, and "preshape" is where they started; where that is null they
+// started at "start_dofs". In other files the first of preshape, joints and dofs is where it
+// starts.
 struct PostureFields {
   const Robot& hand;
 
@@ -115,6 +115,7 @@ struct PostureFields {
       fields.named("preshape", *preshape, preshape_names(*hand.hand));
     } else {
       fields.derived("preshape", [] { return nullptr; });
+      if (grasp.candidate.joints.empty()) fields("start_dofs", grasp.candidate.dofs);
     }
     fields("dofs", grasp.trial.dofs);
     fields("joints", grasp.trial.joints);
@@ -127,8 +128,11 @@ struct PostureFields {
     const bool has_preshape = fields.knows("preshape") && !field["preshape"].is_null();
     if (fields.knows("dofs")) trial.dofs = read_dofs(field["dofs"], hand);
     if (fields.knows("joints")) trial.joints = read_joints(field["joints"], hand);
+    if (fields.knows("start_dofs")) candidate.dofs = read_dofs(field["start_dofs"], hand);
     if (has_preshape) {
       fields.named("preshape", candidate.preshape.emplace(), preshape_names(*hand.hand));
+    } else if (!candidate.dofs.empty()) {
+      if (trial.dofs.empty()) trial.dofs = candidate.dofs;
     } else if (!trial.joints.empty()) {
       candidate.joints = trial.joints;
       candidate.dofs = trial.dofs.empty() ? dofs_of_joints(trial.joints, hand) : trial.dofs;
@@ -182,6 +186,18 @@ void nearby_field(auto& fields, auto& grasp) {
     inner("lowest", range.lower);
     inner("highest", range.upper);
     if constexpr (kReads<decltype(fields)>) grasp.epsilon_nearby = range;
+  });
+}
+
+// Only of grasps that a refinement found.
+void refinement_field(auto& fields, auto& grasp) {
+  if (!kReads<decltype(fields)> && !grasp.refinement) return;
+  fields.object("refinement", [&](auto& inner) {
+    Refinement refinement = grasp.refinement.value_or(Refinement{});
+    for (const char* name : {"gain", "trials"}) inner.needs(name);
+    inner("gain", refinement.gain);
+    inner("trials", refinement.trials);
+    if constexpr (kReads<decltype(fields)>) grasp.refinement = refinement;
   });
 }
 
@@ -271,6 +287,7 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
   fields.object("weakest_wrench",
                 [&](auto& inner) { weakest_wrench_fields(inner, trial.epsilon.weakest); });
   primitive_field(fields, grasp, primitives);
+  refinement_field(fields, grasp);
   fields.object("approach", [&](auto& inner) { approach_fields(inner, grasp); });
   fields.derived("blocked", [&] { return blocked_json(scene, trial); });
   arm_fields(fields, grasp, scene);

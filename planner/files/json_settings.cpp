@@ -1,5 +1,6 @@
 #include "planner/files/json_settings.h"
 
+#include <array>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -15,11 +16,17 @@ void option_fields(auto& fields, Options& options) {
   visit_settings(options, [&](const std::string& name, auto& value) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, PathPlanner>) {
       fields.named(name, value, value_names(kPathPlanners, path_planner_name));
+    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, RefineObjective>) {
+      fields.named(name, value, value_names(kRefineObjectives, refine_objective_name));
     } else {
       fields(name, value);
     }
   });
 }
+
+// Settings that files of earlier versions have. What they said has no place in today's options.
+constexpr std::array kFormerSettings = {"max_candidates", "cylinder_directions", "places",
+                                        "sphere_directions", "sphere_turns"};
 
 void settings_fields(auto& fields, auto& record) {
   auto& options = record.options;
@@ -28,6 +35,7 @@ void settings_fields(auto& fields, auto& record) {
   fields.named("contacts", options.trial.soft_fingers,
                ValueNames<bool>{{"soft", true}, {"hard", false}});
   if constexpr (kReads<decltype(fields)>) {
+    for (const char* name : kFormerSettings) (void)fields.knows(name);
     // The object "paths" is there where paths were planned, so its presence is a setting as well.
     if (fields.knows("paths")) options.paths.emplace();
   }

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "planner/main/interrupts.h"
-#include "planner/propose/candidates.h"
 #include "planner/report/plan_report.h"
+#include "planner/search/search_grasps.h"
 #include "primitives/decompose.h"
+#include "sim/base/deadline.h"
 
 namespace prehend {
 
@@ -22,6 +23,7 @@ struct CommonOptions {
   bool hard_contacts = false;
   bool no_report = false;
   bool progress = false;  // lines on stderr that say how far the run is
+  Deadline deadline;      // the end of the budget
 };
 
 // Arguments of `plan`.
@@ -30,7 +32,7 @@ struct PlanCommand {
   std::string hand;           // empty: the scene's
   std::string unit = "m";
   int top = 10;
-  int candidates = CandidateOptions{}.max_candidates;
+  int trials = SearchOptions{}.trials;
   bool path = false;  // paths of the arm as well
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
@@ -82,7 +84,8 @@ struct QualityCommand {
 
 // Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake,
 // before anything is written. Interrupted, `plan` writes the grasps that it has found; the others
-// end at once.
+// end at once. At the end of the budget `plan` and `evaluate` write all files about what was tried
+// until then.
 int run_plan(const PlanCommand& command, Interrupts& interrupts);
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts);
 int run_render(const RenderCommand& command, Interrupts& interrupts);

@@ -21,7 +21,7 @@ bool is_ignored(int signal) {
 // The destructor sends this signal to the waiting thread alone, to end its wait.
 constexpr int kWake = SIGUSR1;
 
-// Sent by the kernel when the time limit is reached.
+// Sent by the kernel when the budget is used up.
 constexpr int kTimeIsUp = SIGALRM;
 
 }  // namespace
@@ -58,6 +58,12 @@ void Interrupts::limit_time(double seconds) {
   ::setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
+bool Interrupts::unlimit_time() {
+  const itimerval off{};
+  ::setitimer(ITIMER_REAL, &off, nullptr);
+  return cancellation_.requested() && signal_.load() == kTimeIsUp;
+}
+
 int Interrupts::exit_status() const {
   constexpr int kTimeout = 124;
   const int signal = signal_.load();
@@ -65,7 +71,7 @@ int Interrupts::exit_status() const {
 }
 
 const char* Interrupts::reason() const {
-  return signal_.load() == kTimeIsUp ? "the time limit is reached" : "interrupted";
+  return signal_.load() == kTimeIsUp ? "the budget is used up" : "interrupted";
 }
 
 void Interrupts::cancel_first() {

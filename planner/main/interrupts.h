@@ -1,5 +1,5 @@
-// Ctrl-C (SIGINT), SIGTERM and the time limit: the program stops early and leaves no half-written
-// files.
+// Ctrl-C (SIGINT), SIGTERM and the end of the budget: the program stops early and leaves no
+// half-written files.
 #pragma once
 
 #include <atomic>
@@ -29,8 +29,10 @@ class Interrupts {
 
   const Cancellation& cancellation() const { return cancellation_; }
 
-  // In `seconds` (> 0) of wall-clock time the time limit is reached, which acts like a signal.
+  // In `seconds` (> 0) of wall-clock time the budget is used up, which acts like a signal.
   void limit_time(double seconds);
+  // From now on time has no limit. Returns whether the budget was used up before.
+  bool unlimit_time();
 
   // From now on the first signal requests cancellation().
   void cancel_first();
@@ -38,10 +40,10 @@ class Interrupts {
   // "nothing is written".
   void end_at_once(const std::string& words);
 
-  // Exit status of a program that a signal ended: 130 for Ctrl-C, 143 for SIGTERM; 124 for the time
-  // limit, as that of timeout(1).
+  // Exit status of a program that a signal ended: 130 for Ctrl-C, 143 for SIGTERM; 124 for the
+  // budget, as that of timeout(1).
   int exit_status() const;
-  // What ended the program: "interrupted" or "the time limit is reached".
+  // What ended the program: "interrupted" or "the budget is used up".
   const char* reason() const;
 
   // As write_file, but not while the program is being ended: no part of a file stays behind.

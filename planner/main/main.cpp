@@ -1,3 +1,4 @@
+#include <array>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
@@ -8,7 +9,9 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <string_view>
 #include <sys/resource.h>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -26,19 +29,32 @@ using prehend::CommonOptions;
 
 // What a command may use.
 struct Limits {
-  double seconds = 0.0;      // of wall-clock time, 0: no limit
+  std::string budget;        // wall-clock time, such as 2s; empty: no limit
   std::uint64_t memory = 0;  // address space in MB, 0: no limit
 };
 
 void add_limits(CLI::App& command, Limits& limits) {
-  command
-      .add_option("--time-limit", limits.seconds,
-                  "seconds after which to stop and keep what there is, 0: no limit")
-      ->check(CLI::Range(0.0, 1e9))
-      ->capture_default_str();
+  command.add_option("--budget", limits.budget,
+                     "time after which to stop and keep what there is: 500ms, 2s, 1.5min");
   command.add_option("--memory-limit", limits.memory, "MB of memory to use at most, 0: no limit")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
       ->capture_default_str();
+}
+
+// Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds.
+double seconds_of(const std::string& words) {
+  const std::array<std::pair<std::string_view, double>, 5> units = {
+      {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
+  const std::string_view rest(end, static_cast<std::size_t>(words.data() + words.size() - end));
+  for (const auto& [unit, seconds] : units) {
+    const bool sound = error == std::errc() && rest == unit && number > 0.0;
+    if (sound && number * seconds <= 1e9) return number * seconds;
+  }
+  throw prehend::InputError({.field = "--budget",
+                             .problem = "must be a time above 0 such as 500ms, 2s or 1.5min",
+                             .value = words});
 }
 
 // Memory beyond the limit is refused from now on, which ends the program with "out of memory".
@@ -102,6 +118,16 @@ struct Program {
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(prehend::Interrupts&)> chosen;
 
+  // The commands that return what they have begin no more work at the end of the budget; where that
+  // is not enough, or for the other commands, it acts like an interrupt.
+  void limit_time(prehend::Interrupts& interrupts) {
+    if (limits.budget.empty()) return;
+    const double seconds = seconds_of(limits.budget);
+    plan.common.deadline = prehend::Deadline::in(seconds);
+    evaluate.common.deadline = plan.common.deadline;
+    interrupts.limit_time(seconds);
+  }
+
   Program() {
     app.require_subcommand(1);
     app.set_version_flag("--version", "prehend " PREHEND_VERSION);
@@ -122,7 +148,7 @@ struct Program {
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    command.add_option("--candidates", plan.candidates, "candidates to try at most")
+    command.add_option("--trials", plan.trials, "candidates to try at most")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command.add_option("--primitive-tolerance", plan.primitive_tolerance,
@@ -263,11 +289,8 @@ int run(int argc, char** argv) {
   }
   // Made before any other thread, as its constructor demands.
   prehend::Interrupts interrupts;
-  // A range check lets NaN pass.
-  prehend::require(program.limits.seconds >= 0.0,
-                   {.field = "--time-limit", .problem = "must be a number from 0"});
   limit_memory(program.limits.memory);
-  if (program.limits.seconds > 0.0) interrupts.limit_time(program.limits.seconds);
+  program.limit_time(interrupts);
   return program.chosen(interrupts);
 }
 

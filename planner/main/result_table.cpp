@@ -44,6 +44,18 @@ std::string outcome_line(const PlanResult& result) {
   return std::to_string(total) + " tried: " + counts;
 }
 
+std::string untested_line(const PlanResult& result) {
+  if (result.untested == 0) return "";
+  const bool late = result.status == PlanStatus::out_of_time;
+  std::string text = (late ? "out of time: " : "cancelled: ") + std::to_string(result.untested) +
+                     " candidates untested";
+  if (result.ways > 0) {
+    text += "; " + std::to_string(result.ways_untested) + " of " + std::to_string(result.ways) +
+            " ways to grasp without a trial";
+  }
+  return text + "\n";
+}
+
 std::string blocker_line(const PlanResult& result) {
   // Counts are by link and body in the file. This line is about what is in the way, so the counts
   // of all links are added up.

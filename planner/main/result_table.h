@@ -13,6 +13,9 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
 // "1420 tried: 388 stable, 1001 not_force_closure, ...": one line that counts every outcome.
 std::string outcome_line(const PlanResult& result);
 
+// What was not tried, of a result that ran out of time or was cancelled; empty for a complete one.
+std::string untested_line(const PlanResult& result);
+
 // "blocked by: table 120 (hand_blocked), ...", a line that is empty where nothing was.
 std::string blocker_line(const PlanResult& result);
 

@@ -31,6 +31,17 @@ Given read_given(const EvaluateCommand& command) {
   return {std::move(loaded), std::move(candidates)};
 }
 
+// Whether there is something to write: not after an interrupt, nor where the budget ended before
+// the first trial. Says so on stderr.
+bool goes_on(PlanResult& result, Interrupts& interrupts) {
+  const bool time_is_up = interrupts.unlimit_time();
+  if (time_is_up && result.status == PlanStatus::cancelled) result.status = PlanStatus::out_of_time;
+  const bool nothing = result.status == PlanStatus::out_of_time && result.tried.empty();
+  if (!nothing && result.status != PlanStatus::cancelled) return true;
+  std::cerr << "prehend: " << interrupts.reason() << ", nothing is written\n";
+  return false;
+}
+
 }  // namespace
 
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
@@ -47,9 +58,13 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   options.volumes = command.volumes;
   if (!command.common.no_report) options.sections = kMostDetailed;
   const RunContext context{command.common.threads, interrupts.cancellation(),
-                           [&](const Progress& progress) { bar.show(progress); }};
-  const PlanResult result = evaluate(loaded.scene, given.candidates, options, context);
+                           [&](const Progress& progress) { bar.show(progress); },
+                           command.common.deadline};
+  interrupts.cancel_first();
+  PlanResult result = evaluate(loaded.scene, given.candidates, options, context);
   bar.clear();
+  if (!goes_on(result, interrupts)) return interrupts.exit_status();
+  interrupts.end_at_once("nothing is written");
   watch.add(result.times);
 
   RunRecord record = loaded.record;
@@ -57,7 +72,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   record.options.trial = options.trial;
   std::string report;
   if (!command.common.no_report) {
-    report = report_html(plan_report(loaded.scene, result, record, {}, context));
+    report = report_html(plan_report(loaded.scene, result, record, {}, {command.common.threads}));
     watch.lap(Stage::report);
   }
   make_folder(command.common.out);
@@ -75,7 +90,8 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   if (result.grasps.size() > kMostRows) {
     std::cout << "... and " << result.grasps.size() - kMostRows << " more\n";
   }
-  std::cout << outcome_line(result) << "\nwrote " << command.common.out.string()
+  std::cout << outcome_line(result) << "\n"
+            << untested_line(result) << "wrote " << command.common.out.string()
             << ": grasps.json, timings.json" << (report.empty() ? "" : ", report.html") << "\n";
   return 0;
 }

@@ -48,7 +48,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   options.seed = command.common.seed;
   options.trial.soft_fingers = !command.common.hard_contacts;
   options.rank.top = command.top;
-  options.candidates.max_candidates = command.candidates;
+  options.search.trials = command.trials;
   if (command.path) {
     options.paths.emplace();
     // Paths look for postures of the arm with the same options as trials.
@@ -75,12 +75,16 @@ class PlanProgram {
                            options_of(command_, scene.scene.object.mesh)};
     const PlanResult result = plan_grasps(scene, record.options);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
-    if (result.status != PlanStatus::complete) throw InputError(no_candidates_words(scene, result));
+    const bool late = result.status == PlanStatus::out_of_time;
+    if (late && result.tried.empty()) return say_interrupted("nothing is written");
+    if (!late && result.status != PlanStatus::complete) {
+      throw InputError(no_candidates_words(scene, result));
+    }
     write_grasps(scene, result, record);
     // Report and pictures can be made from grasps.json later, so an interrupt does not wait for
     // them.
     interrupts_.end_at_once("the grasps are written, not the report and the pictures");
-    if (interrupts_.cancellation().requested()) return say_interrupted("no report, no pictures");
+    if (interrupted(result)) return say_interrupted("no report, no pictures");
     write_report(scene, result, record);
     const std::string pictures = write_pictures(scene, result);
     // Written again with the times of report and pictures.
@@ -96,10 +100,16 @@ class PlanProgram {
     // During planning an interrupt keeps what was found: the first one cancels, and plan() returns
     // its finished trials.
     interrupts_.cancel_first();
-    PlanResult result = plan(scene, options,
-                             {command_.common.threads, interrupts_.cancellation(),
-                              [&](const Progress& progress) { bar.show(progress); }});
+    PlanResult result =
+        plan(scene, options,
+             {command_.common.threads, interrupts_.cancellation(),
+              [&](const Progress& progress) { bar.show(progress); }, command_.common.deadline});
     bar.clear();
+    // A stage that the deadline alone does not end was cancelled at the end of the budget.
+    const bool time_is_up = interrupts_.unlimit_time();
+    if (time_is_up && result.status == PlanStatus::cancelled) {
+      result.status = PlanStatus::out_of_time;
+    }
     watch_.add(result.times);
     return result;
   }
@@ -130,7 +140,7 @@ class PlanProgram {
 
   void write_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record) {
     if (command_.common.no_report) return;
-    const RunContext context{command_.common.threads, interrupts_.cancellation(), {}};
+    const RunContext context{.threads = command_.common.threads};
     interrupts_.write(folder_ / "report.html",
                       report_html(plan_report(scene, result, record, {}, context)));
     written_ += ", report.html";
@@ -164,9 +174,15 @@ class PlanProgram {
                       timings_json(watch_.laps(), result.trial_seconds, command_.common.threads));
   }
 
+  // Whether a signal, not the end of the budget, came after the plan had ended.
+  bool interrupted(const PlanResult& result) const {
+    return result.status != PlanStatus::out_of_time && interrupts_.cancellation().requested();
+  }
+
   void print_result(const CompiledScene& scene, const PlanResult& result) const {
     std::cout << grasp_table(scene, result, index(command_.top)) << outcome_line(result) << "\n"
-              << blocker_line(result) << advice_lines(result) << std::flush;
+              << untested_line(result) << blocker_line(result) << advice_lines(result)
+              << std::flush;
   }
 
   int say_interrupted(const std::string& words) const {

@@ -73,6 +73,7 @@ void run_in_background(const CallOptions& options,
   RunContext context;
   context.threads = options.threads;
   context.cancellation = options.cancellation;
+  context.deadline = options.deadline;
   if (!options.progress.is_none()) {
     context.progress = [&mailbox](const Progress& progress) { mailbox.put(progress); };
   }

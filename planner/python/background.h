@@ -16,6 +16,7 @@ struct CallOptions {
   int threads = 0;
   py::object progress = py::none();  // a callable that takes a Progress, or None
   Cancellation cancellation;
+  Deadline deadline = {};
 };
 
 // Calls `work` with a context, in another thread and without the GIL, and returns once it is done.

@@ -20,26 +20,26 @@ void bind_proposal_options(py::module_& core) {
       .number("max_primitives", &DecomposeOptions::max_primitives, kAtLeast1,
               "At most this many primitives (>= 1). Wins over coverage.")
       .number("seed", &DecomposeOptions::seed, kAtLeast0, "Of the sampled surface points.");
-  OptionsClass<GraspRuleOptions>(core, "GraspRuleOptions", "How densely primitives are aimed at.")
-      .number("cylinder_directions", &GraspRuleOptions::cylinder_directions, kAtLeast1,
-              "Directions around a cylinder's side and around its ends (>= 1).")
-      .number("places", &GraspRuleOptions::places, kAtLeast1,
-              "Places along a cylinder's axis and along a box's side (>= 1).")
-      .number("sphere_directions", &GraspRuleOptions::sphere_directions, kAtLeast1,
-              "Directions over a sphere (>= 1).")
-      .number("sphere_turns", &GraspRuleOptions::sphere_turns, kAtLeast1,
-              "Turns of the hand about each direction of a sphere (>= 1).");
   OptionsClass<CandidateOptions>(core, "CandidateOptions", "Which grasps are proposed.")
-      .field("rules", &CandidateOptions::rules, "GraspRuleOptions.")
       .number("duplicate_distance", &CandidateOptions::duplicate_distance, kAtLeast0,
               "Two candidates closer than this and duplicate_angle, with the same preshape, are "
-              "one [m].")
+              "one; half of both at each level of detail [m].")
       .number("duplicate_angle", &CandidateOptions::duplicate_angle, kAtLeast0,
               "See duplicate_distance [rad].")
-      .number("max_candidates", &CandidateOptions::max_candidates, kAtLeast1,
-              "At most this many, taken evenly over the list (>= 1).")
       .number("start_clearance", &CandidateOptions::start_clearance, kAtLeast0,
               "Added to the way from the pre-grasp to the object [m].");
+  OptionsClass<SearchOptions>(core, "SearchOptions",
+                              "How many candidates are tried, and in which order.")
+      .number("trials", &SearchOptions::trials, kAtLeast1,
+              "Trials at most, without those whose hand is blocked on its way (>= 1).")
+      .number("most_blocked", &SearchOptions::most_blocked, kAtLeast0,
+              "Times `trials`: candidates at most whose hand is blocked on its way (>= 0).")
+      .number("batch", &SearchOptions::batch, kAtLeast1,
+              "Candidates that are chosen together, from all trials before (>= 1).")
+      .number("follow", &SearchOptions::follow, {0.0, 1.0},
+              "The part of a batch that lies beside the best grasps so far, in 0 .. 1.")
+      .number("followed", &SearchOptions::followed, kAtLeast0,
+              "So many of the best grasps are followed.");
 }
 
 void bind_contact_options(py::module_& core) {
@@ -204,7 +204,10 @@ void bind_options(py::module_& core) {
               "Everything random in the plan derives from it; seeds further down are set from it.")
       .field("primitives", &PlanOptions::primitives, "DecomposeOptions.")
       .field("candidates", &PlanOptions::candidates, "CandidateOptions.")
+      .field("search", &PlanOptions::search, "SearchOptions.")
       .field("trial", &PlanOptions::trial, "TrialOptions.")
+      .field("refine", &PlanOptions::refine,
+             "RefineOptions; at most a fifth of the trials of the search are made.")
       .field("rank", &PlanOptions::rank, "RankOptions.")
       .field("paths", &PlanOptions::paths,
              "GraspPathOptions: paths for the grasps that are returned, those without one are left "

@@ -13,8 +13,9 @@ namespace prehend::python {
 namespace {
 
 // What every long call takes from Python besides its own arguments.
-CallOptions call_options(int threads, py::object progress, const Cancellation& cancellation) {
-  return {threads, std::move(progress), cancellation};
+CallOptions call_options(int threads, py::object progress, const Cancellation& cancellation,
+                         double seconds) {
+  return {threads, std::move(progress), cancellation, Deadline::in(seconds)};
 }
 
 RunRecord record_of(const SceneOrigin& origin, const PlanOptions& options) {
@@ -101,7 +102,7 @@ py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
   return fields;
 }
 
-py::dict propose_in_python(const CompiledHandle& scene, const py::list& list,
+py::dict propose_in_python(const CompiledHandle& scene, const py::list& list, std::size_t count,
                            const CandidateOptions& asked, const CallOptions& call) {
   const CandidateOptions options = asked;
   std::vector<Primitive> primitives;
@@ -110,7 +111,7 @@ py::dict propose_in_python(const CompiledHandle& scene, const py::list& list,
   }
   Proposals proposals;
   run_in_background(call, [&](const RunContext& context) {
-    proposals = propose_grasps(*scene.scene, primitives, options, context);
+    proposals = propose_grasps(*scene.scene, primitives, count, options, context);
   });
   py::list grasps;
   for (const ProposedGrasp& proposed : proposals.grasps) {

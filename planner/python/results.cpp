@@ -126,6 +126,10 @@ py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
           : py::none();
   fields["primitive"] = scored.primitive;
   fields["rule"] = scored.rule;
+  fields["refinement"] =
+      scored.refinement
+          ? py::object(py::make_tuple(scored.refinement->gain, scored.refinement->trials))
+          : py::none();
   fields["path"] = scored.path ? py::object(path_dict(*scored.path)) : py::none();
   fields["candidate"] = candidate_dict(*plan.scene, scored.candidate);
   fields["_trial"] = handle;
@@ -169,6 +173,8 @@ py::dict result_dict(const PlanHandle& plan) {
   py::dict fields;
   fields["status"] = text(plan_status_name(result.status));
   fields["untested"] = result.untested;
+  fields["ways"] = result.ways;
+  fields["ways_untested"] = result.ways_untested;
   fields["smallest_width"] = result.smallest_width;
   fields["largest_opening"] = result.largest_opening;
   fields["words"] =

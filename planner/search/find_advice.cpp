@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "planner/search/run_trials.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
@@ -39,12 +40,11 @@ int count_of(const PlanResult& result, Outcome outcome) {
 class Adviser {
  public:
   Adviser(const CompiledScene& scene, const PlanOptions& options, const PlanResult& result,
-          const std::vector<Trial>& tried, int proposed, const RunContext& context)
+          const std::vector<Trial>& tried, const RunContext& context)
       : scene_(scene),
         options_(options),
         result_(result),
         tried_(tried),
-        proposed_(proposed),
         context_{context.threads, context.cancellation, {}} {}
 
   std::vector<Advice> run() {
@@ -59,7 +59,7 @@ class Adviser {
       advise_tolerance();
       advise_obstacle();
       if (alone.held > 0) advise_arm(alone);
-      if (lost_by_arm() < static_cast<int>(tried_.size())) advise_candidates();
+      if (advice_.empty() && lost_by_arm() < static_cast<int>(tried_.size())) advise_trials();
     }
     advise_unit();
     return std::move(advice_);
@@ -70,10 +70,10 @@ class Adviser {
 
   // Trials of candidates for `primitives` in a variant of the scene.
   Held try_in(const CompiledScene& scene, const std::vector<Primitive>& primitives) const {
-    CandidateOptions few = options_.candidates;
-    few.max_candidates = std::min(few.max_candidates, kMostTrials);
+    const std::size_t count = index(std::min(options_.search.trials, kMostTrials));
     std::vector<Candidate> candidates;
-    for (const ProposedGrasp& grasp : propose_grasps(scene, primitives, few, context_).grasps) {
+    for (const ProposedGrasp& grasp :
+         propose_grasps(scene, primitives, count, options_.candidates, context_).grasps) {
       candidates.push_back(grasp.candidate);
     }
     Held held{0, static_cast<int>(candidates.size())};
@@ -292,12 +292,14 @@ class Adviser {
                       way.norm()));
   }
 
-  void advise_candidates() {
-    const int tried = static_cast<int>(tried_.size());
-    if (tried == 0 || proposed_ <= tried) return;
-    const std::string all = std::to_string(proposed_);
-    add(Hint::candidates, "--candidates " + all + ": only " + std::to_string(tried) + " of " + all +
-                              " candidates were tried");
+  // The sequence of candidates goes on where the trials ended.
+  void advise_trials() {
+    constexpr int kTimes = 4;
+    const int made = static_cast<int>(tried_.size());
+    if (made < options_.search.trials) return;
+    add(Hint::candidates, "--trials " + std::to_string(kTimes * made) +
+                              ": finer candidates than these " + std::to_string(made) +
+                              " were not tried");
   }
 
   void advise_path() {
@@ -322,7 +324,6 @@ class Adviser {
   const PlanOptions& options_;
   const PlanResult& result_;
   const std::vector<Trial>& tried_;
-  const int proposed_;
   const RunContext context_;
   std::vector<Advice> advice_;
 };
@@ -331,8 +332,8 @@ class Adviser {
 
 std::vector<Advice> find_advice(const CompiledScene& scene, const PlanOptions& options,
                                 const PlanResult& result, const std::vector<Trial>& tried,
-                                int proposed, const RunContext& context) {
-  return Adviser(scene, options, result, tried, proposed, context).run();
+                                const RunContext& context) {
+  return Adviser(scene, options, result, tried, context).run();
 }
 
 }  // namespace prehend

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "planner/search/cut_short.h"
 #include "sim/base/index.h"
 #include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
@@ -30,8 +31,7 @@ class PathSearch {
     progress_ = {Stage::paths, 0, static_cast<int>(wanted), 0};
     if (context_.progress) context_.progress(progress_);
     std::size_t next = 0;
-    while (next < all_.size() && result_.grasps.size() < wanted &&
-           result_.status != PlanStatus::cancelled) {
+    while (next < all_.size() && result_.grasps.size() < wanted && !was_cut_short_) {
       // Depends on results of earlier groups only, never on the number of threads.
       const std::size_t count = std::min(wanted - result_.grasps.size(), all_.size() - next);
       // Bytes instead of vector<bool>, whose elements share words and must not be written by
@@ -45,12 +45,13 @@ class PathSearch {
   }
 
  private:
-  // Plans the path of grasp i; false when it was cancelled. The seed derives from the grasp's rank,
-  // not from the thread or the order of the calls.
+  // Plans the path of grasp i; false when it was cancelled or not begun in time. The seed derives
+  // from the grasp's rank, not from the thread or the order of the calls.
   bool search(std::size_t i) {
     ScoredGrasp& grasp = all_[i];
     GraspPathOptions path = *options_.paths;
     path.transfer.seed = derived_seed(options_.seed, i);
+    if (is_over(context_)) return false;
     try {
       grasp.path = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
     } catch (const Cancelled&) {
@@ -67,7 +68,8 @@ class PathSearch {
   // Moves a grasp with a path into the result, or records why it is not there.
   void take(ScoredGrasp& grasp, bool searched) {
     if (!searched) {
-      result_.status = PlanStatus::cancelled;
+      was_cut_short_ = true;
+      result_.status = cut_short(context_);
     } else if (grasp.path) {
       result_.grasps.push_back(std::move(grasp));
     } else {
@@ -83,6 +85,7 @@ class PathSearch {
   const RunContext& context_;
   PlanResult& result_;
   std::vector<ScoredGrasp> all_;
+  bool was_cut_short_ = false;
   std::mutex progress_lock_;
   Progress progress_;
 };

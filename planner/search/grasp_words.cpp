@@ -1,12 +1,16 @@
 #include "planner/search/grasp_words.h"
 
+#include "sim/base/formatted.h"
+
 namespace prehend {
 
 std::string origin_words(const ScoredGrasp& grasp, const PlanResult& result) {
   if (!grasp.primitive) return grasp.rule;
   const auto p = static_cast<std::size_t>(*grasp.primitive);
   const std::string shape(shape_name(result.primitives[p].shape));
-  return shape + " " + std::to_string(*grasp.primitive + 1) + " (" + grasp.rule + ")";
+  const std::string refined =
+      grasp.refinement ? formatted(", refined +%.3g", grasp.refinement->gain) : "";
+  return shape + " " + std::to_string(*grasp.primitive + 1) + " (" + grasp.rule + refined + ")";
 }
 
 std::string preshape_name(const CompiledScene& scene, const Candidate& candidate) {

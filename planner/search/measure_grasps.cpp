@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/search/cut_short.h"
 #include "sim/parallel/parallel.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
@@ -54,7 +55,7 @@ void measure_grasps(const CompiledScene& scene, const TrialOptions& options,
   const std::size_t count = std::min(wanted.volumes, result.grasps.size());
   for_each_in_parallel(count, context.threads, [&](std::size_t i) {
     // The grasps that are left are skipped without an exception each.
-    if (context.cancellation.requested()) return;
+    if (is_over(context)) return;
     try {
       measure(scene, options, i < wanted.sections, context, result.grasps[i]);
     } catch (const Cancelled&) {
@@ -64,7 +65,7 @@ void measure_grasps(const CompiledScene& scene, const TrialOptions& options,
   const auto is_missing = [&](const ScoredGrasp& grasp) { return !grasp.volume; };
   if (std::any_of(result.grasps.begin(), result.grasps.begin() + static_cast<std::ptrdiff_t>(count),
                   is_missing)) {
-    result.status = PlanStatus::cancelled;
+    result.status = cut_short(context);
   }
 }
 

@@ -8,9 +8,11 @@
 #include <tuple>
 #include <utility>
 
+#include "planner/search/cut_short.h"
 #include "planner/search/find_advice.h"
 #include "planner/search/find_paths.h"
 #include "planner/search/measure_grasps.h"
+#include "planner/search/run_trials.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -18,10 +20,25 @@
 namespace prehend {
 namespace {
 
-// plan() runs the stages primitives, candidates, trials, ranking, paths and volumes one after the
-// other; trials, paths and volumes are computed in parallel. evaluate() starts at the trials. A
-// cancelled stage leaves what it has finished in the result, and the stages behind it are skipped
-// or end at once.
+// plan() runs the stages primitives, trials (which propose their candidates as they go), ranking,
+// paths and volumes one after the other; trials, paths and volumes are computed in parallel.
+// evaluate() starts at the trials. A cancelled stage leaves what it has finished in the result, and
+// the stages behind it are skipped or end at once. A deadline ends the trials early enough for the
+// stages behind them.
+
+// The parts of the time until the deadline after which trials and refinement end, without and with
+// paths behind them.
+struct TimeShares {
+  double trials = 0.7;
+  double refinement = 0.85;
+};
+constexpr TimeShares kSharesWithPaths = {0.4, 0.5};
+
+// A refined grasp that gains less than this part of its parent's epsilon is no other grasp.
+constexpr double kLeastGain = 0.01;
+
+// A refinement takes at most this part of the number of trials.
+constexpr int kTrialsPerRefinement = 5;
 
 // The trials that were finished, each with the place of its candidate.
 struct Finished {
@@ -73,9 +90,9 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
     return result.outcomes[static_cast<std::size_t>(outcome)];
   };
   if (scene.arm) {
-    // Trials that ended before the arm was asked to follow the approach (hand_blocked,
-    // approach_blocked) count as reached: for them only a posture at the pre-grasp was found.
-    const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked);
+    // For a hand that is blocked on its way the arm is not asked.
+    const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked) +
+                     count_of(Outcome::hand_blocked) + count_of(Outcome::approach_blocked);
     result.stages.push_back({PlanCount::reach, total - lost});
   }
   if (scene.has_obstacles()) {
@@ -84,21 +101,11 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   result.stages.push_back({PlanCount::trials, total});
 }
 
-// Runs a trial of each candidate. Counts and outcomes go into `result`, the trials are returned.
-Finished try_all(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                 const TrialOptions& options, const RunContext& context, PlanResult& result) {
-  Finished finished = finished_of(run_trials(scene, candidates, options, context));
-  result.untested = static_cast<int>(candidates.size() - finished.trials.size());
-  if (result.untested > 0) result.status = PlanStatus::cancelled;
-  record_trials(scene, candidates, finished, result);
-  add_trial_stages(scene, result);
-  return finished;
-}
-
 // The options with every seed in them derived from the one seed of the plan.
 PlanOptions with_seeds(PlanOptions options) {
   options.primitives.seed = derived_seed(options.seed);
   options.trial.reach.kinematics.seed = derived_seed(options.seed);
+  options.refine.noise.seed = derived_seed(options.seed);
   if (options.paths) {
     options.paths->reach.kinematics.seed = derived_seed(options.seed);
     options.paths->transfer.seed = derived_seed(options.seed);
@@ -116,19 +123,20 @@ class PlanRun {
   PlanResult run() {
     try {
       find_primitives();
-      propose();
+      search();
+      refine();
     } catch (const Cancelled&) {
       result_.status = PlanStatus::cancelled;
     }
-    // Cancelled before the trials, or without candidates, there is nothing to try or to rank.
-    if (result_.status == PlanStatus::complete) try_and_rank();
+    record();
+    rank_trials();
     // A plan that was cancelled during the trials returns its ranked grasps without paths.
-    if (result_.status == PlanStatus::complete && options_.paths) {
+    if (goes_on() && options_.paths) {
       find_paths(scene_, options_, context_, result_);
       count(PlanCount::paths, result_.grasps.size());
       watch_.lap(Stage::paths);
     }
-    if (result_.grasps.empty() && result_.status != PlanStatus::cancelled) explain();
+    if (result_.grasps.empty() && !is_over(context_)) explain();
     measure_grasps(scene_, options_.trial, {.sections = options_.sections}, context_, result_);
     watch_.lap(Stage::volumes);
     result_.times = watch_.laps();
@@ -155,39 +163,100 @@ class PlanRun {
     watch_.lap(Stage::primitives);
   }
 
-  void propose() {
-    begin(Stage::candidates);
-    Proposals proposals = propose_grasps(scene_, result_.primitives, options_.candidates, context_);
-    result_.smallest_width = proposals.smallest_width;
-    result_.largest_opening = proposals.largest_opening;
-    proposed_ = std::move(proposals.grasps);
-    in_all_ = proposals.in_all;
-    if (proposed_.empty()) {
-      // Otherwise some width is at most the largest opening, but no preshape has a range that
-      // contains it, or the rules gave nothing at all.
-      const bool too_large =
-          std::isfinite(result_.smallest_width) && result_.smallest_width > result_.largest_opening;
-      result_.status = too_large ? PlanStatus::object_too_large : PlanStatus::no_candidates;
-      return;
-    }
-    count(PlanCount::candidates, proposed_.size());
-    watch_.lap(Stage::candidates);
+  // Whether stages that take time are still wanted.
+  bool goes_on() const { return result_.status != PlanStatus::cancelled && !result_.tried.empty(); }
+
+  void search() {
+    context_.cancellation.check();
+    const RunContext context = context_until(shares().trials);
+    SearchResult found = search_grasps(scene_, result_.primitives, options_.candidates,
+                                       options_.search, options_.trial, context);
+    result_.smallest_width = found.smallest_width;
+    result_.largest_opening = found.largest_opening;
+    result_.ways = found.ways;
+    result_.ways_untested = found.ways_untested;
+    result_.status = status_of(found);
+    proposed_ = std::move(found.proposed);
+    finished_.trials = std::move(found.trials);
+    finished_.candidates = std::move(found.candidates);
+    watch_.lap(Stage::trials);
   }
 
-  void try_and_rank() {
+  TimeShares shares() const { return options_.paths ? kSharesWithPaths : TimeShares{}; }
+
+  RunContext context_until(double share) const {
+    RunContext context = context_;
+    context.deadline = context_.deadline.part(share);
+    return context;
+  }
+
+  // Adds what is better than the best of the search to the trials. Throws Cancelled, and then adds
+  // nothing.
+  void refine() {
+    RefineOptions options = options_.refine;
+    options.trials =
+        std::min(options.trials, static_cast<int>(finished_.trials.size()) / kTrialsPerRefinement);
+    RankOptions ranking = options_.rank;
+    ranking.top = options.grasps;
+    const std::vector<std::size_t> best = rank(finished_.trials, ranking);
+    std::vector<TriedGrasp> grasps;
+    for (const std::size_t i : best) {
+      grasps.push_back({proposed_[finished_.candidates[i]].candidate, finished_.trials[i]});
+    }
+    if (refine_trials(grasps.size(), options) == 0) return;
+    const RunContext context = context_until(shares().refinement);
+    for (RefinedGrasp& refined : refine_grasps(scene_, grasps, options_.trial, options, context)) {
+      const std::size_t parent = best[index(refined.parent)];
+      if (refined.gain < kLeastGain * finished_.trials[parent].epsilon.lower) continue;
+      ProposedGrasp proposed = proposed_[finished_.candidates[parent]];
+      proposed.candidate = std::move(refined.candidate);
+      refinements_[finished_.trials.size()] = {static_cast<int>(parent), refined.gain,
+                                               refined.trials_used};
+      finished_.candidates.push_back(proposed_.size());
+      finished_.trials.push_back(std::move(refined.trial));
+      proposed_.push_back(std::move(proposed));
+    }
+    watch_.lap(Stage::refine);
+  }
+
+  void record() {
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : proposed_) candidates.push_back(grasp.candidate);
-    Finished finished = try_all(scene_, candidates, options_.trial, context_, result_);
-    watch_.lap(Stage::trials);
+    if (!candidates.empty()) count(PlanCount::candidates, candidates.size());
+    record_trials(scene_, candidates, finished_, result_);
+    if (result_.status == PlanStatus::complete || !result_.tried.empty()) {
+      add_trial_stages(scene_, result_);
+    }
+    if (!refinements_.empty()) count(PlanCount::refined, refinements_.size());
+  }
+
+  PlanStatus status_of(const SearchResult& found) {
+    const bool short_of_trials =
+        found.end == SearchEnd::out_of_time || found.end == SearchEnd::cancelled;
+    if (short_of_trials) {
+      const auto made = std::count_if(found.trials.begin(), found.trials.end(),
+                                      [](const Trial& t) { return !is_blocked(t.outcome); });
+      result_.untested = options_.search.trials - static_cast<int>(made);
+      return cut_short(context_);
+    }
+    if (!found.trials.empty()) return PlanStatus::complete;
+    // Otherwise some width is at most the largest opening, but no preshape has a range that
+    // contains it, or the rules gave nothing at all.
+    const bool too_large =
+        std::isfinite(found.smallest_width) && found.smallest_width > found.largest_opening;
+    return too_large ? PlanStatus::object_too_large : PlanStatus::no_candidates;
+  }
+
+  void rank_trials() {
+    if (finished_.trials.empty()) return;
     RankOptions ranking = options_.rank;
     // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
     // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
-    const bool for_paths = options_.paths && result_.status == PlanStatus::complete;
-    if (for_paths) ranking.top = std::numeric_limits<int>::max();
+    if (options_.paths && goes_on()) ranking.top = std::numeric_limits<int>::max();
     // Finished trial i is entry i of result_.tried, which ScoredGrasp::tried refers to.
-    for (const std::size_t i : rank(finished.trials, ranking)) {
-      const ProposedGrasp& proposed = proposed_[finished.candidates[i]];
-      result_.grasps.push_back({std::move(finished.trials[i]),
+    for (const std::size_t i : rank(finished_.trials, ranking)) {
+      const ProposedGrasp& proposed = proposed_[finished_.candidates[i]];
+      result_.grasps.push_back({std::move(finished_.trials[i]),
                                 proposed.candidate,
                                 {},
                                 proposed.primitive,
@@ -195,10 +264,11 @@ class PlanRun {
                                 {},
                                 {},
                                 static_cast<int>(i)});
+      const auto refined = refinements_.find(i);
+      if (refined != refinements_.end()) result_.grasps.back().refinement = refined->second;
     }
     count(PlanCount::ranked, result_.grasps.size());
     watch_.lap(Stage::rank);
-    if (result_.grasps.empty()) unranked_ = std::move(finished.trials);
   }
 
   // Says why there is no grasp. A caller who does not wait for advice gets the rest.
@@ -213,7 +283,7 @@ class PlanRun {
       ++known->outcomes[static_cast<std::size_t>(tried.outcome)];
     }
     try {
-      result_.advice = find_advice(scene_, options_, result_, unranked_, in_all_, context_);
+      result_.advice = find_advice(scene_, options_, result_, finished_.trials, context_);
     } catch (const Cancelled&) {
       result_.advice.clear();
     }
@@ -223,8 +293,8 @@ class PlanRun {
   const PlanOptions& options_;
   const RunContext& context_;
   std::vector<ProposedGrasp> proposed_;
-  int in_all_ = 0;               // number of candidates before they were thinned out
-  std::vector<Trial> unranked_;  // all trials, where none is stable
+  Finished finished_;  // trials of all of them; those of ranked grasps are in the result
+  std::map<std::size_t, Refinement> refinements_;  // of trials that a refinement found
   PlanResult result_;
   Stopwatch watch_;
 };
@@ -247,7 +317,11 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   // As with_seeds does for plan().
   TrialOptions trial = options.trial;
   trial.reach.kinematics.seed = derived_seed(options.seed);
-  Finished finished = try_all(scene, candidates, trial, context, result);
+  Finished finished = finished_of(run_trials(scene, candidates, trial, context));
+  result.untested = static_cast<int>(candidates.size() - finished.trials.size());
+  if (result.untested > 0) result.status = cut_short(context);
+  record_trials(scene, candidates, finished, result);
+  add_trial_stages(scene, result);
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
     result.grasps.push_back({std::move(finished.trials[i]),
                              candidates[finished.candidates[i]],

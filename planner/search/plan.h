@@ -13,7 +13,8 @@
 #include "planner/propose/candidates.h"
 #include "planner/search/advice.h"
 #include "planner/search/rank.h"
-#include "planner/search/run_trials.h"
+#include "planner/search/refine_grasps.h"
+#include "planner/search/search_grasps.h"
 #include "planner/search/stopwatch.h"
 #include "primitives/decompose.h"
 #include "sim/base/run_context.h"
@@ -32,7 +33,11 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   DecomposeOptions primitives;
   CandidateOptions candidates;
+  SearchOptions search;
   TrialOptions trial;
+  // The best grasps of the search are improved by at most a fifth of the trials that it made;
+  // those that gain less than 1 % of their epsilon are left out.
+  RefineOptions refine;
   RankOptions rank;
   // Set: a path of the arm is planned for each grasp, and grasps without a path are left out. Needs
   // a scene with an arm.
@@ -45,11 +50,13 @@ struct PlanOptions {
 // where there are any.
 template <SettingsOf<PlanOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [seed, primitives, candidates, trial, rank, paths, sections] = options;
+  auto& [seed, primitives, candidates, search, trial, refine, rank, paths, sections] = options;
   visit("seed", seed);
   visit("", primitives);
   visit("", candidates);
+  visit("", search);
   visit("", trial);
+  visit("refine", refine);
   visit("", rank);
 }
 
@@ -61,6 +68,13 @@ struct EvaluateOptions {
   // may take 50 times as long as the trial itself.
   std::size_t volumes = std::numeric_limits<std::size_t>::max();
   std::size_t sections = 0;  // as in PlanOptions; at most `volumes`
+};
+
+// Where a grasp came from that refine_grasps found.
+struct Refinement {
+  int parent = 0;     // index into PlanResult::tried of the grasp that was refined
+  double gain = 0.0;  // by how much its objective is larger than the parent's
+  int trials = 0;     // that were made for it
 };
 
 // A grasp with its quality and where it came from.
@@ -78,6 +92,7 @@ struct ScoredGrasp {
   // Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
   // (epsilon_nearby). Computed with the volume.
   std::optional<Interval> epsilon_nearby = {};
+  std::optional<Refinement> refinement = {};
 };
 
 // A candidate that was tried, and the outcome of its trial.
@@ -105,20 +120,27 @@ enum class PlanCount {
   reach,             // tried candidates that the arm can reach without collision
   obstacles,         // in the scene
   trials,            // candidates that were tried
+  refined,           // grasps that a refinement made better
   ranked,            // stable grasps, without near-identical ones
   paths              // ranked grasps for which a path was found
 };
 
 // All of them, in the order of the enum.
-inline constexpr std::array<PlanCount, 8> kPlanCounts = {
-    PlanCount::primitives_given, PlanCount::primitives, PlanCount::candidates, PlanCount::reach,
-    PlanCount::obstacles,        PlanCount::trials,     PlanCount::ranked,     PlanCount::paths};
+inline constexpr std::array<PlanCount, 9> kPlanCounts = {PlanCount::primitives_given,
+                                                         PlanCount::primitives,
+                                                         PlanCount::candidates,
+                                                         PlanCount::reach,
+                                                         PlanCount::obstacles,
+                                                         PlanCount::trials,
+                                                         PlanCount::refined,
+                                                         PlanCount::ranked,
+                                                         PlanCount::paths};
 
 // "primitives", "candidates", ...: names of the stages in output for people and in files.
 constexpr std::string_view plan_count_name(PlanCount what) {
   constexpr std::array<std::string_view, kPlanCounts.size()> kNames = {
-      "primitives given", "primitives", "candidates", "reach",
-      "obstacles",        "trials",     "ranked",     "paths"};
+      "primitives given", "primitives", "candidates", "reach", "obstacles",
+      "trials",           "refined",    "ranked",     "paths"};
   return kNames[static_cast<std::size_t>(what)];
 }
 
@@ -131,6 +153,7 @@ struct StageCount {
 // How a call of plan() or evaluate() with valid arguments ended.
 enum class PlanStatus {
   complete,
+  out_of_time,       // the deadline passed before all was done; what was found is there
   cancelled,         // the context was cancelled before all was done; what was found is there
   object_too_large,  // every width that a rule closes on exceeds what the hand opens to: see
                      // PlanResult::smallest_width and largest_opening
@@ -138,23 +161,27 @@ enum class PlanStatus {
 };
 
 // All of them, in the order of the enum.
-inline constexpr std::array<PlanStatus, 4> kPlanStatuses = {
-    PlanStatus::complete, PlanStatus::cancelled, PlanStatus::object_too_large,
-    PlanStatus::no_candidates};
+inline constexpr std::array<PlanStatus, 5> kPlanStatuses = {
+    PlanStatus::complete, PlanStatus::out_of_time, PlanStatus::cancelled,
+    PlanStatus::object_too_large, PlanStatus::no_candidates};
 
 // "complete", "cancelled", ...: as in files.
 constexpr std::string_view plan_status_name(PlanStatus status) {
   constexpr std::array<std::string_view, kPlanStatuses.size()> kNames = {
-      "complete", "cancelled", "object_too_large", "no_candidates"};
+      "complete", "out_of_time", "cancelled", "object_too_large", "no_candidates"};
   return kNames[static_cast<std::size_t>(status)];
 }
 
 // What plan() and evaluate() return.
 struct PlanResult {
   PlanStatus status = PlanStatus::complete;
-  // Number of candidates that were proposed or given, but whose trial was not finished: 0 unless
-  // the call was cancelled.
+  // How many of the trials that were asked for (SearchOptions::trials, or the candidates given)
+  // were not made: 0 unless the call was cancelled or ran out of time, or plan() had nothing left
+  // to propose.
   int untested = 0;
+  // Of plan(): ways to grasp (ProposalSequence), and how many of them no trial has looked at.
+  int ways = 0;
+  int ways_untested = 0;
   // Of plan(): the smallest width that a rule closes on (infinite where there was no rule at all),
   // and the largest width that a preshape of the hand takes [m].
   double smallest_width = 0.0;

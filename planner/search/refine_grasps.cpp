@@ -87,10 +87,10 @@ struct Job {
   double value = 0.0;
 };
 
-class Refinement {
+class Refiner {
  public:
-  Refinement(const CompiledScene& scene, const std::vector<TriedGrasp>& grasps,
-             const TrialOptions& options, const RefineOptions& refine, const RunContext& context)
+  Refiner(const CompiledScene& scene, const std::vector<TriedGrasp>& grasps,
+          const TrialOptions& options, const RefineOptions& refine, const RunContext& context)
       : scene_(scene), options_(options), refine_(refine), context_(context) {
     options_.back_off_tries = 0;
     const auto count = static_cast<std::size_t>(most_refined(grasps.size(), refine));
@@ -117,7 +117,7 @@ class Refinement {
         return parents_[a].search.best_value() > parents_[b].search.best_value();
       });
       order_.resize(static_cast<std::size_t>(round.grasps));
-      for (int left = round.trials; left > 0;) {
+      for (int left = round.trials; left > 0 && !context_.deadline.has_passed();) {
         const std::size_t variables = std::min<std::size_t>(
             kVariablesAtOnce, static_cast<std::size_t>(left / kTrialsOfVariable));
         step(variables);
@@ -216,7 +216,7 @@ std::vector<RefinedGrasp> refine_grasps(const CompiledScene& scene,
   check_refinement(refine);
   check_parents(grasps);
   context.cancellation.check();
-  return Refinement(scene, grasps, options, refine, context).run();
+  return Refiner(scene, grasps, options, refine, context).run();
 }
 
 }  // namespace prehend

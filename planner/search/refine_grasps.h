@@ -1,6 +1,7 @@
 // Refinement: the best grasps of a plan, improved by trials of grasps close to them.
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,9 @@ enum class RefineObjective {
   epsilon,  // the lower bound of epsilon, by which grasps are ranked
   robust,   // its mean under random errors (RobustEpsilon::mean)
 };
+
+inline constexpr std::array<RefineObjective, 2> kRefineObjectives = {RefineObjective::epsilon,
+                                                                     RefineObjective::robust};
 
 // The name in files: the same word as the enumerator.
 constexpr std::string_view refine_objective_name(RefineObjective objective) {
@@ -87,7 +91,7 @@ int refine_trials(std::size_t grasps, const RefineOptions& options = {});
 // the same options, run_trial gives the same trial of its candidate.
 //
 // The trials of a step run in parallel on context.threads threads; the result is the same on any
-// number of them. Reports progress after each trial.
+// number of them. No step begins after context.deadline. Reports progress after each trial.
 //
 // Throws InputError for options outside their range, for a grasp whose trial is not stable or has
 // no contacts ("grasps[2].trial: not stable"), and Cancelled.

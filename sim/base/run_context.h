@@ -1,5 +1,5 @@
-// Common parameter of all long calls: number of threads, cancellation and progress report. None of
-// it changes the result of a call that completes.
+// Common parameter of all long calls: number of threads, cancellation, progress report and
+// deadline. None of it changes the result of a call that completes.
 #pragma once
 
 #include <array>
@@ -9,6 +9,8 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+
+#include "sim/base/deadline.h"
 
 namespace prehend {
 
@@ -86,6 +88,9 @@ struct RunContext {
   // may be empty. It may request cancellation. An exception thrown by it ends the call and reaches
   // the caller.
   std::function<void(const Progress&)> progress = {};
+  // plan() and evaluate() begin no more trials, paths and volumes after it, and return what they
+  // have; other calls do not look at it.
+  Deadline deadline = {};
 };
 
 }  // namespace prehend

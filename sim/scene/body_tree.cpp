@@ -7,13 +7,14 @@
 #include "sim/geometry/wide_tree.h"
 
 namespace prehend {
-namespace {
 
 struct BodyExtent {
   Bounds box;
   Vector3 center = Vector3::Zero();  // of a ball around the body
   double radius = 0.0;
 };
+
+namespace {
 
 Bounds placed_bounds(const PlacedBody& body) {
   Bounds box;

@@ -25,6 +25,11 @@ inline constexpr std::array<Outcome, 8> kOutcomes = {
     Outcome::approach_blocked, Outcome::unreachable,
     Outcome::arm_blocked,      Outcome::no_path};
 
+// Whether the hand was stopped on its way to the object, before arm and fingers were asked.
+constexpr bool is_blocked(Outcome outcome) {
+  return outcome == Outcome::hand_blocked || outcome == Outcome::approach_blocked;
+}
+
 // The name in files and tables: the same word as the enumerator.
 constexpr std::string_view outcome_name(Outcome outcome) {
   constexpr std::array<std::string_view, 8> kNames = {

@@ -67,7 +67,6 @@ class TrialRun {
  private:
   Trial try_it() {
     Trial trial;
-    if (scene_.arm && !has_posture_at_pre_grasp(trial)) return trial;
     const ApproachResult reached = move_to_object();
     trial.X_OH = motion_.at(reached.travel);
     trial.travel = reached.travel;
@@ -80,8 +79,8 @@ class TrialRun {
       trial.blocked = reached.touch;
       return trial;
     }
-    // The arm is asked once the hand's own way is known to be free, and before the hand closes,
-    // which takes longer.
+    // The arm is asked once the hand's own way is known to be free, which costs far less than the
+    // inverse kinematics of a pose that the arm does not reach, and before the hand closes.
     if (scene_.arm && !arm_follows(trial)) return trial;
     close_at(reached.travel, reached.object_clearance, trial);
     // A hand that went as far as it could may close beyond the widest part of the object, or touch
@@ -105,17 +104,6 @@ class TrialRun {
   ApproachResult move_to_object() {
     const Timer timer(seconds_.approach);
     return approach(scene_, start_joints_, motion_, options_, context_);
-  }
-
-  // Whether the arm reaches the pre-grasp at all: rules many candidates out before any motion.
-  bool has_posture_at_pre_grasp(Trial& trial) {
-    const Timer timer(seconds_.reach);
-    if (!postures_at(*scene_.arm, motion_.at(0.0), options_.reach, context_).empty()) return true;
-    trial.X_OH = motion_.at(0.0);
-    trial.dofs = start_.dofs;
-    trial.joints = start_joints_;
-    trial.outcome = Outcome::unreachable;
-    return false;
   }
 
   // Moves the arm along the approach to the trial's X_OH; where it cannot, the trial ends with the

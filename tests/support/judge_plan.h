@@ -57,7 +57,14 @@ inline void judge_counts(const PlanResult& result, const PlanOptions& options,
   }
   if (outcomes != result.outcomes) faults.push_back({"counts", "outcomes do not add up"});
   if (unblamed > 0) faults.push_back({"counts", "blocked by nobody"});
-  if (static_cast<int>(result.tried.size()) > options.candidates.max_candidates) {
+  // Grasps that a refinement found are behind those of the search.
+  int refined = 0;
+  for (const StageCount& stage : result.stages) {
+    if (stage.what == PlanCount::refined) refined = stage.count;
+  }
+  const auto counted = std::count_if(result.tried.begin(), result.tried.end(),
+                                     [](const Tried& t) { return !is_blocked(t.outcome); });
+  if (counted > options.search.trials + refined) {
     faults.push_back({"counts", "more tried than asked for"});
   }
   if (result.untested != 0 || result.status == PlanStatus::cancelled) {

@@ -102,7 +102,7 @@ void measure_trials(int rounds) {
   }
   const std::vector<Contact> contacts = contacts_of(planned.grasps.front().trial.contacts);
   measure("propose_grasps", rounds, [&](const RunContext& context) {
-    (void)propose_grasps(scene, planned.primitives, {}, context);
+    (void)propose_grasps(scene, planned.primitives, 800, {}, context);
   });
   measure("plan", rounds, [&](const RunContext& context) { (void)plan(scene, {}, context); });
   measure("evaluate", rounds,

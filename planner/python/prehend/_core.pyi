@@ -45,41 +45,39 @@ class DecomposeOptions:
     def __copy__(self) -> DecomposeOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> DecomposeOptions: ...
 
-class GraspRuleOptions:
-    _fields: Tuple[str, ...]
-    cylinder_directions: int
-    places: int
-    sphere_directions: int
-    sphere_turns: int
-    def __init__(
-        self,
-        *,
-        cylinder_directions: int = ...,
-        places: int = ...,
-        sphere_directions: int = ...,
-        sphere_turns: int = ...,
-    ) -> None: ...
-    def __copy__(self) -> GraspRuleOptions: ...
-    def __deepcopy__(self, memo: Dict[Any, Any], /) -> GraspRuleOptions: ...
-
 class CandidateOptions:
     _fields: Tuple[str, ...]
-    rules: GraspRuleOptions
     duplicate_distance: float
     duplicate_angle: float
-    max_candidates: int
     start_clearance: float
     def __init__(
         self,
         *,
-        rules: GraspRuleOptions = ...,
         duplicate_distance: float = ...,
         duplicate_angle: float = ...,
-        max_candidates: int = ...,
         start_clearance: float = ...,
     ) -> None: ...
     def __copy__(self) -> CandidateOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> CandidateOptions: ...
+
+class SearchOptions:
+    _fields: Tuple[str, ...]
+    trials: int
+    most_blocked: int
+    batch: int
+    follow: float
+    followed: int
+    def __init__(
+        self,
+        *,
+        trials: int = ...,
+        most_blocked: int = ...,
+        batch: int = ...,
+        follow: float = ...,
+        followed: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> SearchOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> SearchOptions: ...
 
 class ContactOptions:
     _fields: Tuple[str, ...]
@@ -333,7 +331,9 @@ class PlanOptions:
     seed: int
     primitives: DecomposeOptions
     candidates: CandidateOptions
+    search: SearchOptions
     trial: TrialOptions
+    refine: RefineOptions
     rank: RankOptions
     paths: Optional[GraspPathOptions]
     sections: int
@@ -343,7 +343,9 @@ class PlanOptions:
         seed: int = ...,
         primitives: DecomposeOptions = ...,
         candidates: CandidateOptions = ...,
+        search: SearchOptions = ...,
         trial: TrialOptions = ...,
+        refine: RefineOptions = ...,
         rank: RankOptions = ...,
         paths: Optional[GraspPathOptions] = ...,
         sections: int = ...,
@@ -562,6 +564,7 @@ class _CallOptions:
         threads: int,
         progress: Optional[Callable[[Progress], object]],
         cancellation: Cancellation,
+        budget: float,
         /,
     ) -> None: ...
 
@@ -613,7 +616,7 @@ def plan(scene: CompiledScene, options: PlanOptions, call: _CallOptions, /) -> _
 def evaluate(scene: CompiledScene, candidates: List[Dict[str, Any]], options: EvaluateOptions, call: _CallOptions, /) -> _PlanResult: ...
 def run_trial(scene: CompiledScene, candidate: Dict[str, Any], options: TrialOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
 def decompose(vertices: _Floats, faces: _Integers, options: DecomposeOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
-def propose_grasps(scene: CompiledScene, primitives: List[Dict[str, Any]], options: CandidateOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
+def propose_grasps(scene: CompiledScene, primitives: List[Dict[str, Any]], count: int, options: CandidateOptions, call: _CallOptions, /) -> Dict[str, Any]: ...
 def given_primitives(scene: CompiledScene, /) -> List[Dict[str, Any]]: ...
 def plan_grasp_path(trial: _Trial, options: GraspPathOptions, call: _CallOptions, /) -> Optional[Dict[str, Any]]: ...
 def grasps_json(plan: _PlanResult, /) -> bytes: ...

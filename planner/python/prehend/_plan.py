@@ -41,11 +41,15 @@ def call_options(
     threads: int,
     progress: Optional[ProgressCallback],
     cancellation: Optional["_core.Cancellation"],
+    budget: Optional[float] = None,
 ) -> "_core._CallOptions":
-    """What long calls share. Raises InputError for fewer than no threads."""
+    """What long calls share. Raises InputError for fewer than no threads or no time at all."""
     if threads < 0:
         raise InputError("must be at least 0", field="threads", value=str(threads))
-    return _core._CallOptions(threads, progress, cancellation or _core.Cancellation())
+    if budget is not None and not budget > 0.0:
+        raise InputError("must be above 0", field="budget", value=str(budget))
+    seconds = float("inf") if budget is None else budget
+    return _core._CallOptions(threads, progress, cancellation or _core.Cancellation(), seconds)
 
 
 def plan(
@@ -56,6 +60,7 @@ def plan(
     progress: Optional[ProgressCallback] = None,
     seed: Optional[int] = None,
     cancellation: Optional["_core.Cancellation"] = None,
+    budget: Optional[float] = None,
 ) -> PlanResult:
     """Plans grasps of the scene's object and ranks them.
 
@@ -71,10 +76,12 @@ def plan(
         seed: of everything random, in place of PlanOptions.seed.
         cancellation: ends the plan early once it is requested. Ctrl-C does that as well and raises
             KeyboardInterrupt.
+        budget: seconds after which no more work begins; None: no limit. The result has what was
+            found until then.
 
     Returns:
         PlanResult: the grasps, best first, and what became of all other candidates. Its status says
-        whether that is all: a plan that was cancelled has what was found until then, and one for an
+        whether that is all: a plan that was cancelled or ran out of time has what was found until then, and one for an
         object that is too large for the hand has the sizes.
 
     Raises:
@@ -90,7 +97,7 @@ def plan(
     core = _core.plan(
         compiled,
         chosen,
-        call_options(threads, progress, cancellation),
+        call_options(threads, progress, cancellation, budget),
     )
     return PlanResult(core, compiled)
 
@@ -105,6 +112,7 @@ def evaluate(
     threads: int = 0,
     progress: Optional[ProgressCallback] = None,
     cancellation: Optional["_core.Cancellation"] = None,
+    budget: Optional[float] = None,
 ) -> PlanResult:
     """Tries grasps where they are. Nothing is ranked or left out: result i is grasp i.
 
@@ -115,7 +123,7 @@ def evaluate(
             None: the hand's only one.
         dofs: in place of a preshape, (D,) or (N, D): degrees of freedom to start from [rad or m].
         options: what the result depends on; None: EvaluateOptions().
-        threads, progress, cancellation: as of plan().
+        threads, progress, cancellation, budget: as of plan().
 
     Raises:
         InputError: for poses that are not rigid, unknown names, values outside the hand's limits.
@@ -125,7 +133,7 @@ def evaluate(
         compiled,
         as_candidates(compiled.hand, grasps, preshape, dofs),
         _core.EvaluateOptions() if options is None else options,
-        call_options(threads, progress, cancellation),
+        call_options(threads, progress, cancellation, budget),
     )
     return PlanResult(core, compiled)
 
@@ -181,6 +189,7 @@ def propose_grasps(
     primitives: Optional[Sequence[Primitive]] = None,
     options: Optional["_core.CandidateOptions"] = None,
     *,
+    count: int = 800,
     cancellation: Optional["_core.Cancellation"] = None,
 ) -> Proposals:
     """Where a hand should be tried.
@@ -189,6 +198,7 @@ def propose_grasps(
         scene: a Scene, or one that is compiled already.
         primitives: of the object; None: those that the scene gives, else those of decompose().
         options: None: CandidateOptions().
+        count: how many; the sequence of candidates, coarse to fine, has no end.
 
     Raises:
         InputError: for a primitive without a size.
@@ -201,6 +211,7 @@ def propose_grasps(
     fields = _core.propose_grasps(
         compiled,
         [_primitive_fields(primitive) for primitive in primitives],
+        count,
         _core.CandidateOptions() if options is None else options,
         call_options(1, None, cancellation),
     )

@@ -278,6 +278,8 @@ class Grasp(Trial):
     """Number of the primitive that it came from; None for a grasp that was given."""
     rule: str
     """Which rule of the primitive; "given" for a grasp that was given."""
+    refinement: Optional[Tuple[float, int]]
+    """Of a grasp that was refined: what that gained in its objective, and the trials it took."""
     path: Optional[Path] = field(repr=False)
     """The arm's way to it, where that was asked for."""
 
@@ -345,7 +347,7 @@ class PlanResult:
         self.grasps: List[Grasp] = [Grasp._of(core.grasp(i)) for i in range(fields["count"])]
         """plan(): best first; evaluate(): as given."""
         self.status: str = fields["status"]
-        """"complete", "cancelled", "object_too_large" or "no_candidates"."""
+        """"complete", "out_of_time", "cancelled", "object_too_large" or "no_candidates"."""
         self.reason: str = fields["words"]
         """Why nothing could be tried, in one line; "" where something was."""
         self.advice: List[Advice] = [Advice(*one) for one in fields["advice"]]
@@ -353,7 +355,11 @@ class PlanResult:
         self.rules: List[RuleCount] = [RuleCount(*rule) for rule in fields["rules"]]
         """Of plan() without a grasp: how the candidates of each rule ended."""
         self.untested: int = fields["untested"]
-        """Candidates that a cancelled call left untried."""
+        """Candidates that a call which was cancelled or ran out of time left untried."""
+        self.ways: int = fields["ways"]
+        """Of plan(): ways to grasp, each a rule of a primitive with a preshape and a depth."""
+        self.ways_untested: int = fields["ways_untested"]
+        """Of plan(): how many of them no trial has looked at."""
         self.smallest_width: float = fields["smallest_width"]
         """Of plan(): smallest size that a rule wanted to close on [m]."""
         self.largest_opening: float = fields["largest_opening"]

@@ -71,7 +71,7 @@ prehend::Scene scene_with_arm() {
 void plan_with_arm(const std::filesystem::path& folder) {
   const prehend::CompiledScene ready = prehend::compile(scene_with_arm());
   prehend::PlanOptions options;
-  options.candidates.max_candidates = 200;
+  options.search.trials = 200;
   options.rank.top = 1;
   options.paths.emplace();
   const prehend::PlanResult result = prehend::plan(ready, options);

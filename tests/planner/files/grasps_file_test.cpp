@@ -94,7 +94,7 @@ RunRecord some_record() {
   record.options.trial.cone_edges = 12;
   record.options.trial.back_off_step = 0.01;
   record.options.primitives.tolerance = 0.07;
-  record.options.candidates.rules.places = 5;
+  record.options.search.follow = 0.2;
   record.options.paths.emplace();
   record.options.paths->transfer.planner = PathPlanner::rrt_star;
   record.options.paths->transfer.max_iterations = 50;
@@ -235,7 +235,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"RootField", "/grasp", "[]", "grasp: unknown field"},
         Mistake{"SceneField", "/scene/mesh", "1", "scene.mesh: unknown field"},
         Mistake{"Setting", "/settings/cone_edge", "8", "settings.cone_edge: unknown field"},
-        Mistake{"Status", "/status", R"("done")", "status: must be one of complete, cancelled"},
+        Mistake{"Status", "/status", R"("done")", "status: must be one of complete, out_of_time"},
         Mistake{"Stage", "/stages/0/name", R"("thinking")",
                 "stages[0].name: must be one of primitives given"},
         Mistake{"Format", "/format", R"("prehend grasps 2")",

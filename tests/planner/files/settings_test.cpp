@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/files/grasps_file.h"
+#include "planner/files/json_settings.h"
 #include "sim/geometry/basic_shapes.h"
 #include "tests/support/scenes.h"
 
@@ -37,6 +38,8 @@ Value changed(const Value& value) {
     return !value;
   } else if constexpr (std::is_same_v<Value, PathPlanner>) {
     return value == PathPlanner::roadmap ? PathPlanner::rrt_star : PathPlanner::roadmap;
+  } else if constexpr (std::is_same_v<Value, RefineObjective>) {
+    return value == RefineObjective::robust ? RefineObjective::epsilon : RefineObjective::robust;
   } else {
     return value + 1;
   }
@@ -100,14 +103,19 @@ TEST(Settings, EveryOneOfThePathsIsInTheFileUnderItsOwnName) {
   EXPECT_GE(names.size(), 15U);
 }
 
+TEST(Settings, ThoseOfEarlierVersionsArePermitted) {
+  const JsonFile file("settings.json", R"({"seed": 5, "max_candidates": 800, "places": 3})");
+  RunRecord record;
+  read_settings(file.root(), record);
+  EXPECT_EQ(record.options.seed, 5U);
+}
+
 // Names that files of earlier versions have, which programs may read.
 TEST(Settings, KnownNamesStay) {
   const json settings = settings_of(with_paths());
-  for (const char* name :
-       {"seed", "top", "cone_edges", "contacts", "contact_threshold", "contact_gap",
-        "back_off_step", "back_off_tries", "settle_angle", "settle_steps", "primitive_tolerance",
-        "max_primitives", "max_candidates", "cylinder_directions", "places", "sphere_directions",
-        "sphere_turns"}) {
+  for (const char* name : {"seed", "top", "cone_edges", "contacts", "contact_threshold",
+                           "contact_gap", "back_off_step", "back_off_tries", "settle_angle",
+                           "settle_steps", "primitive_tolerance", "max_primitives", "trials"}) {
     EXPECT_TRUE(settings.contains(name)) << name;
   }
   for (const char* name : {"planner", "max_iterations", "simplify_steps", "alternatives",

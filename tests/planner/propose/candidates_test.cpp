@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "planner/propose/grasp_rules.h"
+#include "planner/propose/proposal_sequence.h"
+#include "sim/base/index.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/trial/approach.h"
 #include "tests/support/scenes.h"
@@ -15,6 +17,7 @@ namespace prehend {
 namespace {
 
 constexpr double kRounding = 1e-12;
+constexpr std::size_t kMany = 2000;
 
 CompiledScene mug_scene(const char* hand) {
   return test::compiled(find_robot(hand), generate_object("mug", 2000));
@@ -36,7 +39,6 @@ const Preshape& preshape_of(const CompiledScene& scene, const ProposedGrasp& gra
 bool follows(const CompiledScene& scene, const ProposedGrasp& grasp, const AimedGrasp& aim) {
   const Hand& hand = *scene.scene.hand.hand;
   const Candidate& candidate = grasp.candidate;
-  if (grasp.rule != aim.rule) return false;
   if ((candidate.approach_O - aim.approach_O).norm() > kRounding) return false;
   const Matrix3 rotation = candidate.X_OH.linear();
   if ((rotation * hand.closing - aim.closing_O).norm() > kRounding) return false;
@@ -52,22 +54,21 @@ TEST(Candidates, AreAimedByARuleOfTheirPrimitive) {
   for (const char* name : {"barrett", "parallel_jaw_wide", "franka_hand"}) {
     const CompiledScene scene = mug_scene(name);
     const Hand& hand = *scene.scene.hand.hand;
-    CandidateOptions options;
-    options.max_candidates = 100000;
-    const Proposals proposals = propose_grasps(scene, pieces, options);
-    ASSERT_FALSE(proposals.grasps.empty()) << name;
+    const Proposals proposals = propose_grasps(scene, pieces, kMany);
+    ASSERT_EQ(proposals.grasps.size(), kMany) << name;
     for (const ProposedGrasp& grasp : proposals.grasps) {
       const Matrix3 rotation = grasp.candidate.X_OH.linear();
       EXPECT_LT((rotation.transpose() * rotation - Matrix3::Identity()).norm(), kRounding);
       EXPECT_GT(rotation.determinant(), 0.0);
       EXPECT_LT((rotation * hand.approach - grasp.candidate.approach_O).norm(), kRounding);
-      const auto aims = aim_at(pieces[static_cast<std::size_t>(grasp.primitive)], options.rules);
       const Preshape& preshape = preshape_of(scene, grasp);
-      const auto explains = [&](const AimedGrasp& aim) {
-        return aim.width >= preshape.min_width && aim.width <= preshape.max_width &&
-               follows(scene, grasp, aim);
+      const auto explains = [&](const GraspRule& rule) {
+        return rule.name == grasp.rule && rule.freedoms.size() == grasp.choices.size() &&
+               rule.width >= preshape.min_width && rule.width <= preshape.max_width &&
+               follows(scene, grasp, rule.aim(grasp.choices));
       };
-      ASSERT_TRUE(std::any_of(aims.begin(), aims.end(), explains)) << name << " " << grasp.rule;
+      const auto rules = grasp_rules(pieces[index(grasp.primitive)]);
+      ASSERT_TRUE(std::any_of(rules.begin(), rules.end(), explains)) << name << " " << grasp.rule;
     }
   }
 }
@@ -76,12 +77,12 @@ TEST(Candidates, CloseOnWhatTheirPreshapeTakesAndSayWhenNothingFits) {
   const CompiledScene scene = mug_scene("franka_hand");  // opens to 80 mm
   const std::vector<Primitive> wide = {{Sphere{0.05}, Pose::Identity()},
                                        {Box{{0.09, 0.1, 0.11}}, Pose::Identity()}};
-  const Proposals none = propose_grasps(scene, wide);
+  const Proposals none = propose_grasps(scene, wide, kMany);
   EXPECT_TRUE(none.grasps.empty());
   EXPECT_DOUBLE_EQ(none.smallest_width, 0.09);
   EXPECT_DOUBLE_EQ(none.largest_opening, 0.08);
   const std::vector<Primitive> one_side = {{Box{{0.09, 0.08, 0.11}}, Pose::Identity()}};
-  const Proposals some = propose_grasps(scene, one_side);
+  const Proposals some = propose_grasps(scene, one_side, kMany);
   EXPECT_FALSE(some.grasps.empty());
   for (const ProposedGrasp& grasp : some.grasps) {
     const Vector3 closing = grasp.candidate.X_OH.linear() * scene.scene.hand.hand->closing;
@@ -89,54 +90,97 @@ TEST(Candidates, CloseOnWhatTheirPreshapeTakesAndSayWhenNothingFits) {
   }
 }
 
+// True when the hand's poses are farther apart than a duplicate, at the level of the later one.
+bool differ(const ProposedGrasp& a, const ProposedGrasp& b, const CandidateOptions& options) {
+  if (a.candidate.preshape != b.candidate.preshape) return true;
+  const double part = std::pow(0.5, std::max(a.level, b.level));
+  const Pose& X_OA = a.candidate.X_OH;
+  const Pose& X_OB = b.candidate.X_OH;
+  const double apart = (X_OA.translation() - X_OB.translation()).norm();
+  // Angle of the turn between them, from its trace.
+  const double cosine = 0.5 * ((X_OA.linear().transpose() * X_OB.linear()).trace() - 1.0);
+  return apart > part * options.duplicate_distance ||
+         cosine < std::cos(part * options.duplicate_angle) + kRounding;
+}
+
 TEST(Candidates, NoTwoAreTheSame) {
   const CompiledScene scene = mug_scene("barrett");
+  // The same pieces twice, moved by less than a duplicate may be.
   std::vector<Primitive> pieces = primitives();
-  const std::size_t once = propose_grasps(scene, pieces, {.max_candidates = 100000}).grasps.size();
-  // The same pieces again, moved by far less than the tolerance, add nothing.
   for (std::size_t i = 0; i < 3; ++i) {
     pieces.push_back(pieces[i]);
     pieces.back().X_OP = translation({0.0, 0.0, 1e-4}) * pieces.back().X_OP;
   }
-  const CandidateOptions options{.max_candidates = 100000};
-  const Proposals proposals = propose_grasps(scene, pieces, options);
-  EXPECT_EQ(proposals.grasps.size(), once);
+  const CandidateOptions options;
+  const Proposals proposals = propose_grasps(scene, pieces, kMany, options);
   for (std::size_t i = 0; i < proposals.grasps.size(); ++i) {
-    const Candidate& a = proposals.grasps[i].candidate;
     for (std::size_t k = 0; k < i; ++k) {
-      const Candidate& b = proposals.grasps[k].candidate;
-      if (a.preshape != b.preshape) continue;
-      const double apart = (a.X_OH.translation() - b.X_OH.translation()).norm();
-      // Angle of the turn between them, from its trace.
-      const double cosine = 0.5 * ((a.X_OH.linear().transpose() * b.X_OH.linear()).trace() - 1.0);
-      ASSERT_TRUE(apart > options.duplicate_distance ||
-                  cosine < std::cos(options.duplicate_angle) + kRounding)
-          << i << " and " << k;
+      ASSERT_TRUE(differ(proposals.grasps[i], proposals.grasps[k], options)) << i << " and " << k;
     }
   }
 }
 
-TEST(Candidates, AreNeverMoreThanAskedFor) {
+TEST(Candidates, AreAsManyAsAskedForAndFewerAreTheFirst) {
   const CompiledScene scene = mug_scene("barrett");
-  const auto count = [&](int most) {
-    return propose_grasps(scene, primitives(), {.max_candidates = most}).grasps.size();
-  };
-  const std::size_t all = count(100000);
-  ASSERT_GT(all, 100U);
-  EXPECT_EQ(count(1), 1U);
-  EXPECT_EQ(count(97), 97U);
-  EXPECT_EQ(count(static_cast<int>(all)), all);
-  // Evenly over the list, so that every primitive stays.
-  std::vector<int> of_primitive(3, 0);
-  for (const auto& grasp : propose_grasps(scene, primitives(), {.max_candidates = 97}).grasps) {
-    ++of_primitive[static_cast<std::size_t>(grasp.primitive)];
+  const auto many = propose_grasps(scene, primitives(), kMany).grasps;
+  for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{97}}) {
+    const auto few = propose_grasps(scene, primitives(), count).grasps;
+    ASSERT_EQ(few.size(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_TRUE(few[i].candidate.X_OH.matrix() == many[i].candidate.X_OH.matrix());
+      EXPECT_EQ(few[i].way, many[i].way);
+    }
   }
+}
+
+TEST(Candidates, BeginCoarseAndWithEveryPrimitive) {
+  const CompiledScene scene = mug_scene("barrett");
+  const auto grasps = propose_grasps(scene, primitives(), kMany).grasps;
+  for (std::size_t i = 1; i < grasps.size(); ++i) EXPECT_GE(grasps[i].level, grasps[i - 1].level);
+  std::vector<int> of_primitive(3, 0);
+  for (std::size_t i = 0; i < 48; ++i) ++of_primitive[index(grasps[i].primitive)];
   for (const int n : of_primitive) EXPECT_GT(n, 0);
+}
+
+TEST(ProposalSequence, WhatLiesBesideAGraspIsNearItAndNotProposedAgain) {
+  const CompiledScene scene = mug_scene("barrett");
+  const CandidateOptions options;
+  ProposalSequence sequence(scene, primitives(), options);
+  std::vector<ProposedGrasp> all;
+  for (int i = 0; i < 50; ++i) all.push_back(sequence.next().value());
+  const ProposedGrasp middle = all[20];
+  const auto beside = sequence.beside(middle);
+  ASSERT_FALSE(beside.empty());
+  for (const ProposedGrasp& grasp : beside) {
+    EXPECT_EQ(grasp.primitive, middle.primitive);
+    EXPECT_EQ(grasp.rule, middle.rule);
+    // Either one freedom by half a step or another preshape or depth.
+    int moved = grasp.way != middle.way ? 1 : 0;
+    for (std::size_t k = 0; k < middle.choices.size(); ++k) {
+      if (grasp.choices[k] != middle.choices[k]) ++moved;
+    }
+    EXPECT_EQ(moved, 1);
+    all.push_back(grasp);
+  }
+  EXPECT_TRUE(sequence.beside(middle).empty());
+  for (std::size_t i = 0; i < kMany; ++i) all.push_back(sequence.next().value());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      ASSERT_TRUE(differ(all[i], all[k], options)) << i << " and " << k;
+    }
+  }
+}
+
+TEST(ProposalSequence, WithoutAPrimitiveIsEmpty) {
+  const CompiledScene scene = mug_scene("parallel_jaw_wide");
+  ProposalSequence none(scene, {}, {});
+  EXPECT_FALSE(none.next().has_value());
+  EXPECT_EQ(none.ways(), 0);
 }
 
 TEST(Candidates, StartFreeOfTheObject) {
   const CompiledScene scene = mug_scene("barrett");
-  for (const ProposedGrasp& grasp : propose_grasps(scene, primitives()).grasps) {
+  for (const ProposedGrasp& grasp : propose_grasps(scene, primitives(), 400).grasps) {
     const Candidate& candidate = grasp.candidate;
     const ApproachMotion motion{candidate.X_OH, candidate.approach_O, candidate.approach_distance};
     const auto poses = test::link_poses_in_object(

@@ -1,8 +1,10 @@
 // What each primitive proposes, before a hand is known.
 #include "planner/propose/grasp_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -13,14 +15,46 @@ namespace {
 
 constexpr double kRuleRounding = 1e-12;
 
-std::map<std::string, int> count_by_rule(const std::vector<AimedGrasp>& grasps) {
+// What a rule gives for one value of each of its freedoms.
+struct Aim {
+  std::string rule;
+  double width = 0.0;
+  AimedGrasp grasp;
+};
+
+// Calls `use` with each combination of the values that the freedoms have at this level.
+template <typename Use>
+void for_all_choices(const std::vector<Freedom>& freedoms, int level, std::vector<double>& choices,
+                     const Use& use) {
+  if (choices.size() == freedoms.size()) return use(choices);
+  const Freedom freedom = freedoms[choices.size()];
+  for (int i = 0; i < choice_count(freedom, level); ++i) {
+    choices.push_back(choice_at(freedom, level, i));
+    for_all_choices(freedoms, level, choices, use);
+    choices.pop_back();
+  }
+}
+
+// All aims of all rules of a primitive at a level of detail.
+std::vector<Aim> aims_at(const Primitive& primitive, int level) {
+  std::vector<Aim> aims;
+  for (const GraspRule& rule : grasp_rules(primitive)) {
+    std::vector<double> none;
+    for_all_choices(rule.freedoms, level, none, [&](const std::vector<double>& choices) {
+      aims.push_back({rule.name, rule.width, rule.aim(choices)});
+    });
+  }
+  return aims;
+}
+
+std::map<std::string, int> count_by_rule(const std::vector<Aim>& aims) {
   std::map<std::string, int> counts;
-  for (const AimedGrasp& grasp : grasps) ++counts[grasp.rule];
+  for (const Aim& aim : aims) ++counts[aim.rule];
   return counts;
 }
 
-void expect_orthonormal(const std::vector<AimedGrasp>& grasps) {
-  for (const AimedGrasp& grasp : grasps) {
+void expect_orthonormal(const std::vector<Aim>& aims) {
+  for (const auto& [rule, width, grasp] : aims) {
     EXPECT_NEAR(grasp.approach_O.norm(), 1.0, kRuleRounding);
     EXPECT_NEAR(grasp.closing_O.norm(), 1.0, kRuleRounding);
     EXPECT_NEAR(grasp.approach_O.dot(grasp.closing_O), 0.0, kRuleRounding);
@@ -28,14 +62,14 @@ void expect_orthonormal(const std::vector<AimedGrasp>& grasps) {
 }
 
 // Each aim has a partner that differs in the side of the thumb alone.
-void expect_thumb_on_either_side(const std::vector<AimedGrasp>& grasps) {
-  for (const AimedGrasp& a : grasps) {
-    const auto is_other_side = [&](const AimedGrasp& b) {
-      return (a.target_O - b.target_O).norm() < kRuleRounding &&
-             (a.approach_O - b.approach_O).norm() < kRuleRounding &&
-             (a.closing_O + b.closing_O).norm() < kRuleRounding && a.width == b.width;
+void expect_thumb_on_either_side(const std::vector<Aim>& aims) {
+  for (const Aim& a : aims) {
+    const auto is_other_side = [&](const Aim& b) {
+      return (a.grasp.target_O - b.grasp.target_O).norm() < kRuleRounding &&
+             (a.grasp.approach_O - b.grasp.approach_O).norm() < kRuleRounding &&
+             (a.grasp.closing_O + b.grasp.closing_O).norm() < kRuleRounding && a.width == b.width;
     };
-    EXPECT_TRUE(std::any_of(grasps.begin(), grasps.end(), is_other_side)) << a.rule;
+    EXPECT_TRUE(std::any_of(aims.begin(), aims.end(), is_other_side)) << a.rule;
   }
 }
 
@@ -43,21 +77,19 @@ TEST(GraspRules, ABoxIsHeldByOppositeFacesFromTheFourOtherSides) {
   Random random(141);
   const Vector3 size(0.02, 0.06, 0.1);
   const Primitive primitive{Box{size}, random.pose(0.2)};
-  GraspRuleOptions options;
-  options.places = 3;
-  const auto grasps = aim_at(primitive, options);
-  EXPECT_EQ(grasps.size(), 3U * 4U * 3U * 2U);
-  expect_orthonormal(grasps);
-  expect_thumb_on_either_side(grasps);
+  const auto aims = aims_at(primitive, 1);  // at three places
+  EXPECT_EQ(aims.size(), 3U * 4U * 3U * 2U);
+  expect_orthonormal(aims);
+  expect_thumb_on_either_side(aims);
   const Pose X_PO = primitive.X_OP.inverse();
-  for (const AimedGrasp& grasp : grasps) {
+  for (const auto& [rule, width, grasp] : aims) {
     const Vector3 closing = X_PO.linear() * grasp.closing_O;
     const Vector3 approach = X_PO.linear() * grasp.approach_O;
     const Vector3 target = X_PO * grasp.target_O;
     // Along an axis of the box, as wide as the box is there.
     EXPECT_NEAR(closing.cwiseAbs().maxCoeff(), 1.0, kRuleRounding);
     EXPECT_NEAR(approach.cwiseAbs().maxCoeff(), 1.0, kRuleRounding);
-    EXPECT_NEAR(closing.cwiseAbs().dot(size), grasp.width, kRuleRounding);
+    EXPECT_NEAR(closing.cwiseAbs().dot(size), width, kRuleRounding);
     // On the line through the middle along the remaining axis, inside the box.
     EXPECT_NEAR(target.dot(closing), 0.0, kRuleRounding);
     EXPECT_NEAR(target.dot(approach), 0.0, kRuleRounding);
@@ -68,53 +100,71 @@ TEST(GraspRules, ABoxIsHeldByOppositeFacesFromTheFourOtherSides) {
 TEST(GraspRules, ACylinderIsHeldFromItsSideAndItsEnds) {
   Random random(142);
   const Primitive primitive{Cylinder{0.03, 0.12}, random.pose(0.2)};
-  GraspRuleOptions options;
-  options.cylinder_directions = 8;
-  options.places = 3;
-  const auto grasps = aim_at(primitive, options);
-  expect_orthonormal(grasps);
-  expect_thumb_on_either_side(grasps);
-  const auto counts = count_by_rule(grasps);
+  const auto aims = aims_at(primitive, 1);  // eight directions, three places
+  expect_orthonormal(aims);
+  expect_thumb_on_either_side(aims);
+  const auto counts = count_by_rule(aims);
   EXPECT_EQ(counts.at("cylinder side, thumb across"), 8 * 3 * 2);
   EXPECT_EQ(counts.at("cylinder side, thumb along"), 8 * 2);
-  EXPECT_EQ(counts.at("cylinder end"), 4 * 2 * 2);
+  EXPECT_EQ(counts.at("cylinder end"), 8 * 2);
   const Pose X_PO = primitive.X_OP.inverse();
-  for (const AimedGrasp& grasp : grasps) {
+  for (const auto& [rule, width, grasp] : aims) {
     const Vector3 target = X_PO * grasp.target_O;
     const Vector3 approach = X_PO.linear() * grasp.approach_O;
     EXPECT_NEAR(target.head<2>().norm(), 0.0, kRuleRounding) << "off the axis";
-    if (grasp.rule == "cylinder end") {
+    if (rule == "cylinder end") {
       EXPECT_NEAR(target.z(), -0.06 * approach.z(), kRuleRounding) << "comes from inside";
     } else {
       EXPECT_NEAR(approach.z(), 0.0, kRuleRounding);
       EXPECT_LT(std::abs(target.z()), 0.06);
     }
-    EXPECT_EQ(grasp.width, grasp.rule == "cylinder side, thumb along" ? 0.12 : 0.06);
+    EXPECT_EQ(width, rule == "cylinder side, thumb along" ? 0.12 : 0.06);
   }
 }
 
 TEST(GraspRules, ASphereIsHeldFromAllDirections) {
   const Primitive primitive{Sphere{0.04}, translation({0.1, 0.2, 0.3})};
-  GraspRuleOptions options;
-  options.sphere_directions = 50;
-  options.sphere_turns = 3;
-  const auto grasps = aim_at(primitive, options);
-  EXPECT_EQ(grasps.size(), 50U * 3U * 2U);
-  expect_orthonormal(grasps);
-  expect_thumb_on_either_side(grasps);
+  const auto aims = aims_at(primitive, 1);  // five heights, eight directions, eight turns
+  EXPECT_EQ(aims.size(), 5U * 8U * 8U);
+  expect_orthonormal(aims);
+  expect_thumb_on_either_side(aims);
   Random random(143);
   for (int i = 0; i < 200; ++i) {
     const Vector3 direction = random.direction();
     double nearest = -1.0;
-    for (const AimedGrasp& grasp : grasps) {
-      nearest = std::max(nearest, direction.dot(grasp.approach_O));
-    }
-    // 50 directions: caps of 4 pi / 50 have a half angle of 16 degrees, gaps less than twice that.
-    EXPECT_GT(nearest, std::cos(0.55));
+    for (const Aim& aim : aims) nearest = std::max(nearest, direction.dot(aim.grasp.approach_O));
+    // The heights are 0, 1/2 and 1 of the radius: at most 60 degrees from ring to ring and 45 from
+    // direction to direction.
+    EXPECT_GT(nearest, std::cos(0.6));
   }
-  for (const AimedGrasp& grasp : grasps) {
-    EXPECT_LT((grasp.target_O - Vector3(0.1, 0.2, 0.3)).norm(), kRuleRounding);
-    EXPECT_EQ(grasp.width, 0.08);
+  for (const Aim& aim : aims) {
+    EXPECT_LT((aim.grasp.target_O - Vector3(0.1, 0.2, 0.3)).norm(), kRuleRounding);
+    EXPECT_EQ(aim.width, 0.08);
+  }
+}
+
+TEST(GraspRules, TheChoicesOfALevelAreAmongThoseOfTheNextAndEvenlySpaced) {
+  for (const Freedom freedom : {Freedom::place, Freedom::span, Freedom::turn}) {
+    std::set<double> before;
+    for (int level = 0; level <= 5; ++level) {
+      std::set<double> choices;
+      for (int i = 0; i < choice_count(freedom, level); ++i) {
+        const double choice = choice_at(freedom, level, i);
+        EXPECT_EQ(is_new_choice(freedom, level, i), !before.contains(choice));
+        choices.insert(choice);
+      }
+      EXPECT_EQ(choices.size(), static_cast<std::size_t>(choice_count(freedom, level)));
+      EXPECT_TRUE(std::includes(choices.begin(), choices.end(), before.begin(), before.end()));
+      EXPECT_EQ(*choices.begin() == 0.0, freedom != Freedom::place);
+      EXPECT_EQ(*choices.rbegin() == 1.0, freedom == Freedom::span);
+      const double step = 1.0 / (freedom == Freedom::turn ? 4 << level : 2 << level);
+      double last = *choices.begin();
+      for (const double choice : choices) {
+        EXPECT_TRUE(choice == last || choice == last + step) << level;
+        last = choice;
+      }
+      before = choices;
+    }
   }
 }
 

@@ -25,7 +25,7 @@ const PlanReportOptions kBrief{.most_detailed = 0};
 
 PlanOptions few_candidates() {
   PlanOptions options;
-  options.candidates.max_candidates = 30;
+  options.search.trials = 30;
   options.sections = 3;
   return options;
 }
@@ -250,8 +250,8 @@ TEST(PlanReport, OfMoreGraspsAndCandidatesSomeAreShown) {
 TEST(PlanReport, AGraspWithoutAPathIsCountedAsSuch) {
   const CompiledScene scene = test::compiled_library_scene("mug_on_table");
   PlanOptions options = few_candidates();
-  options.candidates.max_candidates = 60;
-  options.rank.top = 100;
+  options.search.trials = 400;
+  options.rank.top = 1000;
   options.paths.emplace();
   options.paths->alternatives = 1;
   options.paths->transfer.max_iterations = 0;

@@ -130,23 +130,27 @@ TEST(Advice, OnSoftContactsIsForThoseWhoLeftThemOut) {
   ASSERT_EQ(hard.grasps[0].trial.outcome, Outcome::not_force_closure);
   PlanOptions options;
   options.trial = evaluated.trial;
-  const std::vector<Advice> advice = find_advice(scene, options, hard, {hard.grasps[0].trial}, 1);
+  const std::vector<Advice> advice = find_advice(scene, options, hard, {hard.grasps[0].trial});
   EXPECT_EQ(words_of(advice, Hint::soft_contacts),
             "--contacts soft: where rubber counts as a soft finger, 1 of 1 candidates that touch "
             "would hold");
   EXPECT_FALSE(has(plan(compile(slippery()), options).advice, Hint::soft_contacts));
 }
 
-TEST(Advice, OnCandidatesSaysHowManyThereAre) {
-  const CompiledScene scene = compile(slippery());
+TEST(Advice, OnTrialsIsGivenWhereNothingElseHelps) {
   PlanOptions options;
-  const PlanResult all = plan(scene, options);
-  EXPECT_FALSE(has(all.advice, Hint::candidates));
-  options.candidates.max_candidates = 10;
-  const PlanResult few = plan(scene, options);
-  EXPECT_EQ(words_of(few.advice, Hint::candidates),
-            "--candidates " + std::to_string(all.tried.size()) + ": only 10 of " +
-                std::to_string(all.tried.size()) + " candidates were tried");
+  options.search.trials = 10;
+  PlanResult result;
+  result.outcomes[static_cast<std::size_t>(Outcome::no_contact)] = 10;
+  const std::vector<Trial> tried(10);
+  // A ball larger than any hand of the library, and tried all the same.
+  const Scene scene =
+      make_scene(make_graspable("ball", make_sphere(0.3, 2), Material::metal), "parallel_jaw");
+  EXPECT_EQ(words_of(find_advice(compile(scene), options, result, tried), Hint::candidates),
+            "--trials 40: finer candidates than these 10 were not tried");
+  options.search.trials = 11;
+  EXPECT_FALSE(has(find_advice(compile(scene), options, result, tried), Hint::candidates));
+  EXPECT_FALSE(has(plan(compile(slippery())).advice, Hint::candidates));
 }
 
 // A box that is too wide, with a stud on one side that coarse primitives pass over.
@@ -174,7 +178,7 @@ TEST(Advice, OnTheArmSaysHowFarTheObjectIs) {
     scene.object.X_WO = translation({distance, 0.0, 0.5});
     mount(scene, "puma560_barrett");
     PlanOptions options;
-    options.candidates.max_candidates = 100;
+    options.search.trials = 100;
     return plan(compile(std::move(scene)), options);
   };
   const PlanResult far = planned(3.0);
@@ -189,7 +193,7 @@ TEST(Advice, OnPathsIsGivenWhereOnlyAPathIsMissing) {
   const CompiledScene scene = compile(slippery());
   PlanResult result;
   result.outcomes[static_cast<std::size_t>(Outcome::no_path)] = 2;
-  const std::vector<Advice> advice = find_advice(scene, {}, result, {}, 0);
+  const std::vector<Advice> advice = find_advice(scene, {}, result, {});
   ASSERT_EQ(advice.size(), 1U);
   EXPECT_EQ(advice[0].hint, Hint::path);
   EXPECT_EQ(advice[0].words.find("2 grasps hold, but no path"), 0U) << advice[0].words;

@@ -23,9 +23,11 @@ const CompiledScene& mug_on_table() {
   return scene;
 }
 
+// The first of the sequence, whatever holds.
 PlanOptions few_candidates(int count) {
   PlanOptions options;
-  options.candidates.max_candidates = count;
+  options.search.trials = count;
+  options.search.follow = 0.0;
   return options;
 }
 
@@ -47,7 +49,8 @@ RunContext cancelled_after(Stage stage, int done, int threads) {
 std::vector<Candidate> proposed(const CompiledScene& scene, const PlanOptions& options) {
   const auto primitives = decompose(scene.scene.object.mesh, options.primitives).primitives;
   std::vector<Candidate> candidates;
-  for (const ProposedGrasp& grasp : propose_grasps(scene, primitives, options.candidates).grasps) {
+  for (const ProposedGrasp& grasp :
+       propose_grasps(scene, primitives, index(options.search.trials)).grasps) {
     candidates.push_back(grasp.candidate);
   }
   return candidates;
@@ -180,7 +183,7 @@ TEST(CancelledBeforehand, LongCallsThrow) {
   const HandLine line = approach_line(scene, best.candidate, best.trial);
   EXPECT_THROW(compile(mug().scene, context), Cancelled);
   EXPECT_THROW(decompose(scene.scene.object.mesh, {}, context), Cancelled);
-  EXPECT_THROW(propose_grasps(scene, planned.primitives, {}, context), Cancelled);
+  EXPECT_THROW(propose_grasps(scene, planned.primitives, 100, {}, context), Cancelled);
   EXPECT_THROW(run_trial(scene, best.candidate, {}, context), Cancelled);
   EXPECT_THROW(run_trial(mug(), proposed(mug(), options).front(), {}, context), Cancelled);
   EXPECT_THROW(find_reaches(arm, line, 3, {}, context), Cancelled);

@@ -19,7 +19,7 @@ CompiledScene default_scene() { return compile(load_scene(find_scene("mug"))); }
 
 PlanOptions few_candidates() {
   PlanOptions options;
-  options.candidates.max_candidates = 40;
+  options.search.trials = 40;
   return options;
 }
 
@@ -150,7 +150,7 @@ TEST_P(Holds, TheWideParallelJawHoldsWithRegions) {
   scene.hand = find_robot("parallel_jaw_wide");
   const CompiledScene compiled = compile(std::move(scene));
   PlanOptions options;
-  options.candidates.max_candidates = 200;
+  options.search.trials = 200;
   const PlanResult result = plan(compiled, options);
   ASSERT_FALSE(result.grasps.empty());
   std::vector<int> points(compiled.links.size(), 0);

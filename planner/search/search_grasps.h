@@ -1,0 +1,68 @@
+// The search for grasps: which candidates are tried, in which order.
+#pragma once
+
+#include <vector>
+
+#include "planner/propose/candidates.h"
+#include "sim/base/run_context.h"
+#include "sim/base/settings.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// How many candidates are tried, and how much the search follows what it finds.
+struct SearchOptions {
+  // Most trials (>= 1). Those whose hand is blocked on its way to the object (is_blocked) cost next
+  // to nothing and are not counted, up to most_blocked times as many (>= 0). With an arm,
+  // candidates come first whose hand has an orientation near which the arm reached others.
+  int trials = 800;
+  int most_blocked = 10;
+  // Candidates are chosen in batches of this size; what is chosen depends on all trials of the
+  // batches before, in whatever order threads finish them (>= 1).
+  int batch = 32;
+  // The part of a batch that lies beside the best grasps so far, in 0 .. 1; the others continue the
+  // sequence of proposals.
+  double follow = 0.3;
+  // How many of the best grasps are followed.
+  int followed = 10;
+};
+
+template <SettingsOf<SearchOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [trials, most_blocked, batch, follow, followed] = options;
+  visit("trials", trials);
+  visit("most_blocked", most_blocked);
+  visit("batch", batch);
+  visit("follow", follow);
+  visit("followed", followed);
+}
+
+// Why a search ended.
+enum class SearchEnd {
+  trials,       // as many as asked for were made
+  no_proposal,  // nothing was left to propose: nothing fits the hand, or all was tried
+  blocked,      // too many hands were blocked on their way
+  out_of_time,
+  cancelled
+};
+
+struct SearchResult {
+  std::vector<ProposedGrasp> proposed;  // in the order of the search
+  std::vector<Trial> trials;            // those that were finished
+  std::vector<std::size_t> candidates;  // of each trial, the index into `proposed`
+  SearchEnd end = SearchEnd::trials;
+  int ways = 0;                 // see ProposalSequence
+  int ways_untested = 0;        // without any trial
+  double smallest_width = 0.0;  // as in Proposals
+  double largest_opening = 0.0;
+};
+
+// Tries candidates until there are enough trials, the context is cancelled, or its deadline has
+// passed. The same arguments give the same proposals and trials on any number of threads. Cut short
+// by time or cancellation, they are a beginning of them, without those of the last batch that were
+// not finished.
+SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
+                           const CandidateOptions& candidates, const SearchOptions& search,
+                           const TrialOptions& trial, const RunContext& context = {});
+
+}  // namespace prehend
