@@ -73,6 +73,7 @@
 #include "planner/report/contacts_report.h"
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
+#include "planner/search/accuracy.h"
 #include "planner/search/advice.h"
 #include "planner/search/grasp_words.h"
 #include "planner/search/plan.h"

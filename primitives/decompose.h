@@ -28,9 +28,9 @@ struct DecomposeOptions {
 template <SettingsOf<DecomposeOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [tolerance, coverage, max_primitives, seed] = options;
-  visit("primitive_tolerance", tolerance);
-  visit("primitive_coverage", coverage);
-  visit("max_primitives", max_primitives);
+  visit("primitive_tolerance", tolerance, Range{0.0, 1.0, true});
+  visit("primitive_coverage", coverage, Range{0.0, 1.0, true});
+  visit("max_primitives", max_primitives, kAtLeast1);
 }
 
 // Statistics of the distances of surface points from the primitive nearest to each [m].

@@ -5,31 +5,26 @@
 
 namespace prehend::bench {
 std::vector<AccuracySetting> accuracy_settings() {
-  AccuracySetting draft{"draft", {}};
-  draft.trial.contact_gap = 8e-5;
-  draft.trial.cone_edges = 6;
-  draft.trial.back_off_tries = 1;
-  draft.trial.settle.steps = 8;
-  AccuracySetting fine{"fine", {}};
-  fine.trial.contact_gap = 2e-5;
-  fine.trial.cone_edges = 16;
-  return {draft, standard_setting(), fine};
+  std::vector<AccuracySetting> settings;
+  for (const Accuracy accuracy : kAccuracies) {
+    settings.push_back({std::string(accuracy_name(accuracy)), plan_options(accuracy)});
+  }
+  return settings;
 }
 
 AccuracySetting standard_setting() { return {kDefaultSetting, {}}; }
 
 int default_trials() { return SearchOptions{}.trials; }
 
-PlanOptions plan_options(const AccuracySetting& setting, int trials, std::uint64_t seed) {
-  PlanOptions options;
+PlanOptions options_of(const AccuracySetting& setting, int trials, std::uint64_t seed) {
+  PlanOptions options = setting.options;
   options.seed = seed;
-  options.trial = setting.trial;
   options.search.trials = trials;
   return options;
 }
 
 std::vector<ScoredGrasp> best_grasps(const CompiledScene& scene, int trials, int most) {
-  PlanOptions options = plan_options(standard_setting(), trials, 1);
+  PlanOptions options = options_of(standard_setting(), trials, 1);
   options.rank.top = most;
   return plan(scene, options).grasps;
 }

@@ -4,16 +4,17 @@
 #include <string>
 #include <vector>
 
+#include "planner/search/accuracy.h"
 #include "planner/search/plan.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 
 namespace prehend::bench {
 
-// An accuracy of trials, by name.
+// An accuracy, by name.
 struct AccuracySetting {
   std::string name;
-  TrialOptions trial;
+  PlanOptions options;
 };
 
 // From the coarsest to the finest, which the others are compared with.
@@ -25,7 +26,7 @@ AccuracySetting standard_setting();
 int default_trials();
 
 // Options of a plan that makes so many trials.
-PlanOptions plan_options(const AccuracySetting& setting, int trials, std::uint64_t seed);
+PlanOptions options_of(const AccuracySetting& setting, int trials, std::uint64_t seed);
 
 // The best grasps of a plan with so many trials, at most `most`.
 std::vector<ScoredGrasp> best_grasps(const CompiledScene& scene, int trials, int most);

@@ -29,7 +29,7 @@ double sum_of(const std::vector<double>& values) {
 // Times of the trials that end with contacts.
 std::vector<double> times_in_contact(const CompiledScene& scene,
                                      const std::vector<Candidate>& candidates) {
-  const TrialOptions options = standard_setting().trial;
+  const TrialOptions options = standard_setting().options.trial;
   std::vector<double> times;
   for (const Candidate& candidate : candidates) {
     Trial trial;
@@ -102,8 +102,9 @@ void measure_candidates(const Sizes& sizes, const std::string& program, Record& 
     record.add(kCandidates, "candidates proposed", "ms", proposed, wanted);
     if (!trying.allows(wanted)) continue;
     std::vector<std::optional<Trial>> results;
-    const double tried = processor_milliseconds(
-        [&] { results = run_trials(scene, candidates, standard_setting().trial, {.threads = 1}); });
+    const double tried = processor_milliseconds([&] {
+      results = run_trials(scene, candidates, standard_setting().options.trial, {.threads = 1});
+    });
     trying.took(wanted, 1e-3 * tried);
     record.add(kCandidates, "all trials", "ms", tried, wanted);
     std::vector<Trial> trials;
@@ -151,7 +152,7 @@ void measure_threads(const Sizes& sizes, int cores, Record& record) {
     std::vector<double> plans;
     for (int run = 0; run < sizes.thread_runs; ++run) {
       const Clock::time_point start = Clock::now();
-      (void)plan(scene, plan_options(standard_setting(), trials, 1), {.threads = threads});
+      (void)plan(scene, options_of(standard_setting(), trials, 1), {.threads = threads});
       plans.push_back(milliseconds_since(start));
     }
     record.add(kThreads, "whole plan", "ms", plans, threads);

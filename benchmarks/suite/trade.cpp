@@ -27,8 +27,8 @@ AtSetting run_all(const CompiledScene& scene, const std::vector<Candidate>& cand
   AtSetting result;
   for (const Candidate& candidate : candidates) {
     Trial trial;
-    result.milliseconds.push_back(
-        processor_milliseconds([&] { trial = run_trial(scene, candidate, setting.trial); }));
+    result.milliseconds.push_back(processor_milliseconds(
+        [&] { trial = run_trial(scene, candidate, setting.options.trial); }));
     result.epsilons.push_back(epsilon_of(trial));
   }
   return result;
@@ -68,11 +68,11 @@ double planning_seconds(const PlanResult& result) {
 // What plans with so many trials take, and what they find as the finest setting sees it.
 void measure_plans(const std::string& series, const CompiledScene& scene,
                    const AccuracySetting& setting, int trials, const Sizes& sizes, Record& record) {
-  const TrialOptions finest = accuracy_settings().back().trial;
+  const TrialOptions finest = accuracy_settings().back().options.trial;
   std::vector<double> seconds;
   std::vector<double> epsilons;
   for (int seed = 1; seed <= sizes.seeds; ++seed) {
-    PlanOptions options = plan_options(setting, trials, static_cast<std::uint64_t>(seed));
+    PlanOptions options = options_of(setting, trials, static_cast<std::uint64_t>(seed));
     options.rank.top = 1;
     const PlanResult result = plan(scene, options);
     seconds.push_back(planning_seconds(result));

@@ -43,12 +43,12 @@ void measure_hand(const std::string& series, const CompiledScene& scene, int cou
   for (const Candidate& candidate : candidates) {
     Trial trial;
     const double took =
-        processor_milliseconds([&] { trial = run_trial(scene, candidate, setting.trial); });
+        processor_milliseconds([&] { trial = run_trial(scene, candidate, setting.options.trial); });
     all += took;
     if (trial.outcome == Outcome::stable) ++holding;
     if (trial.contacts.empty()) continue;
     in_contact.push_back(took);
-    const StageSeconds once = stage_seconds(scene, candidate, trial, setting.trial);
+    const StageSeconds once = stage_seconds(scene, candidate, trial, setting.options.trial);
     std::transform(stages.begin(), stages.end(), once.begin(), stages.begin(), std::plus<>());
   }
   if (candidates.empty() || !(all > 0.0)) return;

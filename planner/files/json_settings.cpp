@@ -13,13 +13,15 @@ namespace {
 // Every option under its name (sim/base/settings.h).
 template <HasSettings Options>
 void option_fields(auto& fields, Options& options) {
-  visit_settings(options, [&](const std::string& name, auto& value) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, PathPlanner>) {
+  visit_settings(options, [&](const std::string& name, auto& value, const Range& range) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (std::is_same_v<Value, PathPlanner>) {
       fields.named(name, value, value_names(kPathPlanners, path_planner_name));
-    } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, RefineObjective>) {
+    } else if constexpr (std::is_same_v<Value, RefineObjective>) {
       fields.named(name, value, value_names(kRefineObjectives, refine_objective_name));
     } else {
       fields(name, value);
+      fields.require(name, range.contains(static_cast<double>(value)), range.words().c_str());
     }
   });
 }
@@ -50,6 +52,30 @@ nlohmann::ordered_json settings_to_json(const RunRecord& record) {
   FieldWriter fields;
   settings_fields(fields, record);
   return std::move(fields).json();
+}
+
+PlanOptions read_accuracy(const std::string& name_or_file) {
+  if (const auto known = accuracy_named(name_or_file)) return plan_options(*known);
+  const JsonFile file(name_or_file);
+  const JsonField root = file.root();
+  for (const char* name : {"seed", "top"}) {
+    if (root.has(name)) root[name].fail("is no matter of accuracy");
+  }
+  FieldReader fields(root);
+  Accuracy base = Accuracy::standard;
+  fields.named("accuracy", base, value_names(kAccuracies, accuracy_name));
+  RunRecord record;
+  record.options = plan_options(base);
+  settings_fields(fields, record);
+  fields.finish();
+  // Motions end up to 10 % above the gap, and must end within the threshold.
+  constexpr double kLargestGap = 0.9;
+  const TrialOptions& trial = record.options.trial;
+  if (!(trial.contact_gap > 0.0 && trial.contact_gap <= kLargestGap * trial.contact.threshold)) {
+    root[root.has("contact_gap") ? "contact_gap" : "contact_threshold"].fail(
+        "must be at most 0.9 of the contact_threshold");
+  }
+  return std::move(record.options);
 }
 
 void read_settings(const JsonField& field, RunRecord& record) {

@@ -9,7 +9,6 @@
 
 #include "planner/main/interrupts.h"
 #include "planner/report/plan_report.h"
-#include "planner/search/search_grasps.h"
 #include "primitives/decompose.h"
 #include "sim/base/deadline.h"
 
@@ -20,6 +19,7 @@ struct CommonOptions {
   std::filesystem::path out = "out";
   int threads = 0;  // 0: all processors
   std::uint64_t seed = 1;
+  std::string accuracy = "standard";  // a name, or a file of settings
   bool hard_contacts = false;
   bool no_report = false;
   bool progress = false;  // lines on stderr that say how far the run is
@@ -32,8 +32,8 @@ struct PlanCommand {
   std::string hand;           // empty: the scene's
   std::string unit = "m";
   int top = 10;
-  int trials = SearchOptions{}.trials;
-  bool path = false;  // paths of the arm as well
+  std::optional<int> trials;  // empty: those of the accuracy
+  bool path = false;          // paths of the arm as well
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::vector<std::string> exports;           // formats besides grasps.json

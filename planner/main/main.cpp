@@ -90,6 +90,13 @@ void add_no_report(CLI::App& command, bool& no_report) {
   command.add_flag("--no-report", no_report, "do without report.html");
 }
 
+void add_accuracy(CLI::App& command, CommonOptions& common) {
+  command
+      .add_option("--accuracy", common.accuracy,
+                  "draft, standard or fine, or a file of settings (docs/accuracy-file.md)")
+      ->capture_default_str();
+}
+
 void add_contacts(CLI::App& command, CommonOptions& common) {
   command
       .add_option_function<std::string>(
@@ -148,9 +155,9 @@ struct Program {
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
-    command.add_option("--trials", plan.trials, "candidates to try at most")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
+    command
+        .add_option("--trials", plan.trials, "candidates to try at most, 800 for accuracy standard")
+        ->check(CLI::Range(1, 1000000));
     command.add_option("--primitive-tolerance", plan.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");
@@ -162,6 +169,7 @@ struct Program {
         ->delimiter(',')
         ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf"}));
     add_common(command, plan.common);
+    add_accuracy(command, plan.common);
     add_contacts(command, plan.common);
     add_no_report(command, plan.common.no_report);
     add_limits(command, limits);
@@ -183,6 +191,7 @@ struct Program {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     add_common(command, evaluate.common);
+    add_accuracy(command, evaluate.common);
     add_contacts(command, evaluate.common);
     add_no_report(command, evaluate.common.no_report);
     add_limits(command, limits);

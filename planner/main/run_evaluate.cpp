@@ -2,6 +2,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/files/json_settings.h"
 #include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
 #include "planner/main/asked_scene.h"
@@ -54,7 +55,8 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   ProgressBar bar(command.common.progress);
   EvaluateOptions options;
   options.seed = command.common.seed;
-  options.trial.soft_fingers = !command.common.hard_contacts;
+  options.trial = read_accuracy(command.common.accuracy).trial;
+  if (command.common.hard_contacts) options.trial.soft_fingers = false;
   options.volumes = command.volumes;
   if (!command.common.no_report) options.sections = kMostDetailed;
   const RunContext context{command.common.threads, interrupts.cancellation(),

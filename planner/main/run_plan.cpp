@@ -2,6 +2,7 @@
 
 #include "planner/exports/export_files.h"
 #include "planner/files/grasps_file.h"
+#include "planner/files/json_settings.h"
 #include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
 #include "planner/main/asked_scene.h"
@@ -41,16 +42,17 @@ std::string names_of(const std::vector<ExportFile>& files) {
 }
 
 PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
-  PlanOptions options;
+  PlanOptions options = read_accuracy(command.common.accuracy);
   if (command.primitive_tolerance) {
     options.primitives.tolerance = asked_tolerance(object, *command.primitive_tolerance);
   }
   options.seed = command.common.seed;
-  options.trial.soft_fingers = !command.common.hard_contacts;
+  if (command.common.hard_contacts) options.trial.soft_fingers = false;
   options.rank.top = command.top;
-  options.search.trials = command.trials;
+  if (command.trials) options.search.trials = *command.trials;
+  if (!command.path) options.paths.reset();
   if (command.path) {
-    options.paths.emplace();
+    if (!options.paths) options.paths.emplace();
     // Paths look for postures of the arm with the same options as trials.
     options.paths->reach = options.trial.reach;
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();

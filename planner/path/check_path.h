@@ -32,7 +32,7 @@ struct PathCheckOptions {
 template <SettingsOf<PathCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [step] = options;
-  visit("step", step);
+  visit("step", step, kAbove0);
 }
 
 // Tests postures along the cubics between the samples of `path` (joints of scene.arm), so densely

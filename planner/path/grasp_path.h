@@ -27,7 +27,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("", reach);
   visit("", transfer);
   visit("", timing);
-  visit("alternatives", alternatives);
+  visit("alternatives", alternatives, kAtLeast1);
   visit("check", check);
 }
 

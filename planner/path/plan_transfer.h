@@ -53,9 +53,9 @@ template <SettingsOf<TransferOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [planner, max_iterations, simplify_steps, longest_edge, seed, motion] = options;
   visit("planner", planner);
-  visit("max_iterations", max_iterations);
-  visit("simplify_steps", simplify_steps);
-  visit("longest_edge", longest_edge);
+  visit("max_iterations", max_iterations, kAtLeast1);
+  visit("simplify_steps", simplify_steps, kAtLeast0);
+  visit("longest_edge", longest_edge, kAbove0);
   visit("", motion);
 }
 

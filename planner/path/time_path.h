@@ -32,7 +32,7 @@ struct TimePathOptions {
 template <SettingsOf<TimePathOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [sample_time] = options;
-  visit("sample_time", sample_time);
+  visit("sample_time", sample_time, kAbove0);
 }
 
 // A motion at rest at both ends. Time starts at 0 and increases.

@@ -25,9 +25,9 @@ struct CandidateOptions {
 template <SettingsOf<CandidateOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [duplicate_distance, duplicate_angle, start_clearance] = options;
-  visit("duplicate_distance", duplicate_distance);
-  visit("duplicate_angle", duplicate_angle);
-  visit("start_clearance", start_clearance);
+  visit("duplicate_distance", duplicate_distance, kAtLeast0);
+  visit("duplicate_angle", duplicate_angle, kAtLeast0);
+  visit("start_clearance", start_clearance, kAtLeast0);
 }
 
 // A candidate, and what it was derived from.

@@ -50,7 +50,7 @@ class ProposalSequence {
   void add_ways(const Primitive& primitive, int number);
   void begin_level(int level);
   std::optional<ProposedGrasp> at(std::size_t way, std::size_t point);
-  std::optional<ProposedGrasp> proposed(std::size_t way, std::vector<double> choices, int level);
+  std::optional<ProposedGrasp> proposed(std::size_t number, std::vector<double> choices, int level);
 
   const CompiledScene* scene_;
   CandidateOptions options_;

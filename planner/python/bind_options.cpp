@@ -1,3 +1,4 @@
+#include "planner/files/json_settings.h"
 #include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/search/plan.h"
@@ -6,81 +7,75 @@
 namespace prehend::python {
 namespace {
 
-// Fractions in [0, 1). A Range includes its upper end, so that is the largest double below 1.
-constexpr Range kPart{.upper = 0.9999999999999999};
-
 void bind_proposal_options(py::module_& core) {
   OptionsClass<DecomposeOptions>(core, "DecomposeOptions",
                                  "How a mesh is split into boxes, spheres and cylinders.")
-      .number("tolerance", &DecomposeOptions::tolerance, {0.0, 1.0, true},
+      .number("tolerance", &DecomposeOptions::tolerance,
               "A surface point is explained when it lies within this fraction of the bounding-box "
               "diagonal of some primitive; in (0, 1].")
-      .number("coverage", &DecomposeOptions::coverage, {0.0, 1.0, true},
+      .number("coverage", &DecomposeOptions::coverage,
               "Pieces are added until this fraction of the area is explained; in (0, 1].")
-      .number("max_primitives", &DecomposeOptions::max_primitives, kAtLeast1,
+      .number("max_primitives", &DecomposeOptions::max_primitives,
               "At most this many primitives (>= 1). Wins over coverage.")
       .number("seed", &DecomposeOptions::seed, kAtLeast0, "Of the sampled surface points.");
   OptionsClass<CandidateOptions>(core, "CandidateOptions", "Which grasps are proposed.")
-      .number("duplicate_distance", &CandidateOptions::duplicate_distance, kAtLeast0,
+      .number("duplicate_distance", &CandidateOptions::duplicate_distance,
               "Two candidates closer than this and duplicate_angle, with the same preshape, are "
               "one; half of both at each level of detail [m].")
-      .number("duplicate_angle", &CandidateOptions::duplicate_angle, kAtLeast0,
+      .number("duplicate_angle", &CandidateOptions::duplicate_angle,
               "See duplicate_distance [rad].")
-      .number("start_clearance", &CandidateOptions::start_clearance, kAtLeast0,
+      .number("start_clearance", &CandidateOptions::start_clearance,
               "Added to the way from the pre-grasp to the object [m].");
   OptionsClass<SearchOptions>(core, "SearchOptions",
                               "How many candidates are tried, and in which order.")
-      .number("trials", &SearchOptions::trials, kAtLeast1,
+      .number("trials", &SearchOptions::trials,
               "Trials at most, without those whose hand is blocked on its way (>= 1).")
-      .number("most_blocked", &SearchOptions::most_blocked, kAtLeast0,
+      .number("most_blocked", &SearchOptions::most_blocked,
               "Times `trials`: candidates at most whose hand is blocked on its way (>= 0).")
-      .number("batch", &SearchOptions::batch, kAtLeast1,
+      .number("batch", &SearchOptions::batch,
               "Candidates that are chosen together, from all trials before (>= 1).")
-      .number("follow", &SearchOptions::follow, {0.0, 1.0},
+      .number("follow", &SearchOptions::follow,
               "The part of a batch that lies beside the best grasps so far, in 0 .. 1.")
-      .number("followed", &SearchOptions::followed, kAtLeast0,
-              "So many of the best grasps are followed.");
+      .number("followed", &SearchOptions::followed, "So many of the best grasps are followed.");
 }
 
 void bind_contact_options(py::module_& core) {
   OptionsClass<ContactOptions>(core, "ContactOptions", "What counts as a contact.")
-      .number("threshold", &ContactOptions::threshold, kAbove0,
-              "Surfaces closer than this touch [m].")
-      .number("evenness", &ContactOptions::evenness, kAtLeast0,
+      .number("threshold", &ContactOptions::threshold, "Surfaces closer than this touch [m].")
+      .number("evenness", &ContactOptions::evenness,
               "Points of a face contact this much farther than its nearest still count [m].")
-      .number("angular_tolerance", &ContactOptions::angular_tolerance, kAtLeast0,
+      .number("angular_tolerance", &ContactOptions::angular_tolerance,
               "Sine of the angle within which normals count as one.")
-      .number("max_region_corners", &ContactOptions::max_region_corners, {.lower = 3.0},
+      .number("max_region_corners", &ContactOptions::max_region_corners,
               "A region of contact keeps at most this many corners (>= 3).")
-      .number("same_place", &ContactOptions::same_place, kAtLeast0,
+      .number("same_place", &ContactOptions::same_place,
               "Points with one normal nearer than this part of the threshold are one.")
-      .number("flat_corner", &ContactOptions::flat_corner, kAtLeast0,
+      .number("flat_corner", &ContactOptions::flat_corner,
               "Corners of a region that stand out by less than this part of the threshold are left "
               "out.")
-      .number("weakest_patch", &ContactOptions::weakest_patch, kAtLeast0,
+      .number("weakest_patch", &ContactOptions::weakest_patch,
               "Patches that bear less than this part of the strongest's force are left out.");
 }
 
 void bind_reach_options(py::module_& core) {
   OptionsClass<MotionCheckOptions>(core, "MotionCheckOptions",
                                    "How motions are proven free of collision.")
-      .number("tightest", &MotionCheckOptions::tightest, kAbove0,
+      .number("tightest", &MotionCheckOptions::tightest,
               "Stretches on which nothing moves more than this are not cut any further [m].")
-      .number("gap_error", &MotionCheckOptions::gap_error, kPart,
+      .number("gap_error", &MotionCheckOptions::gap_error,
               "Part by which a gap may be underestimated; in [0, 1).");
   OptionsClass<IkOptions>(core, "IkOptions", "Inverse kinematics.")
-      .number("position_tolerance", &IkOptions::position_tolerance, kAbove0, "[m]")
-      .number("angle_tolerance", &IkOptions::angle_tolerance, kAbove0, "[rad]")
-      .number("max_iterations", &IkOptions::max_iterations, kAtLeast1, "From one start (>= 1).")
-      .number("restarts", &IkOptions::restarts, kAtLeast0, "Random starts, after the given one.")
-      .number("max_solutions", &IkOptions::max_solutions, kAtLeast1,
-              "No more are looked for (>= 1).")
+      .number("position_tolerance", &IkOptions::position_tolerance, "[m]")
+      .number("angle_tolerance", &IkOptions::angle_tolerance, "[rad]")
+      .number("max_iterations", &IkOptions::max_iterations, "From one start (>= 1).")
+      .number("restarts", &IkOptions::restarts, "Random starts, after the given one.")
+      .number("max_solutions", &IkOptions::max_solutions, "No more are looked for (>= 1).")
       .number("seed", &IkOptions::seed, kAtLeast0, "Of the random starts.");
   OptionsClass<ReachOptions>(core, "ReachOptions", "How an arm follows the hand's approach.")
       .field("kinematics", &ReachOptions::kinematics, "IkOptions.")
-      .number("line_step", &ReachOptions::line_step, kAbove0,
+      .number("line_step", &ReachOptions::line_step,
               "The approach is followed in steps of this [m].")
-      .number("largest_joint_step", &ReachOptions::largest_joint_step, kAbove0,
+      .number("largest_joint_step", &ReachOptions::largest_joint_step,
               "More change of a joint in one step is a jump to another branch [rad or m].")
       .field("motion", &ReachOptions::motion, "MotionCheckOptions.");
 }
@@ -89,46 +84,42 @@ void bind_trial_options(py::module_& core) {
   OptionsClass<SettleOptions>(core, "SettleOptions",
                               "How an object settles between two self-centering fingers that do "
                               "not hold it.")
-      .number("angle", &SettleOptions::angle, kAbove0, "Of one turn [rad].")
-      .number("steps", &SettleOptions::steps, kAtLeast0,
+      .number("angle", &SettleOptions::angle, "Of one turn [rad].")
+      .number("steps", &SettleOptions::steps,
               "Turns that are tried at most; 0: the object keeps its attitude.")
-      .number("least_angle", &SettleOptions::least_angle, kAbove0,
+      .number("least_angle", &SettleOptions::least_angle,
               "A turn that does not help is tried again at half its angle, down to this [rad].")
-      .number("loosen", &SettleOptions::loosen, kAtLeast0,
-              "Fingers open by this before the object turns [m].")
-      .number("least_gain", &SettleOptions::least_gain, kAtLeast0,
+      .number("loosen", &SettleOptions::loosen, "Fingers open by this before the object turns [m].")
+      .number("least_gain", &SettleOptions::least_gain,
               "Turning goes on while the fingers come closer by more than this in a step [m].")
-      .number("least_arm", &SettleOptions::least_arm, kAtLeast0,
+      .number("least_arm", &SettleOptions::least_arm,
               "Offset of the fingers' forces below which their couple turns nothing [m].");
   OptionsClass<GapTrackerOptions>(core, "GapTrackerOptions",
                                   "How the gap between two moving bodies is asked for: all answers "
                                   "are proven bounds, looser ones cost less.")
-      .number("near", &GapTrackerOptions::near, kAtLeast0,
-              "Triangle pairs are listed within this gap [m].")
-      .number("reach", &GapTrackerOptions::reach, kAtLeast1,
+      .number("near", &GapTrackerOptions::near, "Triangle pairs are listed within this gap [m].")
+      .number("reach", &GapTrackerOptions::reach,
               "How far the list reaches, as a multiple of the gap (>= 1).")
-      .number("least_reach", &GapTrackerOptions::least_reach, kAtLeast0,
-              "And at least by so much [m].")
-      .number("most_pairs", &GapTrackerOptions::most_pairs, kAtLeast0,
-              "No list longer than this is kept.")
-      .number("looseness", &GapTrackerOptions::looseness, kPart,
+      .number("least_reach", &GapTrackerOptions::least_reach, "And at least by so much [m].")
+      .number("most_pairs", &GapTrackerOptions::most_pairs, "No list longer than this is kept.")
+      .number("looseness", &GapTrackerOptions::looseness,
               "Part by which a query may be off that only says how far to go; in [0, 1).");
   OptionsClass<TrialOptions>(core, "TrialOptions",
                              "The one dial between speed and accuracy of a trial.")
       .field("contact", &TrialOptions::contact, "ContactOptions.")
-      .number("contact_gap", &TrialOptions::contact_gap, kAbove0,
+      .number("contact_gap", &TrialOptions::contact_gap,
               "Motions end at this gap; below 0.9 contact.threshold [m].")
-      .number("back_off_step", &TrialOptions::back_off_step, kAbove0,
+      .number("back_off_step", &TrialOptions::back_off_step,
               "When a grasp does not hold, the hand goes back by this and closes again [m].")
-      .number("back_off_tries", &TrialOptions::back_off_tries, kAtLeast0, "How often it does.")
+      .number("back_off_tries", &TrialOptions::back_off_tries, "How often it does.")
       .field("soft_fingers", &TrialOptions::soft_fingers,
              "Whether soft links bear on patches, with torque about the normal; if not, all "
              "contacts are hard points.")
       .field("settle", &TrialOptions::settle, "SettleOptions.")
-      .number("cone_edges", &TrialOptions::cone_edges, {.lower = 3.0},
+      .number("cone_edges", &TrialOptions::cone_edges,
               "Edges of the pyramid that stands for a friction cone (>= 3).")
       .field("reach", &TrialOptions::reach, "ReachOptions, for scenes with an arm.")
-      .number("max_gap_queries", &TrialOptions::max_gap_queries, kAtLeast1,
+      .number("max_gap_queries", &TrialOptions::max_gap_queries,
               "A pair of bodies is asked for its gap at most this often in one motion.")
       .field("gaps", &TrialOptions::gaps, "GapTrackerOptions.");
 }
@@ -141,25 +132,24 @@ void bind_path_options(py::module_& core) {
                {"roadmap", PathPlanner::roadmap},
                {"rrt_star", PathPlanner::rrt_star}},
               R"("rrt_connect", "roadmap" or "rrt_star".)")
-      .number("max_iterations", &TransferOptions::max_iterations, kAtLeast1, "Of the planner.")
-      .number("simplify_steps", &TransferOptions::simplify_steps, kAtLeast0,
-              "Tries to cut a corner short.")
-      .number("longest_edge", &TransferOptions::longest_edge, kAbove0,
+      .number("max_iterations", &TransferOptions::max_iterations, "Of the planner.")
+      .number("simplify_steps", &TransferOptions::simplify_steps, "Tries to cut a corner short.")
+      .number("longest_edge", &TransferOptions::longest_edge,
               "Longest edge that a tree grows at once, as a motion of the arm [m].")
       .number("seed", &TransferOptions::seed, kAtLeast0, "Of the search.")
       .field("motion", &TransferOptions::motion, "MotionCheckOptions.");
   OptionsClass<TimePathOptions>(core, "TimePathOptions", "How a path is timed.")
-      .number("sample_time", &TimePathOptions::sample_time, kAbove0,
+      .number("sample_time", &TimePathOptions::sample_time,
               "Longest time between two samples [s].");
   OptionsClass<PathCheckOptions>(core, "PathCheckOptions",
                                  "How a finished path is looked at again.")
-      .number("step", &PathCheckOptions::step, kAbove0,
+      .number("step", &PathCheckOptions::step,
               "Longest motion of any point of a link between two postures [m].");
   OptionsClass<GraspPathOptions>(core, "GraspPathOptions", "The whole way of an arm to a grasp.")
       .field("reach", &GraspPathOptions::reach, "ReachOptions.")
       .field("transfer", &GraspPathOptions::transfer, "TransferOptions.")
       .field("timing", &GraspPathOptions::timing, "TimePathOptions.")
-      .number("alternatives", &GraspPathOptions::alternatives, kAtLeast1,
+      .number("alternatives", &GraspPathOptions::alternatives,
               "Postures of the pre-grasp that are tried (>= 1).")
       .field("check", &GraspPathOptions::check, "PathCheckOptions: of the finished path.");
 }
@@ -170,15 +160,15 @@ void bind_refine_options(py::module_& core) {
       .choice("objective", &RefineOptions::objective,
               {{"epsilon", RefineObjective::epsilon}, {"robust", RefineObjective::robust}},
               R"(What is made larger: "epsilon", or "robust", its mean under random errors.)")
-      .number("grasps", &RefineOptions::grasps, kAtLeast1,
+      .number("grasps", &RefineOptions::grasps,
               "So many of the grasps, the best ones, are refined (>= 1).")
-      .number("trials", &RefineOptions::trials, kAtLeast0, "Most trials for all of them together.")
-      .number("turn", &RefineOptions::turn, kAbove0,
+      .number("trials", &RefineOptions::trials, "Most trials for all of them together.")
+      .number("turn", &RefineOptions::turn,
               "First turn of the hand that is tried, about the middle of its contacts [rad].")
-      .number("shift", &RefineOptions::shift, kAbove0, "First shift of the hand [m].")
-      .number("spread", &RefineOptions::spread, kAtLeast0,
+      .number("shift", &RefineOptions::shift, "First shift of the hand [m].")
+      .number("spread", &RefineOptions::spread,
               "First change of the degrees of freedom that do not close; 0: none [rad or m].")
-      .number("reach", &RefineOptions::reach, kAtLeast1,
+      .number("reach", &RefineOptions::reach,
               "No change is larger than the first one times this (>= 1).")
       .field("noise", &RefineOptions::noise, "NoiseOptions, for the objective \"robust\".");
 }
@@ -193,14 +183,14 @@ void bind_options(py::module_& core) {
   bind_path_options(core);
   bind_refine_options(core);
   OptionsClass<RankOptions>(core, "RankOptions", "Which grasps are returned.")
-      .number("top", &RankOptions::top, kAtLeast1, "So many grasps (>= 1).")
-      .number("same_distance", &RankOptions::same_distance, kAtLeast0,
+      .number("top", &RankOptions::top, "So many grasps (>= 1).")
+      .number("same_distance", &RankOptions::same_distance,
               "Grasps whose hands are closer than this and same_angle are one [m].")
-      .number("same_angle", &RankOptions::same_angle, kAtLeast0, "See same_distance [rad].")
-      .number("same_contact", &RankOptions::same_contact, kAtLeast0,
+      .number("same_angle", &RankOptions::same_angle, "See same_distance [rad].")
+      .number("same_contact", &RankOptions::same_contact,
               "So are grasps whose contacts are all closer than this [m].");
   OptionsClass<PlanOptions>(core, "PlanOptions", "All that a plan depends on besides its scene.")
-      .number("seed", &PlanOptions::seed, kAtLeast0,
+      .number("seed", &PlanOptions::seed,
               "Everything random in the plan derives from it; seeds further down are set from it.")
       .field("primitives", &PlanOptions::primitives, "DecomposeOptions.")
       .field("candidates", &PlanOptions::candidates, "CandidateOptions.")
@@ -212,8 +202,11 @@ void bind_options(py::module_& core) {
       .field("paths", &PlanOptions::paths,
              "GraspPathOptions: paths for the grasps that are returned, those without one are left "
              "out; needs an arm. None: no paths.")
+      .field("volumes", &PlanOptions::volumes,
+             "Whether the volume and epsilon_nearby of the grasps are computed; else nan and None.")
       .number("sections", &PlanOptions::sections, kAtLeast0,
               "So many of the grasps get sections of their wrench space, for the report.");
+  core.def("plan_options", &read_accuracy);
   OptionsClass<EvaluateOptions>(core, "EvaluateOptions", "All that an evaluation depends on.")
       .number("seed", &EvaluateOptions::seed, kAtLeast0, "As in PlanOptions.")
       .field("trial", &EvaluateOptions::trial, "TrialOptions.")

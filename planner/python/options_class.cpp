@@ -27,15 +27,10 @@ std::string describe_fields(const py::object& options) {
 }
 
 void check_range(const std::string& field, double value, const Range& range) {
-  // Written so that NaN is outside of every range.
-  const bool above = range.without_lower ? value > range.lower : value >= range.lower;
-  if (above && value <= range.upper) return;
-  std::ostringstream message;
-  message << "must be " << (range.without_lower ? "above " : "at least ") << range.lower;
-  if (std::isfinite(range.upper)) message << " and at most " << range.upper;
+  if (range.contains(value)) return;
   std::ostringstream shown;
   shown << value;
-  throw InputError({.field = field, .problem = message.str(), .value = shown.str()});
+  throw InputError({.field = field, .problem = range.words(), .value = shown.str()});
 }
 
 }  // namespace prehend::python

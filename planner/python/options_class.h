@@ -13,21 +13,11 @@
 #include <vector>
 
 #include "sim/base/input_error.h"
+#include "sim/base/settings.h"
 
 namespace prehend::python {
 
 namespace py = pybind11;
-
-// The values that a number may have. The planner itself asserts them, which is right for C++ but
-// would be a crash in Python.
-struct Range {
-  double lower = 0.0;
-  double upper = std::numeric_limits<double>::infinity();
-  bool without_lower = false;  // above `lower`, not at it
-};
-inline constexpr Range kAtLeast0{};
-inline constexpr Range kAtLeast1{.lower = 1.0};
-inline constexpr Range kAbove0{.without_lower = true};
 
 // Sets each keyword as the attribute of that name. Throws TypeError for a name that is not a field.
 void set_fields(const py::object& options, const py::kwargs& given);
@@ -73,7 +63,14 @@ class OptionsClass {
     return *this;
   }
 
-  // A number, whose range is checked when it is set.
+  // A number that is one of the settings, whose range (settings.h) is checked when it is set. The
+  // planner itself asserts it, which is right for C++ but would be a crash in Python.
+  template <class Number>
+  OptionsClass& number(const char* name, Number Options::*member, const char* doc) {
+    return number(name, member, range_of(member), doc);
+  }
+
+  // As above, with its range.
   template <class Number>
   OptionsClass& number(const char* name, Number Options::*member, const Range& range,
                        const char* doc) {

@@ -137,7 +137,9 @@ class PlanRun {
       watch_.lap(Stage::paths);
     }
     if (result_.grasps.empty() && !is_over(context_)) explain();
-    measure_grasps(scene_, options_.trial, {.sections = options_.sections}, context_, result_);
+    WantedMeasures wanted{.sections = options_.sections};
+    if (!options_.volumes) wanted.volumes = 0;
+    measure_grasps(scene_, options_.trial, wanted, context_, result_);
     watch_.lap(Stage::volumes);
     result_.times = watch_.laps();
     return std::move(result_);

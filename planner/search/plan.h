@@ -42,7 +42,11 @@ struct PlanOptions {
   // Set: a path of the arm is planned for each grasp, and grasps without a path are left out. Needs
   // a scene with an arm.
   std::optional<GraspPathOptions> paths;
-  // For how many of the returned grasps, the first ones, sections of the wrench space are computed.
+  // Whether the volume and epsilon_nearby of the returned grasps are computed, which takes longer
+  // than the trials of all of them.
+  bool volumes = true;
+  // For how many of the returned grasps, the first ones, sections of the wrench space are computed,
+  // with their volumes.
   std::size_t sections = 0;
 };
 
@@ -50,14 +54,16 @@ struct PlanOptions {
 // where there are any.
 template <SettingsOf<PlanOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [seed, primitives, candidates, search, trial, refine, rank, paths, sections] = options;
-  visit("seed", seed);
+  auto& [seed, primitives, candidates, search, trial, refine, rank, paths, volumes, sections] =
+      options;
+  visit("seed", seed, kAtLeast0);
   visit("", primitives);
   visit("", candidates);
   visit("", search);
   visit("", trial);
   visit("refine", refine);
   visit("", rank);
+  visit("volumes", volumes);
 }
 
 // Options of evaluate().

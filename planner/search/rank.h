@@ -23,10 +23,10 @@ struct RankOptions {
 template <SettingsOf<RankOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [top, same_distance, same_angle, same_contact] = options;
-  visit("top", top);
-  visit("same_distance", same_distance);
-  visit("same_angle", same_angle);
-  visit("same_contact", same_contact);
+  visit("top", top, kAtLeast1);
+  visit("same_distance", same_distance, kAtLeast0);
+  visit("same_angle", same_angle, kAtLeast0);
+  visit("same_contact", same_contact, kAtLeast0);
 }
 
 // Indices of stable trials, largest lower bound of epsilon first (equal epsilon: smaller index

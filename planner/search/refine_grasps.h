@@ -48,18 +48,18 @@ void for_each_setting(Options& options, const Visit& visit) {
   auto& [pose_position, pose_angle, contact_position, normal_angle, friction, samples, seed] =
       noise;
   visit("objective", objective);
-  visit("grasps", grasps);
-  visit("trials", trials);
-  visit("turn", turn);
-  visit("shift", shift);
-  visit("spread", spread);
-  visit("reach", reach);
-  visit("noise_pose_position", pose_position);
-  visit("noise_pose_angle", pose_angle);
-  visit("noise_contact_position", contact_position);
-  visit("noise_normal_angle", normal_angle);
-  visit("noise_friction", friction);
-  visit("noise_samples", samples);
+  visit("grasps", grasps, kAtLeast1);
+  visit("trials", trials, kAtLeast0);
+  visit("turn", turn, kAbove0);
+  visit("shift", shift, kAbove0);
+  visit("spread", spread, kAtLeast0);
+  visit("reach", reach, kAtLeast1);
+  visit("noise_pose_position", pose_position, kAtLeast0);
+  visit("noise_pose_angle", pose_angle, kAtLeast0);
+  visit("noise_contact_position", contact_position, kAtLeast0);
+  visit("noise_normal_angle", normal_angle, kAtLeast0);
+  visit("noise_friction", friction, kAtLeast0);
+  visit("noise_samples", samples, kAtLeast1);
 }
 
 // A grasp to refine: what was tried, and its trial.

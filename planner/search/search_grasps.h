@@ -30,11 +30,11 @@ struct SearchOptions {
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [trials, most_blocked, batch, follow, followed] = options;
-  visit("trials", trials);
-  visit("most_blocked", most_blocked);
-  visit("batch", batch);
-  visit("follow", follow);
-  visit("followed", followed);
+  visit("trials", trials, kAtLeast1);
+  visit("most_blocked", most_blocked, kAtLeast0);
+  visit("batch", batch, kAtLeast1);
+  visit("follow", follow, Range{0.0, 1.0});
+  visit("followed", followed, kAtLeast0);
 }
 
 // Why a search ended.

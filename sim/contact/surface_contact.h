@@ -44,13 +44,13 @@ template <SettingsOf<ContactOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [threshold, evenness, angular_tolerance, max_region_corners, same_place, flat_corner,
          weakest_patch] = options;
-  visit("threshold", threshold);
-  visit("evenness", evenness);
-  visit("angular_tolerance", angular_tolerance);
-  visit("max_region_corners", max_region_corners);
-  visit("same_place", same_place);
-  visit("flat_corner", flat_corner);
-  visit("weakest_patch", weakest_patch);
+  visit("threshold", threshold, kAbove0);
+  visit("evenness", evenness, kAtLeast0);
+  visit("angular_tolerance", angular_tolerance, kAtLeast0);
+  visit("max_region_corners", max_region_corners, Range{.lower = 3.0});
+  visit("same_place", same_place, kAtLeast0);
+  visit("flat_corner", flat_corner, kAtLeast0);
+  visit("weakest_patch", weakest_patch, kAtLeast0);
 }
 
 // A contact of a list by its height along a fixed direction (contact_copies.h).

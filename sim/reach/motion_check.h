@@ -28,8 +28,8 @@ struct MotionCheckOptions {
 template <SettingsOf<MotionCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [tightest, gap_error] = options;
-  visit("tightest", tightest);
-  visit("gap_error", gap_error);
+  visit("tightest", tightest, kAbove0);
+  visit("gap_error", gap_error, kPart);
 }
 
 // Continuous collision check: a pair that could not be proved to stay apart along the path (the

@@ -29,8 +29,8 @@ template <SettingsOf<ReachOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [kinematics, line_step, largest_joint_step, motion] = options;
   visit("kinematics", kinematics);
-  visit("line_step", line_step);
-  visit("largest_joint_step", largest_joint_step);
+  visit("line_step", line_step, kAbove0);
+  visit("largest_joint_step", largest_joint_step, kAbove0);
   visit("motion", motion);
 }
 

@@ -33,11 +33,11 @@ template <SettingsOf<IkOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [position_tolerance, angle_tolerance, max_iterations, restarts, max_solutions, seed] =
       options;
-  visit("position_tolerance", position_tolerance);
-  visit("angle_tolerance", angle_tolerance);
-  visit("max_iterations", max_iterations);
-  visit("restarts", restarts);
-  visit("max_solutions", max_solutions);
+  visit("position_tolerance", position_tolerance, kAbove0);
+  visit("angle_tolerance", angle_tolerance, kAbove0);
+  visit("max_iterations", max_iterations, kAtLeast1);
+  visit("restarts", restarts, kAtLeast0);
+  visit("max_solutions", max_solutions, kAtLeast1);
 }
 
 // A value for every degree of freedom of a robot, in the order of Robot::dofs [rad or m].

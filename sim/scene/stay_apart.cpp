@@ -20,13 +20,13 @@ constexpr std::size_t kMostJoints = 4;  // the number of boxes grows exponential
 constexpr int kMostQueries = 300;       // gap queries, one for each box
 constexpr double kGapError = 0.5;       // relative error of a gap query, see gap_beyond
 
-struct Range {
+struct JointRange {
   double lower = 0.0;
   double upper = 0.0;
 };
 
 // One range for each joint of the pair.
-using PostureBox = std::vector<Range>;
+using PostureBox = std::vector<JointRange>;
 
 class Proof {
  public:

@@ -27,12 +27,12 @@ struct SettleOptions {
 template <SettingsOf<SettleOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [angle, steps, least_angle, loosen, least_gain, least_arm] = options;
-  visit("angle", angle);
-  visit("steps", steps);
-  visit("least_angle", least_angle);
-  visit("loosen", loosen);
-  visit("least_gain", least_gain);
-  visit("least_arm", least_arm);
+  visit("angle", angle, kAbove0);
+  visit("steps", steps, kAtLeast0);
+  visit("least_angle", least_angle, kAbove0);
+  visit("loosen", loosen, kAtLeast0);
+  visit("least_gain", least_gain, kAtLeast0);
+  visit("least_arm", least_arm, kAtLeast0);
 }
 
 // Settings of the gap queries between two moving bodies (see GapTracker). They change the time that
@@ -56,11 +56,11 @@ struct GapTrackerOptions {
 template <SettingsOf<GapTrackerOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [near, reach, least_reach, most_pairs, looseness] = options;
-  visit("near", near);
-  visit("reach", reach);
-  visit("least_reach", least_reach);
-  visit("most_pairs", most_pairs);
-  visit("looseness", looseness);
+  visit("near", near, kAtLeast0);
+  visit("reach", reach, kAtLeast1);
+  visit("least_reach", least_reach, kAtLeast0);
+  visit("most_pairs", most_pairs, kAtLeast0);
+  visit("looseness", looseness, kPart);
 }
 
 // Settings of a trial. The defaults suit household objects in SI units.
@@ -96,14 +96,14 @@ void for_each_setting(Options& options, const Visit& visit) {
   auto& [contact, contact_gap, back_off_step, back_off_tries, soft_fingers, settle, cone_edges,
          reach, max_gap_queries, gaps] = options;
   visit("contact", contact);
-  visit("contact_gap", contact_gap);
-  visit("back_off_step", back_off_step);
-  visit("back_off_tries", back_off_tries);
+  visit("contact_gap", contact_gap, kAbove0);
+  visit("back_off_step", back_off_step, kAbove0);
+  visit("back_off_tries", back_off_tries, kAtLeast0);
   visit("soft_fingers", soft_fingers);
   visit("settle", settle);
-  visit("cone_edges", cone_edges);
+  visit("cone_edges", cone_edges, Range{.lower = 3.0});
   visit("reach", reach);
-  visit("max_gap_queries", max_gap_queries);
+  visit("max_gap_queries", max_gap_queries, kAtLeast1);
   visit("gaps", gaps);
 }
 

@@ -67,6 +67,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"SeedTooLarge", "plan mug --seed 18446744073709551616 --out FOLDER/out", "",
                 "--seed"},
         Mistake{"LettersAfterANumber", "plan mug --top 3x --out FOLDER/out", "", "--top"},
+        Mistake{"AccuracyThatDoesNotExist", "plan mug --accuracy coarse --out FOLDER/out", "",
+                "coarse"},
         Mistake{"BudgetNotANumber", "plan mug --budget nan --out FOLDER/out", "", "--budget"},
         Mistake{"BudgetOfNothing", "plan mug --budget 0s --out FOLDER/out", "", "--budget"},
         Mistake{"BudgetOfAnUnknownUnit", "plan mug --budget 3weeks --out FOLDER/out", "",

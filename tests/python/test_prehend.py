@@ -519,6 +519,10 @@ class Errors(unittest.TestCase):
         self.assertEqual((error.field, error.value), ("RankOptions.top", "0"))
         self.refused("NaN|nan|at least", prehend.RankOptions, same_angle=float("nan"))
         self.refused("rrt_star", prehend.TransferOptions, planner="walk")
+        self.refused("coarse", prehend.plan_options, "coarse")
+        self.assertFalse(prehend.plan_options("draft").volumes)
+        self.assertEqual(repr(prehend.plan_options()), repr(prehend.PlanOptions()))
+        self.refused("budget: must be above 0", prehend.plan, prehend.load_scene("mug"), budget=0.0)
         self.refused("seed", prehend.plan, prehend.load_scene("mug"), seed=-1)
         self.refused("threads", prehend.plan, prehend.load_scene("mug"), threads=-1)
         self.refused(

@@ -72,6 +72,7 @@ from ._plan import (
     evaluate,
     plan,
     plan_grasp_path,
+    plan_options,
     propose_grasps,
     run_trial,
 )
@@ -176,6 +177,7 @@ __all__ = [
     "make_scene",
     "plan",
     "plan_grasp_path",
+    "plan_options",
     "png_bytes",
     "preshapes",
     "propose_grasps",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import os
 from typing import Callable, List, Optional, Sequence, Union
 
 from . import _core
@@ -50,6 +51,18 @@ def call_options(
         raise InputError("must be above 0", field="budget", value=str(budget))
     seconds = float("inf") if budget is None else budget
     return _core._CallOptions(threads, progress, cancellation or _core.Cancellation(), seconds)
+
+
+def plan_options(accuracy: Union[str, "os.PathLike[str]"] = "standard") -> "_core.PlanOptions":
+    """Options of one accuracy, to be changed further or given to plan().
+
+    Args:
+        accuracy: "draft", "standard" or "fine", or a file of settings (docs/accuracy-file.md).
+
+    Raises:
+        InputError: for a file that does not exist, or has a setting or a value that does not.
+    """
+    return _core.plan_options(os.fsdecode(accuracy))
 
 
 def plan(

@@ -49,7 +49,7 @@ Value changed(const Value& value) {
 template <typename Options>
 std::string change(Options& options, int which) {
   std::string name;
-  visit_settings(options, [&](const std::string& of, auto& value) {
+  visit_settings(options, [&](const std::string& of, auto& value, const Range&) {
     if (which-- == 0) {
       name = of;
       value = changed(value);
