@@ -33,6 +33,7 @@ struct PlanCommand {
   std::string unit = "m";
   int top = 10;
   std::optional<int> trials;  // empty: those of the accuracy
+  std::optional<int> enough;  // grasps that hold, after which the search ends; as above
   bool path = false;          // paths of the arm as well
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions

@@ -158,6 +158,8 @@ struct Program {
     command
         .add_option("--trials", plan.trials, "candidates to try at most, 800 for accuracy standard")
         ->check(CLI::Range(1, 1000000));
+    command.add_option("--enough", plan.enough, "grasps that hold after which the search ends")
+        ->check(CLI::Range(1, 1000000));
     command.add_option("--primitive-tolerance", plan.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");

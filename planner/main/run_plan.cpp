@@ -50,6 +50,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
   options.rank.top = command.top;
   if (command.trials) options.search.trials = *command.trials;
+  if (command.enough) options.search.enough = *command.enough;
   if (!command.path) options.paths.reset();
   if (command.path) {
     if (!options.paths) options.paths.emplace();

@@ -32,6 +32,8 @@ void bind_proposal_options(py::module_& core) {
               "Trials at most, without those whose hand is blocked on its way (>= 1).")
       .number("most_blocked", &SearchOptions::most_blocked,
               "Times `trials`: candidates at most whose hand is blocked on its way (>= 0).")
+      .number("enough", &SearchOptions::enough,
+              "Stable grasps after which the search ends; 0: after all trials (>= 0).")
       .number("batch", &SearchOptions::batch,
               "Candidates that are chosen together, from all trials before (>= 1).")
       .number("follow", &SearchOptions::follow,

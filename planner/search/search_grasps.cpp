@@ -31,6 +31,10 @@ class GraspSearch {
         break;
       }
       if (!try_batch(batch)) break;
+      if (options_.enough > 0 && stable_ >= options_.enough) {
+        result_.end = SearchEnd::enough;
+        break;
+      }
       const auto blocked = static_cast<double>(result_.trials.size()) - counted_;
       if (blocked > static_cast<double>(options_.most_blocked) * options_.trials) {
         result_.end = SearchEnd::blocked;

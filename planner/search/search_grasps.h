@@ -17,6 +17,9 @@ struct SearchOptions {
   // candidates come first whose hand has an orientation near which the arm reached others.
   int trials = 800;
   int most_blocked = 10;
+  // The search ends after the batch in which it has found so many stable grasps; 0: after all
+  // trials (>= 0).
+  int enough = 0;
   // Candidates are chosen in batches of this size; what is chosen depends on all trials of the
   // batches before, in whatever order threads finish them (>= 1).
   int batch = 32;
@@ -29,9 +32,10 @@ struct SearchOptions {
 
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [trials, most_blocked, batch, follow, followed] = options;
+  auto& [trials, most_blocked, enough, batch, follow, followed] = options;
   visit("trials", trials, kAtLeast1);
   visit("most_blocked", most_blocked, kAtLeast0);
+  visit("enough", enough, kAtLeast0);
   visit("batch", batch, kAtLeast1);
   visit("follow", follow, Range{0.0, 1.0});
   visit("followed", followed, kAtLeast0);
@@ -40,6 +44,7 @@ void for_each_setting(Options& options, const Visit& visit) {
 // Why a search ended.
 enum class SearchEnd {
   trials,       // as many as asked for were made
+  enough,       // as many grasps as asked for hold
   no_proposal,  // nothing was left to propose: nothing fits the hand, or all was tried
   blocked,      // too many hands were blocked on their way
   out_of_time,

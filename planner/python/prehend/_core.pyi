@@ -64,6 +64,7 @@ class SearchOptions:
     _fields: Tuple[str, ...]
     trials: int
     most_blocked: int
+    enough: int
     batch: int
     follow: float
     followed: int
@@ -72,6 +73,7 @@ class SearchOptions:
         *,
         trials: int = ...,
         most_blocked: int = ...,
+        enough: int = ...,
         batch: int = ...,
         follow: float = ...,
         followed: int = ...,

@@ -79,6 +79,25 @@ TEST(SearchGrasps, FollowsTheBest) {
   for (const ProposedGrasp& grasp : without.proposed) EXPECT_EQ(grasp.level, 0);
 }
 
+// The batch in which the last of them is found is tried to its end, on any number of threads.
+TEST(SearchGrasps, EndsOnceEnoughGraspsHold) {
+  const Searched mug = mug_to_search();
+  const SearchResult all = mug.search({.trials = 200});
+  for (const int enough : {1, 30}) {
+    const SearchResult some = mug.search({.trials = 200, .enough = enough}, {.threads = 2});
+    EXPECT_EQ(some.end, SearchEnd::enough);
+    EXPECT_EQ(some.trials.size() % 32, 0U);
+    const auto stable_in = [&](std::size_t count) {
+      return std::count_if(some.trials.begin(),
+                           some.trials.begin() + static_cast<std::ptrdiff_t>(count),
+                           [](const Trial& t) { return t.outcome == Outcome::stable; });
+    };
+    EXPECT_GE(stable_in(some.trials.size()), enough);
+    EXPECT_LT(stable_in(some.trials.size() - 32), enough);
+    expect_same(some, all, some.trials.size());
+  }
+}
+
 TEST(SearchGrasps, BeginsNothingAfterItsDeadline) {
   const Searched mug = mug_to_search();
   RunContext context;
