@@ -33,6 +33,9 @@ void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
           {.field = "coverage",
            .problem = "must be in (0, 1]",
            .value = std::to_string(options.coverage)});
+  require(options.points >= 100, {.field = "points",
+                                  .problem = "must be at least 100",
+                                  .value = std::to_string(options.points)});
   require(options.max_primitives >= 1, {.field = "max_primitives",
                                         .problem = "must be at least 1",
                                         .value = std::to_string(options.max_primitives)});
@@ -82,16 +85,15 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
 
 Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
                    const RunContext& context) {
-  constexpr int kPoints = 3000;
   // Surface of a primitive counts as phantom when it is farther from the mesh than the tolerance.
   // The radius must also exceed the spacing of the points, or holes between them would look like
   // missing surface, and must not make the voxel grid too fine (memory).
   constexpr double kGaps = 2.0;
   constexpr double kFinestGrid = 0.02;
-  std::vector<SurfacePoint> points = sample_surface(mesh, kPoints, options.seed);
+  std::vector<SurfacePoint> points = sample_surface(mesh, options.points, options.seed);
   require(!points.empty(), no_area(mesh));
   const double area = surface_area(mesh);
-  const double gap = std::sqrt(area / kPoints);
+  const double gap = std::sqrt(area / options.points);
   const double radius = std::max({options.tolerance, kGaps * gap, kFinestGrid});
   NearSurface near(points, radius);
   return {std::move(points), std::move(near),  area,

@@ -20,6 +20,9 @@ struct DecomposeOptions {
   // that explains more area is added; above it, only one that lowers the objective by more than its
   // cost (region.h), such as the handle of a cup.
   double coverage = 0.97;
+  // So many points stand for the surface (>= 100): time grows in proportion, and what is smaller
+  // than their spacing is not seen.
+  int points = 3000;
   // At most this many primitives (>= 1), also where they do not reach the coverage.
   int max_primitives = 12;
   std::uint64_t seed = 1;
@@ -27,9 +30,10 @@ struct DecomposeOptions {
 
 template <SettingsOf<DecomposeOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [tolerance, coverage, max_primitives, seed] = options;
+  auto& [tolerance, coverage, points, max_primitives, seed] = options;
   visit("primitive_tolerance", tolerance, Range{0.0, 1.0, true});
   visit("primitive_coverage", coverage, Range{0.0, 1.0, true});
+  visit("primitive_points", points, Range{.lower = 100.0});
   visit("max_primitives", max_primitives, kAtLeast1);
 }
 

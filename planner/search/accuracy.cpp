@@ -9,6 +9,7 @@ namespace {
 // one of the best grasps.
 PlanOptions draft_options() {
   PlanOptions options;
+  options.primitives.points = 1000;
   options.trial.back_off_tries = 0;
   options.trial.settle.steps = 6;
   options.refine.trials = 0;

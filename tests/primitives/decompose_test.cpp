@@ -122,6 +122,7 @@ TEST(Decompose, BadArgumentsAreNamed) {
   EXPECT_THROW(decompose(box, {.tolerance = 0.0}), InputError);
   EXPECT_THROW(decompose(box, {.tolerance = nan}), InputError);
   EXPECT_THROW(decompose(box, {.coverage = 1.5}), InputError);
+  EXPECT_THROW(decompose(box, {.points = 99}), InputError);
   const InputError none = test::refusal_of([&] { decompose(box, {.max_primitives = 0}); });
   EXPECT_EQ(none.field(), "max_primitives");
   EXPECT_EQ(none.value(), "0");
@@ -136,6 +137,19 @@ TEST(Decompose, BadArgumentsAreNamed) {
   const InputError error = test::refusal_of([&] { decompose(bad); });
   EXPECT_EQ(error.field(), "mesh.triangles[0]");
   EXPECT_EQ(error.value(), "1000");
+}
+
+// With a third of the points a cup is still a cylinder with a handle, of nearly the same size.
+TEST(Decompose, FewerPointsFindTheSameParts) {
+  const TriangleMesh mug = generate_object("mug", 2000);
+  const Decomposition few = decompose(mug, {.points = 1000});
+  const Decomposition many = decompose(mug);
+  ASSERT_EQ(few.primitives.size(), 2U);
+  ASSERT_EQ(many.primitives.size(), 2U);
+  const auto& body = std::get<Cylinder>(few.primitives.front().shape);
+  const auto& finer = std::get<Cylinder>(many.primitives.front().shape);
+  EXPECT_NEAR(body.radius, finer.radius, 1e-3);
+  EXPECT_NEAR(body.height, finer.height, 4e-3);
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ class DecomposeOptions:
     _fields: Tuple[str, ...]
     tolerance: float
     coverage: float
+    points: int
     max_primitives: int
     seed: int
     def __init__(
@@ -39,6 +40,7 @@ class DecomposeOptions:
         *,
         tolerance: float = ...,
         coverage: float = ...,
+        points: int = ...,
         max_primitives: int = ...,
         seed: int = ...,
     ) -> None: ...
