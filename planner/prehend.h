@@ -23,6 +23,7 @@
 //   platform.h            robots on robots: a hand on an arm on a base
 //   platform_file.h       a platform by name or file
 // The answer
+//   accuracy.h            options that belong together: draft, standard, fine
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
 //   advice.h              what may help where a plan has no grasp
 //   grasp_words.h         where a grasp came from, in words

@@ -75,7 +75,7 @@ PlanOptions read_accuracy(const std::string& name_or_file) {
     root[root.has("contact_gap") ? "contact_gap" : "contact_threshold"].fail(
         "must be at most 0.9 of the contact_threshold");
   }
-  return std::move(record.options);
+  return record.options;
 }
 
 void read_settings(const JsonField& field, RunRecord& record) {
