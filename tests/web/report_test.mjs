@@ -106,6 +106,7 @@ for (const slowdown of [1, 8]) {
     const closed = await report.picture('#scene');
     await report.page.getByText('play').click();
     await report.page.locator('#moment', {hasText: /^grasp/}).waitFor();
+    await report.page.locator('#playback button', {hasText: '▶ play'}).waitFor();
     assert.ok(await report.difference(closed, await report.picture('#scene')) < 50);
     assert.equal(await report.text('#playback button'), '▶ play');
     await report.close();
