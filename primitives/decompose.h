@@ -20,8 +20,8 @@ struct DecomposeOptions {
   // that explains more area is added; above it, only one that lowers the objective by more than its
   // cost (region.h), such as the handle of a cup.
   double coverage = 0.97;
-  // So many points stand for the surface (>= 100): time grows in proportion, and what is smaller
-  // than their spacing is not seen.
+  // So many points stand for the surface (>= 100). More take longer; what is smaller than their
+  // spacing is not seen.
   int points = 3000;
   // At most this many primitives (>= 1), also where they do not reach the coverage.
   int max_primitives = 12;

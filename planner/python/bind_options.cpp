@@ -16,7 +16,7 @@ void bind_proposal_options(py::module_& core) {
       .number("coverage", &DecomposeOptions::coverage,
               "Pieces are added until this fraction of the area is explained; in (0, 1].")
       .number("points", &DecomposeOptions::points,
-              "So many points stand for the surface (>= 100); time grows in proportion.")
+              "So many points stand for the surface (>= 100); more take longer.")
       .number("max_primitives", &DecomposeOptions::max_primitives,
               "At most this many primitives (>= 1). Wins over coverage.")
       .number("seed", &DecomposeOptions::seed, kAtLeast0, "Of the sampled surface points.");
