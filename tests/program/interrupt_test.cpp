@@ -221,7 +221,7 @@ TEST(Limits, ABudgetLeavesAllFilesOfWhatWasTried) {
   const std::filesystem::path folder = own_folder();
   const std::filesystem::path out = folder / "out";
   const ProgramRun run =
-      run_program("plan mug --trials 1000000 --budget 3s --out '" + out.string() + "'");
+      run_program("plan mug --trials 1000000 --budget 6s --out '" + out.string() + "'");
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_NE(run.out.find("out of time: "), std::string::npos) << run.out;
   EXPECT_EQ(files_in(out),
