@@ -33,6 +33,8 @@ class Interrupts {
   void limit_time(double seconds);
   // From now on time has no limit. Returns whether the budget was used up before.
   bool unlimit_time();
+  // The budget ended the work before its time was quite over: exit_status() and reason() say so.
+  void use_up_budget();
 
   // From now on the first signal requests cancellation().
   void cancel_first();

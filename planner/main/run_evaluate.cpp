@@ -38,6 +38,7 @@ bool goes_on(PlanResult& result, Interrupts& interrupts) {
   const bool time_is_up = interrupts.unlimit_time();
   if (time_is_up && result.status == PlanStatus::cancelled) result.status = PlanStatus::out_of_time;
   const bool nothing = result.status == PlanStatus::out_of_time && result.tried.empty();
+  if (nothing) interrupts.use_up_budget();
   if (!nothing && result.status != PlanStatus::cancelled) return true;
   std::cerr << "prehend: " << interrupts.reason() << ", nothing is written\n";
   return false;

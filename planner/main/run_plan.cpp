@@ -79,7 +79,10 @@ class PlanProgram {
     const PlanResult result = plan_grasps(scene, record.options);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     const bool late = result.status == PlanStatus::out_of_time;
-    if (late && result.tried.empty()) return say_interrupted("nothing is written");
+    if (late && result.tried.empty()) {
+      interrupts_.use_up_budget();
+      return say_interrupted("nothing is written");
+    }
     if (!late && result.status != PlanStatus::complete) {
       throw InputError(no_candidates_words(scene, result));
     }

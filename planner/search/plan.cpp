@@ -26,13 +26,13 @@ namespace {
 // the stages behind it are skipped or end at once. A deadline ends the trials early enough for the
 // stages behind them.
 
-// The parts of the time until the deadline after which trials and refinement end, without and with
-// paths behind them.
+// The parts of the time left for trials and, behind them, for the refinement: without and with
+// paths that follow.
 struct TimeShares {
   double trials = 0.7;
-  double refinement = 0.85;
+  double refinement = 0.5;
 };
-constexpr TimeShares kSharesWithPaths = {0.4, 0.5};
+constexpr TimeShares kSharesWithPaths = {0.4, 0.2};
 
 // A refined grasp that gains less than this part of its parent's epsilon is no other grasp.
 constexpr double kLeastGain = 0.01;

@@ -1,6 +1,7 @@
 // A moment after which no more work is to begin.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -23,10 +24,12 @@ class Deadline {
   bool is_set() const { return seconds_ < std::numeric_limits<double>::infinity(); }
   bool has_passed() const { return is_set() && elapsed() >= seconds_; }
 
-  // The moment at which this part of the time, from when the deadline was made, is over.
+  // The moment at which this part of the time that is left now is over.
   Deadline part(double share) const {
+    if (!is_set()) return {};
     Deadline earlier = *this;
-    earlier.seconds_ *= share;
+    const double now = elapsed();
+    earlier.seconds_ = std::min(seconds_, now + share * (seconds_ - now));
     return earlier;
   }
 

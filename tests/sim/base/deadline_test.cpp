@@ -26,6 +26,9 @@ TEST(Deadline, APartIsOverEarlier) {
   const Deadline tomorrow = Deadline::in(86400.0);
   EXPECT_FALSE(tomorrow.part(0.5).has_passed());
   EXPECT_TRUE(tomorrow.part(0.0).has_passed());
+  // Of what is left, which is nothing where the time is over.
+  EXPECT_TRUE(Deadline::in(-1.0).part(0.5).has_passed());
+  EXPECT_FALSE(tomorrow.part(1.0).has_passed());
 }
 
 }  // namespace
