@@ -36,15 +36,13 @@ void bind_quality_options(py::module_& core) {
   OptionsClass<NoiseOptions>(core, "NoiseOptions",
                              "Normal distributions of what is uncertain, by their standard "
                              "deviations; lengths are parts of r = 1 / torque_scale.")
-      .number("pose_position", &NoiseOptions::pose_position, kAtLeast0,
+      .number("pose_position", &NoiseOptions::pose_position,
               "The object against the hand, moved [r].")
-      .number("pose_angle", &NoiseOptions::pose_angle, kAtLeast0, "And turned [rad].")
-      .number("contact_position", &NoiseOptions::contact_position, kAtLeast0,
-              "Each contact by itself [r].")
-      .number("normal_angle", &NoiseOptions::normal_angle, kAtLeast0, "Its normal [rad].")
-      .number("friction", &NoiseOptions::friction, kAtLeast0,
-              "Of the logarithm of its friction coefficient.")
-      .number("samples", &NoiseOptions::samples, kAtLeast1, "So many (>= 1).")
+      .number("pose_angle", &NoiseOptions::pose_angle, "And turned [rad].")
+      .number("contact_position", &NoiseOptions::contact_position, "Each contact by itself [r].")
+      .number("normal_angle", &NoiseOptions::normal_angle, "Its normal [rad].")
+      .number("friction", &NoiseOptions::friction, "Of the logarithm of its friction coefficient.")
+      .number("samples", &NoiseOptions::samples, "So many (>= 1).")
       .number("seed", &NoiseOptions::seed, kAtLeast0, "Of the samples.");
   OptionsClass<ForceOptions>(core, "ForceOptions", "Which contact forces balance a wrench.")
       .choice("measure", &ForceOptions::measure,

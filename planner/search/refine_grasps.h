@@ -45,8 +45,6 @@ struct RefineOptions {
 template <SettingsOf<RefineOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [objective, grasps, trials, turn, shift, spread, reach, noise] = options;
-  auto& [pose_position, pose_angle, contact_position, normal_angle, friction, samples, seed] =
-      noise;
   visit("objective", objective);
   visit("grasps", grasps, kAtLeast1);
   visit("trials", trials, kAtLeast0);
@@ -54,12 +52,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("shift", shift, kAbove0);
   visit("spread", spread, kAtLeast0);
   visit("reach", reach, kAtLeast1);
-  visit("noise_pose_position", pose_position, kAtLeast0);
-  visit("noise_pose_angle", pose_angle, kAtLeast0);
-  visit("noise_contact_position", contact_position, kAtLeast0);
-  visit("noise_normal_angle", normal_angle, kAtLeast0);
-  visit("noise_friction", friction, kAtLeast0);
-  visit("noise_samples", samples, kAtLeast1);
+  visit("noise", noise);
 }
 
 // A grasp to refine: what was tried, and its trial.

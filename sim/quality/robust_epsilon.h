@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/wrench_space.h"
 
@@ -24,6 +25,18 @@ struct NoiseOptions {
   int samples = 200;               // >= 1
   std::uint64_t seed = 1;
 };
+
+template <SettingsOf<NoiseOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [pose_position, pose_angle, contact_position, normal_angle, friction, samples, seed] =
+      options;
+  visit("pose_position", pose_position, kAtLeast0);
+  visit("pose_angle", pose_angle, kAtLeast0);
+  visit("contact_position", contact_position, kAtLeast0);
+  visit("normal_angle", normal_angle, kAtLeast0);
+  visit("friction", friction, kAtLeast0);
+  visit("samples", samples, kAtLeast1);
+}
 
 // Statistics of epsilon over the samples; its lower bound is taken, which is 0 for a sample without
 // force closure.
