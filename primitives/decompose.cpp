@@ -11,6 +11,7 @@
 #include "primitives/fit.h"
 #include "primitives/inscribed.h"
 #include "primitives/polish.h"
+#include "primitives/quantile.h"
 #include "primitives/split.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"

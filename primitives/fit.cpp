@@ -7,6 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "primitives/quantile.h"
+
 // The robust statistics of the fits. Least squares would let a few points of other parts of the
 // object (a handle beside a body) move a primitive far from the rest. Residuals are therefore
 // weighted with Tukey's biweight, whose cutoff follows from the median of the residuals, and the
@@ -37,14 +39,6 @@ std::span<const double> starting_tails(const FitOptions& options) {
   return std::span(kTails).first(options.thorough ? 2 : 1);
 }
 
-double point_loss(double distance, double tolerance) {
-  // The jump from 0.4 to 1 at the tolerance makes a primitive that explains new surface worth more
-  // than one that only comes closer to surface that is explained already.
-  constexpr double kAtTolerance = 0.4;
-  const double relative = distance / tolerance;
-  return std::abs(relative) < 1.0 ? kAtTolerance * relative * relative : 1.0;
-}
-
 double misfit(std::span<const SurfacePoint> points, const Primitive& primitive, double tolerance) {
   if (points.empty()) return 0.0;
   double sum = 0.0;
@@ -62,40 +56,39 @@ std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> points, std::siz
   return kept;
 }
 
-double quantile(std::vector<double>& values, double q) {
-  const double last = static_cast<double>(values.size() - 1);
-  const auto at = static_cast<std::ptrdiff_t>(std::lround(q * last));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
-
-double biweight(double residual, double cutoff) {
-  const double x = residual / cutoff;
-  if (!(std::abs(x) < 1.0)) return 0.0;
-  const double left = 1.0 - x * x;
-  return left * left;
-}
-
 double robust_cutoff(std::span<const double> residuals, const FitOptions& options) {
   // 4.685 standard deviations, each 1.48 median deviations: 95 % efficient for Gaussian noise.
   constexpr double kMedians = 4.685 * 1.4826;
   // Up to this share of the tolerance a residual is tessellation, a rounded edge or a start that is
   // not there yet, not an outlier.
   constexpr double kLowest = 0.4;
-  std::vector<double> sizes(residuals.size());
-  std::transform(residuals.begin(), residuals.end(), sizes.begin(),
+  const double lowest = kLowest * options.outlier;
+  const double highest = 2.0 * options.outlier;
+  if (residuals.empty()) return lowest;
+  // Where the median gives one of these two, it need not be known: it is enough to count. Between
+  // them lie few of the residuals, and the median is looked for among those only.
+  std::vector<double> between(residuals.size());
+  std::size_t count = 0;
+  std::size_t below = 0;
+  std::size_t within = 0;
+  for (const double residual : residuals) {
+    const double size = std::abs(residual);
+    const bool low = kMedians * size <= lowest;
+    const bool high = kMedians * size >= highest;
+    between[count] = size;
+    count += low || high ? 0U : 1U;
+    below += low ? 1U : 0U;
+    within += size <= options.outlier ? 1U : 0U;
+  }
+  const std::size_t place = quantile_place(residuals.size(), 0.5);
+  if (place < below) return lowest;
+  if (place < below + count) {
+    return kMedians * value_at_place(std::span(between).first(count), place - below);
+  }
+  if (place < within) return highest;
+  std::transform(residuals.begin(), residuals.end(), between.begin(),
                  [](double r) { return std::abs(r); });
-  const double median = sizes.empty() ? 0.0 : quantile(sizes, 0.5);
-  const double highest = 2.0 * std::max(options.outlier, median);
-  return std::clamp(kMedians * median, kLowest * options.outlier, highest);
-}
-
-double facing_weight(const SurfacePoint& point, const Vector3& n_patch_O) {
-  // A normal counts as opposed from 17 degrees beyond a right angle on, so that points near edges,
-  // where normals are about orthogonal to the patch, keep their full weight.
-  constexpr double kOpposed = -0.3;
-  constexpr double kOpposedWeight = 0.05;
-  return point.n_O.dot(n_patch_O) < kOpposed ? kOpposedWeight : 1.0;
+  return 2.0 * std::max(options.outlier, value_at_place(between, place));
 }
 
 Matrix3 point_axes(std::span<const SurfacePoint> points) {

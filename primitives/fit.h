@@ -2,6 +2,7 @@
 // directions. Points are in the frame O of the surface; lengths in its unit.
 #pragma once
 
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,14 @@ struct Step {
 std::span<const double> starting_tails(const FitOptions& options);
 
 // The cost of a point at this distance from the nearest primitive's surface: 1 beyond the
-// tolerance, 0.4 (distance / tolerance)^2 within it.
-double point_loss(double distance, double tolerance);
+// tolerance, 0.4 (distance / tolerance)^2 within it. The jump from 0.4 to 1 makes a primitive that
+// explains new surface worth more than one that only comes closer to surface that is explained
+// already.
+inline double point_loss(double distance, double tolerance) {
+  constexpr double kAtTolerance = 0.4;
+  const double relative = distance / tolerance;
+  return std::abs(relative) < 1.0 ? kAtTolerance * relative * relative : 1.0;
+}
 
 // Mean of point_loss over the points: 0 for a perfect fit, 1 when all are beyond the tolerance; 0
 // for no points.
@@ -45,21 +52,29 @@ double misfit(std::span<const SurfacePoint> points, const Primitive& primitive, 
 // At most `count` of the points, evenly picked in their order.
 std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> points, std::size_t count);
 
-// The q-quantile of the values, q in [0, 1] (0: smallest, 0.5: median). Reorders `values`, which
-// must not be empty.
-double quantile(std::vector<double>& values, double q);
-
 // The weight of a residual in robust least squares, Tukey's biweight: (1 - (residual /
 // cutoff)^2)^2, which is 1 at residual 0, and 0 beyond the cutoff.
-double biweight(double residual, double cutoff);
+inline double biweight(double residual, double cutoff) {
+  const double x = residual / cutoff;
+  if (!(std::abs(x) < 1.0)) return 0.0;
+  const double left = 1.0 - x * x;
+  return left * left;
+}
 
-// The cutoff for the biweight, from the median size of the residuals.
+// The cutoff for the biweight, from the median size of the residuals: never below 0.4 times the
+// outlier distance, nor above twice that distance or twice the median, whichever is larger.
 double robust_cutoff(std::span<const double> residuals, const FitOptions& options);
 
 // The weight of a point by its normal, for the part of a primitive with outward normal `n_patch_O`:
 // 1, but 0.05 for a point that faces the other way. So a thin-walled object, such as a cup, is
 // fitted at the outside of its wall and not between its two sides.
-double facing_weight(const SurfacePoint& point, const Vector3& n_patch_O);
+inline double facing_weight(const Vector3& n_O, const Vector3& n_patch_O) {
+  // A normal counts as opposed from 17 degrees beyond a right angle on, so that points near edges,
+  // where normals are about orthogonal to the patch, keep their full weight.
+  constexpr double kOpposed = -0.3;
+  constexpr double kOpposedWeight = 0.05;
+  return n_O.dot(n_patch_O) < kOpposed ? kOpposedWeight : 1.0;
+}
 
 // Principal axes of the points (columns, right-handed, smallest spread first).
 Matrix3 point_axes(std::span<const SurfacePoint> points);

@@ -6,6 +6,7 @@
 
 #include "primitives/fit_shapes.h"
 #include "primitives/normal_equations.h"
+#include "primitives/quantile.h"
 #include "primitives/ranked_starts.h"
 
 namespace prehend {
@@ -169,7 +170,7 @@ Step improve(Slabs& box, std::span<const SurfacePoint> points, const FitOptions&
   std::array<double, 6> support{};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double sign = seen[i].face < 3 ? 1.0 : -1.0;
-    const double facing = facing_weight(points[i], sign * box.R_OP.col(seen[i].face % 3));
+    const double facing = facing_weight(points[i].n_O, sign * box.R_OP.col(seen[i].face % 3));
     const double weight = biweight(residuals[i], cutoff) * facing;
     step.loss_before += facing * point_loss(residuals[i], options.outlier);
     support[static_cast<std::size_t>(seen[i].face)] += weight;

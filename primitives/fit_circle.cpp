@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "primitives/fit.h"
+#include "primitives/quantile.h"
 
 // The algebraic circle fit (Kasa 1976): the equation of a circle, |p - c|^2 = r^2, is linear in the
 // centre c and in k = r^2 - |c|^2, so that one linear least squares problem solves it without a

@@ -5,6 +5,7 @@
 #include "primitives/fit_circle.h"
 #include "primitives/fit_shapes.h"
 #include "primitives/normal_equations.h"
+#include "primitives/quantile.h"
 #include "primitives/ranked_starts.h"
 
 namespace prehend {
@@ -37,7 +38,7 @@ struct TubePoint {
 TubePoint seen_from(const Tube& tube, const Vector3& p_O) {
   TubePoint seen;
   seen.q = tube.R_OP.transpose() * (p_O - tube.base);
-  seen.rho = std::hypot(seen.q.x(), seen.q.y());
+  seen.rho = seen.q.head<2>().norm();
   seen.residual = seen.rho - tube.radius;
   if (seen.q.z() - tube.high > seen.residual) {
     seen.part = Part::high;
@@ -88,7 +89,7 @@ Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, doubl
   for (const SurfacePoint& s : points) {
     const Vector3 q = tube.R_OP.transpose() * s.p_O;
     along.push_back(q.z());
-    radius_sum += std::hypot(q.x(), q.y());
+    radius_sum += q.head<2>().norm();
     if (std::abs(s.n_O.dot(axis)) <= kSideways) sideways.emplace_back(q.head<2>());
   }
   tube.low = quantile(along, tail);
@@ -168,7 +169,7 @@ TubeSystem system_of(const Tube& tube, std::span<const SurfacePoint> points,
                      std::span<const TubePoint> seen, double cutoff, const FitOptions& options) {
   TubeSystem system;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const double facing = facing_weight(points[i], outward(tube, seen[i]));
+    const double facing = facing_weight(points[i].n_O, outward(tube, seen[i]));
     const double weight = biweight(seen[i].residual, cutoff) * facing;
     system.loss += facing * point_loss(seen[i].residual, options.outlier);
     if (!(weight > 0.0)) continue;

@@ -73,7 +73,7 @@ Change gauss_newton(const Ball& ball, std::span<const SurfacePoint> points,
   Vector4 right = Vector4::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3 out = (points[i].p_O - ball.center).stableNormalized();
-    const double facing = facing_weight(points[i], out);
+    const double facing = facing_weight(points[i].n_O, out);
     const double weight = biweight(residuals[i], cutoff) * facing;
     change.step.loss_before += facing * point_loss(residuals[i], options.outlier);
     Vector4 row;

@@ -22,11 +22,13 @@ double distance_to(const Box& box, const Vector3& p) {
 
 double distance_to(const Sphere& sphere, const Vector3& p) { return p.norm() - sphere.radius; }
 
+// Not std::hypot: it takes care of squares that overflow, which lengths of objects are far from,
+// and is several times slower.
 double distance_to(const Cylinder& cylinder, const Vector3& p) {
-  const double side = std::hypot(p.x(), p.y()) - cylinder.radius;
+  const double side = p.head<2>().norm() - cylinder.radius;
   const double end = std::abs(p.z()) - 0.5 * cylinder.height;
   const double inside = std::min(std::max(side, end), 0.0);
-  return std::hypot(std::max(side, 0.0), std::max(end, 0.0)) + inside;
+  return Eigen::Vector2d(std::max(side, 0.0), std::max(end, 0.0)).norm() + inside;
 }
 
 double area_of(const Box& box) {
