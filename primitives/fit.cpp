@@ -56,7 +56,7 @@ std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> points, std::siz
   return kept;
 }
 
-double robust_cutoff(std::span<const double> residuals, const FitOptions& options) {
+double robust_cutoff(const Eigen::ArrayXd& residuals, const FitOptions& options) {
   // 4.685 standard deviations, each 1.48 median deviations: 95 % efficient for Gaussian noise.
   constexpr double kMedians = 4.685 * 1.4826;
   // Up to this share of the tolerance a residual is tessellation, a rounded edge or a start that is
@@ -64,10 +64,10 @@ double robust_cutoff(std::span<const double> residuals, const FitOptions& option
   constexpr double kLowest = 0.4;
   const double lowest = kLowest * options.outlier;
   const double highest = 2.0 * options.outlier;
-  if (residuals.empty()) return lowest;
+  if (residuals.size() == 0) return lowest;
   // Where the median gives one of these two, it need not be known: it is enough to count. Between
   // them lie few of the residuals, and the median is looked for among those only.
-  std::vector<double> between(residuals.size());
+  std::vector<double> between(static_cast<std::size_t>(residuals.size()));
   std::size_t count = 0;
   std::size_t below = 0;
   std::size_t within = 0;
@@ -80,7 +80,7 @@ double robust_cutoff(std::span<const double> residuals, const FitOptions& option
     below += low ? 1U : 0U;
     within += size <= options.outlier ? 1U : 0U;
   }
-  const std::size_t place = quantile_place(residuals.size(), 0.5);
+  const std::size_t place = quantile_place(between.size(), 0.5);
   if (place < below) return lowest;
   if (place < below + count) {
     return kMedians * value_at_place(std::span(between).first(count), place - below);

@@ -63,7 +63,7 @@ inline double biweight(double residual, double cutoff) {
 
 // The cutoff for the biweight, from the median size of the residuals: never below 0.4 times the
 // outlier distance, nor above twice that distance or twice the median, whichever is larger.
-double robust_cutoff(std::span<const double> residuals, const FitOptions& options);
+double robust_cutoff(const Eigen::ArrayXd& residuals, const FitOptions& options);
 
 // The weight of a point by its normal, for the part of a primitive with outward normal `n_patch_O`:
 // 1, but 0.05 for a point that faces the other way. So a thin-walled object, such as a cup, is

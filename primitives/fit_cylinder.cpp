@@ -26,43 +26,37 @@ struct Tube {
 
 enum class Part { side, high, low };
 
-// A point relative to the cylinder. Of the signed distances from side and caps (positive outside)
-// the largest counts: inside the cylinder that is the nearest part.
-struct TubePoint {
-  Vector3 q = Vector3::Zero();  // in the frame of the cylinder, from its base
-  double rho = 0.0;             // distance from the axis
-  Part part = Part::side;
-  double residual = 0.0;  // signed distance from that part
+// The points relative to the cylinder. Of a point's signed distances from side and caps (positive
+// outside) the largest counts: inside the cylinder that is the nearest part.
+struct TubeView {
+  Eigen::MatrixX3d q;        // in the frame of the cylinder, from its base
+  Eigen::ArrayXd rho;        // distances from the axis
+  Eigen::ArrayXd residuals;  // signed distances from the nearest part
 };
 
-TubePoint seen_from(const Tube& tube, const Vector3& p_O) {
-  TubePoint seen;
-  seen.q = tube.R_OP.transpose() * (p_O - tube.base);
-  seen.rho = seen.q.head<2>().norm();
-  seen.residual = seen.rho - tube.radius;
-  if (seen.q.z() - tube.high > seen.residual) {
-    seen.part = Part::high;
-    seen.residual = seen.q.z() - tube.high;
-  }
-  if (tube.low - seen.q.z() > seen.residual) {
-    seen.part = Part::low;
-    seen.residual = tube.low - seen.q.z();
-  }
+TubeView seen_from(const Tube& tube, const PointColumns& points) {
+  TubeView seen{in_frame(tube.R_OP, points.p), {}, {}};
+  seen.q.rowwise() -= tube.base.transpose() * tube.R_OP;
+  seen.rho = (seen.q.col(0).array().square() + seen.q.col(1).array().square()).sqrt();
+  const auto z = seen.q.col(2).array();
+  seen.residuals = (seen.rho - tube.radius).max(z - tube.high).max(tube.low - z);
   return seen;
 }
 
-// The outward normal, in O, of the part that the point belongs to.
-Vector3 outward(const Tube& tube, const TubePoint& seen) {
-  switch (seen.part) {
-    case Part::high:
-      return tube.R_OP.col(2);
-    case Part::low:
-      return -tube.R_OP.col(2);
-    case Part::side:
-      break;
-  }
-  if (!(seen.rho > 0.0)) return tube.R_OP.col(0);
-  return (tube.R_OP.col(0) * seen.q.x() + tube.R_OP.col(1) * seen.q.y()) / seen.rho;
+Part nearest_part(const Tube& tube, double rho, double z) {
+  const double side = rho - tube.radius;
+  const double high = z - tube.high;
+  const double low = tube.low - z;
+  if (low > std::max(side, high)) return Part::low;
+  return high > side ? Part::high : Part::side;
+}
+
+// The outward normal, in the cylinder's frame, of the part that the point q belongs to.
+Vector3 outward(Part part, const Vector3& q, double rho) {
+  if (part == Part::high) return Vector3::UnitZ();
+  if (part == Part::low) return -Vector3::UnitZ();
+  if (!(rho > 0.0)) return Vector3::UnitX();
+  return {q.x() / rho, q.y() / rho, 0.0};
 }
 
 Primitive primitive_of(const Tube& tube, double min_extent) {
@@ -75,7 +69,7 @@ Primitive primitive_of(const Tube& tube, double min_extent) {
 // The starting cylinder along `axis`. Its circle is fitted to the points whose normals are about
 // orthogonal to the axis, since those of the caps would fill the circle. Its ends leave the
 // fraction `tail` of all points outside on either side.
-Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, double tail) {
+Tube tube_along(const Vector3& axis, const PointColumns& points, double tail) {
   // Cosine between normal and axis. A point of the side has 0; 0.6 leaves room for a starting axis
   // that is off by 35 degrees, and for cones.
   constexpr double kSideways = 0.6;
@@ -83,26 +77,27 @@ Tube tube_along(const Vector3& axis, std::span<const SurfacePoint> points, doubl
   tube.R_OP.col(2) = axis;
   tube.R_OP.col(0) = any_orthogonal(axis);
   tube.R_OP.col(1) = axis.cross(tube.R_OP.col(0));
-  std::vector<double> along;
+  Eigen::MatrixX3d q = in_frame(tube.R_OP, points.p);
+  const Eigen::ArrayXd along_normal = points.n.lazyProduct(axis).array().abs();
   std::vector<Eigen::Vector2d> sideways;
-  double radius_sum = 0.0;
-  for (const SurfacePoint& s : points) {
-    const Vector3 q = tube.R_OP.transpose() * s.p_O;
-    along.push_back(q.z());
-    radius_sum += q.head<2>().norm();
-    if (std::abs(s.n_O.dot(axis)) <= kSideways) sideways.emplace_back(q.head<2>());
+  sideways.reserve(static_cast<std::size_t>(q.rows()));
+  for (Eigen::Index i = 0; i < q.rows(); ++i) {
+    if (along_normal[i] <= kSideways) sideways.emplace_back(q(i, 0), q(i, 1));
   }
+  const std::span<double> along(q.col(2).data(), static_cast<std::size_t>(q.rows()));
   tube.low = quantile(along, tail);
   tube.high = quantile(along, 1.0 - tail);
-  tube.radius = radius_sum / static_cast<double>(points.size());
   if (const auto circle = fit_circle(std::move(sideways), tail)) {
     tube.base = tube.R_OP.leftCols<2>() * circle->center;
     tube.radius = circle->radius;
+  } else {
+    tube.radius = (q.col(0).array().square() + q.col(1).array().square()).sqrt().mean();
   }
   return tube;
 }
 
-std::vector<Tube> tube_starts(std::span<const SurfacePoint> points, const FitOptions& options) {
+std::vector<Tube> tube_starts(std::span<const SurfacePoint> points, const PointColumns& columns,
+                              const FitOptions& options) {
   constexpr int kDirections = 32;
   std::vector<Vector3> axes;
   for (const Matrix3& frame : {point_axes(points), normal_axes(points)}) {
@@ -111,43 +106,81 @@ std::vector<Tube> tube_starts(std::span<const SurfacePoint> points, const FitOpt
   if (options.thorough) {
     for (const Vector3& d : half_sphere_directions(kDirections)) axes.push_back(d);
   }
-  return ranked_starts(axes, points, options, tube_along, [](const Tube& tube, const Vector3& p_O) {
-    return seen_from(tube, p_O).residual;
-  });
+  return ranked_starts(
+      axes, columns, options, tube_along,
+      [](const Tube& tube, const PointColumns& few) { return seen_from(tube, few).residuals; });
 }
 
 // Unknowns: turns about the first two axes (0, 1), the base across the axis (2, 3), radius (4),
 // caps (5 high, 6 low).
 using TubeEquations = NormalEquations<7>;
 
-// The derivative of the point's residual by each unknown. A turn w of the frame moves the point's
-// coordinates by q x w. The residual of the side, rho - radius, changes by the part of this motion
-// along (x, y) / rho, that of a cap by the part along the axis. A turn about the axis changes
-// neither, so it is no unknown. On the axis itself rho has no derivative: such a point is left out
-// of the step.
-TubeEquations::Vector slope_of(const TubePoint& seen) {
-  TubeEquations::Vector slope = TubeEquations::Vector::Zero();
-  if (seen.part == Part::side) {
-    if (!(seen.rho > 0.0)) return slope;
-    const double ux = seen.q.x() / seen.rho;
-    const double uy = seen.q.y() / seen.rho;
-    slope << uy * seen.q.z(), -ux * seen.q.z(), -ux, -uy, -1.0, 0.0, 0.0;
-  } else {
-    const double sign = seen.part == Part::high ? 1.0 : -1.0;
-    slope[0] = -sign * seen.q.y();
-    slope[1] = sign * seen.q.x();
-    slope[seen.part == Part::high ? 5 : 6] = -sign;
+// Adds a point of the side. A turn w of the frame moves the point's coordinates by q x w. The
+// residual of the side, rho - radius, changes by the part of this motion along (x, y) / rho, that
+// of a cap by the part along the axis. A turn about the axis changes neither, so it is no unknown.
+// On the axis itself rho has no derivative: such a point is left out of the step.
+void add_side_point(TubeEquations& equations, const Vector3& q, double rho, double residual,
+                    double weight) {
+  if (!(rho > 0.0)) return;
+  const double ux = q.x() / rho;
+  const double uy = q.y() / rho;
+  Eigen::Matrix<double, 5, 1> slope;
+  slope << uy * q.z(), -ux * q.z(), -ux, -uy, -1.0;
+  for (int j = 0; j < 5; ++j) {
+    const double weighted = weight * slope[j];
+    for (int i = j; i < 5; ++i) equations.normal(i, j) += weighted * slope[i];
+    equations.right[j] -= weighted * residual;
   }
-  return slope;
+}
+
+// Sums over the points of one cap, of their weights times the products of their residuals r and
+// their coordinates x, y.
+struct CapSums {
+  double one = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  double r = 0.0;
+  double rx = 0.0;
+  double ry = 0.0;
+};
+
+void add_point(CapSums& sums, const Vector3& q, double residual, double weight) {
+  const double r = weight * residual;
+  sums.one += weight;
+  sums.x += weight * q.x();
+  sums.y += weight * q.y();
+  sums.xx += weight * q.x() * q.x();
+  sums.xy += weight * q.x() * q.y();
+  sums.yy += weight * q.y() * q.y();
+  sums.r += r;
+  sums.rx += r * q.x();
+  sums.ry += r * q.y();
+}
+
+// The slopes of a cap's points are -sign (y, -x, 1), with sign 1 for the high cap and -1 for the
+// low one.
+void add_cap(TubeEquations& equations, int unknown, double sign, const CapSums& sums) {
+  equations.normal(0, 0) += sums.yy;
+  equations.normal(1, 0) -= sums.xy;
+  equations.normal(1, 1) += sums.xx;
+  equations.normal(unknown, 0) += sums.y;
+  equations.normal(unknown, 1) -= sums.x;
+  equations.normal(unknown, unknown) += sums.one;
+  equations.right[0] += sign * sums.ry;
+  equations.right[1] -= sign * sums.rx;
+  equations.right[unknown] += sign * sums.r;
 }
 
 // Moves an uncovered cap (the open end of a cup) to where the points near the side end, without the
 // outermost 0.5 %.
-void close_end(Tube& tube, Part end, std::span<const TubePoint> seen, double cutoff) {
+void close_end(Tube& tube, Part end, const TubeView& seen, double cutoff) {
   constexpr double kTail = 0.005;
   std::vector<double> along;
-  for (const TubePoint& s : seen) {
-    if (std::abs(s.rho - tube.radius) < cutoff) along.push_back(s.q.z());
+  for (Eigen::Index i = 0; i < seen.rho.size(); ++i) {
+    if (std::abs(seen.rho[i] - tube.radius) < cutoff) along.push_back(seen.q(i, 2));
   }
   if (along.empty()) return;
   if (end == Part::high) {
@@ -165,36 +198,41 @@ struct TubeSystem {
   double loss = 0.0;  // as Step::loss_before
 };
 
-TubeSystem system_of(const Tube& tube, std::span<const SurfacePoint> points,
-                     std::span<const TubePoint> seen, double cutoff, const FitOptions& options) {
+TubeSystem system_of(const Tube& tube, const PointColumns& points, const TubeView& seen,
+                     double cutoff, const FitOptions& options) {
   TubeSystem system;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double facing = facing_weight(points[i].n_O, outward(tube, seen[i]));
-    const double weight = biweight(seen[i].residual, cutoff) * facing;
-    system.loss += facing * point_loss(seen[i].residual, options.outlier);
+  CapSums high;
+  CapSums low;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    const Vector3 q = seen.q.row(i);
+    const double rho = seen.rho[i];
+    const double residual = seen.residuals[i];
+    const Part part = nearest_part(tube, rho, q.z());
+    const double facing = facing_weight(points.n.row(i), tube.R_OP * outward(part, q, rho));
+    system.loss += facing * point_loss(residual, options.outlier);
+    const double weight = biweight(residual, cutoff) * facing;
     if (!(weight > 0.0)) continue;
-    if (seen[i].part == Part::side) system.side += weight;
-    if (seen[i].part == Part::high) system.high += weight;
-    if (seen[i].part == Part::low) system.low += weight;
-    const TubeEquations::Vector slope = slope_of(seen[i]);
-    system.equations.normal += weight * slope * slope.transpose();
-    system.equations.right -= (weight * seen[i].residual) * slope;
+    if (part == Part::side) {
+      system.side += weight;
+      add_side_point(system.equations, q, rho, residual, weight);
+    } else {
+      add_point(part == Part::high ? high : low, q, residual, weight);
+    }
   }
+  add_cap(system.equations, 5, 1.0, high);
+  add_cap(system.equations, 6, -1.0, low);
+  system.high = high.one;
+  system.low = low.one;
   return system;
 }
 
 // One Gauss-Newton step of iteratively reweighted least squares, as in fit_box.cpp: each point
 // pulls the part (side or cap) that it is nearest to, parts and weights are computed anew in every
 // step.
-Step improve(Tube& tube, std::span<const SurfacePoint> points, const FitOptions& options) {
+Step improve(Tube& tube, const PointColumns& points, const FitOptions& options) {
   constexpr double kCovered = 0.25;
-  std::vector<TubePoint> seen;
-  std::vector<double> residuals;
-  for (const SurfacePoint& s : points) {
-    seen.push_back(seen_from(tube, s.p_O));
-    residuals.push_back(seen.back().residual);
-  }
-  const double cutoff = robust_cutoff(residuals, options);
+  const TubeView seen = seen_from(tube, points);
+  const double cutoff = robust_cutoff(seen.residuals, options);
   TubeSystem system = system_of(tube, points, seen, cutoff, options);
   // A cap counts as open when it has less than a quarter of the points that its share of the area
   // would give it; a rim alone still leaves it some. Areas in units of pi * radius: a cap is
@@ -230,15 +268,11 @@ Primitive fit_cylinder(std::span<const SurfacePoint> points, const FitOptions& o
   // About the points' mean, so that turning the frame does not also move the cylinder.
   Vector3 mean = Vector3::Zero();
   for (const SurfacePoint& s : points) mean += s.p_O / static_cast<double>(points.size());
-  std::vector<SurfacePoint> centered(points.begin(), points.end());
-  double extent = 0.0;
-  for (SurfacePoint& s : centered) {
-    s.p_O -= mean;
-    extent = std::max(extent, s.p_O.norm());
-  }
+  const PointColumns centered = columns_about(mean, points);
+  const double extent = centered.p.rowwise().norm().maxCoeff();
   Tube best;
   double best_loss = std::numeric_limits<double>::infinity();
-  for (Tube tube : tube_starts(centered, options)) {
+  for (Tube tube : tube_starts(points, centered, options)) {
     for (int i = 0; i <= options.steps; ++i) {
       // The loss belongs to the cylinder before the step: that is the one to keep.
       const Tube before = tube;

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include "primitives/fit_shapes.h"
+#include "primitives/point_columns.h"
 
 namespace prehend {
 namespace {
@@ -61,25 +62,27 @@ struct Change {
 
 // One step of iteratively reweighted least squares on the distances from the sphere. The derivative
 // of |p - c| - r is -(p - c) / |p - c| by the centre and -1 by the radius.
-Change gauss_newton(const Ball& ball, std::span<const SurfacePoint> points,
-                    const FitOptions& options) {
-  std::vector<double> residuals(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    residuals[i] = (points[i].p_O - ball.center).norm() - ball.radius;
-  }
+Change gauss_newton(const Ball& ball, const PointColumns& points, const FitOptions& options) {
+  const Eigen::MatrixX3d from_center = points.p.rowwise() - ball.center.transpose();
+  const Eigen::ArrayXd reach = from_center.rowwise().norm();
+  const Eigen::ArrayXd residuals = reach - ball.radius;
   const double cutoff = robust_cutoff(residuals, options);
   Change change;
   Matrix4 normal = Matrix4::Zero();
   Vector4 right = Vector4::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector3 out = (points[i].p_O - ball.center).stableNormalized();
-    const double facing = facing_weight(points[i].n_O, out);
-    const double weight = biweight(residuals[i], cutoff) * facing;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    // At the centre itself there is no direction, and any will do.
+    const Vector3 out =
+        reach[i] > 0.0 ? Vector3(from_center.row(i) / reach[i]) : Vector3(Vector3::Zero());
+    const double facing = facing_weight(points.n.row(i), out);
     change.step.loss_before += facing * point_loss(residuals[i], options.outlier);
+    const double weight = biweight(residuals[i], cutoff) * facing;
+    if (!(weight > 0.0)) continue;
     Vector4 row;
     row << -out, -1.0;
-    normal += weight * row * row.transpose();
-    right -= weight * residuals[i] * row;
+    const Vector4 weighted = weight * row;
+    normal += weighted * row.transpose();
+    right -= weighted * residuals[i];
   }
   // Damping keeps the equations solvable where the points do not determine the sphere (flat patch).
   constexpr double kDamping = 1e-6;
@@ -99,13 +102,14 @@ Primitive fit_sphere(std::span<const SurfacePoint> points, const FitOptions& opt
   constexpr double kConverged = 1e-9;
   const Ball mean = mean_ball(points);
   const double largest = kLargest * mean.radius;
+  const PointColumns columns = columns_about(Vector3::Zero(), points);
   Ball best = mean;
   double best_loss = std::numeric_limits<double>::infinity();
   for (Ball ball : {algebraic_ball(points, mean), mean}) {
     for (int i = 0; i <= options.steps; ++i) {
       // A ball beyond these limits is not kept: its loss is not computed.
       if (!(ball.radius > 0.0) || ball.radius > largest) break;
-      const Change change = gauss_newton(ball, points, options);
+      const Change change = gauss_newton(ball, columns, options);
       if (change.step.loss_before < best_loss) {
         best = ball;
         best_loss = change.step.loss_before;
