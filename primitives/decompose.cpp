@@ -97,8 +97,8 @@ Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
   const double gap = std::sqrt(area / options.points);
   const double radius = std::max({options.tolerance, kGaps * gap, kFinestGrid});
   NearSurface near(points, radius);
-  return {std::move(points), std::move(near),  area,
-          options.tolerance, options.coverage, context.cancellation};
+  return {std::move(points), std::move(near),     area, options.tolerance, options.coverage,
+          context.threads,   context.cancellation};
 }
 
 // A region of the present partition, with its best split once that has been looked for.
@@ -108,7 +108,7 @@ struct Leaf {
   std::optional<Split> split;
 
   // By how much the split lowers the objective, apart from the shortfall of coverage.
-  double gain() const { return split ? region.cost - split->cost() - kPieceCost : -1.0; }
+  double gain() const { return split ? region.fit.cost - split->cost() - kPieceCost : -1.0; }
   // The share of the whole surface that only the split explains.
   double newly_explained() const {
     return split ? region.unexplained - split->first.unexplained - split->second.unexplained : -1.0;
@@ -124,13 +124,13 @@ std::vector<Region> grown(const Surface& surface, const DecomposeOptions& option
   // pieces than stopping early does, because early cuts are made without knowing the later ones.
   const std::size_t most = static_cast<std::size_t>(options.max_primitives) + 4;
   std::vector<Leaf> leaves;
-  leaves.push_back({fit_region(surface.points, surface, Effort::thorough), false, std::nullopt});
+  leaves.push_back({std::move(fit_regions({surface.points}, surface)[0]), false, std::nullopt});
   while (leaves.size() < most) {
     double unexplained = 0.0;
     for (Leaf& leaf : leaves) {
       unexplained += leaf.region.unexplained;
       // Splitting gains at most the region's whole cost: one that costs little is not worth a try.
-      if (leaf.tried || leaf.region.cost < 0.5 * kPieceCost) continue;
+      if (leaf.tried || leaf.region.fit.cost < 0.5 * kPieceCost) continue;
       leaf.split = best_split(leaf.region, surface);
       leaf.tried = true;
     }
@@ -204,7 +204,7 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
     double nearest = surface.tolerance;
     std::optional<std::size_t> owner;
     for (std::size_t k = 0; k < regions.size(); ++k) {
-      const double d = std::abs(signed_distance(regions[k].primitive, s.p_O));
+      const double d = std::abs(signed_distance(regions[k].fit.primitive, s.p_O));
       if (d <= nearest) {
         nearest = d;
         owner = k;
@@ -220,7 +220,7 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
   std::vector<Primitive> fitted;
   const SurfaceMoments moments = surface_moments(unit.mesh);
   for (const std::size_t k : order) {
-    const Primitive primitive = aligned(regions[k].primitive, moments);
+    const Primitive primitive = aligned(regions[k].fit.primitive, moments);
     fitted.push_back(on_vertices(primitive, regions[k].points, unit.mesh));
     result.primitives.push_back(rescaled(fitted.back(), unit));
     result.share.push_back(share[k]);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "primitives/fit.h"
+#include "sim/parallel/parallel.h"
 
 // The greedy splits (split.h) are chosen one after the other, without regard to those that follow.
 // Here the set of primitives as a whole is improved by local search with three moves: reassign all
@@ -49,8 +51,8 @@ struct Costs {
 Costs costs_of(const Regions& regions, const Surface& surface) {
   Costs costs;
   for (const Region& region : regions) {
-    costs.distance.push_back(distances(region.primitive, surface));
-    costs.phantom.push_back(phantom_cost(region.primitive, surface));
+    costs.distance.push_back(distances(region.fit.primitive, surface.points));
+    costs.phantom.push_back(phantom_cost(region.fit.primitive, surface));
   }
   return costs;
 }
@@ -67,11 +69,8 @@ Regions reassigned(const Regions& regions, const Surface& surface) {
     }
     points[nearest].push_back(surface.points[i]);
   }
-  Regions result;
-  for (std::vector<SurfacePoint>& own : points) {
-    if (!own.empty()) result.push_back(fit_region(std::move(own), surface, Effort::thorough));
-  }
-  return result;
+  std::erase_if(points, [](const std::vector<SurfacePoint>& own) { return own.empty(); });
+  return fit_regions(std::move(points), surface);
 }
 
 // Removes the primitive without which the objective is lowest, if that lowers it; with `always`,
@@ -97,39 +96,41 @@ bool drop_one(Regions& regions, const Surface& surface, bool always) {
   return true;
 }
 
-// One region in the place of two.
-Region united(const Region& a, const Region& b, const Surface& surface, Effort effort) {
+// The points of a region in the place of two.
+std::vector<SurfacePoint> united(const Region& a, const Region& b) {
   std::vector<SurfacePoint> points = a.points;
   points.insert(points.end(), b.points.begin(), b.points.end());
-  return fit_region(std::move(points), surface, effort);
+  return points;
 }
 
 // Merges the pair of regions that one primitive explains at the least extra cost, if that lowers
 // the objective. All pairs are compared with quick fits; only the best is fitted thoroughly. False
 // when nothing was merged.
 bool merge_one(Regions& regions, const Surface& surface) {
-  const double before = objective(regions, surface);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    for (std::size_t j = i + 1; j < regions.size(); ++j) pairs.emplace_back(i, j);
+  }
+  if (pairs.empty()) return false;
+  std::vector<double> rise(pairs.size());
+  for_each_in_parallel(pairs.size(), surface.threads, [&](std::size_t k) {
+    const Region& a = regions[pairs[k].first];
+    const Region& b = regions[pairs[k].second];
+    const std::vector<SurfacePoint> points = united(a, b);
+    const Fit both =
+        quick_fit(thinned(points, kQuickPoints), share_of(points.size(), surface), surface);
+    rise[k] = both.cost - a.fit.cost - b.fit.cost;
+  });
+  const auto least = std::min_element(rise.begin(), rise.end());
   // A merger saves one primitive, so its cost may rise by kPieceCost. The cost of a region counts
   // only the region's own points, though other primitives may explain them too; so this is an
   // estimate, and the objective of the whole set decides below.
-  double best_rise = kPieceCost;
-  std::optional<std::pair<std::size_t, std::size_t>> pair;
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    for (std::size_t j = i + 1; j < regions.size(); ++j) {
-      const Region both = united(regions[i], regions[j], surface, Effort::quick);
-      const double rise = both.cost - regions[i].cost - regions[j].cost;
-      if (rise < best_rise) {
-        best_rise = rise;
-        pair = {i, j};
-      }
-    }
-  }
-  if (!pair) return false;
+  if (!(*least < kPieceCost)) return false;
+  const auto [first, second] = pairs[static_cast<std::size_t>(least - rise.begin())];
   Regions merged = regions;
-  merged[pair->first] =
-      united(regions[pair->first], regions[pair->second], surface, Effort::thorough);
-  merged.erase(merged.begin() + static_cast<std::ptrdiff_t>(pair->second));
-  if (objective(merged, surface) >= before) return false;
+  merged[first] = std::move(fit_regions({united(regions[first], regions[second])}, surface)[0]);
+  merged.erase(merged.begin() + static_cast<std::ptrdiff_t>(second));
+  if (objective(merged, surface) >= objective(regions, surface)) return false;
   regions = std::move(merged);
   return true;
 }

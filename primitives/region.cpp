@@ -1,11 +1,13 @@
 #include "primitives/region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
 #include "primitives/fit_shapes.h"
 #include "primitives/primitive_surface.h"
+#include "sim/parallel/parallel.h"
 
 // What a region costs is its part of the objective (region.h): the misfit of its points, weighted
 // with their share of the surface, and the phantom surface of its primitive. All three kinds of
@@ -28,6 +30,25 @@ double unexplained_share(const Primitive& primitive, std::span<const SurfacePoin
   return static_cast<double>(unexplained) / static_cast<double>(surface.points.size());
 }
 
+// Lengths are in the unit of the scaled mesh, whose bounding box has a diagonal of 1.
+constexpr double kMinExtent = 1e-4;
+
+using FitShape = Primitive (*)(std::span<const SurfacePoint>, const FitOptions&);
+constexpr std::array<FitShape, 3> kShapes = {fit_cylinder, fit_box, fit_sphere};
+
+Fit fit_of(FitShape fit, std::span<const SurfacePoint> points, double share,
+           const FitOptions& options, const Surface& surface) {
+  surface.cancellation.check();
+  const Primitive primitive = fit(points, options);
+  return {primitive, cost_of(primitive, points, share, surface)};
+}
+
+// The first of those that cost least.
+Fit cheapest(std::span<const Fit> fits) {
+  return *std::min_element(fits.begin(), fits.end(),
+                           [](const Fit& a, const Fit& b) { return a.cost < b.cost; });
+}
+
 }  // namespace
 
 // The area of the patches of the primitive that are not near the mesh, relative to the area of the
@@ -42,53 +63,63 @@ double phantom_cost(const Primitive& primitive, const Surface& surface) {
   return kPhantomWeight * phantom / surface.area;
 }
 
-std::vector<double> distances(const Primitive& primitive, const Surface& surface) {
+double share_of(std::size_t count, const Surface& surface) {
+  return static_cast<double>(count) / static_cast<double>(surface.points.size());
+}
+
+std::vector<double> distances(const Primitive& primitive, std::span<const SurfacePoint> points) {
   std::vector<double> result;
-  result.reserve(surface.points.size());
-  for (const SurfacePoint& s : surface.points) {
+  result.reserve(points.size());
+  for (const SurfacePoint& s : points) {
     result.push_back(std::abs(signed_distance(primitive, s.p_O)));
   }
   return result;
 }
 
-Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort) {
-  // Quick fits use few points and few steps: a search for splits compares many candidates, and only
-  // the best one is fitted again thoroughly (refitted). Lengths are in the unit of the scaled mesh,
-  // whose bounding box has a diagonal of 1.
-  constexpr std::size_t kQuickPoints = 160;
-  constexpr int kQuickSteps = 4;
-  constexpr int kThoroughSteps = 12;
-  constexpr double kMinExtent = 1e-4;
-  const bool quick = effort == Effort::quick;
-  const FitOptions options{.outlier = surface.tolerance,
-                           .min_extent = kMinExtent,
-                           .steps = quick ? kQuickSteps : kThoroughSteps,
-                           .thorough = !quick};
-  const std::vector<SurfacePoint> few = quick ? thinned(points, kQuickPoints) : points;
-  const double share =
-      static_cast<double>(points.size()) / static_cast<double>(surface.points.size());
-  Region region;
-  region.cost = std::numeric_limits<double>::infinity();
-  for (const auto fit : {fit_cylinder, fit_box, fit_sphere}) {
-    surface.cancellation.check();
-    const Primitive candidate = fit(few, options);
-    const double cost = cost_of(candidate, few, share, surface);
-    if (cost < region.cost) {
-      region.primitive = candidate;
-      region.cost = cost;
-    }
+Fit quick_fit(std::span<const SurfacePoint> points, double share, const Surface& surface) {
+  constexpr int kSteps = 4;
+  const FitOptions options{
+      .outlier = surface.tolerance, .min_extent = kMinExtent, .steps = kSteps, .thorough = false};
+  std::array<Fit, kShapes.size()> fits;
+  for (std::size_t i = 0; i < kShapes.size(); ++i) {
+    fits[i] = fit_of(kShapes[i], points, share, options, surface);
   }
-  region.unexplained = unexplained_share(region.primitive, points, surface);
-  region.points = std::move(points);
-  return region;
+  return cheapest(fits);
 }
 
-Region refitted(Region region, const Surface& surface) {
-  const double share =
-      static_cast<double>(region.points.size()) / static_cast<double>(surface.points.size());
-  region.cost = cost_of(region.primitive, region.points, share, surface);
-  Region thorough = fit_region(region.points, surface, Effort::thorough);
-  return thorough.cost <= region.cost ? std::move(thorough) : std::move(region);
+std::vector<Region> fit_regions(std::vector<std::vector<SurfacePoint>> parts,
+                                const Surface& surface) {
+  constexpr int kSteps = 12;
+  const FitOptions options{
+      .outlier = surface.tolerance, .min_extent = kMinExtent, .steps = kSteps, .thorough = true};
+  constexpr std::size_t kKinds = kShapes.size();
+  std::vector<Fit> fits(kKinds * parts.size());
+  for_each_in_parallel(fits.size(), surface.threads, [&](std::size_t i) {
+    const std::vector<SurfacePoint>& points = parts[i / kKinds];
+    fits[i] =
+        fit_of(kShapes[i % kKinds], points, share_of(points.size(), surface), options, surface);
+  });
+  std::vector<Region> regions;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    Region region{std::move(parts[k]), cheapest(std::span(fits).subspan(kKinds * k, kKinds)), 0.0};
+    region.unexplained = unexplained_share(region.fit.primitive, region.points, surface);
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+std::vector<Region> refitted(std::vector<std::vector<SurfacePoint>> parts,
+                             const std::vector<Primitive>& primitives, const Surface& surface) {
+  std::vector<Region> regions = fit_regions(std::move(parts), surface);
+  for (std::size_t k = 0; k < regions.size(); ++k) {
+    Region& region = regions[k];
+    const double share = share_of(region.points.size(), surface);
+    const double cost = cost_of(primitives[k], region.points, share, surface);
+    if (region.fit.cost <= cost) continue;
+    region.fit = {primitives[k], cost};
+    region.unexplained = unexplained_share(primitives[k], region.points, surface);
+  }
+  return regions;
 }
 
 }  // namespace prehend

@@ -1,6 +1,7 @@
 // A piece of the surface, the primitive that fits it best, and what that choice costs.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Surface {
   double area = 0.0;
   double tolerance = 0.0;
   double coverage = 0.0;
+  int threads = 0;            // as in RunContext
   Cancellation cancellation;  // checked by every fit
 };
 
@@ -33,31 +35,45 @@ constexpr double kPieceCost = 0.015;
 // explains another 0.75 % of the surface.
 constexpr double kShortfallCost = 2.0;
 
-// A part of the surface and its primitive.
+// A primitive and what it costs for the points that it was fitted to: its share of the objective,
+// without the piece and the shortfall.
+struct Fit {
+  Primitive primitive;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+// A part of the surface and the best fit to its points.
 struct Region {
   std::vector<SurfacePoint> points;
-  Primitive primitive;       // the best fit to the points
-  double cost = 0.0;         // its share of the objective, without the piece and the shortfall
+  Fit fit;
   double unexplained = 0.0;  // share of the whole surface: points of it beyond the tolerance
 };
 
-enum class Effort {
-  quick,     // few points, few starts: to compare many candidates
-  thorough,  // all points
-};
+// So many points are enough for a quick fit.
+constexpr std::size_t kQuickPoints = 160;
 
-// The box, sphere or cylinder of least cost for these points (at least one). Throws Cancelled.
-Region fit_region(std::vector<SurfacePoint> points, const Surface& surface, Effort effort);
+// The box, sphere or cylinder of least cost for these points (at least one), which stand for
+// `share` of the surface. Quick: it starts from few directions and takes few steps, to compare many
+// candidates. Throws Cancelled.
+Fit quick_fit(std::span<const SurfacePoint> points, double share, const Surface& surface);
 
-// The region with a thorough fit to all its points. It keeps its own primitive where the new one
-// costs more.
-Region refitted(Region region, const Surface& surface);
+// A region for each part (of at least one point), with the thorough fit to all its points. The same
+// on any number of threads. Throws Cancelled.
+std::vector<Region> fit_regions(std::vector<std::vector<SurfacePoint>> parts,
+                                const Surface& surface);
+
+// Fits as by fit_regions, but each part keeps the fit it comes with where the new one costs more.
+std::vector<Region> refitted(std::vector<std::vector<SurfacePoint>> parts,
+                             const std::vector<Primitive>& primitives, const Surface& surface);
 
 // The phantom term of the objective for one primitive: how much of its surface lies where the mesh
 // has none. Without this term a large primitive that merely touches the points would cost nothing.
 double phantom_cost(const Primitive& primitive, const Surface& surface);
 
-// The distance (>= 0) of each of surface.points from the primitive's surface.
-std::vector<double> distances(const Primitive& primitive, const Surface& surface);
+// The share of the whole surface that `count` of its points stand for.
+double share_of(std::size_t count, const Surface& surface);
+
+// The distance (>= 0) of each of the points from the primitive's surface.
+std::vector<double> distances(const Primitive& primitive, std::span<const SurfacePoint> points);
 
 }  // namespace prehend

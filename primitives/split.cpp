@@ -1,27 +1,26 @@
 #include "primitives/split.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "primitives/fit.h"
+#include "sim/parallel/parallel.h"
 
 // A split is found by trying: every candidate divides the points in two, and a quick fit to each
 // part tells what the two primitives would cost. The candidates are planes in a few directions at a
 // few positions, and the separation of points near the region's primitive from all others.
+//
+// Candidates are tried in parallel. One is given up as soon as its first fit alone costs more than
+// the cheapest candidate that is known by then. Which ones are depends on the threads, but the
+// cheapest of all is never given up, so that the result does not.
 namespace prehend {
 namespace {
-
-using Points = std::vector<SurfacePoint>;
 
 // Smallest share of all points that a part may have. Fewer fit some primitive by chance, and the
 // part would be noise (of 3000 points: 24).
 constexpr double kSmallestShare = 0.008;
-
-// A plane: points with direction.dot(p) < offset are on its first side.
-struct Cut {
-  Vector3 direction = Vector3::Zero();  // unit
-  double offset = 0.0;
-};
 
 // Fewest points of a part.
 std::size_t smallest(const Surface& surface) {
@@ -29,63 +28,134 @@ std::size_t smallest(const Surface& surface) {
       4, static_cast<std::size_t>(kSmallestShare * static_cast<double>(surface.points.size())));
 }
 
-// Splits the region by a predicate, fits a primitive to each part quickly, and keeps the split in
-// `best` if it is the cheapest so far. Returns whether it was kept. Costs are not negative, so the
-// second part need not be fitted where the first alone costs as much as the best split.
-template <class Predicate>
-bool consider(const Region& region, const Surface& surface, const Predicate& in_first,
-              std::optional<Split>& best) {
-  Points first;
-  Points second;
-  for (const SurfacePoint& s : region.points) (in_first(s) ? first : second).push_back(s);
-  if (std::min(first.size(), second.size()) < smallest(surface)) return false;
-  Split split;
-  split.first = fit_region(std::move(first), surface, Effort::quick);
-  if (best && split.first.cost >= best->cost()) return false;
-  split.second = fit_region(std::move(second), surface, Effort::quick);
-  if (best && split.cost() >= best->cost()) return false;
-  best = std::move(split);
-  return true;
+// A value for each point of a region, such as its coordinate along a direction.
+using Values = std::vector<double>;
+
+// Divides a region: the points whose value is below the limit are the first part.
+struct Cut {
+  const Values* values = nullptr;
+  double limit = 0.0;
+};
+
+// The two parts, as indices of points.
+struct Parts {
+  std::vector<std::size_t> first;
+  std::vector<std::size_t> second;
+};
+
+Parts parts_of(const Cut& cut) {
+  Parts parts;
+  for (std::size_t i = 0; i < cut.values->size(); ++i) {
+    ((*cut.values)[i] < cut.limit ? parts.first : parts.second).push_back(i);
+  }
+  return parts;
 }
 
-bool consider_cut(const Region& region, const Surface& surface, const Cut& cut,
-                  std::optional<Split>& best) {
-  return consider(
-      region, surface,
-      [&cut](const SurfacePoint& s) { return cut.direction.dot(s.p_O) < cut.offset; }, best);
+// A cut with the quick fits to its parts. The cost is infinite where a part is too small, and where
+// the cut was given up.
+struct Candidate {
+  Cut cut;
+  Primitive first;
+  Primitive second;
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+void lower(std::atomic<double>& bound, double cost) {
+  double known = bound.load();
+  while (cost < known && !bound.compare_exchange_weak(known, cost)) {
+  }
 }
 
-// Cuts by planes orthogonal to `direction`.
-void consider_cuts_along(const Vector3& direction, const Region& region, const Surface& surface,
-                         std::optional<Split>& best) {
-  // Evenly spaced cuts first, then two halvings of the spacing around the best of them: that places
-  // a cut to 1/36 of the extent with 12 fits instead of 35.
-  constexpr int kStations = 8;
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
-  for (const SurfacePoint& s : region.points) {
-    low = std::min(low, direction.dot(s.p_O));
-    high = std::max(high, direction.dot(s.p_O));
-  }
-  double spacing = (high - low) / (kStations + 1);
-  double at = 0.0;
-  bool found = false;
-  for (int i = 1; i <= kStations; ++i) {
-    const double offset = low + spacing * i;
-    if (consider_cut(region, surface, {direction, offset}, best)) {
-      at = offset;
-      found = true;
-    }
-  }
-  if (!found) return;
-  for (int halving = 0; halving < 2; ++halving) {
-    spacing *= 0.5;
-    const double middle = at;
-    for (const double offset : {middle - spacing, middle + spacing}) {
-      if (consider_cut(region, surface, {direction, offset}, best)) at = offset;
-    }
-  }
+// Cuts by planes orthogonal to a direction, by the points' coordinates along it.
+struct Stations {
+  Values along;
+  double lowest = 0.0;
+  double spacing = 0.0;
+};
+
+constexpr int kStations = 8;
+
+Stations stations_along(const Vector3& direction, const Region& region) {
+  Stations stations;
+  for (const SurfacePoint& s : region.points) stations.along.push_back(direction.dot(s.p_O));
+  const auto [low, high] = std::minmax_element(stations.along.begin(), stations.along.end());
+  stations.lowest = *low;
+  stations.spacing = (*high - *low) / (kStations + 1);
+  return stations;
 }
+
+class SplitSearch {
+ public:
+  SplitSearch(const Region& region, const Surface& surface)
+      : region_(region), surface_(surface), bound_(highest_worthwhile(region)) {}
+
+  // The cheapest of these cuts and `best`, of several the first. All of them have to be worthwhile.
+  Candidate cheapest(const std::vector<Cut>& cuts, Candidate best) {
+    std::vector<Candidate> tried(cuts.size());
+    for_each_in_parallel(cuts.size(), surface_.threads,
+                         [&](std::size_t i) { tried[i] = candidate(cuts[i]); });
+    for (Candidate& other : tried) {
+      if (other.cost < best.cost) best = other;
+    }
+    return best;
+  }
+
+  // The cheapest of `best` and the cuts by planes along a direction: evenly spaced ones first, then
+  // two halvings of the spacing around the best of them. That places a cut to 1/36 of the extent
+  // with 12 candidates instead of 35.
+  Candidate cheapest_plane(const Stations& stations, const Candidate& best) {
+    const Values* along = &stations.along;
+    std::vector<Cut> cuts;
+    for (int i = 1; i <= kStations; ++i) {
+      cuts.push_back({along, stations.lowest + stations.spacing * i});
+    }
+    Candidate found = cheapest(cuts, best);
+    if (found.cut.values != along) return found;
+    for (const double step : {0.5 * stations.spacing, 0.25 * stations.spacing}) {
+      const double middle = found.cut.limit;
+      found = cheapest({{along, middle - step}, {along, middle + step}}, found);
+    }
+    return found;
+  }
+
+ private:
+  // A split that costs more than this does not lower the objective, whatever the shortfall.
+  static double highest_worthwhile(const Region& region) {
+    return region.fit.cost + kShortfallCost * region.unexplained - kPieceCost;
+  }
+
+  Candidate candidate(const Cut& cut) {
+    const Parts parts = parts_of(cut);
+    Candidate result{.cut = cut, .first = {}, .second = {}};
+    if (std::min(parts.first.size(), parts.second.size()) < smallest(surface_)) return result;
+    // The larger part first: it is the more likely to cost too much. Costs are not negative.
+    const bool in_order = parts.first.size() >= parts.second.size();
+    const Fit larger = fit_to(in_order ? parts.first : parts.second);
+    if (larger.cost > bound_.load()) return result;
+    const Fit smaller = fit_to(in_order ? parts.second : parts.first);
+    const double cost = larger.cost + smaller.cost;
+    if (cost > bound_.load()) return result;
+    lower(bound_, cost);
+    result.first = (in_order ? larger : smaller).primitive;
+    result.second = (in_order ? smaller : larger).primitive;
+    result.cost = cost;
+    return result;
+  }
+
+  Fit fit_to(const std::vector<std::size_t>& part) const {
+    const std::size_t count = std::min(part.size(), kQuickPoints);
+    std::vector<SurfacePoint> few;
+    few.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      few.push_back(region_.points[part[i * part.size() / count]]);
+    }
+    return quick_fit(few, share_of(part.size(), surface_), surface_);
+  }
+
+  const Region& region_;
+  const Surface& surface_;
+  std::atomic<double> bound_;  // no cut that costs more can be the best
+};
 
 // Directions of the planes to try: the principal axes of the points, and the axes of the primitive
 // where they differ by more than 18 degrees. The latter matter for shapes like an L, which splits
@@ -94,7 +164,7 @@ std::vector<Vector3> cut_directions(const Region& region) {
   constexpr double kSame = 0.95;  // cosine; 18 degrees
   std::vector<Vector3> directions;
   for (const Matrix3& frame :
-       {point_axes(region.points), Matrix3(region.primitive.X_OP.linear())}) {
+       {point_axes(region.points), Matrix3(region.fit.primitive.X_OP.linear())}) {
     for (int i = 2; i >= 0; --i) {
       const Vector3 axis = frame.col(i);
       const bool known = std::any_of(directions.begin(), directions.end(), [&](const Vector3& d) {
@@ -106,32 +176,36 @@ std::vector<Vector3> cut_directions(const Region& region) {
   return directions;
 }
 
+Split split_by(const Candidate& candidate, const Region& region, const Surface& surface) {
+  const Parts parts = parts_of(candidate.cut);
+  std::vector<std::vector<SurfacePoint>> points(2);
+  for (const std::size_t i : parts.first) points[0].push_back(region.points[i]);
+  for (const std::size_t i : parts.second) points[1].push_back(region.points[i]);
+  std::vector<Region> fitted =
+      refitted(std::move(points), {candidate.first, candidate.second}, surface);
+  return {std::move(fitted[0]), std::move(fitted[1])};
+}
+
 }  // namespace
 
 std::optional<Split> best_split(const Region& region, const Surface& surface) {
-  std::optional<Split> best;
-  if (region.points.size() < 2 * smallest(surface)) return best;
+  if (region.points.size() < 2 * smallest(surface)) return std::nullopt;
+  SplitSearch search(region, surface);
+  Candidate best;
+  std::vector<Stations> directions;
   for (const Vector3& direction : cut_directions(region)) {
-    consider_cuts_along(direction, region, surface, best);
+    directions.push_back(stations_along(direction, region));
   }
+  for (const Stations& d : directions) best = search.cheapest_plane(d, best);
   // Points near the region's primitive against the rest: separates a protrusion (a handle) from a
   // body that no plane would cut off. Two widths of the band, since the rest near the seam is
   // within the full tolerance too.
-  for (const double share_of_tolerance : {0.5, 1.0}) {
-    const double band = share_of_tolerance * surface.tolerance;
-    consider(
-        region, surface,
-        [&](const SurfacePoint& s) {
-          return std::abs(signed_distance(region.primitive, s.p_O)) < band;
-        },
-        best);
-  }
+  const Values distance = distances(region.fit.primitive, region.points);
+  best =
+      search.cheapest({{&distance, 0.5 * surface.tolerance}, {&distance, surface.tolerance}}, best);
   // The candidates were compared with quick fits; only the chosen one is fitted thoroughly.
-  if (best) {
-    best->first = refitted(std::move(best->first), surface);
-    best->second = refitted(std::move(best->second), surface);
-  }
-  return best;
+  if (!std::isfinite(best.cost)) return std::nullopt;
+  return split_by(best, region, surface);
 }
 
 }  // namespace prehend

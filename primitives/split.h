@@ -12,12 +12,13 @@ struct Split {
   Region first;
   Region second;
 
-  double cost() const { return first.cost + second.cost; }
+  double cost() const { return first.fit.cost + second.fit.cost; }
 };
 
 // The split of least cost among cuts by planes across the principal axes and the primitive's axes,
 // and the separation of the points that the region's primitive explains from the rest. Nothing when
-// the parts would be too small. Throws Cancelled.
+// the parts would be too small, or where quick fits tell that no split lowers the objective. The
+// same on any number of threads. Throws Cancelled.
 std::optional<Split> best_split(const Region& region, const Surface& surface);
 
 }  // namespace prehend
