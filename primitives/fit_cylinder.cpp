@@ -115,22 +115,77 @@ std::vector<Tube> tube_starts(std::span<const SurfacePoint> points, const PointC
 // caps (5 high, 6 low).
 using TubeEquations = NormalEquations<7>;
 
-// Adds a point of the side. A turn w of the frame moves the point's coordinates by q x w. The
-// residual of the side, rho - radius, changes by the part of this motion along (x, y) / rho, that
-// of a cap by the part along the axis. A turn about the axis changes neither, so it is no unknown.
-// On the axis itself rho has no derivative: such a point is left out of the step.
-void add_side_point(TubeEquations& equations, const Vector3& q, double rho, double residual,
-                    double weight) {
+// Sums over the points of the side, of their weights times the products of their residuals r, of
+// x and y, the coordinates of the direction from the axis (of length 1), and of z, the coordinate
+// along it.
+struct SideSums {
+  double one = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  double xz = 0.0;
+  double yz = 0.0;
+  double xx = 0.0;
+  double xy = 0.0;
+  double yy = 0.0;
+  double xxz = 0.0;
+  double xyz = 0.0;
+  double yyz = 0.0;
+  double xxzz = 0.0;
+  double xyzz = 0.0;
+  double yyzz = 0.0;
+  double r = 0.0;
+  double rx = 0.0;
+  double ry = 0.0;
+  double rxz = 0.0;
+  double ryz = 0.0;
+};
+
+// On the axis itself the distance from it has no derivative: such a point is left out.
+void add_point(SideSums& sums, const Vector3& q, double rho, double residual, double weight) {
   if (!(rho > 0.0)) return;
-  const double ux = q.x() / rho;
-  const double uy = q.y() / rho;
-  Eigen::Matrix<double, 5, 1> slope;
-  slope << uy * q.z(), -ux * q.z(), -ux, -uy, -1.0;
-  for (int j = 0; j < 5; ++j) {
-    const double weighted = weight * slope[j];
-    for (int i = j; i < 5; ++i) equations.normal(i, j) += weighted * slope[i];
-    equations.right[j] -= weighted * residual;
-  }
+  const double x = q.x() / rho;
+  const double y = q.y() / rho;
+  const double z = q.z();
+  const double r = weight * residual;
+  const double xx = weight * x * x;
+  const double xy = weight * x * y;
+  const double yy = weight * y * y;
+  sums.one += weight;
+  sums.x += weight * x;
+  sums.y += weight * y;
+  sums.xz += weight * x * z;
+  sums.yz += weight * y * z;
+  sums.xx += xx;
+  sums.xy += xy;
+  sums.yy += yy;
+  sums.xxz += xx * z;
+  sums.xyz += xy * z;
+  sums.yyz += yy * z;
+  sums.xxzz += xx * z * z;
+  sums.xyzz += xy * z * z;
+  sums.yyzz += yy * z * z;
+  sums.r += r;
+  sums.rx += r * x;
+  sums.ry += r * y;
+  sums.rxz += r * x * z;
+  sums.ryz += r * y * z;
+}
+
+// A turn w of the frame moves a point's coordinates by q x w. The residual of the side, its
+// distance from the axis less the radius, changes by the part of this motion along (x, y), that of
+// a cap by the part along the axis. A turn about the axis changes neither, so it is no unknown. So
+// the slopes of a point of the side are (y z, -x z, -x, -y, -1).
+void add_side(TubeEquations& equations, const SideSums& sums) {
+  Eigen::Matrix<double, 5, 5> lower = Eigen::Matrix<double, 5, 5>::Zero();
+  lower.col(0) << sums.yyzz, -sums.xyzz, -sums.xyz, -sums.yyz, -sums.yz;
+  lower.col(1).tail<4>() << sums.xxzz, sums.xxz, sums.xyz, sums.xz;
+  lower.col(2).tail<3>() << sums.xx, sums.xy, sums.x;
+  lower.col(3).tail<2>() << sums.yy, sums.y;
+  lower(4, 4) = sums.one;
+  equations.normal.topLeftCorner<5, 5>() += lower;
+  Eigen::Matrix<double, 5, 1> right;
+  right << -sums.ryz, sums.rxz, sums.rx, sums.ry, sums.r;
+  equations.right.head<5>() += right;
 }
 
 // Sums over the points of one cap, of their weights times the products of their residuals r and
@@ -201,6 +256,7 @@ struct TubeSystem {
 TubeSystem system_of(const Tube& tube, const PointColumns& points, const TubeView& seen,
                      double cutoff, const FitOptions& options) {
   TubeSystem system;
+  SideSums side;
   CapSums high;
   CapSums low;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
@@ -213,14 +269,15 @@ TubeSystem system_of(const Tube& tube, const PointColumns& points, const TubeVie
     const double weight = biweight(residual, cutoff) * facing;
     if (!(weight > 0.0)) continue;
     if (part == Part::side) {
-      system.side += weight;
-      add_side_point(system.equations, q, rho, residual, weight);
+      add_point(side, q, rho, residual, weight);
     } else {
       add_point(part == Part::high ? high : low, q, residual, weight);
     }
   }
+  add_side(system.equations, side);
   add_cap(system.equations, 5, 1.0, high);
   add_cap(system.equations, 6, -1.0, low);
+  system.side = side.one;
   system.high = high.one;
   system.low = low.one;
   return system;

@@ -55,6 +55,45 @@ Primitive primitive_of(const Ball& ball, double largest, double smallest) {
   return {Sphere{radius}, translation(ball.center)};
 }
 
+// Sums over the points, of their weights times the products of their residuals r and of the
+// direction d from the centre to them (of length 1).
+struct BallSums {
+  double one = 0.0;
+  double loss = 0.0;  // as Step::loss_before
+  double r = 0.0;
+  Vector3 d = Vector3::Zero();
+  Vector3 rd = Vector3::Zero();
+  Vector3 squares = Vector3::Zero();   // xx, yy, zz
+  Vector3 products = Vector3::Zero();  // yz, zx, xy
+};
+
+BallSums sums_of(const Ball& ball, const PointColumns& points, const FitOptions& options) {
+  const Eigen::MatrixX3d from_center = points.p.rowwise() - ball.center.transpose();
+  const Eigen::ArrayXd reach = from_center.rowwise().norm();
+  const Eigen::ArrayXd residuals = reach - ball.radius;
+  const double cutoff = robust_cutoff(residuals, options);
+  BallSums sums;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    // At the centre itself there is no direction, and none counts.
+    const double inverse = reach[i] > 0.0 ? 1.0 / reach[i] : 0.0;
+    const double x = inverse * from_center(i, 0);
+    const double y = inverse * from_center(i, 1);
+    const double z = inverse * from_center(i, 2);
+    const double facing = facing_weight(points.n.row(i), {x, y, z});
+    sums.loss += facing * point_loss(residuals[i], options.outlier);
+    const double weight = biweight(residuals[i], cutoff) * facing;
+    if (!(weight > 0.0)) continue;
+    const double r = weight * residuals[i];
+    sums.one += weight;
+    sums.r += r;
+    sums.d += Vector3(weight * x, weight * y, weight * z);
+    sums.rd += Vector3(r * x, r * y, r * z);
+    sums.squares += Vector3(weight * x * x, weight * y * y, weight * z * z);
+    sums.products += Vector3(weight * y * z, weight * z * x, weight * x * y);
+  }
+  return sums;
+}
+
 struct Change {
   Vector4 unknowns = Vector4::Zero();  // centre, radius
   Step step;
@@ -63,27 +102,16 @@ struct Change {
 // One step of iteratively reweighted least squares on the distances from the sphere. The derivative
 // of |p - c| - r is -(p - c) / |p - c| by the centre and -1 by the radius.
 Change gauss_newton(const Ball& ball, const PointColumns& points, const FitOptions& options) {
-  const Eigen::MatrixX3d from_center = points.p.rowwise() - ball.center.transpose();
-  const Eigen::ArrayXd reach = from_center.rowwise().norm();
-  const Eigen::ArrayXd residuals = reach - ball.radius;
-  const double cutoff = robust_cutoff(residuals, options);
+  const BallSums sums = sums_of(ball, points, options);
   Change change;
-  Matrix4 normal = Matrix4::Zero();
-  Vector4 right = Vector4::Zero();
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    // At the centre itself there is no direction, and any will do.
-    const Vector3 out =
-        reach[i] > 0.0 ? Vector3(from_center.row(i) / reach[i]) : Vector3(Vector3::Zero());
-    const double facing = facing_weight(points.n.row(i), out);
-    change.step.loss_before += facing * point_loss(residuals[i], options.outlier);
-    const double weight = biweight(residuals[i], cutoff) * facing;
-    if (!(weight > 0.0)) continue;
-    Vector4 row;
-    row << -out, -1.0;
-    const Vector4 weighted = weight * row;
-    normal += weighted * row.transpose();
-    right -= weighted * residuals[i];
-  }
+  change.step.loss_before = sums.loss;
+  Matrix4 normal;
+  normal << sums.squares.x(), sums.products.z(), sums.products.y(), sums.d.x(),  //
+      sums.products.z(), sums.squares.y(), sums.products.x(), sums.d.y(),        //
+      sums.products.y(), sums.products.x(), sums.squares.z(), sums.d.z(),        //
+      sums.d.x(), sums.d.y(), sums.d.z(), sums.one;
+  Vector4 right;
+  right << sums.rd, sums.r;
   // Damping keeps the equations solvable where the points do not determine the sphere (flat patch).
   constexpr double kDamping = 1e-6;
   normal.diagonal() += Vector4::Constant(kDamping * normal.trace() + 1e-300);
