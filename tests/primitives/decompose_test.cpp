@@ -63,16 +63,34 @@ TEST(Decompose, GeneratedObjectsAreFewPieces) {
   }
 }
 
-TEST(Decompose, SameArgumentsSameBytes) {
-  const TriangleMesh mesh = generate_object("mug");
-  const Decomposition a = decompose(mesh);
-  const Decomposition b = decompose(mesh);
+void expect_same_bytes(const Decomposition& a, const Decomposition& b) {
   ASSERT_EQ(a.primitives.size(), b.primitives.size());
   for (std::size_t i = 0; i < a.primitives.size(); ++i) {
     EXPECT_EQ(a.primitives[i].X_OP.matrix(), b.primitives[i].X_OP.matrix());
     EXPECT_EQ(shape_name(a.primitives[i].shape), shape_name(b.primitives[i].shape));
     EXPECT_EQ(surface_area(a.primitives[i].shape), surface_area(b.primitives[i].shape));
     EXPECT_EQ(a.share[i], b.share[i]);
+  }
+  EXPECT_EQ(a.distances.median, b.distances.median);
+}
+
+TEST(Decompose, SameArgumentsSameBytes) {
+  const TriangleMesh mesh = generate_object("mug");
+  expect_same_bytes(decompose(mesh), decompose(mesh));
+}
+
+// Also where many splits are tried: of a soup, and with a fine tolerance.
+TEST(Decompose, SameBytesOnAnyNumberOfThreads) {
+  Random random(6);
+  for (const TriangleMesh& mesh :
+       {generate_object("mug"), generate_object("flask"), test::triangle_soup(100, random)}) {
+    const DecomposeOptions options{.tolerance = 0.02};
+    const Decomposition one = decompose(mesh, options, {.threads = 1});
+    EXPECT_GT(one.primitives.size(), 1U);
+    for (const int threads : {2, 5}) {
+      SCOPED_TRACE(threads);
+      expect_same_bytes(one, decompose(mesh, options, {.threads = threads}));
+    }
   }
 }
 
