@@ -10,6 +10,7 @@
 #include "sim/base/index.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/scene/make_scene.h"
+#include "tests/support/library_scenes.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
