@@ -67,9 +67,9 @@ double relative_tolerance(const TriangleMesh& mesh, double length);
 //
 // All this uses a fixed number of points sampled by area, so that the time hardly depends on the
 // number of triangles, and the mesh need not be closed or oriented. The explained fractions and
-// the distances are estimates from those points. The same arguments give the same result. Throws
-// InputError for a mesh without area, with an index out of range or a vertex that is not finite,
-// and for an option out of its range; throws Cancelled.
+// the distances are estimates from those points. The same arguments give the same result, on any
+// number of threads. Throws InputError for a mesh without area, with an index out of range or a
+// vertex that is not finite, and for an option out of its range; throws Cancelled.
 Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
                         const RunContext& context = {});
 
