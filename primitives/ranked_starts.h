@@ -17,9 +17,9 @@ namespace prehend {
 template <class Direction, class Make, class Residuals>
 auto ranked_starts(const std::vector<Direction>& directions, const PointColumns& points,
                    const FitOptions& options, const Make& make, const Residuals& residuals) {
-  constexpr Eigen::Index kQuickPoints = 96;
+  constexpr Eigen::Index kRankingPoints = 96;
   const std::size_t kept = std::min<std::size_t>(options.thorough ? 2 : 1, directions.size());
-  const PointColumns few = thinned(points, kQuickPoints);
+  const PointColumns few = thinned(points, kRankingPoints);
   std::vector<decltype(make(directions.front(), points, 0.0))> starts;
   for (const double tail : starting_tails(options)) {
     std::vector<std::pair<double, std::size_t>> ranked;
