@@ -22,6 +22,7 @@ PlanOptions fine_options() {
   PlanOptions options;
   options.search.trials *= 4;
   options.search.followed *= 2;
+  options.trial.back_off_tries = 3;
   options.trial.cone_edges = 16;
   options.refine.grasps = 8;
   options.refine.trials *= 4;

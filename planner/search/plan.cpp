@@ -38,7 +38,7 @@ constexpr TimeShares kSharesWithPaths = {0.4, 0.2};
 constexpr double kLeastGain = 0.01;
 
 // A refinement takes at most this part of the number of trials.
-constexpr int kTrialsPerRefinement = 5;
+constexpr double kRefinementPart = 0.4;
 
 // The trials that were finished, each with the place of its candidate.
 struct Finished {
@@ -197,7 +197,8 @@ class PlanRun {
   void refine() {
     RefineOptions options = options_.refine;
     options.trials =
-        std::min(options.trials, static_cast<int>(finished_.trials.size()) / kTrialsPerRefinement);
+        std::min(options.trials,
+                 static_cast<int>(kRefinementPart * static_cast<double>(finished_.trials.size())));
     RankOptions ranking = options_.rank;
     ranking.top = options.grasps;
     const std::vector<std::size_t> best = rank(finished_.trials, ranking);

@@ -28,11 +28,12 @@ struct Round {
   int trials = 0;
 };
 
-// All of them, the better half, and so on down to one. Whole variables are looked at, so the trials
+// All of them, the best quarter, and so on down to one: a grasp whose way up is long is not given
+// up before its first steps have become short enough. Whole variables are looked at, so the trials
 // of a grasp are even in number.
 std::vector<Round> rounds_of(int grasps, int trials) {
   std::vector<Round> rounds;
-  for (int left = grasps; left > 0; left = left == 1 ? 0 : (left + 1) / 2) {
+  for (int left = grasps; left > 0; left = left == 1 ? 0 : (left + 3) / 4) {
     rounds.push_back({left, 0});
   }
   for (Round& round : rounds) {

@@ -31,12 +31,12 @@ constexpr std::string_view refine_objective_name(RefineObjective objective) {
 struct RefineOptions {
   RefineObjective objective = RefineObjective::epsilon;
   int grasps = 4;    // so many of the given grasps, the first ones, are refined (>= 1)
-  int trials = 160;  // most trials for all of them together (>= 0)
+  int trials = 320;  // most trials for all of them together (>= 0)
   // The first changes that are tried. Later ones are longer where that helps and shorter where it
   // does not.
-  double turn = 0.09;    // of the hand about the middle of its contacts, > 0 [rad]
-  double shift = 9e-3;   // of the hand, > 0 [m]
-  double spread = 0.09;  // of the degrees of freedom that do not close; 0: none [rad or m]
+  double turn = 0.2;    // of the hand about the middle of its contacts, > 0 [rad]
+  double shift = 0.02;  // of the hand, > 0 [m]
+  double spread = 0.2;  // of the degrees of freedom that do not close; 0: none [rad or m]
   // No change is larger than the first one times this (>= 1).
   double reach = 10.0 / 3.0;
   NoiseOptions noise = {.samples = 50};  // for the objective `robust`
@@ -75,10 +75,10 @@ struct RefinedGrasp {
 int refine_trials(std::size_t grasps, const RefineOptions& options = {});
 
 // Improves the first options.grasps of `grasps`, each by a pattern search over the pose of its hand
-// and the spread of its fingers, in which every step is a trial. After a while the better half goes
-// on alone, and so on until one is left: all rounds have equally many trials. Returns the refined
-// grasps, at most one for each of `grasps` and in their order; none for a grasp than which nothing
-// better was found.
+// and the spread of its fingers, in which every step is a trial. After a while the best quarter
+// goes on alone, and so on until one is left: all rounds have equally many trials. Returns the
+// refined grasps, at most one for each of `grasps` and in their order; none for a grasp than which
+// nothing better was found.
 //
 // A grasp is tried without backing off, so the best is one that holds in the first closing; with
 // the same options, run_trial gives the same trial of its candidate.

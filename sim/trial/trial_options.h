@@ -73,7 +73,7 @@ struct TrialOptions {
   // When a grasp does not hold, the hand backs off along its approach by this and closes again, at
   // most back_off_tries times [m].
   double back_off_step = 8e-3;
-  int back_off_tries = 3;
+  int back_off_tries = 1;
   // Whether compliant links make patch contacts that resist torque about the normal (soft finger);
   // if not, all contacts are hard points with friction.
   bool soft_fingers = true;

@@ -57,6 +57,15 @@ TEST(PatternSearch, StaysWithinTheLimitsAndReachesThem) {
   EXPECT_EQ(search.best(), (std::vector<double>{1.0, -1.0, 1.0}));
 }
 
+// From every point of the ridge x0 = x1 each variable alone leads down, while the ridge leads up to
+// 2 at (1, 1).
+TEST(PatternSearch, FollowsARidgeThatNoVariableFollows) {
+  const auto ridge = [](const std::vector<double>& x) {
+    return x[0] + x[1] - 10.0 * std::abs(x[0] - x[1]);
+  };
+  EXPECT_GT(searched(ridge, 2, 0.3, 400, 2).best_value(), 1.9);
+}
+
 // A cliff beside the best point: only comparisons count, not how deep it goes.
 TEST(PatternSearch, AClimbAlongACliffGoesOn) {
   for (const double depth : {0.0, 1e30, std::numeric_limits<double>::infinity()}) {
