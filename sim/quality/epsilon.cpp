@@ -8,6 +8,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/quality/epsilon_workspace.h"
 #include "sim/quality/expanding_polytope.h"
 #include "sim/quality/start_simplex.h"
 #include "sim/quality/wrench_hull.h"
@@ -39,14 +40,17 @@ void check(const EpsilonOptions& options) {
 // The search for the epsilon of one set, from a simplex inside it.
 class Growth {
  public:
-  Growth(const SupportMap& set, const StartSimplex& start, const EpsilonOptions& options)
+  Growth(const SupportMap& set, const StartSimplex& start, const EpsilonOptions& options,
+         ExpandingPolytope& polytope)
       : set_(set),
         options_(options),
         zero_(kFlatness * start.scale),
         rounding_(2.0 * ExpandingPolytope::kRounding * start.scale),
         upper_(start.upper),
         upper_normal_(start.upper_normal),
-        polytope_(start.points, start.scale) {}
+        polytope_(polytope) {
+    polytope_.start(start.points, start.scale);
+  }
 
   EpsilonBracket run() {
     descend();
@@ -126,13 +130,13 @@ class Growth {
   double lower_ = 0.0;
   double upper_;
   Wrench upper_normal_;
-  ExpandingPolytope polytope_;
+  ExpandingPolytope& polytope_;
 };
 
 // A lower bound from the facets of the full hull: the smallest distance of one of its simplices
 // from the origin. qhull merges facets that are nearly in one plane, so that its planes may miss
 // corners by far more than rounding; what counts here is the lowest corner (fit_offset).
-Hyperplane lowest_simplex(const Wrenches& wrenches, const PointHull& hull) {
+Hyperplane lowest_simplex(const Eigen::Ref<const Wrenches>& wrenches, const PointHull& hull) {
   std::vector<Wrench> points;
   for (const auto& column : wrenches.colwise()) points.emplace_back(column);
   Hyperplane lowest{Wrench::Zero(), std::numeric_limits<double>::infinity()};
@@ -152,7 +156,7 @@ Hyperplane lowest_simplex(const Wrenches& wrenches, const PointHull& hull) {
 
 // The bounds with the help of the full hull by qhull, for wrenches on which the search stalled at
 // `bracket`. If qhull fails too, the bracket remains the answer.
-EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options,
+EpsilonBracket from_hull(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
                          EpsilonBracket bracket) {
   WrenchHull hull;
   try {
@@ -181,7 +185,8 @@ EpsilonBracket from_hull(const Wrenches& wrenches, const EpsilonOptions& options
 
 // The bracket of wrenches whose squares would leave the range of doubles, computed from the same
 // wrenches times 2^-exponent. Powers of two scale without rounding.
-EpsilonBracket from_scaled(const Wrenches& wrenches, EpsilonOptions options, int exponent) {
+EpsilonBracket from_scaled(const Eigen::Ref<const Wrenches>& wrenches, EpsilonOptions options,
+                           int exponent) {
   options.cutoff = std::ldexp(options.cutoff, -exponent);
   EpsilonBracket bracket = epsilon_l1(times_power_of_two(wrenches, -exponent), options);
   bracket.lower = std::ldexp(bracket.lower, exponent);
@@ -190,21 +195,35 @@ EpsilonBracket from_scaled(const Wrenches& wrenches, EpsilonOptions options, int
   return bracket;
 }
 
+EpsilonBracket epsilon_with(ExpandingPolytope& polytope, const SupportMap& set,
+                            const EpsilonOptions& options) {
+  const StartSimplex start = start_simplex(set, true);
+  if (start.flat) return {};
+  return Growth(set, start, options, polytope).run();
+}
+
 }  // namespace
 
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options) {
   check(options);
-  const StartSimplex start = start_simplex(set, true);
-  if (start.flat) return {};
-  return Growth(set, start, options).run();
+  ExpandingPolytope polytope;
+  return epsilon_with(polytope, set, options);
 }
 
-EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options) {
+EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches,
+                          const EpsilonOptions& options) {
+  EpsilonWorkspace workspace;
+  return epsilon_l1(wrenches, options, workspace);
+}
+
+EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
+                          EpsilonWorkspace& workspace) {
   check(options);
   if (wrenches.cols() == 0) return {};
   const int exponent = excess_exponent(wrenches);
   if (exponent != 0) return from_scaled(wrenches, options, exponent);
-  const EpsilonBracket bracket = epsilon(ColumnSupport(wrenches), options);
+  workspace.set.assign(wrenches);
+  const EpsilonBracket bracket = epsilon_with(workspace.polytope, workspace.set, options);
   if (bracket.status != EpsilonStatus::stalled) return bracket;
   return from_hull(wrenches, options, bracket);
 }

@@ -75,6 +75,12 @@ EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {}
 // contact_wrenches. Where rounding stalls the growth, the facets of the full hull (wrench_hull)
 // give the bounds. No columns: no force closure. Throws InputError for a column that is not finite,
 // and for a tolerance as epsilon does.
-EpsilonBracket epsilon_l1(const Wrenches& wrenches, const EpsilonOptions& options = {});
+EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches,
+                          const EpsilonOptions& options = {});
+
+// The same in the buffers of a workspace (epsilon_workspace.h).
+struct EpsilonWorkspace;
+EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
+                          EpsilonWorkspace& workspace);
 
 }  // namespace prehend

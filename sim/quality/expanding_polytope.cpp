@@ -34,11 +34,18 @@ int position(const std::array<int, 6>& corners, int corner) {
 
 }  // namespace
 
-ExpandingPolytope::ExpandingPolytope(const std::array<Wrench, 7>& corners, double scale)
-    : rounding_(kRounding * scale), points_(corners.begin(), corners.end()) {
-  // Facet i of the simplex is the one opposite corner i.
+void ExpandingPolytope::start(const std::array<Wrench, 7>& corners, double scale) {
+  rounding_ = kRounding * scale;
+  bound_ = std::numeric_limits<double>::infinity();
+  facets_.clear();
   facets_.reserve(512);
+  free_.clear();
+  heap_.clear();
+  visit_ = 0;
+  facets_made_ = 0;
   points_.reserve(64);
+  points_.assign(corners.begin(), corners.end());
+  // Facet i of the simplex is the one opposite corner i.
   for (int without = 0; without < 7; ++without) {
     Facet& facet = facets_[index(make_facet())];
     int slot = 0;

@@ -28,8 +28,9 @@ class ExpandingPolytope {
   // this above a facet's plane counts as one that does not see the facet.
   static constexpr double kRounding = 1e-14;
 
-  // `corners` are affinely independent; `scale` is the set's largest coordinate.
-  ExpandingPolytope(const std::array<Wrench, 7>& corners, double scale);
+  // Makes it the simplex of `corners`, which are affinely independent, in the memory that it has.
+  // `scale` is the set's largest coordinate. To be called before anything else.
+  void start(const std::array<Wrench, 7>& corners, double scale);
 
   // Lets nearest() ignore facets with an offset of `bound` or more. The bound must only decrease:
   // facets ignored once are not kept for later.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <vector>
 
 namespace prehend {
 namespace {
@@ -45,8 +44,25 @@ Wrench residual(const Wrench& point, const Wrench& origin, const Eigen::Matrix<d
   return rest;
 }
 
+// Support points from which the corners are taken: at most those along the axes both ways, and two
+// more for each further corner.
+class Candidates {
+ public:
+  void push_back(const Wrench& point) { points_[size_++] = point; }
+  void pop_back() { --size_; }
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  Wrench& operator[](std::size_t i) { return points_[i]; }
+  Wrench& front() { return points_[0]; }
+  Wrench& back() { return points_[size_ - 1]; }
+
+ private:
+  std::array<Wrench, 24> points_;
+  std::size_t size_ = 0;
+};
+
 // The candidate farthest from the span, moved to the end of the list, and its residual.
-Wrench take_farthest(std::vector<Wrench>& candidates, const Wrench& origin,
+Wrench take_farthest(Candidates& candidates, const Wrench& origin,
                      const Eigen::Matrix<double, 6, 6>& basis, int rank) {
   Wrench best_rest = Wrench::Zero();
   std::size_t best = 0;
@@ -70,8 +86,7 @@ Wrench take_farthest(std::vector<Wrench>& candidates, const Wrench& origin,
 StartSimplex start_simplex(const SupportMap& set, bool stop_outside) {
   StartSimplex start;
   start.upper = std::numeric_limits<double>::infinity();
-  std::vector<Wrench> candidates;
-  candidates.reserve(24);
+  Candidates candidates;
   for (int axis = 0; axis < 6; ++axis) {
     for (const double sign : {1.0, -1.0}) {
       candidates.push_back(probe(set, sign * Wrench::Unit(axis), start));

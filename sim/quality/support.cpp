@@ -12,8 +12,9 @@ namespace prehend {
 // Coordinates are stored in blocks of kBlock columns, coordinate by coordinate. Equal neighbours
 // are stored once, and the empty places of the last block are filled with copies, so that every
 // block can be processed as a whole.
-ColumnSupport::ColumnSupport(const Wrenches& wrenches) {
+void ColumnSupport::assign(const Eigen::Ref<const Wrenches>& wrenches) {
   if (wrenches.cols() == 0) throw InputError({.field = "wrenches", .problem = "none"});
+  blocks_.clear();
   blocks_.reserve(static_cast<std::size_t>(wrenches.cols()) / kBlock + 1);
   int filled = kBlock;
   for (Eigen::Index j = 0; j < wrenches.cols(); ++j) {

@@ -21,8 +21,13 @@ class SupportMap {
 // are those of contact_wrenches. Ties go to the first column.
 class ColumnSupport final : public SupportMap {
  public:
-  // Throws InputError where there is no column, or one that is not finite.
-  explicit ColumnSupport(const Wrenches& wrenches);
+  // An empty set, to be assigned before it is asked for anything.
+  ColumnSupport() = default;
+  explicit ColumnSupport(const Eigen::Ref<const Wrenches>& wrenches) { assign(wrenches); }
+
+  // Makes it the hull of these columns, in the memory that it has. Throws InputError where there is
+  // no column, or one that is not finite.
+  void assign(const Eigen::Ref<const Wrenches>& wrenches);
 
   Wrench support(const Wrench& direction) const override;
 

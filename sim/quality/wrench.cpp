@@ -18,14 +18,14 @@ int pyramid_corners(ContactModel model, int edges) {
 // tangential forces and torque. Scaled by friction and torsion they become the border of the
 // contact model's disc or ellipsoid. The pyramid is inscribed in the exact cone: it allows no force
 // that the contact cannot transmit.
-Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
-  Eigen::Matrix3Xd corners(3, pyramid_corners(model, edges));
+void unit_corners(ContactModel model, int edges, Eigen::Matrix3Xd& corners) {
+  corners.resize(3, pyramid_corners(model, edges));
   for (int edge = 0; edge < edges; ++edge) {
     const double angle = 2.0 * std::numbers::pi * edge / edges;
     corners.col(edge) << std::cos(angle), std::sin(angle), 0.0;
   }
   if (model == ContactModel::frictionless) corners.setZero();
-  if (model != ContactModel::soft_finger) return corners;
+  if (model != ContactModel::soft_finger) return;
   // Latitudes of +45 and -45 degrees, where force and torque both have the part sin 45 degrees.
   for (const int side : {1, 2}) {
     auto latitude = corners.middleCols(side * edges, edges);
@@ -34,6 +34,11 @@ Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
   }
   corners.col(3 * edges) << 0.0, 0.0, 1.0;
   corners.col(3 * edges + 1) << 0.0, 0.0, -1.0;
+}
+
+Eigen::Matrix3Xd unit_corners(ContactModel model, int edges) {
+  Eigen::Matrix3Xd corners;
+  unit_corners(model, edges, corners);
   return corners;
 }
 
@@ -46,25 +51,40 @@ void check_edges(int edges) {
                     .value = std::to_string(edges)});
 }
 
-Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
+Eigen::Map<const Wrenches> contact_wrenches(std::span<const Contact> contacts,
+                                            const WrenchFrame& frame, int edges,
+                                            WrenchWorkspace& workspace) {
   check_contacts(contacts, frame);
   check_edges(edges);
-  Eigen::Index columns = 0;
-  for (const Contact& contact : contacts) columns += pyramid_corners(contact.model, edges);
-  Wrenches wrenches(6, columns);
-  columns = 0;
+  for (const ContactModel model : kContactModels) {
+    unit_corners(model, edges, workspace.corners[static_cast<std::size_t>(model)]);
+  }
+  std::size_t count = 0;
+  for (const Contact& contact : contacts) {
+    count += static_cast<std::size_t>(pyramid_corners(contact.model, edges));
+  }
+  workspace.columns.resize(count);
+  const auto columns = static_cast<Eigen::Index>(count);
+  double* const first = count == 0 ? nullptr : workspace.columns.front().data();
+  Eigen::Map<Wrenches> wrenches(first, 6, columns);
+  Eigen::Index column = 0;
   for (const Contact& contact : contacts) {
     const ContactMap map = contact_map(contact, frame);
-    const Eigen::Matrix3Xd corners = unit_corners(contact.model, edges);
+    const Eigen::Matrix3Xd& corners = workspace.corners[static_cast<std::size_t>(contact.model)];
     // normal + friction (tangents, torsion * torque) * corners. All tangential parts of a
     // frictionless contact are 0, whatever its friction.
-    auto of_contact = wrenches.middleCols(columns, corners.cols());
+    auto of_contact = wrenches.middleCols(column, corners.cols());
     of_contact.noalias() = contact.friction * map.middleCols<2>(1) * corners.topRows<2>();
     of_contact.noalias() += contact.friction * contact.torsion * map.col(3) * corners.row(2);
     of_contact.colwise() += map.col(0);
-    columns += corners.cols();
+    column += corners.cols();
   }
-  return wrenches;
+  return {first, 6, columns};
+}
+
+Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
+  WrenchWorkspace workspace;
+  return contact_wrenches(contacts, frame, edges, workspace);
 }
 
 }  // namespace prehend

@@ -1,7 +1,9 @@
 // Wrenches that contacts can exert, as the corners of pyramids: columns [force; torque * scale].
 #pragma once
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -22,6 +24,17 @@ using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame,
                           int edges = 8);
 
+// Buffers of contact_wrenches, to allocate less; one for each thread.
+struct WrenchWorkspace {
+  std::vector<Wrench> columns;
+  std::array<Eigen::Matrix3Xd, kContactModels.size()> corners;  // unit_corners of each model
+};
+
+// The same columns, in the workspace: valid until its next use.
+Eigen::Map<const Wrenches> contact_wrenches(std::span<const Contact> contacts,
+                                            const WrenchFrame& frame, int edges,
+                                            WrenchWorkspace& workspace);
+
 // Throws InputError for a number of edges outside its range (ranges.h).
 void check_edges(int edges);
 
@@ -31,5 +44,7 @@ int pyramid_corners(ContactModel model, int edges);
 // Their tangential parts for a unit normal force and unit friction, in columns of the same order:
 // [force along the first and second tangent, torque about the normal over torsion].
 Eigen::Matrix3Xd unit_corners(ContactModel model, int edges);
+// The same; `corners` is resized where it has to be.
+void unit_corners(ContactModel model, int edges, Eigen::Matrix3Xd& corners);
 
 }  // namespace prehend

@@ -12,7 +12,7 @@ constexpr int kLargest = 150;
 
 }  // namespace
 
-int excess_exponent(const Wrenches& wrenches) {
+int excess_exponent(const Eigen::Ref<const Wrenches>& wrenches) {
   if (wrenches.cols() == 0) return 0;
   const double size = wrenches.cwiseAbs().maxCoeff();
   if (!std::isfinite(size)) return 0;
@@ -21,7 +21,7 @@ int excess_exponent(const Wrenches& wrenches) {
   return std::abs(exponent) > kLargest ? exponent : 0;
 }
 
-Wrenches times_power_of_two(const Wrenches& wrenches, int exponent) {
+Wrenches times_power_of_two(const Eigen::Ref<const Wrenches>& wrenches, int exponent) {
   return wrenches.unaryExpr([exponent](double value) { return std::ldexp(value, exponent); });
 }
 
