@@ -94,15 +94,16 @@ void add_contacts(const CompiledScene& scene, std::vector<Kernel>& kernels) {
   std::vector<Trial> trials;
   for (const ScoredGrasp& grasp : grasps) trials.push_back(grasp.trial);
   const auto shared = std::make_shared<const CompiledScene>(scene);
-  const auto workspace = std::make_shared<ContactWorkspace>();
+  const auto workspace = std::make_shared<RegionWorkspace>();
   kernels.push_back(
       kernel_over("contact regions of one link", trials, [shared, workspace](const Trial& trial) {
         std::vector<Pose> X_HL;
         link_poses(shared->scene.hand, trial.joints, X_HL);
         const std::size_t link = index(busiest_link(trial));
-        return static_cast<double>(find_contacts(shared->object().mesh, shared->links[link].mesh,
-                                                 trial.X_OH * X_HL[link], {}, *workspace)
-                                       .size());
+        std::vector<SurfaceContact> contacts;
+        find_contacts(shared->object().mesh, shared->links[link].mesh, trial.X_OH * X_HL[link], {},
+                      *workspace, contacts);
+        return static_cast<double>(contacts.size());
       }));
   kernels.push_back(
       kernel_over("contacts of a hand, soft patches too", trials, [shared](const Trial& trial) {

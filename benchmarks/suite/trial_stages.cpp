@@ -42,8 +42,10 @@ void close_once(const CompiledScene& scene, const ClosingStart& start, const Tri
         contact_wrenches(contacts_of(contacts), scene.wrench_frame, options.cone_edges));
   });
   Trial trial;
-  grasp_at(scene, start, options, trial);
-  timed(seconds.settling, [&] { settle(scene, options, trial); });
+  GraspWorkspace grasping;
+  SettleWorkspace settling;
+  grasp_at(scene, start, options, grasping, trial);
+  timed(seconds.settling, [&] { settle(scene, options, settling, grasping, trial); });
 }
 
 // Every closing that the trial made: one where the approach ended, and one for each time that it

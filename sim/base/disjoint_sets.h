@@ -11,8 +11,12 @@ namespace prehend {
 // smallest member of its set, so that representatives do not depend on the order of the merges.
 class DisjointSets {
  public:
-  // Starts with the n sets {0}, {1}, ... {n-1}.
-  explicit DisjointSets(std::size_t n) : parent_(n) {
+  DisjointSets() = default;
+  explicit DisjointSets(std::size_t n) { start(n); }
+
+  // Starts with the n sets {0}, {1}, ... {n-1}, whatever there was before.
+  void start(std::size_t n) {
+    parent_.resize(n);
     std::iota(parent_.begin(), parent_.end(), std::size_t{0});
   }
 

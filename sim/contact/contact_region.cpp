@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 // Contact points on one flat region of contact have the same normal and lie in one plane. What the
 // region can transmit is the set of wrenches of all distributions of force over it, which is
@@ -16,12 +15,6 @@ namespace {
 
 using Point2 = Eigen::Vector2d;
 
-// A contact in the plane of its group: where it is, and its index in the list of all contacts.
-struct Corner {
-  Point2 p;
-  std::size_t contact = 0;
-};
-
 // Twice the signed area of the triangle abc: positive where it turns counter-clockwise.
 double turn(const Point2& a, const Point2& b, const Point2& c) {
   const Point2 ab = b - a;
@@ -31,15 +24,16 @@ double turn(const Point2& a, const Point2& b, const Point2& c) {
 
 // Counter-clockwise convex hull (Andrew's monotone chain): one pass over the points from left to
 // right makes the lower side, a second one from right to left the upper side. A point stays while
-// the chain turns left at it; points on a side are left out, as a turn of 0 is none.
-std::vector<Corner> hull(std::vector<Corner> points) {
-  std::sort(points.begin(), points.end(), [](const Corner& a, const Corner& b) {
+// the chain turns left at it; points on a side are left out, as a turn of 0 is none. Changes the
+// order of the points.
+void find_hull(std::vector<RegionPoint>& points, std::vector<RegionPoint>& chain) {
+  std::sort(points.begin(), points.end(), [](const RegionPoint& a, const RegionPoint& b) {
     return a.p.x() != b.p.x() ? a.p.x() < b.p.x() : a.p.y() < b.p.y();
   });
-  std::vector<Corner> chain;
+  chain.clear();
   for (int side = 0; side < 2; ++side) {
     const std::size_t start = chain.size();
-    for (const Corner& point : points) {
+    for (const RegionPoint& point : points) {
       while (chain.size() >= start + 2 &&
              turn(chain[chain.size() - 2].p, chain.back().p, point.p) <= 0.0) {
         chain.pop_back();
@@ -49,14 +43,13 @@ std::vector<Corner> hull(std::vector<Corner> points) {
     chain.pop_back();  // it starts the other side
     std::reverse(points.begin(), points.end());
   }
-  return chain;
 }
 
 // Leaves out corners that stand out by less than `width` from the line between their neighbours,
 // the flattest first. This is a step after the hull, not a tolerance of the hull's own turn test:
 // in a row of points that are on one line up to rounding, that test compares near neighbours only
 // and could drop the corners at the ends of the row.
-void drop_flat_corners(std::vector<Corner>& polygon, double width) {
+void drop_flat_corners(std::vector<RegionPoint>& polygon, double width) {
   while (polygon.size() > 3) {
     const std::size_t n = polygon.size();
     std::size_t flattest = 0;
@@ -77,7 +70,7 @@ void drop_flat_corners(std::vector<Corner>& polygon, double width) {
 
 // Leaves out the corner whose triangle with its neighbours is smallest, again and again until
 // `keep` are left: the polygon shrinks by the least area, and never grows.
-void drop_least_corners(std::vector<Corner>& polygon, std::size_t keep) {
+void drop_least_corners(std::vector<RegionPoint>& polygon, std::size_t keep) {
   while (polygon.size() > keep) {
     const std::size_t n = polygon.size();
     std::size_t least = 0;
@@ -96,7 +89,7 @@ void drop_least_corners(std::vector<Corner>& polygon, std::size_t keep) {
 // Indices of two points about as far apart as any two of the group: the point farthest from the
 // first one, and the point farthest from that. If the points are on a line, these are its ends. It
 // takes linear time.
-std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
+std::array<std::size_t, 2> ends(const std::vector<RegionPoint>& points) {
   const auto farthest_from = [&](const Point2& p) {
     std::size_t far = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -113,7 +106,7 @@ std::array<std::size_t, 2> ends(const std::vector<Corner>& points) {
 // normal.
 void reduce_group(const std::vector<SurfaceContact>& contacts,
                   const std::vector<std::size_t>& group, const ContactOptions& options,
-                  std::vector<SurfaceContact>& reduced) {
+                  RegionWorkspace& workspace, std::vector<SurfaceContact>& reduced) {
   // Groups hold their contacts nearest first.
   const Vector3& nearest = contacts[group.front()].position;
   const bool is_a_point = std::all_of(group.begin(), group.end(), [&](std::size_t i) {
@@ -131,7 +124,8 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
   // Axes x, y, normal are right-handed, so that counter-clockwise in (x, y) is so about the normal.
   const Vector3 x = any_orthogonal(normal);
   const Vector3 y = normal.cross(x);
-  std::vector<Corner> points;
+  std::vector<RegionPoint>& points = workspace.in_plane;
+  points.clear();
   for (std::size_t i : group) {
     const Vector3& p = contacts[i].position;
     points.push_back({Point2(p.dot(x), p.dot(y)), i});
@@ -140,10 +134,10 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
   const std::size_t first = both_ends[0];
   const std::size_t last = both_ends[1];
   const Point2 along = points[last].p - points[first].p;
-  const auto off_line = [&](const Corner& c) {
+  const auto off_line = [&](const RegionPoint& c) {
     return std::abs(turn(points[first].p, points[last].p, c.p)) / along.norm();
   };
-  const bool on_a_line = std::all_of(points.begin(), points.end(), [&](const Corner& c) {
+  const bool on_a_line = std::all_of(points.begin(), points.end(), [&](const RegionPoint& c) {
     return off_line(c) <= options.threshold;
   });
   if (on_a_line) {
@@ -151,19 +145,20 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
     reduced.push_back(contacts[points[last].contact]);
     return;
   }
-  std::vector<Corner> outline = hull(std::move(points));
+  std::vector<RegionPoint>& outline = workspace.outline;
+  find_hull(points, outline);
   drop_flat_corners(outline, options.flat_corner * options.threshold);
   drop_least_corners(outline, static_cast<std::size_t>(options.max_region_corners));
-  for (const Corner& corner : outline) reduced.push_back(contacts[corner.contact]);
+  for (const RegionPoint& corner : outline) reduced.push_back(contacts[corner.contact]);
 }
 
-}  // namespace
-
-std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,
-                                            const ContactOptions& options) {
+// contact_regions; `reduced` is replaced.
+void find_regions(const std::vector<SurfaceContact>& contacts, const ContactOptions& options,
+                  RegionWorkspace& workspace, std::vector<SurfaceContact>& reduced) {
   // Contacts come nearest first, and each is compared with the first of a group: its nearest
   // contact's normal decides, so that the normals of a group cannot drift from one to the next.
-  std::vector<std::vector<std::size_t>> groups;
+  auto& groups = workspace.groups;
+  groups.clear();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto same_normal = [&](const std::vector<std::size_t>& group) {
       const Vector3& n = contacts[group.front()].normal;
@@ -174,20 +169,28 @@ std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& c
     if (found != groups.end()) {
       found->push_back(i);
     } else {
-      groups.push_back({i});
+      groups.add().assign(1, i);
     }
   }
+  reduced.clear();
+  for (const auto& group : groups) reduce_group(contacts, group, options, workspace, reduced);
+}
+
+}  // namespace
+
+std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,
+                                            const ContactOptions& options) {
+  RegionWorkspace workspace;
   std::vector<SurfaceContact> reduced;
-  for (const auto& group : groups) reduce_group(contacts, group, options, reduced);
+  find_regions(contacts, options, workspace, reduced);
   return reduced;
 }
 
-std::vector<SurfaceContact> find_contacts(const ProximityMesh& object, const ProximityMesh& link,
-                                          const Pose& X_OL, const ContactOptions& options,
-                                          ContactWorkspace& workspace) {
-  std::vector<SurfaceContact> points;
-  find_contact_points(object, link, X_OL, options, workspace, points);
-  return contact_regions(points, options);
+void find_contacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+                   const ContactOptions& options, RegionWorkspace& workspace,
+                   std::vector<SurfaceContact>& contacts) {
+  find_contact_points(object, link, X_OL, options, workspace.contacts, workspace.points);
+  find_regions(workspace.points, options, workspace, contacts);
 }
 
 }  // namespace prehend

@@ -1,8 +1,10 @@
 // Reduces contact points to the corners of the regions in which two surfaces touch.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
+#include "sim/base/reused_list.h"
 #include "sim/contact/surface_contact.h"
 
 namespace prehend {
@@ -18,10 +20,25 @@ namespace prehend {
 std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,
                                             const ContactOptions& options);
 
+// A contact in the plane of its group: where it is, and its index in the list of all contacts.
+struct RegionPoint {
+  Eigen::Vector2d p = Eigen::Vector2d::Zero();
+  std::size_t contact = 0;
+};
+
+// Buffers of find_contacts, to allocate less; one for each thread.
+struct RegionWorkspace {
+  ContactWorkspace contacts;
+  std::vector<SurfaceContact> points;
+  ReusedList<std::vector<std::size_t>> groups;  // indices of contacts
+  std::vector<RegionPoint> in_plane;            // of one group
+  std::vector<RegionPoint> outline;
+};
+
 // The contacts of a link with the object: find_contact_points, then contact_regions. `X_OL` is the
-// link's pose in the object's frame O.
-std::vector<SurfaceContact> find_contacts(const ProximityMesh& object, const ProximityMesh& link,
-                                          const Pose& X_OL, const ContactOptions& options,
-                                          ContactWorkspace& workspace);
+// link's pose in the object's frame O. `contacts` is replaced.
+void find_contacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+                   const ContactOptions& options, RegionWorkspace& workspace,
+                   std::vector<SurfaceContact>& contacts);
 
 }  // namespace prehend

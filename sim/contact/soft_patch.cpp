@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <map>
 
-#include "sim/base/disjoint_sets.h"
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/nearest_point.h"
 #include "sim/geometry/weld.h"
@@ -19,17 +17,6 @@
 // polynomial.
 namespace prehend {
 namespace {
-
-// A triangle of the object's surface, or a part of one, that presses springs.
-struct PressedPart {
-  Corners corners;
-  Vector3 normal;               // into the object
-  std::array<double, 3> force;  // share at the middle of the edge from corner i [m^3]
-  std::array<double, 3> gap;    // there
-  int triangle = 0;             // of the object
-
-  Vector3 middle(std::size_t i) const { return 0.5 * (corners[i] + corners[(i + 1) % 3]); }
-};
 
 // The springs of one triangle of the link that one triangle of the object presses.
 void add_pressed(const Corners& on_object, const Corners& on_link, int triangle, double depth,
@@ -60,32 +47,37 @@ void add_pressed(const Corners& on_object, const Corners& on_link, int triangle,
   }
 }
 
-// For each part a number that is the same for the parts of one patch. Parts whose triangles share a
-// vertex of the object are connected. Numbers run over the vertices met, in the mesh's order; a
-// patch has that of its first vertex, so that patches come in an order that depends on the mesh
-// alone.
-std::vector<std::size_t> patch_of_each(const TriangleMesh& object,
-                                       const std::vector<PressedPart>& parts) {
-  std::map<int, std::size_t> number;  // of the vertices met
-  for (const PressedPart& p : parts) {
-    for (const int v : object.triangles[static_cast<std::size_t>(p.triangle)]) {
-      number.emplace(v, 0);
-    }
+// Lists the parts patch by patch. Parts whose triangles share a vertex of the object are connected.
+// The vertices met are numbered in the mesh's order and a patch has the number of its first one, so
+// that patches come in an order that depends on the mesh alone. The parts of a patch keep theirs.
+void order_by_patch(const TriangleMesh& object, SoftPatchWorkspace& workspace) {
+  std::vector<int>& vertices = workspace.vertices;
+  const auto triangle_of = [&](const PressedPart& part) -> const Triangle& {
+    return object.triangles[static_cast<std::size_t>(part.triangle)];
+  };
+  vertices.clear();
+  for (const PressedPart& part : workspace.parts) {
+    const Triangle& t = triangle_of(part);
+    vertices.insert(vertices.end(), t.begin(), t.end());
   }
-  std::size_t next = 0;
-  for (auto& [vertex, at] : number) at = next++;
-  DisjointSets sets(number.size());
-  for (const PressedPart& p : parts) {
-    const Triangle& t = object.triangles[static_cast<std::size_t>(p.triangle)];
-    sets.merge(number[t[0]], number[t[1]]);
-    sets.merge(number[t[0]], number[t[2]]);
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  const auto number = [&](int vertex) {
+    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), vertex) -
+                                    vertices.begin());
+  };
+  workspace.connected.start(vertices.size());
+  for (const PressedPart& part : workspace.parts) {
+    const Triangle& t = triangle_of(part);
+    workspace.connected.merge(number(t[0]), number(t[1]));
+    workspace.connected.merge(number(t[0]), number(t[2]));
   }
-  std::vector<std::size_t> patches;
-  for (const PressedPart& p : parts) {
-    const Triangle& t = object.triangles[static_cast<std::size_t>(p.triangle)];
-    patches.push_back(sets.find(number[t[0]]));
+  workspace.order.clear();
+  for (std::size_t i = 0; i < workspace.parts.size(); ++i) {
+    const Triangle& t = triangle_of(workspace.parts[i]);
+    workspace.order.emplace_back(workspace.connected.find(number(t[0])), i);
   }
-  return patches;
+  std::sort(workspace.order.begin(), workspace.order.end());
 }
 
 Vector3 nearest_on_patch(const Vector3& p, const std::vector<PressedPart>& parts) {
@@ -127,35 +119,40 @@ SoftPatch resultant(const std::vector<PressedPart>& parts) {
 
 }  // namespace
 
-std::vector<SoftPatch> soft_patches(const ProximityMesh& object, const ProximityMesh& link,
-                                    const Pose& X_OL, double depth, const ContactOptions& options,
-                                    ContactWorkspace& workspace) {
+void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+                  double depth, const ContactOptions& options, SoftPatchWorkspace& workspace,
+                  std::vector<SoftPatch>& patches) {
   find_pairs_within(object, link, X_OL, depth, workspace.pairs);
-  std::vector<PressedPart> parts;
+  workspace.parts.clear();
   for (const TrianglePair& pair : workspace.pairs) {
     if (is_degenerate(object.mesh(), static_cast<std::size_t>(pair.a)) ||
         is_degenerate(link.mesh(), static_cast<std::size_t>(pair.b))) {
       continue;
     }
     add_pressed(corners_of(object.mesh(), pair.a), moved(corners_of(link.mesh(), pair.b), X_OL),
-                pair.a, depth, parts);
+                pair.a, depth, workspace.parts);
   }
-  // An ordered map: patches, and the parts of each, come in the order of mesh and pairs, so that
-  // sums are rounded the same way each time.
-  std::map<std::size_t, std::vector<PressedPart>> by_patch;
-  const std::vector<std::size_t> patch_of = patch_of_each(object.mesh(), parts);
-  for (std::size_t i = 0; i < parts.size(); ++i) by_patch[patch_of[i]].push_back(parts[i]);
-  std::vector<SoftPatch> patches;
-  for (const auto& [vertex, those] : by_patch) {
-    const SoftPatch patch = resultant(those);
-    if (patch.force > 0.0) patches.push_back(patch);
+  // Patches, and the parts of each, come in the order of mesh and pairs, so that sums are rounded
+  // the same way each time.
+  order_by_patch(object.mesh(), workspace);
+  patches.clear();
+  for (auto next = workspace.order.begin(); next != workspace.order.end();) {
+    const std::size_t number = next->first;
+    workspace.patch.clear();
+    for (; next != workspace.order.end() && next->first == number; ++next) {
+      workspace.patch.push_back(workspace.parts[next->second]);
+    }
+    const SoftPatch patch = resultant(workspace.patch);
+    if (!(patch.force > 0.0)) continue;
+    // Behind those that bear as much.
+    const auto place =
+        std::upper_bound(patches.begin(), patches.end(), patch,
+                         [](const SoftPatch& a, const SoftPatch& b) { return a.force > b.force; });
+    patches.insert(place, patch);
   }
-  std::stable_sort(patches.begin(), patches.end(),
-                   [](const SoftPatch& a, const SoftPatch& b) { return a.force > b.force; });
   std::erase_if(patches, [&](const SoftPatch& patch) {
     return patch.force < options.weakest_patch * patches.front().force;
   });
-  return patches;
 }
 
 }  // namespace prehend

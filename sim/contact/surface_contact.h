@@ -64,7 +64,7 @@ struct ContactCopies {
   std::vector<std::size_t> place;  // of each contact of the list in by_height
 };
 
-// Buffers that calls may share, to allocate less; one for each thread.
+// Buffers of find_contact_points, to allocate less; one for each thread.
 struct ContactWorkspace {
   std::vector<TrianglePair> pairs;
   std::vector<SurfaceContact> points;

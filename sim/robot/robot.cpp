@@ -59,22 +59,34 @@ std::vector<double> initial_dofs(const Robot& robot) {
 }
 
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs) {
-  assert(dofs.size() == robot.dofs.size());
   std::vector<double> values;
-  values.reserve(robot.joints.size());
-  for (const Joint& joint : robot.joints) {
-    values.push_back(joint.ratio * dofs[static_cast<std::size_t>(joint.dof)] + joint.offset);
-  }
+  joint_values(robot, dofs, values);
   return values;
 }
 
+void joint_values(const Robot& robot, const std::vector<double>& dofs,
+                  std::vector<double>& values) {
+  assert(dofs.size() == robot.dofs.size());
+  values.resize(robot.joints.size());
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    values[j] = joint.ratio * dofs[static_cast<std::size_t>(joint.dof)] + joint.offset;
+  }
+}
+
 void link_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BL) {
-  std::vector<Pose> X_BJ;
-  joint_poses(robot, joints, X_BJ);
-  X_BL.resize(robot.links.size());
+  RobotPoses poses;
+  poses.X_BL.swap(X_BL);  // its memory
+  robot_poses(robot, joints, poses);
+  X_BL.swap(poses.X_BL);
+}
+
+void robot_poses(const Robot& robot, const std::vector<double>& joints, RobotPoses& poses) {
+  joint_poses(robot, joints, poses.X_BJ);
+  poses.X_BL.resize(robot.links.size());
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const int joint = robot.links[l].joint;
-    X_BL[l] = joint < 0 ? Pose::Identity() : X_BJ[index(joint)];
+    poses.X_BL[l] = joint < 0 ? Pose::Identity() : poses.X_BJ[index(joint)];
   }
 }
 
@@ -108,6 +120,13 @@ Pose link_pose(const Robot& robot, const std::vector<int>& chain,
     X_BL = X_BL * joint.X_PJ * across(joint, joints[index(j)]);
   }
   return X_BL;
+}
+
+Pose joint_pose(const Robot& robot, int joint, const std::vector<double>& joints) {
+  const Joint& last = robot.joints[index(joint)];
+  const Pose X_BF =
+      last.parent < 0 ? last.X_PJ : joint_pose(robot, last.parent, joints) * last.X_PJ;
+  return X_BF * across(last, joints[index(joint)]);
 }
 
 void require_tree(const Robot& robot) {

@@ -136,6 +136,8 @@ std::vector<double> initial_dofs(const Robot& robot);
 
 // The value of every joint, ratio * dof + offset, for one value per degree of freedom [rad or m].
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs);
+// The same; `values` is resized to the number of joints.
+void joint_values(const Robot& robot, const std::vector<double>& dofs, std::vector<double>& values);
 
 // X_JA, the pose of the frame A after a joint in its joint frame J, at a joint value [rad or m]:
 // motion(axis, value + zero) * joint.X_JA.
@@ -148,6 +150,13 @@ void joint_poses(const Robot& robot, const std::vector<double>& joints, std::vec
 // As joint_poses, for the frames of all links; `X_BL` is resized to the number of links.
 void link_poses(const Robot& robot, const std::vector<double>& joints, std::vector<Pose>& X_BL);
 
+// Both at once. Passing the same one again saves allocations.
+struct RobotPoses {
+  std::vector<Pose> X_BJ;
+  std::vector<Pose> X_BL;
+};
+void robot_poses(const Robot& robot, const std::vector<double>& joints, RobotPoses& poses);
+
 // Joints from the base to `joint`, in that order; none for joint -1.
 std::vector<int> joints_to(const Robot& robot, int joint);
 
@@ -155,6 +164,9 @@ std::vector<int> joints_to(const Robot& robot, int joint);
 // one link in less time than of all.
 Pose link_pose(const Robot& robot, const std::vector<int>& chain,
                const std::vector<double>& joints);
+
+// X_BJ, as in joint_poses, of one joint.
+Pose joint_pose(const Robot& robot, int joint, const std::vector<double>& joints);
 
 // Throws InputError "ROBOT: joint NAME: ..." unless every joint stands after its parent, has a unit
 // axis and a degree of freedom, and every chain is a path. Robots read from files are like this;

@@ -73,20 +73,20 @@ BodyTree::BodyTree(const std::vector<PlacedBody>& bodies) {
   data_ = std::move(data);
 }
 
-void BodyTree::find(const SweptBall& region, std::vector<BodyId>& found) const {
-  found.clear();
+void BodyTree::find(const SweptBall& region, NearBodies& near) const {
+  near.found.clear();
   if (data_ == nullptr) return;
   const Vector3 reach = Vector3::Constant(region.radius);
-  std::vector<int> in_box;
+  near.in_box.clear();
   collect_in_box(data_->tree,
                  {region.from.cwiseMin(region.to) - reach, region.from.cwiseMax(region.to) + reach},
-                 in_box);
-  for (const int obstacle : in_box) {
+                 near.in_box);
+  for (const int obstacle : near.in_box) {
     if (may_meet(data_->obstacles[index(obstacle)], region)) {
-      found.push_back(BodyId::obstacle(obstacle));
+      near.found.push_back(BodyId::obstacle(obstacle));
     }
   }
-  std::sort(found.begin(), found.end());
+  std::sort(near.found.begin(), near.found.end());
 }
 
 }  // namespace prehend

@@ -16,6 +16,12 @@ struct SweptBall {
   double radius = 0.0;
 };
 
+// What a search of a BodyTree found. Passing the same one again saves allocations.
+struct NearBodies {
+  std::vector<BodyId> found;
+  std::vector<int> in_box;  // a buffer of the search
+};
+
 // A tree over the bounding boxes of the obstacles, in the frame in which they are placed.
 // Immutable.
 class BodyTree {
@@ -25,8 +31,8 @@ class BodyTree {
   explicit BodyTree(const std::vector<PlacedBody>& bodies);
 
   // The obstacles that may reach into the region, in ascending order; all that do are among them.
-  // `found` is replaced.
-  void find(const SweptBall& region, std::vector<BodyId>& found) const;
+  // `near.found` is replaced.
+  void find(const SweptBall& region, NearBodies& near) const;
 
  private:
   struct Data;

@@ -3,30 +3,23 @@
 #include <algorithm>
 
 #include "sim/base/index.h"
-#include "sim/trial/gap_tracker.h"
 
 namespace prehend {
 namespace {
 
-// One link against the object or an obstacle. Travels in metres along the approach.
-struct ApproachPair {
-  LinkId link;
-  BodyId body;
-  GapTracker tracker;
-  double asked_at = 0.0;    // travel at the last gap query
-  double safe_until = 0.0;  // proven free of contact up to this travel
-};
-
-// The pairs that may meet on the way: each link with the object, and with the obstacles that reach
-// into the region which the ball around the link sweeps.
-std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const ApproachMotion& motion,
-                                         const std::vector<Pose>& X_HL,
-                                         const TrialOptions& options) {
-  std::vector<ApproachPair> all;
-  std::vector<BodyId> near;
+// Lists the pairs that may meet on the way: each link with the object, and with the obstacles that
+// reach into the region which the ball around the link sweeps.
+void list_pairs(const CompiledScene& scene, const ApproachMotion& motion,
+                const TrialOptions& options, ApproachWorkspace& workspace) {
+  const std::vector<Pose>& X_HL = workspace.poses.X_BL;
+  workspace.pairs.clear();
   const auto add = [&](std::size_t l, BodyId body) {
-    all.push_back(
-        {link_id(l), body, GapTracker(scene.body(body).mesh, scene.links[l].mesh, options.gaps)});
+    ApproachPair& pair = workspace.pairs.add();
+    pair.link = link_id(l);
+    pair.body = body;
+    pair.tracker.start(scene.body(body).mesh, scene.links[l].mesh, options.gaps);
+    pair.asked_at = 0.0;
+    pair.safe_until = 0.0;
   };
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     const ProximityMesh& mesh = scene.links[l].mesh;
@@ -34,10 +27,9 @@ std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const Appro
     add(l, BodyId::object());
     scene.near_obstacles.find({motion.at(0.0) * center_H, motion.at(motion.distance) * center_H,
                                mesh.ball_radius() + options.contact.threshold},
-                              near);
-    for (const BodyId body : near) add(l, body);
+                              workspace.near);
+    for (const BodyId body : workspace.near.found) add(l, body);
   }
-  return all;
 }
 
 // A pair whose link starts wholly inside the body or around it, null: none. Conservative
@@ -45,7 +37,7 @@ std::vector<ApproachPair> approach_pairs(const CompiledScene& scene, const Appro
 // surfaces have a gap, and the hand seems free to move.
 const ApproachPair* enclosed_at_start(const CompiledScene& scene, const ApproachMotion& motion,
                                       const std::vector<Pose>& X_HL,
-                                      const std::vector<ApproachPair>& pairs) {
+                                      const ReusedList<ApproachPair>& pairs) {
   for (const ApproachPair& pair : pairs) {
     const Pose X_OL = motion.at(0.0) * X_HL[index(pair.link)];
     if (one_contains_other(scene.body(pair.body), scene.links[index(pair.link)],
@@ -73,15 +65,27 @@ Pose ApproachMotion::at(double travel) const {
 ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,
                         const ApproachMotion& motion, const TrialOptions& options,
                         const RunContext& context) {
-  std::vector<Pose> X_HL;
-  link_poses(scene.scene.hand, joints, X_HL);
+  ApproachWorkspace workspace;
   ApproachResult result;
+  approach(scene, joints, motion, options, workspace, result, context);
+  return result;
+}
+
+void approach(const CompiledScene& scene, const std::vector<double>& joints,
+              const ApproachMotion& motion, const TrialOptions& options,
+              ApproachWorkspace& workspace, ApproachResult& result, const RunContext& context) {
+  robot_poses(scene.scene.hand, joints, workspace.poses);
+  const std::vector<Pose>& X_HL = workspace.poses.X_BL;
+  result.end = ApproachEnd::stand_off;
+  result.travel = 0.0;
+  result.touch.reset();
   result.object_clearance.assign(scene.links.size(), 0.0);
-  std::vector<ApproachPair> all = approach_pairs(scene, motion, X_HL, options);
+  list_pairs(scene, motion, options, workspace);
+  ReusedList<ApproachPair>& all = workspace.pairs;
   if (const ApproachPair* enclosed = enclosed_at_start(scene, motion, X_HL, all)) {
     result.end = ApproachEnd::starts_in_collision;
     result.touch = {enclosed->link, enclosed->body};
-    return result;
+    return;
   }
   const auto earlier = [](const ApproachPair& a, const ApproachPair& b) {
     return a.safe_until < b.safe_until;
@@ -124,7 +128,6 @@ ApproachResult approach(const CompiledScene& scene, const std::vector<double>& j
       result.object_clearance[index(pair.link)] = std::max(0.0, pair.safe_until - result.travel);
     }
   }
-  return result;
 }
 
 }  // namespace prehend

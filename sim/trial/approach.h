@@ -4,8 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "sim/base/reused_list.h"
 #include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/gap_tracker.h"
 #include "sim/trial/hand_collision.h"
 #include "sim/trial/trial_options.h"
 
@@ -37,11 +39,32 @@ struct ApproachResult {
   std::vector<double> object_clearance;
 };
 
+// One link against the object or an obstacle. Travels in metres along the approach.
+struct ApproachPair {
+  LinkId link = {};
+  BodyId body = BodyId::object();
+  GapTracker tracker;
+  double asked_at = 0.0;    // travel at the last gap query
+  double safe_until = 0.0;  // proven free of contact up to this travel
+};
+
+// Buffers of approach, to allocate less; one for each thread.
+struct ApproachWorkspace {
+  RobotPoses poses;
+  ReusedList<ApproachPair> pairs;
+  NearBodies near;
+};
+
 // Moves the hand along `motion` until a link touches the object or an obstacle. Its joints stay at
 // `joints` [rad or m]. The hand ends with a gap of contact_gap (at most 10 % more) to what it
 // touches and penetrates nothing, because no step is longer than the smallest gap (conservative
 // advancement: Mirtich, "Impulse-based dynamic simulation of rigid body systems", 1996).
-// Throws Cancelled.
+// `result` is replaced. Throws Cancelled.
+void approach(const CompiledScene& scene, const std::vector<double>& joints,
+              const ApproachMotion& motion, const TrialOptions& options,
+              ApproachWorkspace& workspace, ApproachResult& result, const RunContext& context = {});
+
+// The same for callers to whom allocations do not matter.
 ApproachResult approach(const CompiledScene& scene, const std::vector<double>& joints,
                         const ApproachMotion& motion, const TrialOptions& options,
                         const RunContext& context = {});

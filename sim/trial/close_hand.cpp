@@ -1,12 +1,9 @@
 #include "sim/trial/close_hand.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <variant>
 
 #include "sim/base/index.h"
-#include "sim/trial/gap_tracker.h"
 
 namespace prehend {
 namespace {
@@ -21,149 +18,23 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// Joint motion over the closing time t [s]: joint j is at start + velocity * min(t, until), where
-// `until` is the time at which it reaches its limit or was stopped by contact.
-class ClosingMotion {
- public:
-  ClosingMotion(const Robot& hand, const ClosingStart& start)
-      : hand_(hand),
-        start_(start.joints.empty() ? joint_values(hand, start.dofs) : start.joints),
-        velocity_(hand.joints.size(), 0.0),
-        until_(hand.joints.size(), 0.0),
-        by_contact_(hand.joints.size(), false) {
-    for (std::size_t j = 0; j < hand.joints.size(); ++j) {
-      const DegreeOfFreedom& dof = hand.dofs[index(hand.joints[j].dof)];
-      const double from = start.dofs[index(hand.joints[j].dof)];
-      const double v = dof.closing_velocity;
-      if (v == 0.0) continue;
-      velocity_[j] = hand.joints[j].ratio * v;
-      until_[j] = std::max(0.0, ((v > 0.0 ? dof.upper : dof.lower) - from) / v);
-    }
-  }
-
-  bool moves(int joint, double t) const {
-    return velocity_[index(joint)] != 0.0 && t < until_[index(joint)];
-  }
-
-  // Bound on the speed of any point of the link relative to the palm from time t on [m/s]: the sum
-  // over the moving joints before it of |velocity| * (farthest point from the joint's axis).
-  double speed(const CompiledLink& link, double t) const {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < link.joints.size(); ++k) {
-      if (moves(link.joints[k], t))
-        sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
-    }
-    return sum;
-  }
-
-  // Bound on how far any point of the link can move at all [m]. A self-centering finger may pass
-  // its limit by as much as the other one was stopped short of it, which is at most its whole way.
-  double farthest(const CompiledLink& link) const {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < link.joints.size(); ++k) {
-      const std::size_t j = index(link.joints[k]);
-      const int dof = hand_.joints[j].dof;
-      double way = 0.0;
-      for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
-        if (other == j || (hand_.joints[other].dof == dof &&
-                           hand_.dofs[index(dof)].coupling == Coupling::self_centering)) {
-          way += until_[other];
-        }
-      }
-      sum += std::abs(velocity_[j]) * way * link.reach[k];
-    }
-    return sum;
-  }
-
-  // Stops all joints between the palm and the link, since each of them would press the link into
-  // what it touches. A rigid degree of freedom then cannot move at all: its other joints, which may
-  // belong to other fingers, stop too.
-  void stop_before(const CompiledLink& link, double t) {
-    for (int joint : link.joints) {
-      if (!moves(joint, t)) continue;
-      stop(joint, t);
-      const int dof = hand_.joints[index(joint)].dof;
-      if (hand_.dofs[index(dof)].coupling != Coupling::rigid) continue;
-      for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
-        if (hand_.joints[other].dof == dof) stop(static_cast<int>(other), t);
-      }
-    }
-  }
-
-  // When the last joint comes to rest.
-  double end() const {
-    return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end());
-  }
-
-  // Joint values at time t; after end() those at rest, for any t up to infinity.
-  void joints_at(double t, std::vector<double>& joints) const {
-    joints.resize(start_.size());
-    for (std::size_t j = 0; j < start_.size(); ++j) {
-      joints[j] = start_[j] + velocity_[j] * std::min(t, until_[j]);
-    }
-  }
-
-  // The value of each degree of freedom at the end: that of its joint that moved longest, because
-  // the drive moves on as long as any of its joints does (breakaway).
-  std::vector<double> dofs_at_end(std::vector<double> dofs) const {
-    for (std::size_t d = 0; d < dofs.size(); ++d) {
-      double longest = 0.0;
-      for (std::size_t j = 0; j < hand_.joints.size(); ++j) {
-        if (index(hand_.joints[j].dof) == d && velocity_[j] != 0.0)
-          longest = std::max(longest, until_[j]);
-      }
-      dofs[d] += hand_.dofs[d].closing_velocity * longest;
-    }
-    return dofs;
-  }
-
-  const std::vector<bool>& stopped_by_contact() const { return by_contact_; }
-
- private:
-  void stop(int joint, double t) {
-    if (!moves(joint, t)) return;
-    const double unused = until_[index(joint)] - t;
-    until_[index(joint)] = t;
-    by_contact_[index(joint)] = true;
-    const int dof = hand_.joints[index(joint)].dof;
-    if (hand_.dofs[index(dof)].coupling != Coupling::self_centering) return;
-    // Centring (center_hand) sets both joints to their mean. So the other finger may pass its limit
-    // by what this one leaves unused, and the mean is still inside the limits.
-    for (std::size_t other = 0; other < hand_.joints.size(); ++other) {
-      if (hand_.joints[other].dof == dof && !by_contact_[other]) until_[other] += unused;
-    }
-  }
-
-  const Robot& hand_;
-  std::vector<double> start_;
-  std::vector<double> velocity_;
-  std::vector<double> until_;
-  std::vector<bool> by_contact_;
-};
-
-// A link against another link, or against the object or an obstacle.
-struct ClosingPair {
-  LinkId link;
-  std::variant<LinkId, BodyId> other;
-  GapTracker tracker;
-  double asked_at = 0.0;          // time of the last gap query [s]
-  double speed_when_asked = 0.0;  // bound on how fast the gap can shrink from then on [m/s]
-  double safe_until = 0.0;        // proven free of contact up to this time [s]
-};
-
 class Closing {
  public:
   Closing(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
-          const RunContext& context)
+          const RunContext& context, ClosingWorkspace& workspace)
       : scene_(scene),
         start_(start),
         options_(options),
         context_(context),
-        motion_(scene.scene.hand, start) {
+        motion_(workspace.motion),
+        pairings_(workspace.pairs),
+        joints_(workspace.joints),
+        near_(workspace.near) {
+    motion_.start(scene.scene.hand, start.dofs, start.joints);
     add_pairings();
   }
 
-  ClosedHand run() {
+  void run(ClosedHand& closed) {
     const auto earlier = [](const ClosingPair& a, const ClosingPair& b) {
       return a.safe_until < b.safe_until;
     };
@@ -175,23 +46,24 @@ class Closing {
       if (next.safe_until >= motion_.end()) break;
       advance(next);
     }
-    ClosedHand closed;
     motion_.joints_at(kNever, closed.joints);
-    closed.dofs = motion_.dofs_at_end(start_.dofs);
+    closed.dofs = start_.dofs;
+    motion_.move_to_end(closed.dofs);
     closed.stopped_by_contact = motion_.stopped_by_contact();
+    closed.gap_queries = 0;
     for (const ClosingPair& pairing : pairings_) closed.gap_queries += pairing.tracker.queries();
-    return closed;
   }
 
  private:
   // Every pair that the closing motion can bring together. Links that do not move are left out:
   // they touch nothing that they did not touch before.
   void add_pairings() {
+    pairings_.clear();
     motion_.joints_at(0.0, joints_);
     for (std::size_t l = 0; l < scene_.links.size(); ++l) {
       const CompiledLink& link = scene_.links[l];
       if (motion_.speed(link, 0.0) == 0.0) continue;
-      add_pairing(l, BodyId::object(),
+      add_pairing(link_id(l), BodyId::object(), scene_.object().mesh,
                   start_.object_clearance.empty() ? 0.0 : start_.object_clearance[l]);
       // Obstacles beyond what any point of the link can reach are left out.
       const Vector3 center_O = start_.X_OH * link_pose(scene_.scene.hand, link.joints, joints_) *
@@ -199,31 +71,31 @@ class Closing {
       const double reach =
           link.mesh.ball_radius() + motion_.farthest(link) + options_.contact.threshold;
       scene_.near_obstacles.find({center_O, center_O, reach}, near_);
-      for (const BodyId body : near_) add_pairing(l, body, 0.0);
+      for (const BodyId body : near_.found) {
+        add_pairing(link_id(l), body, scene_.body(body).mesh, 0.0);
+      }
     }
     for (std::size_t p = 0; p < scene_.self_pairs.size(); ++p) {
       const LinkPair& pair = scene_.self_pairs[p];
       const CompiledLink& a = scene_.links[index(pair.a)];
       const CompiledLink& b = scene_.links[index(pair.b)];
       if (motion_.speed(a, 0.0) + motion_.speed(b, 0.0) == 0.0) continue;
-      ClosingPair pairing{pair.b, pair.a, GapTracker(a.mesh, b.mesh, options_.gaps)};
-      start_pairing(pairing, start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
+      add_pairing(pair.b, pair.a, a.mesh,
+                  start_.self_clearance.empty() ? 0.0 : start_.self_clearance[p]);
     }
-  }
-
-  void add_pairing(std::size_t l, BodyId body, double clearance) {
-    const CompiledLink& link = scene_.links[l];
-    ClosingPair pairing{link_id(l), body,
-                        GapTracker(scene_.body(body).mesh, link.mesh, options_.gaps)};
-    start_pairing(pairing, clearance);
   }
 
   // Only pairs that can move come here, so that the speed is above 0. A clearance of 0 is no proof:
   // the pair is queried at the start.
-  void start_pairing(ClosingPair& pairing, double clearance) {
+  void add_pairing(LinkId link, std::variant<LinkId, BodyId> other, const ProximityMesh& others,
+                   double clearance) {
+    ClosingPair& pairing = pairings_.add();
+    pairing.link = link;
+    pairing.other = other;
+    pairing.tracker.start(others, scene_.links[index(link)].mesh, options_.gaps);
+    pairing.asked_at = 0.0;
     pairing.speed_when_asked = speed(pairing, 0.0);
     pairing.safe_until = std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;
-    pairings_.push_back(std::move(pairing));
   }
 
   double speed(const ClosingPair& pairing, double t) const {
@@ -279,17 +151,25 @@ class Closing {
   const ClosingStart& start_;
   const TrialOptions& options_;
   const RunContext& context_;
-  ClosingMotion motion_;
-  std::vector<ClosingPair> pairings_;
-  std::vector<double> joints_;
-  std::vector<BodyId> near_;
+  ClosingMotion& motion_;
+  ReusedList<ClosingPair>& pairings_;
+  std::vector<double>& joints_;
+  NearBodies& near_;
 };
 
 }  // namespace
 
+void close_hand(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
+                ClosingWorkspace& workspace, ClosedHand& closed, const RunContext& context) {
+  Closing(scene, start, options, context, workspace).run(closed);
+}
+
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
                       const TrialOptions& options, const RunContext& context) {
-  return Closing(scene, start, options, context).run();
+  ClosingWorkspace workspace;
+  ClosedHand closed;
+  close_hand(scene, start, options, workspace, closed, context);
+  return closed;
 }
 
 }  // namespace prehend

@@ -2,10 +2,14 @@
 // limit.
 #pragma once
 
+#include <variant>
 #include <vector>
 
+#include "sim/base/reused_list.h"
 #include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/closing_motion.h"
+#include "sim/trial/gap_tracker.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {
@@ -33,6 +37,24 @@ struct ClosingStart {
   std::vector<double> self_clearance;
 };
 
+// A link against another link, or against the object or an obstacle.
+struct ClosingPair {
+  LinkId link = {};
+  std::variant<LinkId, BodyId> other = LinkId{};
+  GapTracker tracker;
+  double asked_at = 0.0;          // time of the last gap query [s]
+  double speed_when_asked = 0.0;  // bound on how fast the gap can shrink from then on [m/s]
+  double safe_until = 0.0;        // proven free of contact up to this time [s]
+};
+
+// Buffers of close_hand, to allocate less; one for each thread.
+struct ClosingWorkspace {
+  ClosingMotion motion;
+  ReusedList<ClosingPair> pairs;
+  std::vector<double> joints;
+  NearBodies near;
+};
+
 // All degrees of freedom with a closing velocity move at once, each at its own velocity. When a
 // link comes within contact_gap of the object, an obstacle or another link (it never penetrates),
 // every joint between the hand's base and that link stops. If such a joint belongs to a rigid
@@ -42,7 +64,11 @@ struct ClosingStart {
 // A degree of freedom ends at its limit in the closing direction. Of two self-centering fingers one
 // may pass its limit by as much as the other was stopped short of it; center_hand brings both back
 // inside. The hand's base does not move. Source: Miller and Allen 2004, "GraspIt!", section
-// "Robots" (auto-grasp, breakaway). Throws Cancelled.
+// "Robots" (auto-grasp, breakaway). `closed` is replaced. Throws Cancelled.
+void close_hand(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
+                ClosingWorkspace& workspace, ClosedHand& closed, const RunContext& context = {});
+
+// The same for callers to whom allocations do not matter.
 ClosedHand close_hand(const CompiledScene& scene, const ClosingStart& start,
                       const TrialOptions& options, const RunContext& context = {});
 

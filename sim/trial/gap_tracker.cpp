@@ -7,6 +7,20 @@
 
 namespace prehend {
 
+void GapTracker::start(const ProximityMesh& a, const ProximityMesh& b,
+                       const GapTrackerOptions& options) {
+  a_ = &a;
+  b_ = &b;
+  options_ = &options;
+  list_below_ = options.near;
+  directions_.assign(a.parts().size() * b.parts().size(), Vector3::Zero());
+  parts_meet_ = false;
+  near_.pairs.clear();
+  near_.beyond = 0.0;
+  last_pair_ = {};
+  queries_ = 0;
+}
+
 Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
   ++queries_;
   if (near_.beyond > 0.0) {

@@ -24,13 +24,15 @@ inline double safe_step(const Gap& gap, const TrialOptions& options) {
 // for gaps up to GapTrackerOptions::least_reach.
 class GapTracker {
  public:
+  // To be started before it is asked.
+  GapTracker() = default;
   // Both meshes and the options must outlive the tracker.
-  GapTracker(const ProximityMesh& a, const ProximityMesh& b, const GapTrackerOptions& options)
-      : a_(&a),
-        b_(&b),
-        options_(&options),
-        list_below_(options.near),
-        directions_(a.parts().size() * b.parts().size(), Vector3::Zero()) {}
+  GapTracker(const ProximityMesh& a, const ProximityMesh& b, const GapTrackerOptions& options) {
+    start(a, b, options);
+  }
+
+  // Begins anew, with these bodies, in the memory that it has.
+  void start(const ProximityMesh& a, const ProximityMesh& b, const GapTrackerOptions& options);
 
   // A proven lower bound and an upper bound of the gap [m] with B at X_AB in A's frame. `moved`
   // [m] bounds how far any point of one body moved relative to the other since the last query,
@@ -49,10 +51,10 @@ class GapTracker {
   // The answer where there is no list, from that of a search of the trees: exact near contact.
   Gap without_list(const Pose& X_AB, const Gap& gap);
 
-  const ProximityMesh* a_;
-  const ProximityMesh* b_;
-  const GapTrackerOptions* options_;
-  double list_below_;  // gaps above this are not worth a list of near pairs [m]
+  const ProximityMesh* a_ = nullptr;
+  const ProximityMesh* b_ = nullptr;
+  const GapTrackerOptions* options_ = nullptr;
+  double list_below_ = 0.0;  // gaps above this are not worth a list of near pairs [m]
   // Per pair of convex parts, the direction that separated them last: a good start for the next
   // query.
   std::vector<Vector3> directions_;

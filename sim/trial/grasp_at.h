@@ -1,16 +1,33 @@
 // Closes the hand once and judges the grasp that results.
 #pragma once
 
+#include <vector>
+
+#include "sim/quality/epsilon_workspace.h"
+#include "sim/quality/wrench.h"
 #include "sim/trial/close_hand.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/hand_collision.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
+
+// Buffers of grasp_at, to allocate less; one for each thread.
+struct GraspWorkspace {
+  ClosingWorkspace closing;
+  ClosedHand closed;
+  HandCollisionWorkspace collision;
+  GraspContactsWorkspace contacts;
+  std::vector<Contact> points;
+  WrenchWorkspace wrenches;
+  EpsilonWorkspace epsilon;
+};
 
 // Closes the hand from `start`, centres it with self-centering fingers (center_hand), finds the
 // contacts and computes their quality. Sets the outcome, X_OH, dofs, joints, contacts, epsilon and
 // `blocked` of the trial; what belongs to its approach and to the arm stays. A hand that centring
 // pushes into the object or an obstacle is hand_blocked. Throws Cancelled.
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
-              Trial& trial, const RunContext& context = {});
+              GraspWorkspace& workspace, Trial& trial, const RunContext& context = {});
 
 }  // namespace prehend

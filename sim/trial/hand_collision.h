@@ -14,10 +14,17 @@ struct HandContact {
   BodyId body = BodyId::object();
 };
 
+// Buffers of hand_collision, to allocate less; one for each thread.
+struct HandCollisionWorkspace {
+  RobotPoses poses;
+  NearBodies near;
+};
+
 // The first link, in the order of the hand's links, that overlaps the object or an obstacle with
 // the hand's base at X_OH and its joints at `joints` [rad or m]; nothing where no link does.
 // Collisions between links of the hand are not checked.
 std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
-                                          const std::vector<double>& joints);
+                                          const std::vector<double>& joints,
+                                          HandCollisionWorkspace& workspace);
 
 }  // namespace prehend

@@ -9,11 +9,12 @@
 namespace prehend {
 
 FingerPair finger_pair(const Robot& hand, int dof) {
-  std::vector<int> joints;
-  for (std::size_t j = 0; j < hand.joints.size(); ++j) {
-    if (hand.joints[j].dof == dof) joints.push_back(static_cast<int>(j));
-  }
-  return {dof, joints[0], joints[1]};
+  const auto next = [&](std::size_t j) {
+    while (hand.joints[j].dof != dof) ++j;
+    return j;
+  };
+  const std::size_t first = next(0);
+  return {dof, static_cast<int>(first), static_cast<int>(next(first + 1))};
 }
 
 Vector3 opening_axis(const Robot& hand, const FingerPair& fingers,
@@ -23,9 +24,7 @@ Vector3 opening_axis(const Robot& hand, const FingerPair& fingers,
   // The axis is fixed in the frame of the link that carries the finger; for a finger on the palm
   // that is the base.
   if (finger.parent < 0) return axis;
-  std::vector<Pose> X_HJ;
-  joint_poses(hand, joints, X_HJ);
-  return X_HJ[index(finger.parent)].linear() * axis;
+  return joint_pose(hand, finger.parent, joints).linear() * axis;
 }
 
 bool center_hand(const CompiledScene& scene, Pose& X_OH, ClosedHand& closed) {

@@ -2,13 +2,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
 
 #include "sim/base/index.h"
-#include "sim/trial/grasp_at.h"
-#include "sim/trial/hand_collision.h"
 #include "sim/trial/self_centering.h"
-#include "sim/trial/turning_room.h"
 
 namespace prehend {
 namespace {
@@ -69,15 +65,14 @@ Pose turned(const Couple& couple, double angle, const Pose& X_OH) {
 
 // Where the hand starts to close after a turn: with fingers a little open, because at their present
 // opening the turn would push them into the object.
-ClosingStart closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
-                           const SettleOptions& options, const Trial& trial, const Pose& X_OH) {
-  ClosingStart start;
+void set_closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
+                       const SettleOptions& options, const Trial& trial, const Pose& X_OH,
+                       ClosingStart& start) {
   start.X_OH = X_OH;
   start.dofs = trial.dofs;
   double& opening = start.dofs[index(fingers.dof)];
   opening += dof.closing_velocity < 0.0 ? std::min(options.loosen, dof.upper - opening)
                                         : -std::min(options.loosen, opening - dof.lower);
-  return start;
 }
 
 // Whether the fingers of `next` are closer together than those of `trial`. That is the criterion of
@@ -89,63 +84,92 @@ bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const Sett
   return (dof.closing_velocity < 0.0 ? change : -change) > options.least_gain;
 }
 
-// The trial after the hand has turned by `angle` and closed again; nothing where an obstacle is in
-// the way, the hand collides, a finger loses contact, or the fingers do not come closer (the object
-// would not turn that far).
-std::optional<Trial> step(const CompiledScene& scene, const FingerPair& fingers,
-                          const TrialOptions& options, const Trial& trial, double angle,
-                          TurningRoom& room, const RunContext& context) {
-  const std::optional<Couple> couple = couple_of(scene, fingers, options.settle, trial);
-  if (!couple) return std::nullopt;
-  const DegreeOfFreedom& dof = scene.scene.hand.dofs[index(fingers.dof)];
-  const ClosingStart start =
-      closing_start(dof, fingers, options.settle, trial, turned(*couple, angle, trial.X_OH));
-  const std::vector<double> opened = joint_values(scene.scene.hand, start.dofs);
-  // The room is checked before the hand closes, which takes much longer, and again afterwards, when
-  // it is known how far the fingers and the hand have moved.
-  HandTurn turn{couple->middle_O, angle, opened, opened};
-  if (!room.allows(trial, turn)) return std::nullopt;
-  if (hand_collision(scene, start.X_OH, opened)) return std::nullopt;
-  Trial next = trial;
-  grasp_at(scene, start, options, next, context);
-  const bool touches =
-      next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
-  const bool settles =
-      is_closer(dof, fingers, options.settle, trial, next) || next.outcome == Outcome::stable;
-  if (!touches || !settles) return std::nullopt;
-  turn.closed = next.joints;
-  turn.shift = (next.X_OH.translation() - start.X_OH.translation()).norm();
-  if (!room.allows(trial, turn)) return std::nullopt;
-  room.spend(trial, turn);
-  return next;
-}
+// One grasp that settles.
+class Settling {
+ public:
+  Settling(const CompiledScene& scene, const FingerPair& fingers, const TrialOptions& options,
+           SettleWorkspace& workspace, GraspWorkspace& grasping, const RunContext& context)
+      : scene_(scene),
+        fingers_(fingers),
+        options_(options),
+        workspace_(workspace),
+        grasping_(grasping),
+        context_(context) {}
+
+  void run(Trial& trial) {
+    Trial& now = workspace_.now;
+    now = trial;
+    workspace_.room.start(scene_, trial, options_);
+    double angle = options_.settle.angle;
+    for (int k = 0; k < options_.settle.steps && angle >= options_.settle.least_angle &&
+                    now.outcome != Outcome::stable;
+         ++k) {
+      if (step(now, angle, workspace_.next)) {
+        now = workspace_.next;
+      } else {
+        // The angle stays halved: the object comes to rest with ever smaller turns.
+        angle *= 0.5;
+      }
+    }
+    if (now.outcome != Outcome::stable) return;
+    // The whole turn, from first pose to last: steps about different axes do not simply add up.
+    now.turned = Eigen::AngleAxisd(trial.X_OH.linear().transpose() * now.X_OH.linear()).angle();
+    trial = now;
+  }
+
+ private:
+  // `next`: the trial after the hand has turned by `angle` and closed again. False where an
+  // obstacle is in the way, the hand collides, a finger loses contact, or the fingers do not come
+  // closer (the object would not turn that far).
+  bool step(const Trial& trial, double angle, Trial& next) {
+    const std::optional<Couple> couple = couple_of(scene_, fingers_, options_.settle, trial);
+    if (!couple) return false;
+    const DegreeOfFreedom& dof = scene_.scene.hand.dofs[index(fingers_.dof)];
+    ClosingStart& start = workspace_.start;
+    set_closing_start(dof, fingers_, options_.settle, trial, turned(*couple, angle, trial.X_OH),
+                      start);
+    // The room is checked before the hand closes, which takes much longer, and again afterwards,
+    // when it is known how far the fingers and the hand have moved.
+    HandTurn& turn = workspace_.turn;
+    turn.middle_O = couple->middle_O;
+    turn.angle = angle;
+    joint_values(scene_.scene.hand, start.dofs, turn.opened);
+    turn.closed = turn.opened;
+    turn.shift = 0.0;
+    if (!workspace_.room.allows(trial, turn)) return false;
+    if (hand_collision(scene_, start.X_OH, turn.opened, grasping_.collision)) return false;
+    next = trial;
+    grasp_at(scene_, start, options_, grasping_, next, context_);
+    const bool touches =
+        next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
+    const bool settles =
+        is_closer(dof, fingers_, options_.settle, trial, next) || next.outcome == Outcome::stable;
+    if (!touches || !settles) return false;
+    turn.closed = next.joints;
+    turn.shift = (next.X_OH.translation() - start.X_OH.translation()).norm();
+    if (!workspace_.room.allows(trial, turn)) return false;
+    workspace_.room.spend(trial, turn);
+    return true;
+  }
+
+  const CompiledScene& scene_;
+  const FingerPair& fingers_;
+  const TrialOptions& options_;
+  SettleWorkspace& workspace_;
+  GraspWorkspace& grasping_;
+  const RunContext& context_;
+};
 
 }  // namespace
 
-void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
-            const RunContext& context) {
+void settle(const CompiledScene& scene, const TrialOptions& options, SettleWorkspace& workspace,
+            GraspWorkspace& grasping, Trial& trial, const RunContext& context) {
   if (trial.outcome != Outcome::not_force_closure || options.settle.steps <= 0) return;
   // With an arm the object would have to leave its pose in the world (settle.h).
   if (scene.arm) return;
   const std::optional<FingerPair> fingers = self_centering_fingers(scene.scene.hand);
   if (!fingers) return;
-  Trial now = trial;
-  TurningRoom room(scene, trial, options);
-  double angle = options.settle.angle;
-  for (int k = 0; k < options.settle.steps && angle >= options.settle.least_angle &&
-                  now.outcome != Outcome::stable;
-       ++k) {
-    if (std::optional<Trial> next = step(scene, *fingers, options, now, angle, room, context)) {
-      now = std::move(*next);
-    } else {
-      // The angle stays halved: the object comes to rest with ever smaller turns.
-      angle *= 0.5;
-    }
-  }
-  if (now.outcome != Outcome::stable) return;
-  // The whole turn, from first pose to last: steps about different axes do not simply add up.
-  now.turned = Eigen::AngleAxisd(trial.X_OH.linear().transpose() * now.X_OH.linear()).angle();
-  trial = std::move(now);
+  Settling(scene, *fingers, options, workspace, grasping, context).run(trial);
 }
 
 }  // namespace prehend

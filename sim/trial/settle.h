@@ -2,9 +2,20 @@
 // held.
 #pragma once
 
+#include "sim/trial/grasp_at.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/turning_room.h"
 
 namespace prehend {
+
+// Buffers of settle, to allocate less; one for each thread.
+struct SettleWorkspace {
+  ClosingStart start;
+  HandTurn turn;
+  TurningRoom room;
+  Trial now;
+  Trial next;
+};
 
 // Continues a trial whose outcome is not_force_closure, for a hand with two self-centering fingers
 // that both touch. Their forces are then a couple that friction does not resist, so the object
@@ -22,7 +33,7 @@ namespace prehend {
 // leave its pose in the world, to which the arm's postures and path refer.
 //
 // Throws Cancelled.
-void settle(const CompiledScene& scene, const TrialOptions& options, Trial& trial,
-            const RunContext& context = {});
+void settle(const CompiledScene& scene, const TrialOptions& options, SettleWorkspace& workspace,
+            GraspWorkspace& grasping, Trial& trial, const RunContext& context = {});
 
 }  // namespace prehend

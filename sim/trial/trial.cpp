@@ -10,16 +10,49 @@
 #include "sim/trial/settle.h"
 
 namespace prehend {
+
+struct TrialWorkspace::Buffers {
+  std::vector<double> start_joints;
+  ApproachWorkspace approaching;
+  ApproachResult reached;
+  ClosingStart start;
+  GraspWorkspace grasping;
+  SettleWorkspace settling;
+  Trial again;  // with the hand backed off
+};
+
+TrialWorkspace::TrialWorkspace() : buffers_(std::make_unique<Buffers>()) {}
+TrialWorkspace::~TrialWorkspace() = default;
+TrialWorkspace::TrialWorkspace(TrialWorkspace&& other) noexcept = default;
+TrialWorkspace& TrialWorkspace::operator=(TrialWorkspace&& other) noexcept = default;
+
 namespace {
 
 // The joint values before closing: those of a preshape of the hand, those given for every joint, or
 // those that follow from the degrees of freedom.
-std::vector<double> start_joints(const CompiledScene& scene, const Candidate& candidate) {
+void set_start_joints(const CompiledScene& scene, const Candidate& candidate,
+                      std::vector<double>& joints) {
   const Robot& hand = scene.scene.hand;
   if (candidate.preshape) {
-    return joint_values(hand, hand.hand->preshapes[index(*candidate.preshape)].dofs);
+    joint_values(hand, hand.hand->preshapes[index(*candidate.preshape)].dofs, joints);
+  } else if (candidate.joints.empty()) {
+    joint_values(hand, candidate.dofs, joints);
+  } else {
+    joints = candidate.joints;
   }
-  return candidate.joints.empty() ? joint_values(hand, candidate.dofs) : candidate.joints;
+}
+
+// As a new trial, with the memory of its lists.
+void clear(Trial& trial) {
+  Trial cleared;
+  const auto keep = [](auto& list, auto& in) {
+    list.clear();
+    in = std::move(list);
+  };
+  keep(trial.dofs, cleared.dofs);
+  keep(trial.joints, cleared.joints);
+  keep(trial.contacts, cleared.contacts);
+  trial = std::move(cleared);
 }
 
 // Adds the wall-clock time of its lifetime to `seconds`.
@@ -42,68 +75,70 @@ class Timer {
 class TrialRun {
  public:
   TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
-           const RunContext& context)
+           TrialWorkspace::Buffers& buffers, const RunContext& context)
       : scene_(scene),
         candidate_(candidate),
         options_(options),
         context_(context),
-        motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance} {
+        motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance},
+        buffers_(buffers),
+        start_(buffers.start) {
     if (candidate.preshape) {
       start_.dofs = scene.scene.hand.hand->preshapes[index(*candidate.preshape)].dofs;
+      start_.joints.clear();
       start_.self_clearance = scene.preshape_gaps[index(*candidate.preshape)];
     } else {
       start_.dofs = candidate.dofs;
       start_.joints = candidate.joints;
+      start_.self_clearance.clear();
     }
-    start_joints_ = start_joints(scene, candidate);
+    set_start_joints(scene, candidate, buffers.start_joints);
   }
 
-  Trial run() {
-    Trial trial = try_it();
+  void run(Trial& trial) {
+    clear(trial);
+    try_it(trial);
     trial.seconds = seconds_;
-    return trial;
   }
 
  private:
-  Trial try_it() {
-    Trial trial;
-    const ApproachResult reached = move_to_object();
+  void try_it(Trial& trial) {
+    move_to_object();
+    const ApproachResult& reached = buffers_.reached;
     trial.X_OH = motion_.at(reached.travel);
     trial.travel = reached.travel;
     trial.dofs = start_.dofs;
-    trial.joints = start_joints_;
+    trial.joints = buffers_.start_joints;
     if (reached.end == ApproachEnd::starts_in_collision ||
         reached.end == ApproachEnd::touched_obstacle) {
       trial.outcome = reached.end == ApproachEnd::touched_obstacle ? Outcome::approach_blocked
                                                                    : Outcome::hand_blocked;
       trial.blocked = reached.touch;
-      return trial;
+      return;
     }
     // The arm is asked once the hand's own way is known to be free, which costs far less than the
     // inverse kinematics of a pose that the arm does not reach, and before the hand closes.
-    if (scene_.arm && !arm_follows(trial)) return trial;
-    close_at(reached.travel, reached.object_clearance, trial);
+    if (scene_.arm && !arm_follows(trial)) return;
+    close_at(0.0, trial);
     // A hand that went as far as it could may close beyond the widest part of the object, or touch
     // it with the palm only. Closing a little farther out often holds what the first try did not.
     for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable;
          ++back) {
       const double retreat = back * options_.back_off_step;
       if (retreat > reached.travel) break;
-      // Backing off changes every gap by at most the retreat.
-      std::vector<double> clearance = reached.object_clearance;
-      for (double& c : clearance) c = std::max(0.0, c - retreat);
-      Trial again = trial;
-      close_at(reached.travel - retreat, clearance, again);
+      Trial& again = buffers_.again;
+      again = trial;
+      close_at(retreat, again);
       again.back_offs = back;
       if (again.outcome == Outcome::stable) trial = again;
     }
     if (scene_.arm) follow_to_the_grasp(trial);
-    return trial;
   }
 
-  ApproachResult move_to_object() {
+  void move_to_object() {
     const Timer timer(seconds_.approach);
-    return approach(scene_, start_joints_, motion_, options_, context_);
+    approach(scene_, buffers_.start_joints, motion_, options_, buffers_.approaching,
+             buffers_.reached, context_);
   }
 
   // Moves the arm along the approach to the trial's X_OH; where it cannot, the trial ends with the
@@ -142,13 +177,18 @@ class TrialRun {
     trial.arm_dofs = reached ? std::move(moved.arm_dofs) : DofValues{};
   }
 
-  void close_at(double travel, const std::vector<double>& clearance, Trial& trial) {
+  // Closes the hand `retreat` before the end of the approach.
+  void close_at(double retreat, Trial& trial) {
     const Timer timer(seconds_.close);
-    start_.X_OH = motion_.at(travel);
-    start_.object_clearance = clearance;
-    trial.travel = travel;
-    grasp_at(scene_, start_, options_, trial, context_);
-    settle(scene_, options_, trial, context_);
+    trial.travel = buffers_.reached.travel - retreat;
+    start_.X_OH = motion_.at(trial.travel);
+    // Backing off changes every gap by at most the retreat.
+    start_.object_clearance = buffers_.reached.object_clearance;
+    for (double& clearance : start_.object_clearance) {
+      clearance = std::max(0.0, clearance - retreat);
+    }
+    grasp_at(scene_, start_, options_, buffers_.grasping, trial, context_);
+    settle(scene_, options_, buffers_.settling, buffers_.grasping, trial, context_);
   }
 
   const CompiledScene& scene_;
@@ -156,8 +196,8 @@ class TrialRun {
   const TrialOptions& options_;
   const RunContext& context_;
   ApproachMotion motion_;
-  ClosingStart start_;
-  std::vector<double> start_joints_;
+  TrialWorkspace::Buffers& buffers_;
+  ClosingStart& start_;
   double followed_travel_ = 0.0;  // of the line that the arm was last asked to follow
   Pose followed_X_OH_ = Pose::Identity();
   TrialSeconds seconds_;
@@ -176,13 +216,22 @@ Blame blame(const CompiledScene& scene, const Trial& trial) {
 // The hand moved back by the travel: from there the approach leads straight to X_OH. For a hand
 // that centring has moved sideways the whole line is moved with it.
 HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial) {
-  return {translation(-trial.travel * candidate.approach_O) * trial.X_OH, trial.X_OH,
-          start_joints(scene, candidate)};
+  HandLine line{translation(-trial.travel * candidate.approach_O) * trial.X_OH, trial.X_OH, {}};
+  set_start_joints(scene, candidate, line.hand_joints);
+  return line;
 }
 
 Trial run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
                 const RunContext& context) {
-  return TrialRun(scene, candidate, options, context).run();
+  TrialWorkspace workspace;
+  Trial trial;
+  run_trial(scene, candidate, options, workspace, trial, context);
+  return trial;
+}
+
+void run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
+               TrialWorkspace& workspace, Trial& trial, const RunContext& context) {
+  TrialRun(scene, candidate, options, workspace.buffers(), context).run(trial);
 }
 
 }  // namespace prehend

@@ -2,6 +2,7 @@
 // quality of the grasp is computed. A pure function of scene, candidate and options.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,6 +88,31 @@ HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, c
 // joint, where given). Throws Cancelled.
 Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
                 const TrialOptions& options = {}, const RunContext& context = {});
+
+// The memory that trials need besides their results: one for each thread, for any number of trials
+// of any scenes. It grows to what the largest trial needs; from then on the trials of a free hand
+// do not allocate, except in the rare case in which rounding stalls epsilon and qhull has to help
+// (epsilon_l1). Inverse kinematics and the checks of an arm do allocate. Trials leave nothing in it
+// that the next one could depend on.
+class TrialWorkspace {
+ public:
+  TrialWorkspace();
+  ~TrialWorkspace();
+  TrialWorkspace(TrialWorkspace&& other) noexcept;
+  TrialWorkspace& operator=(TrialWorkspace&& other) noexcept;
+
+  // Internal, for run_trial.
+  struct Buffers;
+  Buffers& buffers() { return *buffers_; }
+
+ private:
+  std::unique_ptr<Buffers> buffers_;
+};
+
+// As run_trial above, in the memory of `workspace` and of `trial`, which is replaced. After
+// Cancelled, `trial` means nothing. The context has no default, since making one allocates.
+void run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
+               TrialWorkspace& workspace, Trial& trial, const RunContext& context);
 
 // All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
 // ordered by link: hard point contacts with friction, then, for compliant links and with

@@ -22,24 +22,6 @@ double gap_between(const CollisionBody& a, const CollisionBody& b, const Pose& X
   return apart > enough ? apart : find_gap(a.mesh, b.mesh, X_AB).lower;
 }
 
-// A lower bound of the gap between a body at X_OB and all obstacles, exact where it is not above
-// `enough` [m]. Obstacles that are several times as far away are not looked at; that far is enough
-// for several turns.
-double smallest_gap(const CompiledScene& scene, const CollisionBody& body, const Pose& X_OB,
-                    double enough) {
-  const double far = 8.0 * enough;
-  const Vector3 center_O = X_OB * body.mesh.ball_center();
-  std::vector<BodyId> near;
-  scene.near_obstacles.find({center_O, center_O, body.mesh.ball_radius() + far}, near);
-  const Pose X_BO = X_OB.inverse();
-  double least = far;
-  for (const BodyId id : near) {
-    const PlacedBody& obstacle = scene.body(id);
-    least = std::min(least, gap_between(body, obstacle, X_BO * obstacle.X_RB, enough));
-  }
-  return least;
-}
-
 // Bound on how far a point of a body moves when the body turns by `angle` about any axis through
 // the origin of `center`'s frame: the arc of the farthest point of its bounding ball [m].
 double turning_motion(const Vector3& center, double radius, double angle) {
@@ -48,12 +30,17 @@ double turning_motion(const Vector3& center, double radius, double angle) {
 
 }  // namespace
 
-TurningRoom::TurningRoom(const CompiledScene& scene, const Trial& start,
-                         const TrialOptions& options)
-    : scene_(scene), X_OH_start_(start.X_OH), least_gap_(options.contact.threshold) {}
+void TurningRoom::start(const CompiledScene& scene, const Trial& start,
+                        const TrialOptions& options) {
+  scene_ = &scene;
+  X_OH_start_ = start.X_OH;
+  least_gap_ = options.contact.threshold;
+  object_gap_ = 0.0;
+  hand_gap_ = 0.0;
+}
 
 bool TurningRoom::allows(const Trial& now, const HandTurn& turn) {
-  if (!scene_.has_obstacles()) return true;
+  if (!scene_->has_obstacles()) return true;
   // The bounds known from earlier turns are tried first. Only where they are too small are the gaps
   // computed again.
   const double object = object_motion(turn) + least_gap_;
@@ -65,23 +52,22 @@ bool TurningRoom::allows(const Trial& now, const HandTurn& turn) {
 }
 
 void TurningRoom::spend(const Trial& now, const HandTurn& turn) {
-  if (!scene_.has_obstacles()) return;
+  if (!scene_->has_obstacles()) return;
   object_gap_ -= object_motion(turn);
   hand_gap_ -= hand_motion(now, turn);
 }
 
 double TurningRoom::object_motion(const HandTurn& turn) const {
-  const ProximityMesh& object = scene_.object().mesh;
+  const ProximityMesh& object = scene_->object().mesh;
   return turning_motion(object.ball_center() - turn.middle_O, object.ball_radius(), turn.angle) +
          turn.shift;
 }
 
-double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) const {
-  std::vector<Pose> X_HL;
-  link_poses(scene_.scene.hand, now.joints, X_HL);
+double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) {
+  robot_poses(scene_->scene.hand, now.joints, poses_);
   double farthest = 0.0;
-  for (std::size_t l = 0; l < scene_.links.size(); ++l) {
-    const CompiledLink& link = scene_.links[l];
+  for (std::size_t l = 0; l < scene_->links.size(); ++l) {
+    const CompiledLink& link = scene_->links[l];
     // How far the link moves relative to the palm: its joints open, then close, and `closed` holds
     // their values after centring, before which a finger may have been a shift away.
     double relative_to_palm = link.joints.empty() ? 0.0 : turn.shift;
@@ -90,7 +76,7 @@ double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) const {
       relative_to_palm += link.reach[k] * (std::abs(turn.opened[j] - now.joints[j]) +
                                            std::abs(turn.opened[j] - turn.closed[j]));
     }
-    const Vector3 center = now.X_OH * X_HL[l] * link.mesh.ball_center() - turn.middle_O;
+    const Vector3 center = now.X_OH * poses_.X_BL[l] * link.mesh.ball_center() - turn.middle_O;
     farthest = std::max(
         farthest,
         relative_to_palm +
@@ -99,19 +85,34 @@ double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) const {
   return farthest + turn.shift;
 }
 
-double TurningRoom::object_gap(const Trial& now, double enough) const {
+double TurningRoom::object_gap(const Trial& now, double enough) {
   // Here the hand rests at its pose of the start, and all turns so far have moved the object. So
   // the object is where its pose relative to the hand is the present one: X_SO X_OH = X_OH_start.
   const Pose X_SO = X_OH_start_ * now.X_OH.inverse();  // S: the object's frame at the start
-  return smallest_gap(scene_, scene_.object(), X_SO, enough);
+  return smallest_gap(scene_->object(), X_SO, enough);
 }
 
-double TurningRoom::hand_gap(const Trial& now, double enough) const {
-  std::vector<Pose> X_HL;
-  link_poses(scene_.scene.hand, now.joints, X_HL);
+double TurningRoom::hand_gap(const Trial& now, double enough) {
+  robot_poses(scene_->scene.hand, now.joints, poses_);
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t l = 0; l < scene_.links.size(); ++l) {
-    least = std::min(least, smallest_gap(scene_, scene_.links[l], now.X_OH * X_HL[l], enough));
+  for (std::size_t l = 0; l < scene_->links.size(); ++l) {
+    least = std::min(least, smallest_gap(scene_->links[l], now.X_OH * poses_.X_BL[l], enough));
+  }
+  return least;
+}
+
+// A lower bound of the gap between a body at X_OB and all obstacles, exact where it is not above
+// `enough` [m]. Obstacles that are several times as far away are not looked at; that far is enough
+// for several turns.
+double TurningRoom::smallest_gap(const CollisionBody& body, const Pose& X_OB, double enough) {
+  const double far = 8.0 * enough;
+  const Vector3 center_O = X_OB * body.mesh.ball_center();
+  scene_->near_obstacles.find({center_O, center_O, body.mesh.ball_radius() + far}, near_);
+  const Pose X_BO = X_OB.inverse();
+  double least = far;
+  for (const BodyId id : near_.found) {
+    const PlacedBody& obstacle = scene_->body(id);
+    least = std::min(least, gap_between(body, obstacle, X_BO * obstacle.X_RB, enough));
   }
   return least;
 }

@@ -29,8 +29,9 @@ struct HandTurn {
 // the first turn, when the turned hand is still at rest, and after it they are closer together.
 class TurningRoom {
  public:
+  // To be called before anything else, and for each grasp anew; keeps the memory that it has.
   // `start`: as the hand has closed, before any turn. The scene must outlive the room.
-  TurningRoom(const CompiledScene& scene, const Trial& start, const TrialOptions& options);
+  void start(const CompiledScene& scene, const Trial& start, const TrialOptions& options);
 
   // Whether the turn from `now` is free. `now` is `start` after the turns that were spent.
   bool allows(const Trial& now, const HandTurn& turn);
@@ -40,17 +41,20 @@ class TurningRoom {
  private:
   // Farthest that any point moves in a turn [m].
   double object_motion(const HandTurn& turn) const;
-  double hand_motion(const Trial& now, const HandTurn& turn) const;
+  double hand_motion(const Trial& now, const HandTurn& turn);
   // Lower bounds of the smallest gap to an obstacle, exact where it is not above `enough` [m].
-  double object_gap(const Trial& now, double enough) const;
-  double hand_gap(const Trial& now, double enough) const;
+  double object_gap(const Trial& now, double enough);
+  double hand_gap(const Trial& now, double enough);
+  double smallest_gap(const CollisionBody& body, const Pose& X_OB, double enough);
 
-  const CompiledScene& scene_;
-  const Pose X_OH_start_;
-  const double least_gap_;
+  const CompiledScene* scene_ = nullptr;
+  Pose X_OH_start_ = Pose::Identity();
+  double least_gap_ = 0.0;
   // Known lower bounds of the gaps at the present pose [m].
   double object_gap_ = 0.0;
   double hand_gap_ = 0.0;
+  RobotPoses poses_;
+  NearBodies near_;
 };
 
 }  // namespace prehend

@@ -35,6 +35,8 @@ inline std::vector<unsigned char> bytes_of(const Trial& trial) {
     append_bytes(bytes, contact.point.position.data(), 3 * sizeof(double));
     append_bytes(bytes, contact.point.normal.data(), 3 * sizeof(double));
     append_bytes(bytes, &contact.point.friction, sizeof(double));
+    append_bytes(bytes, &contact.point.model, sizeof(ContactModel));
+    append_bytes(bytes, &contact.point.torsion, sizeof(double));
     append_bytes(bytes, &contact.gap, sizeof(double));
   }
   append_bytes(bytes, &trial.epsilon.lower, sizeof(double));

@@ -21,10 +21,11 @@ const ProximityMesh& pad() {
 const Pose kPadBelow = translation({0.0, 0.0, -0.005 - kGap});
 
 std::vector<SoftPatch> patches_of(const TriangleMesh& object_W, const Pose& X_WO) {
-  ContactWorkspace workspace;
+  SoftPatchWorkspace workspace;
   const Pose X_OW = X_WO.inverse();
-  std::vector<SoftPatch> patches = soft_patches(ProximityMesh(transformed(object_W, X_OW)), pad(),
-                                                X_OW * kPadBelow, kDepth, {}, workspace);
+  std::vector<SoftPatch> patches;
+  soft_patches(ProximityMesh(transformed(object_W, X_OW)), pad(), X_OW * kPadBelow, kDepth, {},
+               workspace, patches);
   for (SoftPatch& patch : patches) {
     patch.position = X_WO * patch.position;
     patch.normal = X_WO.linear() * patch.normal;

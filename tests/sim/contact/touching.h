@@ -34,8 +34,10 @@ class Touching {
   }
 
   std::vector<SurfaceContact> regions(const ContactOptions& options = {}) const {
-    ContactWorkspace workspace;
-    return in_world(find_contacts(object_, link_, X_OL_, options, workspace));
+    std::vector<SurfaceContact> found;
+    RegionWorkspace workspace;
+    find_contacts(object_, link_, X_OL_, options, workspace, found);
+    return in_world(std::move(found));
   }
 
  private:

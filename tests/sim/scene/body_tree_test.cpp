@@ -37,12 +37,13 @@ TEST(BodyTree, FindsAllObstaclesInTheRegionInOrderAndNotTheObject) {
   for (const int count : {2, 3, 6, 30, 120}) {
     const std::vector<PlacedBody> bodies = random_bodies(random, count);
     const BodyTree tree(bodies);
-    std::vector<BodyId> found;
+    NearBodies near;
+    const std::vector<BodyId>& found = near.found;
     for (int run = 0; run < 20; ++run) {
       const Vector3 from = random.in_box(0.4);
       const SweptBall region{from, run % 4 == 0 ? from : from + random.in_box(0.2).eval(),
                              random.uniform(0.0, 0.15)};
-      tree.find(region, found);
+      tree.find(region, near);
       found_in_all += static_cast<int>(found.size());
       EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
       EXPECT_EQ(std::adjacent_find(found.begin(), found.end()), found.end());
@@ -60,12 +61,12 @@ TEST(BodyTree, FindsAllObstaclesInTheRegionInOrderAndNotTheObject) {
 
 TEST(BodyTree, OfNoObstaclesFindsNone) {
   Random random(72);
-  std::vector<BodyId> found{BodyId::obstacle(3)};
-  BodyTree(random_bodies(random, 1)).find({Vector3::Zero(), Vector3::Zero(), 10.0}, found);
-  EXPECT_TRUE(found.empty());
-  found = {BodyId::obstacle(3)};
-  BodyTree().find({Vector3::Zero(), Vector3::Zero(), 10.0}, found);
-  EXPECT_TRUE(found.empty());
+  NearBodies near{.found = {BodyId::obstacle(3)}, .in_box = {3}};
+  BodyTree(random_bodies(random, 1)).find({Vector3::Zero(), Vector3::Zero(), 10.0}, near);
+  EXPECT_TRUE(near.found.empty());
+  near.found = {BodyId::obstacle(3)};
+  BodyTree().find({Vector3::Zero(), Vector3::Zero(), 10.0}, near);
+  EXPECT_TRUE(near.found.empty());
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+#include "sim/trial/closing_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prehend {
+
+void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
+                          const std::vector<double>& joints) {
+  hand_ = &hand;
+  if (joints.empty()) {
+    joint_values(hand, dofs, start_);
+  } else {
+    start_ = joints;
+  }
+  velocity_.assign(hand.joints.size(), 0.0);
+  until_.assign(hand.joints.size(), 0.0);
+  by_contact_.assign(hand.joints.size(), false);
+  for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+    const DegreeOfFreedom& dof = hand.dofs[index(hand.joints[j].dof)];
+    const double from = dofs[index(hand.joints[j].dof)];
+    const double v = dof.closing_velocity;
+    if (v == 0.0) continue;
+    velocity_[j] = hand.joints[j].ratio * v;
+    until_[j] = std::max(0.0, ((v > 0.0 ? dof.upper : dof.lower) - from) / v);
+  }
+}
+
+double ClosingMotion::speed(const CompiledLink& link, double t) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < link.joints.size(); ++k) {
+    if (moves(link.joints[k], t)) sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
+  }
+  return sum;
+}
+
+double ClosingMotion::farthest(const CompiledLink& link) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < link.joints.size(); ++k) {
+    const std::size_t j = index(link.joints[k]);
+    const int dof = hand_->joints[j].dof;
+    double way = 0.0;
+    for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
+      if (other == j || (hand_->joints[other].dof == dof &&
+                         hand_->dofs[index(dof)].coupling == Coupling::self_centering)) {
+        way += until_[other];
+      }
+    }
+    sum += std::abs(velocity_[j]) * way * link.reach[k];
+  }
+  return sum;
+}
+
+void ClosingMotion::stop_before(const CompiledLink& link, double t) {
+  for (int joint : link.joints) {
+    if (!moves(joint, t)) continue;
+    stop(joint, t);
+    const int dof = hand_->joints[index(joint)].dof;
+    if (hand_->dofs[index(dof)].coupling != Coupling::rigid) continue;
+    for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
+      if (hand_->joints[other].dof == dof) stop(static_cast<int>(other), t);
+    }
+  }
+}
+
+double ClosingMotion::end() const {
+  return until_.empty() ? 0.0 : *std::max_element(until_.begin(), until_.end());
+}
+
+void ClosingMotion::joints_at(double t, std::vector<double>& joints) const {
+  joints.resize(start_.size());
+  for (std::size_t j = 0; j < start_.size(); ++j) {
+    joints[j] = start_[j] + velocity_[j] * std::min(t, until_[j]);
+  }
+}
+
+void ClosingMotion::move_to_end(std::vector<double>& dofs) const {
+  for (std::size_t d = 0; d < dofs.size(); ++d) {
+    double longest = 0.0;
+    for (std::size_t j = 0; j < hand_->joints.size(); ++j) {
+      if (index(hand_->joints[j].dof) == d && velocity_[j] != 0.0)
+        longest = std::max(longest, until_[j]);
+    }
+    dofs[d] += hand_->dofs[d].closing_velocity * longest;
+  }
+}
+
+void ClosingMotion::stop(int joint, double t) {
+  if (!moves(joint, t)) return;
+  const double unused = until_[index(joint)] - t;
+  until_[index(joint)] = t;
+  by_contact_[index(joint)] = true;
+  const int dof = hand_->joints[index(joint)].dof;
+  if (hand_->dofs[index(dof)].coupling != Coupling::self_centering) return;
+  // Centring (center_hand) sets both joints to their mean. So the other finger may pass its limit
+  // by what this one leaves unused, and the mean is still inside the limits.
+  for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
+    if (hand_->joints[other].dof == dof && !by_contact_[other]) until_[other] += unused;
+  }
+}
+
+}  // namespace prehend

@@ -1,0 +1,60 @@
+// The motion of the joints of a hand that closes.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/index.h"
+#include "sim/robot/robot.h"
+#include "sim/scene/compiled_link.h"
+
+namespace prehend {
+
+// Joint motion over the closing time t [s]: joint j is at start + velocity * min(t, until), where
+// `until` is the time at which it reaches its limit or was stopped by contact.
+class ClosingMotion {
+ public:
+  // To be called before anything else; keeps the memory that it has. `dofs` and `joints`: as in
+  // ClosingStart. The hand must outlive the motion.
+  void start(const Robot& hand, const std::vector<double>& dofs, const std::vector<double>& joints);
+
+  bool moves(int joint, double t) const {
+    return velocity_[index(joint)] != 0.0 && t < until_[index(joint)];
+  }
+
+  // Bound on the speed of any point of the link relative to the palm from time t on [m/s]: the sum
+  // over the moving joints before it of |velocity| * (farthest point from the joint's axis).
+  double speed(const CompiledLink& link, double t) const;
+
+  // Bound on how far any point of the link can move at all [m]. A self-centering finger may pass
+  // its limit by as much as the other one was stopped short of it, which is at most its whole way.
+  double farthest(const CompiledLink& link) const;
+
+  // Stops all joints between the palm and the link, since each of them would press the link into
+  // what it touches. A rigid degree of freedom then cannot move at all: its other joints, which may
+  // belong to other fingers, stop too.
+  void stop_before(const CompiledLink& link, double t);
+
+  // When the last joint comes to rest.
+  double end() const;
+
+  // Joint values at time t; after end() those at rest, for any t up to infinity.
+  void joints_at(double t, std::vector<double>& joints) const;
+
+  // Adds to the value of each degree of freedom at the start what it changes until the end: as much
+  // as its joint that moved longest, because the drive moves on as long as any of its joints does
+  // (breakaway).
+  void move_to_end(std::vector<double>& dofs) const;
+
+  const std::vector<bool>& stopped_by_contact() const { return by_contact_; }
+
+ private:
+  void stop(int joint, double t);
+
+  const Robot* hand_ = nullptr;
+  std::vector<double> start_;
+  std::vector<double> velocity_;
+  std::vector<double> until_;
+  std::vector<bool> by_contact_;
+};
+
+}  // namespace prehend
