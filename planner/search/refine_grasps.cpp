@@ -10,6 +10,7 @@
 
 #include "planner/search/grasp_moves.h"
 #include "planner/search/pattern_search.h"
+#include "planner/search/run_trials.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/parallel/parallel.h"
@@ -167,7 +168,11 @@ class Refiner {
 
   void try_it(Job& job) {
     const RunContext one_thread = {.threads = 1, .cancellation = context_.cancellation};
-    job.trial = run_trial(scene_, job.candidate, options_, one_thread);
+    {
+      const TrialWorkers::Loan worker(workers_);
+      run_trial(scene_, job.candidate, options_, worker->workspace, worker->trial, one_thread);
+      job.trial = worker->trial;
+    }
     job.value = objective(job.trial);
     if (!context_.progress) return;
     // Never called by two threads at once, and with counts that increase.
@@ -195,6 +200,7 @@ class Refiner {
   const RunContext& context_;
   std::vector<ParentSearch> parents_;
   std::vector<std::size_t> order_;  // the parents of the round, best first
+  TrialWorkers workers_;
   std::mutex progress_lock_;
   Progress progress_;
 };

@@ -8,8 +8,16 @@ namespace prehend {
 
 std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
                                              const std::vector<Candidate>& candidates,
-                                             const TrialOptions& options, const RunContext& context,
-                                             const Progress& before) {
+                                             const TrialOptions& options,
+                                             const RunContext& context) {
+  TrialWorkers workers;
+  return run_trials(scene, candidates, options, workers, context, {});
+}
+
+std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
+                                             const std::vector<Candidate>& candidates,
+                                             const TrialOptions& options, TrialWorkers& workers,
+                                             const RunContext& context, const Progress& before) {
   std::vector<std::optional<Trial>> trials(candidates.size());
   std::mutex progress_lock;
   const bool all_count = before.total == 0;
@@ -22,7 +30,9 @@ std::vector<std::optional<Trial>> run_trials(const CompiledScene& scene,
     if (context.cancellation.requested() || context.deadline.has_passed()) return;
     // Caught for each trial: an exception that left the loop would discard the finished trials.
     try {
-      trials[i] = run_trial(scene, candidates[i], options, context);
+      const TrialWorkers::Loan worker(workers);
+      run_trial(scene, candidates[i], options, worker->workspace, worker->trial, context);
+      trials[i] = worker->trial;
     } catch (const Cancelled&) {
       return;
     }

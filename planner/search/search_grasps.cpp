@@ -105,7 +105,7 @@ class GraspSearch {
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : batch) candidates.push_back(grasp.candidate);
     const Progress before{Stage::trials, counted_, options_.trials, stable_};
-    auto trials = run_trials(scene_, candidates, trial_, context_, before);
+    auto trials = run_trials(scene_, candidates, trial_, workers_, context_, before);
     bool is_whole = true;
     for (std::size_t i = 0; i < batch.size(); ++i) {
       result_.proposed.push_back(batch[i]);
@@ -154,6 +154,7 @@ class GraspSearch {
   const SearchOptions& options_;
   const TrialOptions& trial_;
   const RunContext& context_;
+  TrialWorkers workers_;
   SearchResult result_;
   int counted_ = 0;  // trials that were not blocked
   int stable_ = 0;
