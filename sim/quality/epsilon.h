@@ -78,9 +78,4 @@ EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options = {}
 EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches,
                           const EpsilonOptions& options = {});
 
-// The same in the buffers of a workspace (epsilon_workspace.h).
-struct EpsilonWorkspace;
-EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
-                          EpsilonWorkspace& workspace);
-
 }  // namespace prehend

@@ -1,8 +1,9 @@
 // Trials in a workspace: they do not allocate, and give the same as trials without one.
 //
 // Every allocation of this test program is counted: malloc, which operator new and Eigen call, is
-// replaced here, or, where a sanitizer has replaced it already, watched through its hooks. Trials
-// with an arm are left out: inverse kinematics and the arm's collision checks do allocate.
+// replaced here, or, where a sanitizer has replaced it already, watched through its hooks. Left out
+// are trials with an arm, whose inverse kinematics and collision checks do allocate. Where rounding
+// stalls epsilon, qhull allocates; that is rare, and these trials have no such case.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -13,7 +14,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/search/plan.h"
+#include "planner/propose/candidates.h"
 #include "primitives/decompose.h"
 #include "sim/robot/robot_file.h"
 #include "tests/support/library_scenes.h"
@@ -27,44 +28,43 @@ std::atomic<long> allocations = 0;
 
 #if defined(__SANITIZE_ADDRESS__)
 
+// As in sanitizer/allocator_interface.h, which gcc does not install.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*on_malloc)(const volatile void*,
                                                                            std::size_t),
                                                          void (*on_free)(const volatile void*));
 
 namespace {
 
-const bool kCounting = [] {
-  return __sanitizer_install_malloc_and_free_hooks(
-             [](const volatile void*, std::size_t) { ++allocations; },
-             [](const volatile void*) {}) > 0;
-}();
+const bool kCounting =
+    __sanitizer_install_malloc_and_free_hooks(
+        [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {}) > 0;
 
 }  // namespace
 
 #else
 
-// glibc's own, under other names.
 extern "C" {
-void* __libc_malloc(std::size_t size);
-void* __libc_calloc(std::size_t count, std::size_t size);
-void* __libc_realloc(void* old, std::size_t size);
-void* __libc_memalign(std::size_t alignment, std::size_t size);
+// glibc's own functions, under the names that stay theirs.
+void* libc_malloc(std::size_t size) __asm__("__libc_malloc");
+void* libc_calloc(std::size_t nmemb, std::size_t size) __asm__("__libc_calloc");
+void* libc_realloc(void* ptr, std::size_t size) __asm__("__libc_realloc");
+void* libc_memalign(std::size_t alignment, std::size_t size) __asm__("__libc_memalign");
 
 void* malloc(std::size_t size) {
   ++allocations;
-  return __libc_malloc(size);
+  return libc_malloc(size);
 }
-void* calloc(std::size_t count, std::size_t size) {
+void* calloc(std::size_t nmemb, std::size_t size) {
   ++allocations;
-  return __libc_calloc(count, size);
+  return libc_calloc(nmemb, size);
 }
-void* realloc(void* old, std::size_t size) {
+void* realloc(void* ptr, std::size_t size) {
   ++allocations;
-  return __libc_realloc(old, size);
+  return libc_realloc(ptr, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
   ++allocations;
-  return __libc_memalign(alignment, size);
+  return libc_memalign(alignment, size);
 }
 }
 
@@ -78,6 +78,8 @@ const bool kCounting = true;
 
 namespace prehend {
 namespace {
+
+constexpr std::size_t kTried = 30;  // candidates of each scene
 
 struct TriedScene {
   std::string name;
@@ -99,11 +101,10 @@ TriedScene tried_scene(const std::string& object, const std::string& hand, std::
 
 // Hands of which the first has breakaway joints, the second self-centering soft fingers between
 // which objects settle.
-std::vector<TriedScene> tried_scenes() {
-  std::vector<TriedScene> tried;
-  tried.push_back(tried_scene("mug", "barrett", 60));
-  tried.push_back(tried_scene("mug", "franka_hand", 60));
-  tried.push_back(tried_scene("mug_on_table", "barrett", 60));
+const std::vector<TriedScene>& tried_scenes() {
+  static const std::vector<TriedScene> tried = {tried_scene("mug", "barrett", kTried),
+                                                tried_scene("mug", "franka_hand", kTried),
+                                                tried_scene("mug_on_table", "barrett", kTried)};
   return tried;
 }
 
@@ -160,13 +161,12 @@ TEST(TrialAllocations, AreNoneOnceTheWorkspaceHasGrown) {
 TEST(TrialAllocations, AWorkspaceChangesNoResult) {
   const TrialOptions options;
   const RunContext context;
-  const std::vector<TriedScene> tried = tried_scenes();
   TrialWorkspace workspace;
   Trial trial;
   // From scene to scene: what one hand and its object leave in the workspace is not that of the
   // next.
-  for (std::size_t i = 0; i < 60; i += 3) {
-    for (const TriedScene& one : tried) {
+  for (std::size_t i = 0; i < kTried; i += 2) {
+    for (const TriedScene& one : tried_scenes()) {
       run_trial(one.scene, one.candidates[i], options, workspace, trial, context);
       EXPECT_EQ(test::bytes_of(trial),
                 test::bytes_of(run_trial(one.scene, one.candidates[i], options)))
