@@ -134,7 +134,8 @@ TEST(TrialAllocations, AreCounted) {
 }
 
 TEST(TrialAllocations, AreNoneOnceTheWorkspaceHasGrown) {
-  const TrialOptions options;
+  TrialOptions options;
+  options.back_off_tries = 3;
   const RunContext context;
   Happened happened;
   for (const TriedScene& tried : tried_scenes()) {
