@@ -13,7 +13,7 @@ namespace prehend {
 enum class Accuracy {
   draft,     // a first impression: hands close once, nothing is refined, no volumes
   standard,  // the defaults of all options
-  fine,      // four times the trials, rounder friction cones, more refinement
+  fine,      // four times the trials, more back-offs and refinement, rounder friction cones
 };
 
 inline constexpr std::array<Accuracy, 3> kAccuracies = {Accuracy::draft, Accuracy::standard,
