@@ -11,8 +11,8 @@
 #include "sim/contact/contact_region.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench_hull.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 

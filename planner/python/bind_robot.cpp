@@ -4,8 +4,8 @@
 #include "planner/python/bindings.h"
 #include "sim/base/index.h"
 #include "sim/robot/inverse_kinematics.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend::python {
 namespace {

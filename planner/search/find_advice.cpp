@@ -10,7 +10,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend {
 namespace {

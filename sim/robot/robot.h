@@ -129,6 +129,8 @@ struct Robot {
   std::vector<DegreeOfFreedom> dofs;
   std::vector<Link> links;  // links[0] is the base link
   std::optional<Hand> hand;
+  // What the reader of its file assumed, left out or repaired, for people: one line each.
+  std::vector<std::string> notes = {};
 };
 
 // The initial value of every degree of freedom [rad or m].

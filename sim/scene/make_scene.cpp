@@ -6,8 +6,8 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend {
 std::string robot_source(const std::string& name_or_file) {

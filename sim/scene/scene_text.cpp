@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "sim/base/input_error.h"
-#include "sim/robot/platform_file.h"
+#include "sim/robot_files/platform_file.h"
 #include "sim/scene/json_primitive.h"
 
 // A body is written by its source where it has one (a mesh file, the name of a generated object,

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "sim/json/json_field.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/untrusted_files.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/geometry/basic_shapes.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
 #include "tests/support/brute_force.h"

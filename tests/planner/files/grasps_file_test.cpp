@@ -9,7 +9,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "tests/support/library_scenes.h"
 

@@ -8,8 +8,8 @@
 
 #include "planner/path/grasp_motion.h"
 #include "sim/base/index.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "tests/planner/report/unpack.h"
 #include "tests/support/library_scenes.h"
 #include "tests/support/trees.h"

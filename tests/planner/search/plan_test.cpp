@@ -8,7 +8,7 @@
 #include "sim/geometry/object_generator.h"
 #include "sim/json/json_field.h"
 #include "sim/quality/wrench_hull.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 

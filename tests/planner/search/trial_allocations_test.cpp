@@ -16,7 +16,7 @@
 
 #include "planner/propose/candidates.h"
 #include "primitives/decompose.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "tests/support/library_scenes.h"
 #include "tests/support/trial_bytes.h"
 

@@ -11,7 +11,7 @@
 #include "sim/base/random.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/reach/motion_check.h"
-#include "sim/robot/platform_file.h"
+#include "sim/robot_files/platform_file.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend::test {

@@ -9,7 +9,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "sim/geometry/basic_shapes.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {

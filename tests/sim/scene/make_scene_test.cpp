@@ -5,7 +5,7 @@
 #include "sim/base/input_error.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/object_generator.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"

@@ -1,11 +1,11 @@
-#include "sim/robot/platform_file.h"
+#include "sim/robot_files/platform_file.h"
 
 #include <utility>
 
 #include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
-#include "sim/robot/robot_file.h"
-#include "sim/robot/robot_file_parts.h"
+#include "sim/robot_files/robot_file.h"
+#include "sim/robot_files/robot_file_parts.h"
 
 namespace prehend {
 namespace {

@@ -1,11 +1,11 @@
 // What a good robot file becomes.
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 
 #include <fstream>
 
 #include <gtest/gtest.h>
 
-#include "tests/sim/robot/robot_files.h"
+#include "tests/sim/robot_files/robot_files.h"
 #include "tests/support/turns.h"
 
 namespace prehend {

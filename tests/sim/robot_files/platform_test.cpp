@@ -10,9 +10,9 @@
 #include "sim/base/index.h"
 #include "sim/base/random.h"
 #include "sim/robot/inverse_kinematics.h"
-#include "sim/robot/platform_file.h"
-#include "tests/sim/robot/reference_robot.h"
-#include "tests/sim/robot/robot_files.h"
+#include "sim/robot_files/platform_file.h"
+#include "tests/sim/robot_files/reference_robot.h"
+#include "tests/sim/robot_files/robot_files.h"
 
 namespace prehend {
 namespace {

@@ -4,8 +4,8 @@
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend {
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/robot/robot_file_parts.h"
+#include "sim/robot_files/robot_file_parts.h"
 
 namespace prehend {
 namespace {

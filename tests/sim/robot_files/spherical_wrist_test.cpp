@@ -8,7 +8,7 @@
 
 #include "sim/base/random.h"
 #include "sim/robot/inverse_kinematics.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot/platform_file.h"
-#include "tests/sim/robot/robot_files.h"
+#include "sim/robot_files/platform_file.h"
+#include "tests/sim/robot_files/robot_files.h"
 
 namespace prehend {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
-#include "sim/robot/robot_file_parts.h"
 #include "sim/robot/spherical_wrist.h"
+#include "sim/robot_files/robot_file_parts.h"
 
 namespace prehend {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "sim/json/json_field.h"
 #include "sim/robot/robot.h"
-#include "sim/robot/robot_geometry.h"
+#include "sim/robot_files/robot_geometry.h"
 
 namespace prehend {
 

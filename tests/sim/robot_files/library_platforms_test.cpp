@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/geometry/mesh_checks.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
-#include "tests/sim/robot/reference_robot.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
+#include "tests/sim/robot_files/reference_robot.h"
 
 namespace prehend {
 namespace {

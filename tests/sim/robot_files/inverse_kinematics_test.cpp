@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/robot/platform_file.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/platform_file.h"
+#include "sim/robot_files/robot_file.h"
 #include "tests/support/trees.h"
 
 namespace prehend {

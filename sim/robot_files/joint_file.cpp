@@ -1,5 +1,5 @@
 #include "sim/robot/denavit_hartenberg.h"
-#include "sim/robot/robot_file_parts.h"
+#include "sim/robot_files/robot_file_parts.h"
 
 namespace prehend {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot/platform_file.h"
+#include "sim/robot_files/platform_file.h"
 
 namespace prehend {
 namespace {

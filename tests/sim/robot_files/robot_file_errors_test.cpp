@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/sim/robot/robot_files.h"
+#include "tests/sim/robot_files/robot_files.h"
 
 namespace prehend {
 namespace {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/robot/robot.h"
-#include "tests/sim/robot/hand_shape.h"
+#include "tests/sim/robot_files/hand_shape.h"
 #include "tests/support/shared_data.h"
 
 namespace prehend::test {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot/robot_file.h"
-#include "tests/sim/robot/hand_shape.h"
+#include "sim/robot_files/robot_file.h"
+#include "tests/sim/robot_files/hand_shape.h"
 #include "tests/support/turns.h"
 
 namespace prehend {

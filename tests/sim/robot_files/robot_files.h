@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/input_error.h"
-#include "sim/robot/robot_file.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend::test {
 

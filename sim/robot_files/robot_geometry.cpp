@@ -1,4 +1,4 @@
-#include "sim/robot/robot_geometry.h"
+#include "sim/robot_files/robot_geometry.h"
 
 #include <algorithm>
 #include <numbers>

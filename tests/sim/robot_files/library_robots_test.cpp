@@ -9,8 +9,8 @@
 
 #include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
-#include "sim/robot/robot_file.h"
-#include "tests/sim/robot/hand_shape.h"
+#include "sim/robot_files/robot_file.h"
+#include "tests/sim/robot_files/hand_shape.h"
 
 namespace prehend {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot/robot_file.h"
-#include "tests/sim/robot/reference_robot.h"
+#include "sim/robot_files/robot_file.h"
+#include "tests/sim/robot_files/reference_robot.h"
 #include "tests/support/turns.h"
 
 namespace prehend {

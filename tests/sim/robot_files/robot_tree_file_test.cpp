@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/material.h"
-#include "sim/robot/robot_file.h"
-#include "tests/sim/robot/robot_files.h"
+#include "sim/robot_files/robot_file.h"
+#include "tests/sim/robot_files/robot_files.h"
 #include "tests/support/turns.h"
 
 namespace prehend {

@@ -1,5 +1,5 @@
 #include "sim/base/material.h"
-#include "sim/robot/robot_file_parts.h"
+#include "sim/robot_files/robot_file_parts.h"
 
 namespace prehend {
 namespace {
