@@ -27,6 +27,7 @@ double number_above_zero(const std::string& option, const std::string& text) {
 }
 
 Command command_of(const std::string& word) {
+  if (word == "hands") return Command::hands;
   if (word == "page") return Command::page;
   if (word == "compare") return Command::compare;
   if (word == "memory") return Command::memory;
@@ -90,6 +91,10 @@ Arguments read_arguments(const std::vector<std::string>& words) {
     case Command::run:
       take_parts(arguments);
       break;
+    case Command::hands:
+      require(!arguments.words.empty(), {.problem = "hands takes folders of meshes, or meshes"});
+      if (arguments.folder.empty()) arguments.folder = kKeptFolder;
+      break;
     case Command::page:
       require_words(arguments, 1, "page takes one file of results");
       if (arguments.folder.empty()) arguments.folder = folder_of(arguments.words.front());
@@ -109,6 +114,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
 std::string usage() {
   return "bench [kernels] [trials] [trade] [scaling] [--quick | --smoke] [--out FOLDER]\n"
          "    measures these parts, or all; writes results.json, results.md and plots\n"
+         "bench hands FOLDER|MESH... [--out FOLDER]\n"
+         "    every hand of the library on every object; writes hands.md\n"
          "bench page RESULTS.json [--out FOLDER]\n"
          "    makes the page and the plots of stored results again\n"
          "bench compare OLD.json NEW.json [--most 1.10]\n"

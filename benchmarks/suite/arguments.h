@@ -8,7 +8,7 @@
 
 namespace prehend::bench {
 
-enum class Command { run, page, compare, memory, help };
+enum class Command { run, hands, page, compare, memory, help };
 
 struct Arguments {
   Command command = Command::run;
@@ -18,7 +18,8 @@ struct Arguments {
   // Where results, page and plots go. Only a whole run at full effort goes where they are kept;
   // of a page: beside its results.
   std::string folder;
-  // Of page one file of results, of compare two; of memory what memory.h says.
+  // Of hands meshes and folders, of page one file of results, of compare two; of memory what
+  // memory.h says.
   std::vector<std::string> words;
   double most = 1.10;  // of compare: the largest ratio that is no slowdown
 };

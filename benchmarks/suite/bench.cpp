@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "benchmarks/report/compare.h"
+#include "benchmarks/report/hands_page.h"
 #include "benchmarks/report/machine.h"
 #include "benchmarks/report/names.h"
 #include "benchmarks/report/page.h"
 #include "benchmarks/report/results_file.h"
 #include "benchmarks/suite/arguments.h"
+#include "benchmarks/suite/hands.h"
 #include "benchmarks/suite/memory.h"
 #include "benchmarks/suite/parts.h"
 #include "sim/base/input_error.h"
@@ -67,6 +69,16 @@ int run(const Arguments& arguments, const std::string& program) {
   return 0;
 }
 
+int run_hands(const Arguments& arguments) {
+  const std::filesystem::path folder = arguments.folder;
+  require_writable(folder);
+  const std::string page = hands_page(plan_hands(arguments.words));
+  make_folder(folder);
+  write_file(folder / "hands.md", page);
+  std::printf("%s\n", (folder / "hands.md").c_str());
+  return 0;
+}
+
 int compare_files(const Arguments& arguments) {
   const Comparison comparison =
       compare(read_results(arguments.words[0]), read_results(arguments.words[1]));
@@ -85,6 +97,8 @@ int act(const Arguments& arguments, const std::string& program) {
   switch (arguments.command) {
     case Command::run:
       return run(arguments, program);
+    case Command::hands:
+      return run_hands(arguments);
     case Command::page:
       return make_page(arguments);
     case Command::compare:

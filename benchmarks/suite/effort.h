@@ -9,7 +9,7 @@
 namespace prehend::bench {
 
 enum class Effort {
-  full,   // about twenty minutes on two cores
+  full,   // about five minutes on two cores
   quick,  // a few minutes; the same entries as far as they take no long time
   smoke   // seconds: only whether everything runs
 };

@@ -64,5 +64,14 @@ TEST(Patience, EndsWhereTheNextSizeWouldTakeTooLong) {
   EXPECT_TRUE(patience.allows(1.0));
 }
 
+TEST(Arguments, HandsTakeObjects) {
+  const Arguments arguments = read_arguments({"hands", "meshes", "mug.obj", "--out", "there"});
+  EXPECT_EQ(arguments.command, Command::hands);
+  EXPECT_EQ(arguments.words, (std::vector<std::string>{"meshes", "mug.obj"}));
+  EXPECT_EQ(arguments.folder, "there");
+  EXPECT_EQ(read_arguments({"hands", "meshes"}).folder, "benchmarks/results");
+  EXPECT_THROW(read_arguments({"hands"}), InputError);
+}
+
 }  // namespace
 }  // namespace prehend::bench
