@@ -10,6 +10,7 @@
 #include "sim/base/input_file.h"
 #include "sim/geometry/weld.h"
 #include "sim/mesh_files/assimp_reader.h"
+#include "sim/mesh_files/inventor_reader.h"
 #include "sim/mesh_files/mesh_bytes.h"
 #include "sim/mesh_files/obj_reader.h"
 #include "sim/mesh_files/off_reader.h"
@@ -22,16 +23,17 @@
 namespace prehend {
 namespace {
 
-constexpr std::array<std::string_view, 7> kExtensions{"obj",  "stl", "ply", "off",
-                                                      "gltf", "glb", "dae"};
+constexpr std::array<std::string_view, 9> kExtensions{"obj", "stl", "ply", "off", "gltf",
+                                                      "glb", "dae", "iv",  "wrl"};
 
 std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
-    throw InputError({.problem = "unknown mesh format, known: .obj .stl .ply .off .gltf .glb .dae",
-                      .value = "." + extension});
+    throw InputError(
+        {.problem = "unknown mesh format, known: .obj .stl .ply .off .gltf .glb .dae .iv .wrl",
+         .value = "." + extension});
   }
   return extension;
 }
@@ -55,6 +57,10 @@ TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& fil
   if (extension == "off") {
     need_text(bytes);
     return read_off(bytes);
+  }
+  if (extension == "iv" || extension == "wrl") {
+    need_text(bytes);
+    return read_inventor(bytes);
   }
   return read_with_assimp(checked_mesh_bytes(extension, bytes, file.parent_path()),
                           extension == "gltf" ? "glb" : extension);

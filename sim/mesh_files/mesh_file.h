@@ -1,4 +1,4 @@
-// Reads triangle meshes from files: OBJ, STL, PLY, OFF, glTF and COLLADA.
+// Reads triangle meshes from files: OBJ, STL, PLY, OFF, glTF, COLLADA, Inventor and VRML.
 #pragma once
 
 #include <filesystem>
@@ -30,10 +30,10 @@ struct LoadedMesh {
 
 // All triangles of all parts of the file, with the transforms of its nodes applied, polygons
 // triangulated, lines and points left out; scaled to metres. The extension determines the format
-// (.obj .stl .ply .off .gltf .glb .dae in upper or lower case). Axes are never turned: COLLADA's
-// up_axis is ignored and glTF stays y-up. The winding of the file is kept (see orient_outward).
-// Materials and textures are not opened. Coordinates have single precision, as in most of these
-// formats.
+// (.obj .stl .ply .off .gltf .glb .dae .iv .wrl in upper or lower case). Axes are never turned:
+// COLLADA's up_axis is ignored and glTF stays y-up. The winding of the file is kept (see
+// orient_outward). Materials and textures are not opened. Coordinates have single precision, as in
+// most of these formats.
 //
 // Throws InputError, one line that starts with the name of the file and states the defect, when the
 // file is missing, unreadable, empty or larger than 1 GiB, has an unknown format, is damaged

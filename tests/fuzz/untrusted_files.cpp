@@ -8,12 +8,14 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 12> kKinds{{
+constexpr std::array<FileKind, 14> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
     {"off", Grammar::bytes, read_mesh_file},
     {"dae", Grammar::bytes, read_mesh_file},
+    {"iv", Grammar::bytes, read_mesh_file},
+    {"wrl", Grammar::bytes, read_mesh_file},
     {"gltf", Grammar::json, read_mesh_file},
     {"glb", Grammar::glb, read_mesh_file},
     {"robot", Grammar::json, read_robot_file},

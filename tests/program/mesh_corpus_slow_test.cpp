@@ -13,7 +13,9 @@ namespace {
 
 // Sizes in metres a unit where the file's own numbers are not metres.
 std::string unit_of(const std::string& name) {
-  return name == "wing_bad_ascii_stl.stl" || name.ends_with(".iv") ? "mm" : "m";
+  return name == "wing_bad_ascii_stl.stl" || (name.ends_with(".iv") && !name.starts_with("vitalis"))
+             ? "mm"
+             : "m";
 }
 
 // JSON has no NaN: nlohmann writes null for it.

@@ -46,7 +46,7 @@ def as_mesh(mesh: MeshLike) -> Mesh:
 
 
 def load_mesh(file: PathLike, unit: str = "m") -> Mesh:
-    """Reads a mesh: OBJ, STL, PLY, OFF, glTF or COLLADA.
+    """Reads a mesh: OBJ, STL, PLY, OFF, glTF, COLLADA, Inventor or VRML.
 
     Equal vertices are joined, triangles turned outward and lengths turned into metres.
 

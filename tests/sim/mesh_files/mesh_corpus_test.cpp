@@ -31,7 +31,7 @@ constexpr MassSource kSurface = MassSource::surface;
 
 const std::vector<Expected>& corpus() {
   static const std::vector<Expected> files{
-      {"nasty/can_scan_open.wrl", 0, ".dae (.wrl)"},
+      {"nasty/can_scan_open.wrl", 3707, "", kHull},
       {"nasty/cgal_ALSTOM_TEST4.off", 2033, "", kHull},
       {"nasty/cgal_blobby-shuffled.off", 4050, "", kSolid},
       {"nasty/cgal_double-torus-3-holes.off", 428, "", kHoles},
@@ -44,13 +44,13 @@ const std::vector<Expected>& corpus() {
       {"nasty/converted_obj/vitalis_box_misoriented.obj", 12, "", kSolid},
       {"nasty/cycloidal_100_parts.ply", 43368, "", kSolid},
       {"nasty/drinking_glass_thin.stl", 160, "", kSolid},
-      {"nasty/gun_42_shells.iv", 0, ".dae (.iv)"},
-      {"nasty/lego_plate_open_parts.wrl", 0, ".dae (.wrl)"},
+      {"nasty/gun_42_shells.iv", 1830, "", kHull},
+      {"nasty/lego_plate_open_parts.wrl", 4540, "", kHoles},
       {"nasty/manifold_self_intersectA.obj", 17160, "", kSolid},
       {"nasty/medium_clamp_262k.ply", 262144, "", kSolid},
       {"nasty/pitcher_scan_open_79k.stl", 79360, "", kHoles},
       {"nasty/triangle_soup.stl", 100, "", kHull},
-      {"nasty/vitalis_box_misoriented.iv", 0, ".dae (.iv)"},
+      {"nasty/vitalis_box_misoriented.iv", 12, "", kSolid},
       {"nasty/wing_bad_ascii_stl.stl", 841, "", kHoles},
       {"parser/assimp_Wuson.ply", 3732, "", kHoles},
       {"parser/assimp_box_UTF16BE.obj", 0, "the text is UTF-16"},

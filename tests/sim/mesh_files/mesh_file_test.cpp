@@ -51,7 +51,8 @@ std::vector<std::pair<std::string, std::string>> samples() {
   return {{"text.obj", test::obj_sample()},       {"text.off", test::off_sample()},
           {"text.ply", test::ply_sample()},       {"text.stl", test::text_stl_sample()},
           {"bin.stl", test::binary_stl_sample()}, {"text.gltf", embedded_gltf()},
-          {"bin.glb", test::glb_sample()},        {"text.dae", test::dae_sample()}};
+          {"bin.glb", test::glb_sample()},        {"text.dae", test::dae_sample()},
+          {"text.iv", test::inventor_sample()},   {"text.wrl", test::vrml_sample()}};
 }
 
 TEST(LoadMesh, ReadsTheSameBodyFromEveryFormat) {
@@ -148,7 +149,8 @@ TEST(LoadMesh, RefusesFilesThatAreNone) {
   expect_error(folder / "a.obj", "the file is empty");
   std::filesystem::create_directories(folder / "folder.obj");
   expect_error(folder / "folder.obj", "is a folder");
-  expect_error(written("scene.wrl", "#VRML V2.0 utf8\n"), ".dae (.wrl)");
+  expect_error(written("scene.3ds", "x"), ".wrl (.3ds)");
+  expect_error(written("scene.wrl", "#VRML V2.0 utf8\n"), "no triangles");
   expect_error(written("noextension", "x"), "unknown mesh format");
 }
 

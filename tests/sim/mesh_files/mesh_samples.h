@@ -28,6 +28,17 @@ inline std::string off_sample() {
   return "OFF\n4 4 0\n0 0 0\n1 0 0\n0 2 0\n0 0 3\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 }
 
+inline std::string inventor_sample() {
+  return "#Inventor V2.1 ascii\nSeparator { Coordinate3 { point [ 0 0 0, 1 0 0, 0 2 0, 0 0 3 ] }\n"
+         "IndexedFaceSet { coordIndex [ 0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1 ] } }\n";
+}
+
+inline std::string vrml_sample() {
+  return "#VRML V2.0 utf8\nShape { geometry IndexedFaceSet {\n"
+         "coord Coordinate { point [ 0 0 0, 1 0 0, 0 2 0, 0 0 3 ] }\n"
+         "coordIndex [ 0 2 1 -1 0 1 3 -1 1 2 3 -1 0 3 2 -1 ] } }\n";
+}
+
 inline std::string ply_sample() {
   return "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
          "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n"
