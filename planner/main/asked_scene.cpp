@@ -1,5 +1,8 @@
 #include "planner/main/asked_scene.h"
 
+#include <utility>
+
+#include "planner/main/print_notes.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
@@ -20,7 +23,9 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   if (!asked.unit.empty()) record.unit = asked.unit;
   record.hand = asked.hand;
   record.scene = scene_reference(asked.scene);
-  return {compile(load_scene(asked.scene, {record.hand, record.unit})), record};
+  Scene loaded = load_scene(asked.scene, {record.hand, record.unit});
+  print_notes(loaded);
+  return {compile(std::move(loaded)), record};
 }
 
 double asked_tolerance(const TriangleMesh& object, double millimetres) {

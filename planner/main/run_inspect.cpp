@@ -3,6 +3,7 @@
 
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
+#include "planner/main/print_notes.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
@@ -11,6 +12,7 @@
 #include "sim/geometry/mesh_checks.h"
 #include "sim/json/json_field.h"
 #include "sim/mesh_files/mesh_file.h"
+#include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/scene/scene_file.h"
@@ -160,6 +162,7 @@ void print_platform(const Platform& platform) {
                   p.y(), p.z());
     }
     print_robot(mounted.robot);
+    print_notes(mounted.robot);
   }
 }
 
@@ -214,6 +217,11 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     return 0;
   }
   const std::filesystem::path file = find_scene(command.file);
+  if (has_foreign_robot_name(file)) {
+    need_plain(command);
+    print_platform(load_platform(file));
+    return 0;
+  }
   if (file.extension() != ".json") {
     const LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(command.unit)});
     std::printf("mesh %s\n", file.string().c_str());

@@ -7,6 +7,7 @@
 #include "planner/files/timings_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
+#include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/result_table.h"
 #include "planner/report/plan_report.h"
@@ -71,6 +72,7 @@ class PlanProgram {
   int run() {
     require_writable(folder_);
     Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit});
+    print_notes(loaded);
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
     watch_.lap(Stage::compile);

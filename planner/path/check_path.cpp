@@ -64,7 +64,7 @@ class PathChecker {
         options_(options),
         context_(context),
         hand_joints_(scene.scene.hand.joints.size()),
-        pairs_(separate_pairs(arm_.links)),
+        pairs_(separate_pairs(arm_.links, arm_.robot())),
         corners_(box_corners(arm_)) {}
 
   PathCheck run() {

@@ -114,6 +114,8 @@ py::class_<Robot> bind_robot_class(py::module_& core) {
       .def_property_readonly(
           "initial", [](const Robot& self) { return to_array(initial_dofs(self)); },
           "(D,): where the degrees of freedom start [rad or m].")
+      .def_readonly("notes", &Robot::notes,
+                    "What the reader of its file assumed, left out or repaired: one line each.")
       .def_property_readonly("tip_joint", &tip_joint,
                              "Number of the last joint of the first chain, which carries the tip.")
       .def("__repr__", [](const Robot& self) {
@@ -152,7 +154,7 @@ void bind_robot(py::module_& core) {
         const TriangleMesh& mesh = self.links.at(link).mesh;
         return py::make_tuple(to_array(mesh.vertices), to_array(mesh.triangles));
       });
-  core.def("find_robot", &find_robot);
+  core.def("find_robot", [](const std::string& name) { return find_robot(name); });
   core.def("find_platform",
            [](const std::string& name) { return assemble(find_platform(name)).robot; });
   core.def("library_robot_names", &library_robot_names);

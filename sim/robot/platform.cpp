@@ -1,5 +1,8 @@
 #include "sim/robot/platform.h"
 
+#include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "sim/base/index.h"
@@ -42,6 +45,25 @@ void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole)
     link.joint = carried(link.joint);
     whole.links.push_back(std::move(link));
   }
+  for (const auto& [a, b] : robot.exempt_pairs) {
+    whole.exempt_pairs.emplace_back(part.first_link + a, part.first_link + b);
+  }
+  whole.notes.insert(whole.notes.end(), robot.notes.begin(), robot.notes.end());
+}
+
+// The pairs of links that the platform itself exempts.
+void append_exempt_pairs(const Platform& platform, Robot& whole) {
+  if (platform.exempt_pairs.empty()) return;
+  std::map<std::string, int> link_of;
+  for (std::size_t l = 0; l < whole.links.size(); ++l) {
+    link_of.emplace(whole.links[l].name, static_cast<int>(l));
+  }
+  for (const auto& [first, second] : platform.exempt_pairs) {
+    const auto a = link_of.find(first);
+    const auto b = link_of.find(second);
+    if (a == link_of.end() || b == link_of.end() || a == b) continue;
+    whole.exempt_pairs.emplace_back(std::min(a->second, b->second), std::max(a->second, b->second));
+  }
 }
 
 }  // namespace
@@ -72,6 +94,7 @@ AssembledPlatform assemble(const Platform& platform) {
     append(mounted, part, whole);
     assembled.parts.push_back(part);
   }
+  append_exempt_pairs(platform, whole);
   return assembled;
 }
 

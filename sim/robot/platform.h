@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/robot/robot.h"
@@ -24,6 +25,9 @@ struct MountedRobot {
 struct Platform {
   std::string name;
   std::vector<MountedRobot> robots;
+  // Links of different robots, each as ROBOT/LINK, that are never checked for collision with each
+  // other (Robot::exempt_pairs has those of one robot). Names that no link has count for nothing.
+  std::vector<std::pair<std::string, std::string>> exempt_pairs = {};
 };
 
 // Where one robot of a platform is found in the assembled robot.

@@ -149,6 +149,11 @@ void require_tree(const Robot& robot) {
     }
   }
   for (const Chain& chain : robot.chains) require_chain(robot, chain);
+  const int links = static_cast<int>(robot.links.size());
+  for (const auto& [a, b] : robot.exempt_pairs) {
+    if (0 <= a && a < b && b < links) continue;
+    throw InputError({robot.name, "exempt_pairs", "not two links, the lower one first"});
+  }
 }
 
 }  // namespace prehend

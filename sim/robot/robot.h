@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/geometry/triangle_mesh.h"
@@ -129,6 +130,9 @@ struct Robot {
   std::vector<DegreeOfFreedom> dofs;
   std::vector<Link> links;  // links[0] is the base link
   std::optional<Hand> hand;
+  // Links (indices, the lower one first) that are never checked for collision with each other,
+  // besides those that share a joint or follow each other.
+  std::vector<std::pair<int, int>> exempt_pairs = {};
   // What the reader of its file assumed, left out or repaired, for people: one line each.
   std::vector<std::string> notes = {};
 };
@@ -171,8 +175,8 @@ Pose link_pose(const Robot& robot, const std::vector<int>& chain,
 Pose joint_pose(const Robot& robot, int joint, const std::vector<double>& joints);
 
 // Throws InputError "ROBOT: joint NAME: ..." unless every joint stands after its parent, has a unit
-// axis and a degree of freedom, and every chain is a path. Robots read from files are like this;
-// those built in code are checked when they are compiled or assembled.
+// axis and a degree of freedom, every chain is a path, and exempt pairs are of links. Robots read
+// from files are like this; those built in code are checked when they are compiled or assembled.
 void require_tree(const Robot& robot);
 
 }  // namespace prehend

@@ -23,6 +23,10 @@ JointFriction read_friction(const JsonField& field) {
   return friction;
 }
 
+double unit_of(JointType type, const FileUnits& units) {
+  return type == JointType::revolute ? units.angle : units.length;
+}
+
 // As in URDF: the frame after the joint is the joint frame, moved about or along the axis.
 void place_by_axis(const JsonField& field, const FileUnits& units, Joint& joint) {
   for (const char* key : {"theta", "d", "a", "alpha"}) {
@@ -32,17 +36,22 @@ void place_by_axis(const JsonField& field, const FileUnits& units, Joint& joint)
   }
   joint.axis = field["axis"].direction();
   if (field.has("origin")) joint.X_PJ = read_pose(field["origin"], units);
+  if (field.has("zero")) joint.zero = field["zero"].number() * unit_of(joint.type, units);
+  if (field.has("after")) joint.X_JA = read_pose(field["after"], units);
 }
 
 }  // namespace
 
 Joint read_joint(const JsonField& field, const FileUnits& units) {
-  field.allow_only({"name", "type", "theta", "d", "a", "alpha", "origin", "axis", "limits",
-                    "effort", "friction"});
+  field.allow_only({"name", "type", "theta", "d", "a", "alpha", "origin", "axis", "zero", "after",
+                    "limits", "effort", "friction"});
   Joint joint{.name = field["name"].text(), .type = read_type(field["type"])};
   if (field.has("axis") || field.has("origin")) {
     place_by_axis(field, units, joint);
   } else {
+    for (const char* key : {"zero", "after"}) {
+      if (field.has(key)) field[key].fail("only beside an axis");
+    }
     joint = denavit_hartenberg(joint, {.theta = field["theta"].number() * units.angle,
                                        .d = field["d"].number() * units.length,
                                        .a = field["a"].number() * units.length,
@@ -51,7 +60,7 @@ Joint read_joint(const JsonField& field, const FileUnits& units) {
   const JsonField limits = field["limits"];
   const std::vector<double> range = limits.numbers(2);
   if (range[0] > range[1]) limits.fail("limits the wrong way round");
-  const double unit = joint.type == JointType::revolute ? units.angle : units.length;
+  const double unit = unit_of(joint.type, units);
   joint.lower = range[0] * unit;
   joint.upper = range[1] * unit;
   if (field.has("effort")) {

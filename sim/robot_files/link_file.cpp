@@ -5,6 +5,7 @@ namespace prehend {
 namespace {
 
 constexpr const char* kFromMesh = "mesh";
+constexpr const char* kUnknown = "unknown";
 
 // Density of the link [kg/m^3]: its own, or its material's.
 double read_density(const JsonField& field) {
@@ -68,11 +69,16 @@ Inertial stated(const JsonField& field, const FileUnits& units, const TriangleMe
 Inertial read_inertial(const JsonField& field, const FileUnits& units, const TriangleMesh& mesh) {
   const bool is_stated = field.has("mass") && !field["mass"].is_text();
   if (is_stated) return stated(field, units, mesh);
-  if (field.has("mass") && field["mass"].text() != kFromMesh) {
-    field["mass"].fail("must be a number or \"mesh\"");
+  const std::string source = field.text_or("mass", kFromMesh);
+  if (source != kFromMesh && source != kUnknown) {
+    field["mass"].fail("must be a number, \"mesh\" or \"unknown\"");
   }
   for (const char* key : {"center_of_mass", "inertia"}) {
     if (field.has(key)) field[key].fail("needs \"mass\" as a number with it");
+  }
+  if (source == kUnknown) {
+    if (field.has("density")) field["density"].fail("not beside an unknown mass");
+    return {};
   }
   return from_mesh(field, mesh);
 }

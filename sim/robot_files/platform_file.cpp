@@ -4,6 +4,7 @@
 
 #include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
+#include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/robot_files/robot_file_parts.h"
 
@@ -60,9 +61,31 @@ MountedRobot read_mounted(const JsonField& field, const FileUnits& units, const 
   return mounted;
 }
 
+void read_platform_exempt_pairs(const JsonField& field, Platform& platform) {
+  const auto link_called = [&](const JsonField& name) {
+    for (const MountedRobot& mounted : platform.robots) {
+      for (const Link& link : mounted.robot.links) {
+        if (mounted.name + "/" + link.name == name.text()) return name.text();
+      }
+      if (mounted.mount && mounted.name + "/" + mounted.mount->name == name.text()) {
+        return name.text();
+      }
+    }
+    name.fail("no link is called so; links are named as ROBOT/LINK");
+  };
+  for (const JsonField& pair : field.items()) {
+    const std::vector<JsonField> names = pair.items();
+    if (names.size() != 2) pair.fail("must be the names of two links");
+    platform.exempt_pairs.emplace_back(link_called(names[0]), link_called(names[1]));
+  }
+}
+
 }  // namespace
 
-Platform load_platform(const std::filesystem::path& file) { return read_platform(JsonFile(file)); }
+Platform load_platform(const std::filesystem::path& file, const ForeignRobotOptions& options) {
+  if (auto foreign = read_foreign_robot(file, options)) return std::move(*foreign);
+  return read_platform(JsonFile(file));
+}
 
 Platform read_platform(const JsonFile& file) {
   const JsonField root = file.root();
@@ -73,13 +96,15 @@ Platform read_platform(const JsonFile& file) {
     platform.robots.push_back({.name = platform.name, .robot = std::move(robot)});
     return platform;
   }
-  root.allow_only({"name", "units", "robots"});
+  root.allow_only({"name", "units", "robots", "exempt_collisions"});
   platform.name = root["name"].text();
   const FileUnits units = read_units(root);
   ShapeBudget budget;
   for (const JsonField& field : root["robots"].items()) {
     platform.robots.push_back(read_mounted(field, units, platform, budget));
   }
+  if (root.has("exempt_collisions"))
+    read_platform_exempt_pairs(root["exempt_collisions"], platform);
   if (platform.robots.empty()) root["robots"].fail("a platform needs at least one robot");
   return platform;
 }

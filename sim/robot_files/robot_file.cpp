@@ -9,14 +9,13 @@
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/spherical_wrist.h"
+#include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/robot_file_parts.h"
 
 namespace prehend {
 namespace {
 
 constexpr int kUndriven = -1;
-// Directions typed with few digits are still meant to be opposite [length of their sum].
-constexpr double kOpposed = 1e-6;
 // Smaller ratios of joint and drive count as 0: limits are divided by them.
 constexpr double kSmallestRatio = 1e-30;
 
@@ -30,6 +29,8 @@ class RobotReader {
 
  private:
   void read_named_geometry();
+  void read_base_links();
+  void read_exempt_pairs();
   void add_link(const JsonField& field, int joint);
   void read_chain(const JsonField& field);
   int read_parent(const JsonField& field) const;
@@ -37,8 +38,6 @@ class RobotReader {
   void read_dof(const JsonField& field);
   void read_drive(const JsonField& field, int dof);
   void derive_limits(const JsonField& field, int dof);
-  void read_motion(const JsonField& field, int dof);
-  Coupling read_coupling(const JsonField& field, int dof) const;
   void read_chain_links(const JsonField& chain_field, const Chain& chain);
 
   double unit_of(JointType type) const {
@@ -62,14 +61,6 @@ void require_new_name(const JsonField& field, const std::vector<Named>& others) 
   }
 }
 
-// 0 where it is not said.
-double read_positive_or_zero(const JsonField& field, const char* key) {
-  if (!field.has(key)) return 0.0;
-  const double value = field[key].number();
-  if (!(value > 0.0)) field[key].fail("must be positive");
-  return value;
-}
-
 ClosedForm read_closed_form(const JsonField& field, const Robot& robot, const Chain& chain) {
   if (field.text() != "spherical_wrist") {
     field.fail("unknown closed form, known is spherical_wrist");
@@ -79,25 +70,16 @@ ClosedForm read_closed_form(const JsonField& field, const Robot& robot, const Ch
   return ClosedForm::spherical_wrist;
 }
 
-// What one finger gives up the other must be able to take, so that the hand may shift between them.
-bool can_center(const std::vector<const Joint*>& fingers) {
-  if (fingers.size() != 2 || fingers[0]->parent != fingers[1]->parent) return false;
-  Vector3 sum = Vector3::Zero();
-  for (const Joint* joint : fingers) {
-    if (joint->type != JointType::prismatic) return false;
-    sum += joint->X_PJ.linear() * joint->axis;
-  }
-  return sum.norm() < kOpposed;
-}
-
 Robot RobotReader::read() {
-  root_.allow_only({"name", "units", "geometries", "base", "chains", "dofs", "hand"});
+  root_.allow_only({"name", "units", "geometries", "base", "links", "chains", "dofs", "hand",
+                    "exempt_collisions"});
   robot_.name = root_["name"].text();
   units_ = read_units(root_);
   if (root_.has("geometries")) read_named_geometry();
   const JsonField base = root_["base"];
   base.allow_only({"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
   add_link(base, -1);
+  if (root_.has("links")) read_base_links();
   const std::vector<JsonField> chains = root_["chains"].items();
   for (const JsonField& chain : chains) read_chain(chain);
   for (const JsonField& dof : root_["dofs"].items()) read_dof(dof);
@@ -109,6 +91,7 @@ Robot RobotReader::read() {
                       .value = robot_.joints[j].name});
   }
   for (std::size_t c = 0; c < chains.size(); ++c) read_chain_links(chains[c], robot_.chains[c]);
+  if (root_.has("exempt_collisions")) read_exempt_pairs();
   if (root_.has("hand")) robot_.hand = read_hand(root_["hand"], units_, robot_);
   return std::move(robot_);
 }
@@ -126,6 +109,31 @@ void RobotReader::read_named_geometry() {
 void RobotReader::add_link(const JsonField& field, int joint) {
   require_new_name(field["name"], robot_.links);
   robot_.links.push_back(read_link(field, units_, named_, budget_, joint));
+}
+
+// Links beside the base that do not move either.
+void RobotReader::read_base_links() {
+  for (const JsonField& field : root_["links"].items()) {
+    field.allow_only(
+        {"name", "material", "geometry", "mass", "density", "center_of_mass", "inertia"});
+    add_link(field, -1);
+  }
+}
+
+void RobotReader::read_exempt_pairs() {
+  const auto link_called = [&](const JsonField& name) {
+    for (std::size_t l = 0; l < robot_.links.size(); ++l) {
+      if (robot_.links[l].name == name.text()) return static_cast<int>(l);
+    }
+    name.fail("no link of this name");
+  };
+  for (const JsonField& pair : root_["exempt_collisions"].items()) {
+    const std::vector<JsonField> names = pair.items();
+    if (names.size() != 2) pair.fail("must be the names of two links");
+    const auto [a, b] = std::minmax({link_called(names[0]), link_called(names[1])});
+    if (a == b) pair.fail("must name two different links");
+    robot_.exempt_pairs.emplace_back(a, b);
+  }
 }
 
 void RobotReader::read_chain(const JsonField& field) {
@@ -177,7 +185,9 @@ void RobotReader::read_dof(const JsonField& field) {
   if (drives.empty()) field["drives"].fail("a degree of freedom must drive at least one joint");
   for (const JsonField& drive : drives) read_drive(drive, dof);
   derive_limits(field, dof);
-  read_motion(field, dof);
+  robot_.dofs.back().initial = std::clamp(0.0, robot_.dofs.back().lower, robot_.dofs.back().upper);
+  (void)field["closing_velocity"];  // needed here
+  read_motion(field, units_, dof, robot_);
 }
 
 void RobotReader::read_drive(const JsonField& field, int dof) {
@@ -217,45 +227,6 @@ void RobotReader::derive_limits(const JsonField& field, int dof) {
   robot_.dofs[static_cast<std::size_t>(dof)].upper = upper;
 }
 
-void RobotReader::read_motion(const JsonField& field, int dof) {
-  DegreeOfFreedom& motion = robot_.dofs[static_cast<std::size_t>(dof)];
-  const double unit = value_unit(robot_, static_cast<std::size_t>(dof), units_);
-  motion.initial = std::clamp(0.0, motion.lower, motion.upper);
-  if (field.has("initial")) {
-    const double value = field["initial"].number() * unit;
-    if (!within_limits(motion, value)) {
-      field["initial"].fail("outside the limits " + std::to_string(motion.lower) + " to " +
-                            std::to_string(motion.upper) + " rad or m");
-    }
-    motion.initial = std::clamp(value, motion.lower, motion.upper);
-  }
-  const bool turns = std::any_of(robot_.joints.begin(), robot_.joints.end(), [&](const Joint& j) {
-    return j.dof == dof && j.type == JointType::revolute;
-  });
-  const double rate = turns ? units_.angular_velocity : units_.length;
-  motion.closing_velocity = field["closing_velocity"].number() * rate;
-  motion.max_velocity = read_positive_or_zero(field, "velocity") * rate;
-  motion.max_acceleration = read_positive_or_zero(field, "acceleration") * rate;
-  if (field.has("coupling")) motion.coupling = read_coupling(field["coupling"], dof);
-}
-
-Coupling RobotReader::read_coupling(const JsonField& field, int dof) const {
-  const std::string name = field.text();
-  if (name == "rigid") return Coupling::rigid;
-  if (name == "breakaway") return Coupling::breakaway;
-  if (name != "self_centering") {
-    field.fail("unknown coupling, known are rigid, breakaway and self_centering");
-  }
-  std::vector<const Joint*> fingers;
-  for (const Joint& joint : robot_.joints) {
-    if (joint.dof == dof) fingers.push_back(&joint);
-  }
-  if (!can_center(fingers)) {
-    field.fail("needs two prismatic joints on one parent that slide in opposite directions");
-  }
-  return Coupling::self_centering;
-}
-
 void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& chain) {
   for (const JsonField& field : chain_field["links"].items()) {
     field.allow_only(
@@ -272,7 +243,10 @@ void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& ch
 
 }  // namespace
 
-Robot load_robot(const std::filesystem::path& file) { return read_robot(JsonFile(file)); }
+Robot load_robot(const std::filesystem::path& file, const ForeignRobotOptions& options) {
+  if (auto foreign = read_foreign_robot(file, options)) return robot_alone(std::move(*foreign));
+  return read_robot(JsonFile(file));
+}
 
 Robot read_robot(const JsonFile& file) { return RobotReader(file.root()).read(); }
 

@@ -22,6 +22,11 @@ Link read_link(const JsonField& field, const FileUnits& units, const NamedGeomet
 // The hand of a robot whose joints and degrees of freedom have been read already.
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot);
 
+// Initial value, closing velocity, largest velocity and acceleration, and coupling of a degree of
+// freedom of `robot`, whose joints and limits have been read already. What the field does not say
+// stays as it is.
+void read_motion(const JsonField& field, const FileUnits& units, int dof, Robot& robot);
+
 // The factor from the file's unit to SI for values of a degree of freedom: of angles or of lengths,
 // depending on its joints.
 double value_unit(const Robot& robot, std::size_t dof, const FileUnits& units);

@@ -17,6 +17,8 @@ constexpr int kCylinderSides = 24;
 constexpr int kMostCylinderSides = 360;
 constexpr int kSphereSubdivisions = 2;
 constexpr int kMostSphereSubdivisions = 5;
+// How far the products of the rows of a rotation may be from 0 and 1.
+constexpr double kRotationRounding = 1e-9;
 
 double positive(const JsonField& field, double unit) {
   // The tiniest numbers are 0 in another unit.
@@ -150,6 +152,21 @@ TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
   shape.fail("unknown shape, known are box, cylinder, sphere, prism and triangles");
 }
 
+// Nine numbers in three rows, taken as they are.
+Matrix3 read_rotation(const JsonField& field) {
+  const std::vector<JsonField> rows = field.items();
+  Matrix3 rotation;
+  if (rows.size() != 3) field.fail("must be three rows of three numbers");
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    rotation.row(row) = rows[static_cast<std::size_t>(row)].vector3().transpose();
+  }
+  const double off = (rotation * rotation.transpose() - Matrix3::Identity()).cwiseAbs().maxCoeff();
+  if (!(off < kRotationRounding && rotation.determinant() > 0.0)) {
+    field.fail("is no rotation: its rows must be right-handed, unit and orthogonal");
+  }
+  return rotation;
+}
+
 }  // namespace
 
 FileUnits read_units(const JsonField& root) {
@@ -171,12 +188,16 @@ FileUnits read_units(const JsonField& root) {
 Pose read_pose(const JsonField& steps, const FileUnits& units) {
   Pose pose = Pose::Identity();
   for (const JsonField& step : steps.items()) {
-    step.allow_only({"translate", "rotate_x", "rotate_y", "rotate_z"});
+    step.allow_only({"translate", "rotate_x", "rotate_y", "rotate_z", "rotation"});
     const std::vector<std::string> keys = step.keys();
     if (keys.size() != 1) step.fail("must be one translation or one rotation");
     const JsonField amount = step[keys.front()];
     if (keys.front() == "translate") {
       pose = pose * translation(amount.vector3() * units.length);
+      continue;
+    }
+    if (keys.front() == "rotation") {
+      pose = pose * pose_from(read_rotation(amount), Vector3::Zero());
       continue;
     }
     const Eigen::Index axis = keys.front().back() - 'x';

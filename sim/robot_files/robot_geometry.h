@@ -22,8 +22,8 @@ struct FileUnits {
 // kilograms.
 FileUnits read_units(const JsonField& root);
 
-// A list of steps, each {"translate": [x, y, z]} or {"rotate_x" | "rotate_y" | "rotate_z": angle},
-// multiplied left to right.
+// A list of steps, each {"translate": [x, y, z]}, {"rotate_x" | "rotate_y" | "rotate_z": angle} or
+// {"rotation": three rows of three numbers}, multiplied left to right.
 Pose read_pose(const JsonField& steps, const FileUnits& units);
 
 // How many triangles a file may still make of shapes: one sphere of some fifty bytes can become

@@ -4,6 +4,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/json/json_field.h"
+#include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 
@@ -31,7 +32,7 @@ std::vector<std::string> names_in_library() {
 // Whether this can only be a path. Such a file needs no library, which may be missing.
 bool is_path(const std::string& name_or_file) {
   const std::filesystem::path path(name_or_file);
-  return path.has_parent_path() || path.extension() == ".json";
+  return path.has_parent_path() || path.extension() == ".json" || has_foreign_robot_name(path);
 }
 
 // The file of a library name, else the path as it is.
@@ -64,10 +65,12 @@ std::vector<std::string> library_platform_names() {
   return names;
 }
 
-Robot find_robot(const std::string& name_or_file) { return load_robot(file_of(name_or_file)); }
+Robot find_robot(const std::string& name_or_file, const ForeignRobotOptions& options) {
+  return load_robot(file_of(name_or_file), options);
+}
 
-Platform find_platform(const std::string& name_or_file) {
-  return load_platform(file_of(name_or_file));
+Platform find_platform(const std::string& name_or_file, const ForeignRobotOptions& options) {
+  return load_platform(file_of(name_or_file), options);
 }
 
 }  // namespace prehend

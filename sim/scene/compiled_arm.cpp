@@ -41,7 +41,7 @@ void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
 
 // All pairs to check during motions of the arm, without those that are proven to stay apart.
 void find_pairs(CompiledArm& arm) {
-  for (const LinkPair& links : separate_pairs(arm.links)) {
+  for (const LinkPair& links : separate_pairs(arm.links, arm.robot())) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
     ArmPair pair{.link = links.a, .other = links.b};
     add_motion(arm.links[index(links.a)], &arm.links[index(links.b)], pair);

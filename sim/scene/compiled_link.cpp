@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "sim/base/index.h"
@@ -93,7 +94,8 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) 
   return links;
 }
 
-std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links) {
+std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links, const Robot& robot) {
+  const std::set<std::pair<int, int>> exempt(robot.exempt_pairs.begin(), robot.exempt_pairs.end());
   // Neighbours: one link carries the other with no third link between them, though there may be
   // several joints (a universal joint has no links of its own).
   const auto neighbours = [&](const CompiledLink& a, const CompiledLink& b) {
@@ -104,6 +106,7 @@ std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links) {
   for (std::size_t a = 0; a < links.size(); ++a) {
     for (std::size_t b = a + 1; b < links.size(); ++b) {
       const bool rigid = links[a].joints == links[b].joints;
+      if (exempt.contains({static_cast<int>(a), static_cast<int>(b)})) continue;
       if (rigid || neighbours(links[a], links[b]) || neighbours(links[b], links[a])) continue;
       pairs.push_back({link_id(a), link_id(b)});
     }

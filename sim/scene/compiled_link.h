@@ -35,7 +35,8 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot);
 
 // All pairs of links that are checked for self-collision. Left out are two links on the same joint,
 // which never move against each other, and two that one joint connects, whose meshes overlap there
-// by construction: neighbours in a chain, and a chain's first link with the link that carries it.
-std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links);
+// by construction: neighbours in a chain, and a chain's first link with the link that carries it;
+// also the pairs that the robot exempts. `links` are those of `robot`.
+std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links, const Robot& robot);
 
 }  // namespace prehend

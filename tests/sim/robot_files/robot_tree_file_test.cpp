@@ -189,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "rubber"},
         BadEntry{"NoMass", "/base/mass", "0", "base.mass: must be positive (0)"},
         BadEntry{"MassInWords", "/base/mass", R"("heavy")",
-                 R"(base.mass: must be a number or "mesh")"},
+                 R"(base.mass: must be a number, "mesh" or "unknown")"},
         BadEntry{"NoDensity", "/base/density", "-1", "base.density: must be positive (-1)"},
         BadEntry{"CenterWithoutMass", "/base/center_of_mass", "[0, 0, 0]",
                  R"(base.center_of_mass: needs "mass" as a number with it)"}));
