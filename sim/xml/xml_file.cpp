@@ -195,6 +195,14 @@ std::vector<double> XmlElement::content_numbers() const {
   return read_numbers(*this, "the content", content());
 }
 
+double XmlElement::number_in(std::string_view part, const std::string& what) const {
+  return read_number(*this, what, part);
+}
+
+std::vector<double> XmlElement::numbers_in(std::string_view part, const std::string& what) const {
+  return read_numbers(*this, what, part);
+}
+
 void XmlElement::fail(const std::string& problem, const std::string& value) const {
   throw InputError(
       {.file = file_->string(), .field = place(), .problem = problem, .value = shown(value)});

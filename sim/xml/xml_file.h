@@ -83,6 +83,10 @@ class XmlElement {
   double content_number() const;
   std::vector<double> content_numbers() const;  // separated by white space
 
+  // The same for a part of the content or of an attribute, which messages call `what`.
+  double number_in(std::string_view part, const std::string& what) const;
+  std::vector<double> numbers_in(std::string_view part, const std::string& what) const;
+
   // Throws InputError with the place of this element.
   [[noreturn]] void fail(const std::string& problem, const std::string& value = "") const;
   // Throws `error` as one of this element: for errors of a function that was given its values.
