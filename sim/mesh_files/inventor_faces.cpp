@@ -3,6 +3,7 @@
 #include <limits>
 #include <span>
 
+#include "sim/base/index.h"
 #include "sim/geometry/polygon.h"
 #include "sim/mesh_files/inventor_shapes.h"
 #include "sim/mesh_files/inventor_tokens.h"
@@ -81,6 +82,30 @@ void add_strip(TriangleMesh& mesh, std::span<const int> strip) {
   }
 }
 
+// Whether the triangles between the first corner and the others all face the same way, as those of
+// a convex polygon do.
+bool is_fan(const TriangleMesh& mesh, std::span<const int> run) {
+  const auto corner = [&](std::size_t k) { return mesh.vertices[index(run[k])]; };
+  Vector3 sum = Vector3::Zero();
+  const auto doubled = [&](std::size_t k) {
+    return (corner(k) - corner(0)).cross(corner(k + 1) - corner(0));
+  };
+  for (std::size_t k = 1; k + 1 < run.size(); ++k) sum += doubled(k);
+  for (std::size_t k = 1; k + 1 < run.size(); ++k) {
+    if (doubled(k).dot(sum) < 0.0) return false;
+  }
+  return true;
+}
+
+// Corners that are not in one plane make another surface of each way to divide a face. Coin, which
+// GraspIt! reads files with, divides convex faces into a fan.
+void add_polygon(TriangleMesh& mesh, std::span<const int> run) {
+  if (!is_fan(mesh, run)) return add_triangles(mesh, run);
+  for (std::size_t k = 1; k + 1 < run.size(); ++k) {
+    mesh.triangles.push_back({run[0], run[k], run[k + 1]});
+  }
+}
+
 void spend(const InventorNode& node, const Runs& runs, bool strips, InventorBudget& budget) {
   for (const std::vector<int>& run : runs) {
     const auto corners = static_cast<double>(run.size());
@@ -142,7 +167,7 @@ std::optional<TriangleMesh> inventor_faces(const InventorTree& tree, const Inven
     if (strips) {
       add_strip(mesh, run);
     } else {
-      add_triangles(mesh, run);
+      add_polygon(mesh, run);
     }
   }
   if (before.clockwise != !node.flag("ccw", true)) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "sim/base/input_file.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/weld.h"
 #include "sim/mesh_files/mesh_file.h"
@@ -73,10 +74,23 @@ std::string unit_of(double millimetres) {
   return {};
 }
 
-void read_mesh(const XmlElement& root, GraspitBody& body) {
-  const XmlElement geometry = root["geometryFile"];
+// The mesh file, beside the body's. Where it is missing, files were perhaps renamed together: then
+// the mesh file of the body's own name is meant.
+std::filesystem::path mesh_file_of(const XmlElement& geometry, std::vector<std::string>& notes) {
   if (geometry.content().empty()) geometry.fail("names no file");
   const std::filesystem::path file = geometry.file().parent_path() / geometry.content();
+  std::filesystem::path namesake = geometry.file();
+  namesake.replace_extension(file.extension());
+  if (is_there(file) || !is_file(namesake) || namesake == geometry.file()) return file;
+  notes.push_back(note_of(geometry, "there is no " + in_note(geometry.content()) + ": " +
+                                        in_note(namesake.filename().string()) +
+                                        " is read instead, which has the name of this file"));
+  return namesake;
+}
+
+void read_mesh(const XmlElement& root, GraspitBody& body) {
+  const XmlElement geometry = root["geometryFile"];
+  const std::filesystem::path file = mesh_file_of(geometry, body.notes);
   const auto scaled = root.child("geometryScaling");
   const auto moved = root.child("geometryOffset");
   const Vector3 scaling = scaled ? read_scaling(*scaled) : Vector3::Ones();

@@ -79,6 +79,9 @@ struct Scene {
   FrictionTable friction;
   CompliantDepths compliant_depths;
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
+  // What the reader of its file assumed or left out, for people: one line each. Those of robots are
+  // with them.
+  std::vector<std::string> notes = {};
 };
 
 // The mass of an object whose scene states none [kg]: that of a household object.

@@ -14,9 +14,11 @@
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/robot_files/robot_geometry.h"
+#include "sim/scene/graspit_world.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_library.h"
+#include "sim/xml/xml_file.h"
 
 // A scene file is read field by field through JsonField, which knows its place in the file, so that
 // every error names the field. Readers of robots, materials and generated objects do not know that
@@ -281,6 +283,10 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   if (file.extension() == ".json") {
     require_no_unit(file, source);
     return read_scene(JsonFile(file).root(), source);
+  }
+  if (file.extension() == ".xml") {
+    require_no_unit(file, source);
+    return read_graspit_world(XmlFile(file), source);
   }
   GraspableBody object = make_graspable(
       file.stem().string(), mesh_from_file(file, metres_per_unit(source.unit)), Material::plastic);

@@ -1,0 +1,18 @@
+// World files of GraspIt! as scenes (docs/graspit-files.md).
+#pragma once
+
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_file.h"
+#include "sim/xml/xml_file.h"
+
+namespace prehend {
+
+// The scene in a world file: its first graspable body is the object, the others are obstacles; its
+// first robot with a direction of approach is the hand, the robots that carry it are its arm, in
+// the postures of the world; links of robots that are not connected to it are obstacles.
+// Scene::notes says what was assumed or left out. `source.hand` replaces the hand. Throws
+// InputError with file and line for what is broken or missing (graspit_body.h,
+// graspit_world_robots.h), and for a world without a graspable body or without a hand.
+Scene read_graspit_world(const XmlFile& file, const SceneSource& source = {});
+
+}  // namespace prehend
