@@ -14,6 +14,7 @@ void print_notes(const Robot& robot) {
 }
 
 void print_notes(const Scene& scene) {
+  for (const std::string& note : scene.notes) std::cerr << "note: " << on_one_line(note) << "\n";
   if (scene.carrier) {
     const std::vector<MountedRobot>& robots = scene.carrier->platform.robots;
     for (std::size_t r = 0; r < robots.size(); ++r) {

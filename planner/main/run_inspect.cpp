@@ -15,6 +15,7 @@
 #include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
+#include "sim/scene/graspit_world.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
@@ -217,6 +218,14 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     return 0;
   }
   const std::filesystem::path file = find_scene(command.file);
+  if (is_graspit_scene(file)) {
+    need_metres(command);
+    const Scene scene = load_scene(file);
+    print_notes(scene);
+    print_scene(scene, command);
+    if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
+    return 0;
+  }
   if (has_foreign_robot_name(file)) {
     need_plain(command);
     print_platform(load_platform(file));

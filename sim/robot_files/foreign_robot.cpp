@@ -7,6 +7,8 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_file.h"
+#include "sim/robot_files/graspit_robot.h"
+#include "sim/robot_files/graspit_world_robots.h"
 #include "sim/robot_files/hand_split.h"
 #include "sim/robot_files/robot_sidecar.h"
 #include "sim/robot_files/srdf_file.h"
@@ -87,6 +89,16 @@ Platform platform_of(JointTree tree, const std::filesystem::path& srdf,
   return platform;
 }
 
+// A GraspIt! robot, which is one whole; the sidecar may say more of it.
+Platform graspit_platform(const XmlFile& xml, const std::optional<RobotSidecar>& sidecar) {
+  Platform platform;
+  Robot robot = read_graspit_robot(xml);
+  platform.name = robot.name;
+  platform.robots.push_back({.name = platform.name, .robot = std::move(robot)});
+  if (sidecar) sidecar->complete(platform);
+  return platform;
+}
+
 }  // namespace
 
 bool has_foreign_robot_name(const std::filesystem::path& file) {
@@ -105,8 +117,13 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
   if (is_file(beside)) sidecar.emplace(beside);
   const ForeignRobotOptions all = sidecar ? sidecar->options(options) : options;
   const std::string kind = xml.root().name();
+  if (is_graspit_robot(xml)) return graspit_platform(xml, sidecar);
+  if (kind == "world") return read_graspit_platform(xml);
   if (kind == "robot") return platform_of(read_urdf(xml, all), srdf_of(file, all), sidecar);
-  xml.root().fail("no robot that can be read; known are URDF (<robot>)");
+  xml.root().fail(
+      "no robot that can be read; known are URDF (<robot>), GraspIt! robots (<robot> with <palm>) "
+      "and "
+      "worlds (<world>)");
 }
 
 Robot robot_alone(Platform platform) {

@@ -160,4 +160,24 @@ Scene read_graspit_world(const XmlFile& file, const SceneSource& source) {
   return scene;
 }
 
+Scene read_graspit_scene(const XmlFile& file, const SceneSource& source) {
+  const XmlElement root = file.root();
+  if (root.name() == "world") return read_graspit_world(file, source);
+  if (root.name() == "root") {
+    const GraspitBody body = read_graspit_body(file);
+    Scene scene =
+        make_scene(graspable({.body = body}), source.hand.empty() ? kDefaultHand : source.hand);
+    scene.notes = body.notes;
+    return scene;
+  }
+  root.fail("neither a GraspIt! world (<world>) nor a body (<root>)");
+}
+
+bool is_graspit_scene(const std::filesystem::path& file) {
+  if (file.extension() != ".xml") return false;
+  const XmlFile xml(file);
+  const std::string name = xml.root().name();
+  return name == "world" || name == "root";
+}
+
 }  // namespace prehend

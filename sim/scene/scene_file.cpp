@@ -286,7 +286,7 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   }
   if (file.extension() == ".xml") {
     require_no_unit(file, source);
-    return read_graspit_world(XmlFile(file), source);
+    return read_graspit_scene(XmlFile(file), source);
   }
   GraspableBody object = make_graspable(
       file.stem().string(), mesh_from_file(file, metres_per_unit(source.unit)), Material::plastic);

@@ -24,8 +24,9 @@ struct SceneSource {
 // The hand of a scene that names none.
 inline constexpr const char* kDefaultHand = "barrett";
 
-// A scene file (.json), a GraspIt! world (.xml, graspit_world.h), a mesh file as the object of a
-// scene with nothing else in it, or, where there is no such file, the library's scene of that name
+// A scene file (.json), a GraspIt! world or body (.xml, graspit_world.h), a mesh file as the object
+// of a scene with nothing else in it, or, where there is no such file, the library's scene of that
+// name
 // ("mug", see scene_library.h). Throws InputError that names the file, the field and the value.
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source = {});
 // As load_scene, of a scene file that was parsed already.

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/json/json_field.h"
+#include "sim/robot_files/graspit_robot.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 #include "tests/fuzz/mesh_promises.h"
@@ -76,6 +77,17 @@ void read_platform_file(std::string_view name, const std::string& bytes) {
   promised(!platform.robots.empty(), "a platform has robots");
   for (const MountedRobot& mounted : platform.robots) check_robot(mounted.robot);
   check_robot(assemble(platform).robot);
+}
+
+// Its hand has no preshapes, which these files do not know.
+void read_graspit_robot_file(std::string_view name, const std::string& bytes) {
+  Robot robot = read_graspit_robot(XmlFile(pretended_path(name, "xml"), bytes));
+  if (robot.hand) {
+    promised(std::abs(robot.hand->approach.norm() - 1.0) < 1e-9, "the approach axis is unit");
+    promised(robot.hand->origin.allFinite(), "the origin is finite");
+  }
+  robot.hand.reset();
+  check_robot(robot);
 }
 
 }  // namespace prehend::fuzz

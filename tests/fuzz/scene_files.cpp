@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/json/json_field.h"
+#include "sim/scene/graspit_world.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_text.h"
+#include "sim/xml/xml_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/same_json.h"
 #include "tests/fuzz/untrusted_files.h"
@@ -65,6 +67,10 @@ void read_scene_file(std::string_view name, const std::string& bytes) {
   const std::string text = scene_text(scene);
   promised(same_but_rounded(scene_text(read_scene(JsonFile(path, text))), text),
            "a scene reads back as written");
+}
+
+void read_graspit_world_file(std::string_view name, const std::string& bytes) {
+  check_scene(read_graspit_world(XmlFile(pretended_path(name, "xml"), bytes)));
 }
 
 }  // namespace prehend::fuzz

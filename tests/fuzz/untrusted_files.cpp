@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 14> kKinds{{
+constexpr std::array<FileKind, 16> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -20,6 +20,8 @@ constexpr std::array<FileKind, 14> kKinds{{
     {"glb", Grammar::glb, read_mesh_file},
     {"robot", Grammar::json, read_robot_file},
     {"platform", Grammar::json, read_platform_file},
+    {"graspit_robot", Grammar::bytes, read_graspit_robot_file},
+    {"graspit_world", Grammar::bytes, read_graspit_world_file},
     {"scene", Grammar::json, read_scene_file},
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},

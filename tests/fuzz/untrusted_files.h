@@ -43,6 +43,8 @@ std::string refusal(const FileKind& kind, const std::string& bytes);
 void read_mesh_file(std::string_view extension, const std::string& bytes);
 void read_robot_file(std::string_view name, const std::string& bytes);
 void read_platform_file(std::string_view name, const std::string& bytes);
+void read_graspit_robot_file(std::string_view name, const std::string& bytes);
+void read_graspit_world_file(std::string_view name, const std::string& bytes);
 void read_scene_file(std::string_view name, const std::string& bytes);
 void read_grasps_file(std::string_view name, const std::string& bytes);
 void read_contacts_file(std::string_view name, const std::string& bytes);

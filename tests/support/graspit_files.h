@@ -9,7 +9,7 @@
 
 namespace prehend::test {
 
-inline void write_text(const std::filesystem::path& file, const std::string& text) {
+inline void write_graspit_text(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file) << text;
 }
@@ -18,9 +18,10 @@ inline void write_text(const std::filesystem::path& file, const std::string& tex
 inline void write_graspit_box(const std::filesystem::path& file, const std::string& size,
                               const std::string& more = "") {
   const std::string name = file.stem().string() + ".iv";
-  write_text(file, "<root>\n<material>rubber</material>\n<mass>200</mass>\n" + more +
-                       "<geometryFile type=\"Inventor\">" + name + "</geometryFile>\n</root>\n");
-  write_text(file.parent_path() / name, "#Inventor V2.1 ascii\nCube { " + size + " }\n");
+  write_graspit_text(file, "<root>\n<material>rubber</material>\n<mass>200</mass>\n" + more +
+                               "<geometryFile type=\"Inventor\">" + name +
+                               "</geometryFile>\n</root>\n");
+  write_graspit_text(file.parent_path() / name, "#Inventor V2.1 ascii\nCube { " + size + " }\n");
 }
 
 // Two fingers of two joints each; the first joints on one breakaway degree of freedom together with
@@ -82,7 +83,7 @@ inline std::filesystem::path written_graspit_hand(const std::filesystem::path& r
   const std::filesystem::path folder = root / "models/robots/pincher";
   write_graspit_box(folder / "iv/palm.xml", "width 100 height 60 depth 16");
   write_graspit_box(folder / "iv/finger.xml", "width 30 height 8 depth 20");
-  write_text(folder / "pincher.xml", text);
+  write_graspit_text(folder / "pincher.xml", text);
   return folder / "pincher.xml";
 }
 
@@ -91,7 +92,7 @@ inline std::filesystem::path written_graspit_arm(const std::filesystem::path& ro
   const std::filesystem::path folder = root / "models/robots/slider";
   write_graspit_box(folder / "iv/base.xml", "width 100 height 100 depth 100");
   write_graspit_box(folder / "iv/link.xml", "width 20 height 20 depth 20");
-  write_text(folder / "slider.xml", graspit_arm());
+  write_graspit_text(folder / "slider.xml", graspit_arm());
   return folder / "slider.xml";
 }
 

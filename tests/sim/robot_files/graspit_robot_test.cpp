@@ -142,7 +142,8 @@ TEST(GraspitRobot, RefusesWithFileAndLine) {
       {"30 0 10", "30 0", "three numbers"},
       {"1 0 0 0 0 1 0 -1 0", "1 0 0 0 0 1 0 -2 0", "not a rotation"},
       {"<rotation>", "<scale>1</scale><rotation>", "not a step of a transform"},
-      {"<palm>palm.xml</palm>", "<palm>missing.xml</palm>", "missing.xml: cannot be read: no such file"},
+      {"<palm>palm.xml</palm>", "<palm>missing.xml</palm>",
+       "missing.xml: cannot be read: no such file"},
       {"0 0 2", "0 0 0", "has no length"},
       {"</robot>", "", "line "},
       {"<robot", "<!DOCTYPE r [<!ENTITY a \"b\">]><robot", "line 2: entities"},
@@ -181,8 +182,8 @@ TEST(GraspitRobot, NotesWhatItLeavesOut) {
 GraspitBody body_with(const std::string& more, const std::string& material = "stone") {
   const std::filesystem::path file = test::graspit_folder() / "body.xml";
   test::write_graspit_box(file, "width 1 height 2 depth 3");
-  test::write_text(file, "<root><material>" + material + "</material>" + more +
-                             "<geometryFile>body.iv</geometryFile></root>");
+  test::write_graspit_text(file, "<root><material>" + material + "</material>" + more +
+                                     "<geometryFile>body.iv</geometryFile></root>");
   return load_graspit_body(file);
 }
 
