@@ -13,6 +13,7 @@
 #include "sim/robot_files/graspit_notes.h"
 #include "sim/robot_files/graspit_robot.h"
 #include "sim/robot_files/graspit_transform.h"
+#include "sim/robot_files/robot_file.h"
 
 namespace prehend {
 namespace {
@@ -88,7 +89,9 @@ GraspitWorldRobot read_world_robot(const XmlElement& element, std::vector<std::s
   GraspitWorldRobot own;
   own.file = graspit_world_file(filename);
   const XmlFile file(own.file);
-  own.robot = made_of(filename, [&] { return read_graspit_robot(file); });
+  if (!is_graspit_robot(file)) filename.fail("not a GraspIt! robot", own.file.string());
+  // With what a file beside it says.
+  own.robot = made_of(filename, [&] { return load_robot(own.file); });
   own.name = own.robot.name;
   own.X_WR = pose_in(element);
   if (const auto values = element.child("dofValues")) {

@@ -125,6 +125,17 @@ TEST(GraspitWorld, HandsThatNothingCarriesFlyFree) {
   EXPECT_TRUE(has_note(scene, "slider does not carry the hand"));
 }
 
+TEST(GraspitWorld, HandsHaveWhatTheFileBesideTheirsSays) {
+  const std::filesystem::path file = written_world(kFreeWorld);
+  test::write_graspit_text(
+      file.parent_path().parent_path() / "models/robots/pincher/pincher.prehend.json",
+      R"({"hand": {"approach": [0, 0, 1], "closing": [1, 0, 0], "origin": [0, 0, 0],
+          "preshapes": [{"name": "open", "dofs": {}, "width": [0, 0.05], "depth": 0.03}]}})");
+  const Scene scene = load_scene(file);
+  ASSERT_EQ(scene.hand.hand->preshapes.size(), 1u);
+  EXPECT_EQ(scene.hand.hand->preshapes[0].name, "open");
+}
+
 TEST(GraspitWorld, FilesAreFoundFromTheFolderThatGraspitNames) {
   const std::filesystem::path file = written_world(kFreeWorld);
   const std::filesystem::path root = file.parent_path().parent_path();
