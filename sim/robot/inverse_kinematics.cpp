@@ -6,6 +6,8 @@
 
 #include "sim/base/index.h"
 #include "sim/base/random.h"
+#include "sim/robot/spherical_wrist.h"
+#include "sim/robot/ur_arm.h"
 
 namespace prehend {
 namespace {
@@ -298,22 +300,32 @@ const Chain* closed_form_chain(const Robot& robot, int joint) {
   return &chain;
 }
 
+// All branches of the chain's closed form for the target. `X_BP`: the frame that carries the chain.
+template <typename ClosedFormOf>
+SixJointSolutions branches_of(const Robot& robot, const Chain& chain, const IkTarget& target,
+                              const Pose& X_BP, const SixJoints& near) {
+  const ClosedFormOf arm(robot, chain);
+  const Pose X_BC = X_BP * arm.X_PC();
+  return arm.solve(X_BC.inverse() * target.X_BT * target.X_JT.inverse(), near);
+}
+
 // Adds all branches of the chain's closed form that are inside the limits. The degrees of freedom
 // before the chain (a rail, a mobile base) stay as in `values`.
 void add_branches(const Robot& robot, const Chain& chain, const IkTarget& target,
                   const DofValues& values, Collector& found) {
   std::vector<Pose> X_BJ;
   joint_poses(robot, joint_values(robot, values), X_BJ);
-  const SphericalWrist wrist(robot, chain);
   const int parent = robot.joints[index(chain.first_joint)].parent;
-  const Pose X_BC = parent < 0 ? wrist.X_PC() : X_BJ[index(parent)] * wrist.X_PC();
-  const Pose X_CT = X_BC.inverse() * target.X_BT * target.X_JT.inverse();
-  SphericalWrist::Joints near{};
+  const Pose X_BP = parent < 0 ? Pose::Identity() : X_BJ[index(parent)];
+  SixJoints near{};
   for (std::size_t k = 0; k < near.size(); ++k) {
     const Joint& joint = robot.joints[index(chain.first_joint) + k];
     near[k] = joint.ratio * values[index(joint.dof)] + joint.offset;
   }
-  const SphericalWrist::Solutions branches = wrist.solve(X_CT, near);
+  const SixJointSolutions branches =
+      chain.closed_form == ClosedForm::ur
+          ? branches_of<UrArm>(robot, chain, target, X_BP, near)
+          : branches_of<SphericalWrist>(robot, chain, target, X_BP, near);
   for (int b = 0; b < branches.count; ++b) {
     DofValues branch = values;
     bool inside = true;

@@ -8,7 +8,6 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/robot/robot.h"
-#include "sim/robot/spherical_wrist.h"
 
 namespace prehend {
 

@@ -53,6 +53,7 @@ struct Joint {
 enum class ClosedForm {
   none,
   spherical_wrist,  // six revolute joints, elbow and spherical wrist (spherical_wrist.h)
+  ur,               // six revolute joints, built like the arms of Universal Robots (ur_arm.h)
 };
 
 // A named path in the tree: joints first_joint .. first_joint + joint_count - 1 of the robot, each
@@ -70,6 +71,8 @@ struct Chain {
 enum class Coupling {
   rigid,           // all stop
   breakaway,       // the stopped joint stays, the others go on
+  by_finger,       // all joints of the stopped finger stay, those of the other fingers go on; the
+                   // joints of a finger are those behind the same first joint
   self_centering,  // two opposed prismatic fingers on one body: the other goes on until it touches
                    // too, and the hand (or the object) gives way sideways until both values are
                    // equal again

@@ -1,11 +1,9 @@
 // Inverse kinematics in closed form for arms with an elbow and a spherical wrist.
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
-#include "sim/robot/robot.h"
+#include "sim/robot/six_axes.h"
 
 namespace prehend {
 
@@ -17,14 +15,9 @@ namespace prehend {
 // anywhere. Source: Paul 1981, section 3.7 (Puma 560); Siciliano et al. 2009, section 2.12.
 class SphericalWrist {
  public:
-  using Joints = std::array<double, 6>;
-
-  // The first `count` of `joints` [rad]: at most one solution for each combination of arm left or
-  // right, elbow up or down, wrist flipped or not.
-  struct Solutions {
-    std::array<Joints, 8> joints;
-    int count = 0;
-  };
+  using Joints = SixJoints;
+  // At most one for each combination of arm left or right, elbow up or down, wrist flipped or not.
+  using Solutions = SixJointSolutions;
 
   // `chain` must have no defect (below).
   SphericalWrist(const Robot& robot, const Chain& chain);
@@ -40,13 +33,10 @@ class SphericalWrist {
 
  private:
   void add_wrists(const Matrix3& R_3T, const Joints& arm, const Joints& near, Solutions& all) const;
-  void add_if_inside(Joints angles, const Joints& near, Solutions& all) const;
 
   Pose X_PC_;
-  Pose X_T6_;     // the wrist's centre, z along the last axis, in the frame after the last joint
-  Joints sense_;  // -1 where the value turns about the opposite of the axis in the formulas
-  Joints theta_;  // angle in the formulas = sense * value + theta
-  Joints lower_, upper_;   // of the values
+  Pose X_T6_;  // the wrist's centre, z along the last axis, in the frame after the last joint
+  SixAngles angles_;
   double d1_, a2_, side_;  // side_: how far the wrist is from the shoulder's plane
   double forearm_, fold_;  // length from the elbow to the wrist, and its angle at joint value 0
   double shoulder_sign_, elbow_sign_, wrist_sign_;  // of alpha 1, 3, 4

@@ -32,8 +32,9 @@ Coupling read_coupling(const JsonField& field, int dof, const Robot& robot) {
   const std::string name = field.text();
   if (name == "rigid") return Coupling::rigid;
   if (name == "breakaway") return Coupling::breakaway;
+  if (name == "by_finger") return Coupling::by_finger;
   if (name != "self_centering") {
-    field.fail("unknown coupling, known are rigid, breakaway and self_centering");
+    field.fail("unknown coupling, known are rigid, breakaway, by_finger and self_centering");
   }
   std::vector<const Joint*> fingers;
   for (const Joint& joint : robot.joints) {

@@ -9,6 +9,7 @@
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/spherical_wrist.h"
+#include "sim/robot/ur_arm.h"
 #include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/robot_file_parts.h"
 
@@ -62,12 +63,15 @@ void require_new_name(const JsonField& field, const std::vector<Named>& others) 
 }
 
 ClosedForm read_closed_form(const JsonField& field, const Robot& robot, const Chain& chain) {
-  if (field.text() != "spherical_wrist") {
-    field.fail("unknown closed form, known is spherical_wrist");
+  const std::string name = field.text();
+  if (name != "spherical_wrist" && name != "ur") {
+    field.fail("unknown closed form, known are spherical_wrist and ur");
   }
-  const std::string defect = spherical_wrist_defect(robot, chain);
+  const bool ur = name == "ur";
+  const std::string defect =
+      ur ? ur_arm_defect(robot, chain) : spherical_wrist_defect(robot, chain);
   if (!defect.empty()) field.fail(defect);
-  return ClosedForm::spherical_wrist;
+  return ur ? ClosedForm::ur : ClosedForm::spherical_wrist;
 }
 
 Robot RobotReader::read() {

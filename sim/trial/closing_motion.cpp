@@ -4,6 +4,15 @@
 #include <cmath>
 
 namespace prehend {
+namespace {
+
+// The joint at the root of the finger that the joint belongs to.
+int first_joint_of_finger(const Robot& hand, int joint) {
+  while (hand.joints[index(joint)].parent >= 0) joint = hand.joints[index(joint)].parent;
+  return joint;
+}
+
+}  // namespace
 
 void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
                           const std::vector<double>& joints) {
@@ -56,9 +65,13 @@ void ClosingMotion::stop_before(const CompiledLink& link, double t) {
     if (!moves(joint, t)) continue;
     stop(joint, t);
     const int dof = hand_->joints[index(joint)].dof;
-    if (hand_->dofs[index(dof)].coupling != Coupling::rigid) continue;
+    const Coupling coupling = hand_->dofs[index(dof)].coupling;
+    if (coupling != Coupling::rigid && coupling != Coupling::by_finger) continue;
+    const int finger = first_joint_of_finger(*hand_, joint);
     for (std::size_t other = 0; other < hand_->joints.size(); ++other) {
-      if (hand_->joints[other].dof == dof) stop(static_cast<int>(other), t);
+      const auto o = static_cast<int>(other);
+      if (hand_->joints[other].dof != dof) continue;
+      if (coupling == Coupling::rigid || first_joint_of_finger(*hand_, o) == finger) stop(o, t);
     }
   }
 }

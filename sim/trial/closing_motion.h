@@ -31,7 +31,7 @@ class ClosingMotion {
 
   // Stops all joints between the palm and the link, since each of them would press the link into
   // what it touches. A rigid degree of freedom then cannot move at all: its other joints, which may
-  // belong to other fingers, stop too.
+  // belong to other fingers, stop too; of one that is coupled by finger those of the same finger.
   void stop_before(const CompiledLink& link, double t);
 
   // When the last joint comes to rest.

@@ -73,7 +73,8 @@ std::vector<BadField> bad_fields() {
       {"InitialOutside", "/dofs/1/initial", "41",
        "dofs[1].initial: outside the limits 0.000000 to 0.040000 rad or m (41)"},
       {"UnknownCoupling", "/dofs/0/coupling", R"("loose")",
-       "dofs[0].coupling: unknown coupling, known are rigid, breakaway and self_centering "
+       "dofs[0].coupling: unknown coupling, known are rigid, breakaway, by_finger and "
+       "self_centering "
        R"(("loose"))"},
       {"SelfCenteringRevolutes", "/dofs/0/coupling", R"("self_centering")",
        "dofs[0].coupling: needs two prismatic joints on one parent that slide in opposite "

@@ -79,6 +79,21 @@ TEST(CloseHand, ARigidDegreeOfFreedomStopsWhole) {
   expect_touches(scene, Pose::Identity(), closed, 1);
 }
 
+// A block in the way of the left finger only: its linkage stops as a whole, the right one goes on.
+TEST(CloseHand, OneFingerOfTwoOnALinkageStopsWhole) {
+  const Robot hand = find_robot("robotiq_2f85");
+  const CompiledScene scene = compiled(hand, block({0.02, 0.02, 0.02}, {0.03, 0.0, 0.135}));
+  const ClosedHand closed = close_from(scene, Pose::Identity(), {0.0});
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_TRUE(closed.stopped_by_contact[j]) << hand.joints[j].name;
+    EXPECT_FALSE(closed.stopped_by_contact[j + 3]) << hand.joints[j + 3].name;
+    EXPECT_NEAR(closed.joints[j], hand.joints[j].ratio * closed.joints[0], 1e-12);
+    EXPECT_NEAR(closed.joints[j + 3], hand.joints[j + 3].ratio * hand.dofs[0].upper, 1e-12);
+  }
+  EXPECT_GT(closed.joints[0], 0.01);
+  EXPECT_LT(closed.joints[0], 0.1);
+}
+
 TEST(CloseHand, GoesOnFromJointsThatHaveParted) {
   const CompiledScene scene = finger_scene(Coupling::breakaway, kBySide);
   const ClosedHand once = close_from(scene, Pose::Identity(), {0.0});
