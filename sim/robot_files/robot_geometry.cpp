@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/geometry/basic_shapes.h"
+#include "sim/geometry/loft.h"
 #include "sim/geometry/polygon.h"
 #include "sim/geometry/weld.h"
 #include "sim/mesh_files/mesh_file.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr int kCylinderSides = 24;
 constexpr int kMostCylinderSides = 360;
+constexpr int kCapsuleSides = 12;
 constexpr int kSphereSubdivisions = 2;
 constexpr int kMostSphereSubdivisions = 5;
 // How far the products of the rows of a rotation may be from 0 and 1.
@@ -65,6 +67,15 @@ TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {
   return made_of(shape, [&] { return make_cylinder(radius, height, sides); });
 }
 
+TriangleMesh capsule(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "radius", "from", "to", "sides", "pose"});
+  const double radius = positive(shape["radius"], units.length);
+  const Vector3 from = shape["from"].vector3() * units.length;
+  const Vector3 to = shape["to"].vector3() * units.length;
+  const int sides = integer_or(shape, "sides", kCapsuleSides, 4, kMostCylinderSides);
+  return made_of(shape["radius"], [&] { return make_capsule(from, to, radius, sides); });
+}
+
 TriangleMesh sphere(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "radius", "subdivisions", "pose"});
   const double radius = positive(shape["radius"], units.length);
@@ -87,14 +98,19 @@ Pose plane_pose(const JsonField& shape) {
   return pose_from(axes, Vector3::Zero());
 }
 
-TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
-  shape.allow_only({"shape", "plane", "profile", "sweep", "pose"});
-  const JsonField profile = shape["profile"];
+std::vector<Eigen::Vector2d> profile_corners(const JsonField& profile, const FileUnits& units) {
   std::vector<Eigen::Vector2d> corners;
   for (const JsonField& corner : profile.items()) {
     const std::vector<double> uv = corner.numbers(2);
     corners.push_back(Eigen::Vector2d(uv[0], uv[1]) * units.length);
   }
+  return corners;
+}
+
+TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "plane", "profile", "sweep", "pose"});
+  const JsonField profile = shape["profile"];
+  std::vector<Eigen::Vector2d> corners = profile_corners(profile, units);
   // Either sense is fine in a file.
   if (corners.size() >= 3 && doubled_area(corners) < 0.0) {
     std::reverse(corners.begin(), corners.end());
@@ -105,6 +121,26 @@ TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
   const TriangleMesh mesh = made_of(profile, [&] {
     return make_prism(corners, range[0] * units.length, range[1] * units.length);
   });
+  return transformed(mesh, plane_pose(shape));
+}
+
+// Either sense is fine, but the same for all sections: corners are joined in their order.
+TriangleMesh loft(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "plane", "sections", "pose"});
+  const JsonField list = shape["sections"];
+  std::vector<LoftSection> sections;
+  double sense = 0.0;
+  for (const JsonField& item : list.items()) {
+    item.allow_only({"at", "profile"});
+    const JsonField profile = item["profile"];
+    std::vector<Eigen::Vector2d> corners = profile_corners(profile, units);
+    const double area = doubled_area(corners);
+    if (sense * area < 0.0) profile.fail("runs the other way round than the first section");
+    if (sense == 0.0) sense = area;
+    if (sense < 0.0) std::reverse(corners.begin(), corners.end());
+    sections.push_back({.at = item["at"].number() * units.length, .corners = std::move(corners)});
+  }
+  const TriangleMesh mesh = made_of(list, [&] { return make_loft(sections); });
   return transformed(mesh, plane_pose(shape));
 }
 
@@ -147,9 +183,11 @@ TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
   if (name == "box") return box(part, units);
   if (name == "cylinder") return cylinder(part, units);
   if (name == "sphere") return sphere(part, units);
+  if (name == "capsule") return capsule(part, units);
   if (name == "prism") return prism(part, units);
+  if (name == "loft") return loft(part, units);
   if (name == "triangles") return triangles(part, units);
-  shape.fail("unknown shape, known are box, cylinder, sphere, prism and triangles");
+  shape.fail("unknown shape, known are box, cylinder, sphere, capsule, prism, loft and triangles");
 }
 
 // Nine numbers in three rows, taken as they are.

@@ -87,8 +87,8 @@ std::vector<BadField> bad_fields() {
       {"LinkOfAnotherChain", "/chains/1/links/0/joint", R"("elbow")",
        R"(chains[1].links[0].joint: no joint of this name in the link's chain ("elbow"))"},
       {"UnknownShape", "/geometries/bar/0/shape", R"("torus")",
-       "geometries.bar[0].shape: unknown shape, known are box, cylinder, sphere, prism "
-       "and triangles "
+       "geometries.bar[0].shape: unknown shape, known are box, cylinder, sphere, capsule, "
+       "prism, loft and triangles "
        R"(("torus"))"},
       {"FlatBox", "/geometries/bar/0/size", "[10, 0, 4]",
        "geometries.bar[0].size: must be greater than 0 ([10,0,4])"},
@@ -103,6 +103,20 @@ std::vector<BadField> bad_fields() {
       {"UnknownPlane", "/base/geometry",
        R"([{"shape": "prism", "plane": "xz", "profile": [[0,0],[1,0],[0,1]], "sweep": [0, 1]}])",
        R"(base.geometry[0].plane: unknown plane, known are xy, yz and zx ("xz"))"},
+      {"OneSection", "/base/geometry",
+       R"([{"shape": "loft", "sections": [{"at": 0, "profile": [[0,0],[1,0],[0,1]]}]}])",
+       "base.geometry[0].sections: must be at least two"},
+      {"SectionTheOtherWayRound", "/base/geometry",
+       R"([{"shape": "loft", "sections": [{"at": 0, "profile": [[0,0],[1,0],[0,1]]},
+                                          {"at": 1, "profile": [[0,0],[0,1],[1,0]]}]}])",
+       "base.geometry[0].sections[1].profile: runs the other way round than the first section ("},
+      {"UnequalSections", "/base/geometry",
+       R"([{"shape": "loft", "sections": [{"at": 0, "profile": [[0,0],[1,0],[0,1]]},
+                                          {"at": 1, "profile": [[0,0],[1,0],[1,1],[0,1]]}]}])",
+       "base.geometry[0].sections: must have as many corners as the first one"},
+      {"ThinCapsule", "/base/geometry",
+       R"([{"shape": "capsule", "radius": 0, "from": [0, 0, 0], "to": [0, 0, 1]}])",
+       "base.geometry[0].radius: must be greater than 0 (0)"},
       {"TooFewSides", "/base/geometry",
        R"([{"shape": "cylinder", "radius": 1, "height": 1, "sides": 2}])",
        "base.geometry[0].sides: must be 3 to 360 (2)"},
