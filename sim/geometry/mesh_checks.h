@@ -50,4 +50,8 @@ double signed_volume(const TriangleMesh& mesh);
 //    turned outward.
 int orient_outward(TriangleMesh& mesh);
 
+// Step 1 of orient_outward alone: turns triangles so that each sheet agrees with itself, the fewer
+// ones of each sheet, as many as it takes. Returns the number of triangles turned.
+int make_consistent(TriangleMesh& mesh);
+
 }  // namespace prehend

@@ -46,13 +46,26 @@ class Orienter {
  public:
   explicit Orienter(TriangleMesh& mesh) : mesh_(mesh), uses_(edge_uses(mesh)) {}
 
-  int run() {
+  int orient() {
     find_neighbours();
     find_sheets();
     find_open_sheets();
     for (Sheet& sheet : sheets_) measure(sheet);
     find_cavities();
     for (const Sheet& sheet : sheets_) turn_outward(sheet);
+    return turn();
+  }
+
+  // Step 1 alone, by turning the fewer triangles of each sheet.
+  int agree() {
+    find_neighbours();
+    find_sheets();
+    for (const Sheet& sheet : sheets_) turn_fewer(sheet);
+    return turn();
+  }
+
+ private:
+  int turn() {
     int turned = 0;
     for (std::size_t t = 0; t < flip_.size(); ++t) {
       if (!flip_[t]) continue;
@@ -62,7 +75,16 @@ class Orienter {
     return turned;
   }
 
- private:
+  void turn_fewer(const Sheet& sheet) {
+    std::size_t turned = 0;
+    for (const int t : sheet.triangles) turned += flip_[static_cast<std::size_t>(t)] ? 1 : 0;
+    if (2 * turned <= sheet.triangles.size()) return;
+    for (const int t : sheet.triangles) {
+      const std::size_t i = static_cast<std::size_t>(t);
+      flip_[i] = !flip_[i];
+    }
+  }
+
   // Neighbours across all edges of exactly two triangles.
   void find_neighbours() {
     neighbours_.resize(mesh_.triangles.size());
@@ -233,6 +255,8 @@ class Orienter {
 
 }  // namespace
 
-int orient_outward(TriangleMesh& mesh) { return Orienter(mesh).run(); }
+int orient_outward(TriangleMesh& mesh) { return Orienter(mesh).orient(); }
+
+int make_consistent(TriangleMesh& mesh) { return Orienter(mesh).agree(); }
 
 }  // namespace prehend
