@@ -16,6 +16,7 @@
 //   basic_shapes.h        boxes, cylinders, spheres, prisms as meshes
 //   object_generator.h    household objects as meshes
 //   mesh_checks.h         whether a mesh is closed, and which way it faces
+//   mesh_repair.h         closing small holes and cracks, turning triangles, dropping dust
 //   mass_properties.h     volume, centre of mass and inertia of what a mesh bounds
 //   material.h            materials and the friction between them
 //   robot.h               a robot, and of a hand what makes it one; where its links are
@@ -93,6 +94,7 @@
 #include "sim/geometry/make_mesh.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
+#include "sim/geometry/mesh_repair.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/geometry/triangle_mesh.h"
 #include "sim/mesh_files/mesh_file.h"

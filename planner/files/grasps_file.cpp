@@ -147,6 +147,7 @@ void read_scene(const JsonField& root, SceneReference& reference) {
     fields("file", reference.scene);
     fields("unit", reference.unit);
     fields("hand", reference.hand);
+    fields("repair", reference.repair);
     fields.finish();
   }
   const bool beside = reference.hand.empty() && root.has("hand") && root["hand"].is_text();
@@ -163,12 +164,14 @@ void scene_field(auto& fields, auto& record) {
     record.scene = reference.scene;
     record.hand = reference.hand;
     if (!reference.unit.empty()) record.unit = reference.unit;
+    record.repair = reference.repair;
   } else {
     fields.object("scene", [&](auto& inner) {
       // A scene that was made in code has no file.
       if (!record.scene.empty()) inner("file", record.scene);
       inner("unit", record.unit);
       if (!record.hand.empty()) inner("hand", record.hand);
+      if (!record.repair) inner("repair", record.repair);
     });
   }
 }

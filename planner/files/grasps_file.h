@@ -19,6 +19,7 @@ struct RunRecord {
   std::string unit = "m";  // of a mesh file
   std::string hand;        // as asked, empty: the scene's
   PlanOptions options;
+  bool repair = true;  // whether the object's mesh file was repaired
 };
 
 // The whole file as text; the same for the same result, on any number of threads. What is not UTF-8
@@ -33,11 +34,13 @@ std::string grasps_json(const CompiledScene& scene, const PlanResult& result,
 struct SceneReference {
   std::string scene;  // name of a library scene, or path of a scene or mesh file
   std::string hand;
-  std::string unit;  // of a mesh file
+  std::string unit;    // of a mesh file
+  bool repair = true;  // of the object's mesh file
 };
 
-// "scene": a name or path, or {"file", "unit", "hand"}; "hand" may also stand beside it. A relative
-// path is first looked for beside the file. Throws InputError that names the file and the field.
+// "scene": a name or path, or {"file", "unit", "hand", "repair"}; "hand" may also stand beside it.
+// A relative path is first looked for beside the file. Throws InputError that names the file and
+// the field.
 SceneReference read_scene_reference(const JsonFile& file);
 
 // The content of a file: the inputs and the result of a run. Fields that the file does not state

@@ -20,10 +20,11 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
     throw InputError({grasps.path().string(), "scene", "missing; name it there or with --scene"});
   }
   RunRecord record;
-  if (!asked.unit.empty()) record.unit = asked.unit;
+  record.repair = asked.repair && command_line.repair;
   record.hand = asked.hand;
   record.scene = scene_reference(asked.scene);
-  Scene loaded = load_scene(asked.scene, {record.hand, record.unit});
+  Scene loaded = load_scene(asked.scene, {record.hand, asked.unit, record.repair});
+  record.unit = unit_of_source(asked.scene, loaded);
   print_notes(loaded);
   return {compile(std::move(loaded)), record};
 }

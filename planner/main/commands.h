@@ -30,7 +30,8 @@ struct CommonOptions {
 struct PlanCommand {
   std::string scene = "mug";  // name, scene file or mesh file
   std::string hand;           // empty: the scene's
-  std::string unit = "m";
+  std::string unit;           // empty: the likely one
+  bool repair = true;         // of an object's mesh file
   int top = 10;
   std::optional<int> trials;  // empty: those of the accuracy
   std::optional<int> enough;  // grasps that hold, after which the search ends; as above
@@ -47,6 +48,7 @@ struct EvaluateCommand {
   std::string scene;  // empty: the file's
   std::string hand;
   std::string unit;
+  bool repair = true;
   std::size_t volumes = kMostDetailed;  // of so many grasps: those that the report shows in detail
   CommonOptions common;
 };
@@ -59,13 +61,15 @@ struct RenderCommand {
   std::string scene;
   std::string hand;
   std::string unit;
+  bool repair = true;
   CommonOptions common;
 };
 
 // Arguments of `inspect`.
 struct InspectCommand {
   std::string file;
-  std::string unit = "m";
+  std::string unit;                           // empty: the likely one
+  bool repair = true;                         // of an object's mesh file
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::filesystem::path save;                 // of a scene: write it there; empty: do not
 };

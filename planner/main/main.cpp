@@ -107,10 +107,17 @@ void add_contacts(CLI::App& command, CommonOptions& common) {
       ->default_str("soft");
 }
 
-void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit) {
+void add_mesh_words(CLI::App& command, std::string& unit, bool& repair) {
+  command.add_option("--unit", unit,
+                     "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
+  command.add_flag("!--no-repair", repair, "take the surface of a mesh file as it is");
+}
+
+void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
+                     bool& repair) {
   command.add_option("--scene", scene, "scene or mesh file, in place of the one the file names");
   command.add_option("--hand", hand, "robot of the library or robot file, in place of the file's");
-  command.add_option("--unit", unit, "unit of a mesh file: m, cm, mm, in");
+  add_mesh_words(command, unit, repair);
 }
 
 // The commands, their words, and what to call once they are parsed.
@@ -150,8 +157,7 @@ struct Program {
     command.add_option("scene", plan.scene, "scene name, scene file or mesh file")
         ->capture_default_str();
     command.add_option("--hand", plan.hand, "robot of the library or robot file");
-    command.add_option("--unit", plan.unit, "unit of a mesh file: m, cm, mm, in")
-        ->capture_default_str();
+    add_mesh_words(command, plan.unit, plan.repair);
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -185,7 +191,7 @@ struct Program {
   void add_evaluate() {
     CLI::App& command = *app.add_subcommand("evaluate", "simulate and score given grasps");
     command.add_option("grasps", evaluate.grasps, "grasp file (docs/grasps-file.md)")->required();
-    add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit);
+    add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit, evaluate.repair);
     evaluate.common.out = "out/evaluate";
     command
         .add_option("--volumes", evaluate.volumes,
@@ -215,7 +221,7 @@ struct Program {
                     "pictures of its approach (for all: of the first), 0: none")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    add_scene_words(command, render.scene, render.hand, render.unit);
+    add_scene_words(command, render.scene, render.hand, render.unit, render.repair);
     render.common.out = "out/render";
     command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();
     add_limits(command, limits);
@@ -231,8 +237,7 @@ struct Program {
         *app.add_subcommand("inspect", "say what prehend sees in a mesh, robot or scene");
     command.add_option("file", inspect.file, "mesh, robot or scene file, or a library name")
         ->required();
-    command.add_option("--unit", inspect.unit, "unit of a mesh file: m, cm, mm, in")
-        ->capture_default_str();
+    add_mesh_words(command, inspect.unit, inspect.repair);
     command.add_option("--primitive-tolerance", inspect.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_option("--save", inspect.save, "of a scene: write it to this file");

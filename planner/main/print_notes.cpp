@@ -22,6 +22,9 @@ void print_notes(const Scene& scene) {
     }
   }
   print_notes(scene.hand);
+  for (const std::string& note : scene.notes) {
+    std::cerr << "warning: " << on_one_line(scene.object.name + ": " + note) << "\n";
+  }
 }
 
 }  // namespace prehend

@@ -26,7 +26,8 @@ struct Given {
 // The parsed file, which takes several times the memory of the candidates, ends here.
 Given read_given(const EvaluateCommand& command) {
   const JsonFile file(command.grasps);
-  LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
+  LoadedScene loaded =
+      load_asked_scene(file, {command.scene, command.hand, command.unit, command.repair});
   std::vector<Candidate> candidates =
       given_candidates(read_grasps(file, loaded.scene), loaded.scene);
   return {std::move(loaded), std::move(candidates)};

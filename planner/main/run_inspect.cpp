@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cstdio>
+#include <iostream>
+#include <utility>
 
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
@@ -10,12 +12,14 @@
 #include "sim/base/output_file.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
+#include "sim/geometry/mesh_repair.h"
 #include "sim/json/json_field.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/robot_files/foreign_robot.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/scene/graspit_world.h"
+#include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
@@ -58,16 +62,37 @@ void print_shape(const Primitive& primitive) {
   std::printf(" at (%.1f, %.1f, %.1f) mm\n", p.x(), p.y(), p.z());
 }
 
-void print_mesh(const TriangleMesh& mesh) {
-  const Vector3 size = kMillimetres * bounds(mesh).size();
-  std::printf("  size %.2f x %.2f x %.2f mm, surface %.1f cm^2\n", size.x(), size.y(), size.z(),
-              1e4 * surface_area(mesh));
-  print_checks(check_mesh(mesh));
+void print_mass(const TriangleMesh& mesh, const MeshChecks& checks) {
   const MassProperties mass = mass_properties(mesh);
   const Vector3 center = kMillimetres * mass.center_of_mass;
   std::printf("  volume %.4f litres, centre of mass (%.2f, %.2f, %.2f) mm, from the %s\n",
               kLitres * mass.volume, center.x(), center.y(), center.z(),
               std::string(mass_source_name(mass.source)).c_str());
+  if (!checks.solid()) std::printf("  %s\n", trust_words(checks, mass.source).c_str());
+}
+
+void print_size(const TriangleMesh& mesh) {
+  const Vector3 size = kMillimetres * bounds(mesh).size();
+  std::printf("  size %.2f x %.2f x %.2f mm, surface %.1f cm^2\n", size.x(), size.y(), size.z(),
+              1e4 * surface_area(mesh));
+}
+
+void print_mesh(const TriangleMesh& mesh) {
+  const MeshChecks checks = check_mesh(mesh);
+  print_size(mesh);
+  print_checks(checks);
+  print_mass(mesh, checks);
+}
+
+// A mesh file as an object: as it is in the file, and as it is after repair.
+void print_repaired(const LoadedMesh& loaded, const MeshRepair& repair) {
+  print_size(loaded.mesh);
+  print_checks(repair.before);
+  if (repair.changed()) {
+    std::printf("  repaired: %s\n", repair_words(repair).c_str());
+    print_checks(repair.after);
+  }
+  print_mass(repair.mesh, repair.after);
 }
 
 void print_distances(const SurfaceDistances& d) {
@@ -195,8 +220,17 @@ bool is_robot_name(const std::string& name) {
 
 // Only mesh files are in a unit that the command line says.
 void need_metres(const InspectCommand& command) {
-  require(command.unit == InspectCommand{}.unit,
+  require(command.unit.empty() || command.unit == "m",
           {.field = "--unit", .problem = "only for mesh files", .value = command.unit});
+}
+
+// The likely unit of a mesh file, with what there is to say about it on stderr.
+std::string noted_unit(const std::filesystem::path& file) {
+  const ObjectMesh object = load_object_mesh(file, {.unit = "", .repair = false});
+  for (const std::string& note : object.notes) {
+    std::cerr << "warning: " << on_one_line(file.stem().string() + ": " + note) << "\n";
+  }
+  return object.unit;
 }
 
 // What the command line says of objects does not fit robots.
@@ -232,9 +266,18 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     return 0;
   }
   if (file.extension() != ".json") {
-    const LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(command.unit)});
+    std::string unit = command.unit;
+    if (unit.empty()) unit = noted_unit(file);
+    LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(unit)});
     std::printf("mesh %s\n", file.string().c_str());
-    print_mesh(loaded.mesh);
+    if (unit != "m") std::printf("  read in %s\n", unit.c_str());
+    if (command.repair) {
+      MeshRepair repair = repair_mesh(loaded.mesh);
+      print_repaired(loaded, repair);
+      loaded.mesh = std::move(repair.mesh);
+    } else {
+      print_mesh(loaded.mesh);
+    }
     if (loaded.degenerate_removed + loaded.duplicates_removed > 0) {
       std::printf("  left out: %d triangles without area, %d duplicates\n",
                   loaded.degenerate_removed, loaded.duplicates_removed);
@@ -250,7 +293,8 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     print_platform(load_platform(file));
     return 0;
   }
-  const Scene scene = load_scene(file);
+  const Scene scene = load_scene(file, {.hand = "", .unit = "", .repair = command.repair});
+  print_notes(scene);
   print_scene(scene, command);
   if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
   return 0;

@@ -71,13 +71,14 @@ class PlanProgram {
 
   int run() {
     require_writable(folder_);
-    Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit});
+    Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair});
+    const std::string unit = unit_of_source(command_.scene, loaded);
     print_notes(loaded);
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
     watch_.lap(Stage::compile);
-    const RunRecord record{scene_reference(command_.scene), command_.unit, command_.hand,
-                           options_of(command_, scene.scene.object.mesh)};
+    const RunRecord record{scene_reference(command_.scene), unit, command_.hand,
+                           options_of(command_, scene.scene.object.mesh), command_.repair};
     const PlanResult result = plan_grasps(scene, record.options);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     const bool late = result.status == PlanStatus::out_of_time;

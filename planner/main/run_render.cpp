@@ -145,7 +145,8 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
 int run_render(const RenderCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
   const JsonFile file(command.grasps);
-  const LoadedScene loaded = load_asked_scene(file, {command.scene, command.hand, command.unit});
+  const LoadedScene loaded =
+      load_asked_scene(file, {command.scene, command.hand, command.unit, command.repair});
   const std::vector<DrawnGrasp> grasps = drawn_grasps(file, loaded.scene, command.grasp);
   const std::filesystem::path& folder = command.common.out;
   make_folder(folder);

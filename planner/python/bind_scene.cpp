@@ -9,6 +9,7 @@
 #include "sim/base/output_file.h"
 #include "sim/geometry/make_mesh.h"
 #include "sim/geometry/mesh_checks.h"
+#include "sim/geometry/mesh_repair.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
@@ -36,19 +37,29 @@ py::tuple load_mesh_in_python(const std::string& file, const std::string& unit) 
 }
 
 SceneHandle load_scene_in_python(const std::string& name_or_file, const std::string& hand,
-                                 const std::string& unit) {
+                                 const std::string& unit, bool repair) {
   const std::filesystem::path file = find_scene(name_or_file);
-  return {load_scene(file, {hand, unit}), {scene_reference(file), unit, hand}};
+  SceneHandle handle{load_scene(file, {hand, unit, repair}), {}};
+  handle.origin = {scene_reference(file), unit_of_source(file, handle.scene), hand, repair};
+  return handle;
 }
 
 SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
                                  const std::string& hand, const std::string& name,
-                                 const std::string& material, double mass) {
+                                 const std::string& material, double mass, bool repair) {
   require(mass > 0.0,
           {.field = "mass", .problem = "must be positive", .value = std::to_string(mass)});
-  GraspableBody object =
-      make_graspable(name, cleaned(vertices, faces), material_named(material), mass);
-  return {make_scene(std::move(object), hand), {}};
+  TriangleMesh mesh = cleaned(vertices, faces);
+  std::vector<std::string> notes;
+  if (repair) {
+    MeshRepair repaired = repair_mesh(mesh);
+    if (std::string words = repair_words(repaired); !words.empty()) notes.push_back(words);
+    mesh = std::move(repaired.mesh);
+  }
+  GraspableBody object = make_graspable(name, std::move(mesh), material_named(material), mass);
+  SceneHandle handle{make_scene(std::move(object), hand), {}};
+  handle.scene.notes = std::move(notes);
+  return handle;
 }
 
 // The origin of a scene is what a grasp file states, so that the program can load the same scene.
@@ -98,7 +109,7 @@ void mount_in_python(SceneHandle& self, const std::string& platform, const std::
 
 void save(SceneHandle& self, const std::string& file) {
   write_file(file, scene_text(self.scene));
-  self.origin = {scene_reference(file), "m", ""};
+  self.origin = {scene_reference(file), "m", "", true};
 }
 
 CompiledHandle compile_in_python(const SceneHandle& handle) {
@@ -153,6 +164,7 @@ void bind_bodies(py::module_& core) {
 void bind_scene_class(py::module_& core) {
   py::class_<SceneHandle>(core, "_Scene")
       .def_property_readonly("name", [](const SceneHandle& self) { return self.scene.name; })
+      .def_property_readonly("notes", [](const SceneHandle& self) { return self.scene.notes; })
       .def_property_readonly("object", [](const SceneHandle& self) { return self.scene.object; })
       .def_property_readonly("hand", [](const SceneHandle& self) { return self.scene.hand; })
       .def_property_readonly("obstacles",

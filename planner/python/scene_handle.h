@@ -13,6 +13,7 @@ struct SceneOrigin {
   std::string file;  // name of a library scene or absolute path; empty: made in code
   std::string unit = "m";
   std::string hand;  // as asked; empty: the scene's own
+  bool repair = true;
 };
 
 struct SceneHandle {

@@ -86,4 +86,34 @@ std::string repair_words(const MeshRepair& repair) {
   return words;
 }
 
+std::string missing_words(const MeshChecks& checks) {
+  std::string words;
+  const auto add = [&](int count, const char* one, const char* several) {
+    if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, one, several);
+  };
+  add(checks.boundary_edges, "boundary edge (holes)", "boundary edges (holes)");
+  add(checks.nonmanifold_edges, "edge of three or more triangles",
+      "edges of three or more triangles");
+  add(checks.misoriented_edges, "edge whose triangles disagree on outside",
+      "edges whose triangles disagree on outside");
+  return words;
+}
+
+std::string trust_words(const MeshChecks& checks, MassSource source) {
+  switch (source) {
+    case MassSource::signed_volume:
+      return checks.solid() ? "volume, centre of mass and inside are those of the solid"
+                            : "volume and centre of mass are exact, parts that overlap count twice";
+    case MassSource::closed_holes:
+      return "volume and centre of mass are estimates with the holes closed, inside is uncertain "
+             "near them";
+    case MassSource::convex_hull:
+      return "volume, centre of mass and the scale of torques are estimates from the convex hull, "
+             "inside is uncertain";
+    case MassSource::surface:
+      break;
+  }
+  return "a sheet without thickness: the centre of mass is that of the surface, nothing is inside";
+}
+
 }  // namespace prehend

@@ -6,6 +6,7 @@
 
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
+#include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/triangle_mesh.h"
 
@@ -85,7 +86,14 @@ struct MeshRepair {
 MeshRepair repair_mesh(const TriangleMesh& mesh, const RepairOptions& options = {},
                        const RunContext& context = {});
 
-// What was repaired, for people: "1 hole of 4 edges ...", one line; empty when nothing was.
+// What was repaired, for people: "1 hole closed (16.7 % of the surface)"; empty when nothing was.
 std::string repair_words(const MeshRepair& repair);
+
+// What a mesh lacks to bound a solid: "4 boundary edges (holes)"; empty for a solid.
+std::string missing_words(const MeshChecks& checks);
+
+// Which numbers of an object with this surface can be relied on: volume and centre of mass, which
+// also scales torques, and what is inside.
+std::string trust_words(const MeshChecks& checks, MassSource source);
 
 }  // namespace prehend

@@ -95,6 +95,11 @@ double metres_per_unit(std::string_view unit) {
       {.field = "unit", .problem = "must be m, cm, mm or in", .value = std::string(unit)});
 }
 
+bool states_unit(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  return extension == "gltf" || extension == "glb" || extension == "dae";
+}
+
 LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options) {
   try {
     return load([&] { return read_file(file); }, file, options);

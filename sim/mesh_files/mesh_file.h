@@ -12,6 +12,10 @@ namespace prehend {
 // Length of a unit in metres: "m", "cm", "mm" or "in". Throws InputError for any other name.
 double metres_per_unit(std::string_view unit);
 
+// Whether the format of a file, by its extension, says the unit of its coordinates (glTF, COLLADA),
+// or at least that it is the metre.
+bool states_unit(const std::filesystem::path& file);
+
 // How coordinates of a file are scaled and vertices merged.
 struct MeshFileOptions {
   // Length of one unit of the file in metres, positive and finite. COLLADA and glTF declare their

@@ -16,8 +16,9 @@ namespace prehend {
 
 // A surface from a mesh file.
 struct MeshFileSource {
-  std::string path;  // absolute
-  std::string unit;  // m, cm, mm or in
+  std::string path;    // absolute
+  std::string unit;    // m, cm, mm or in
+  bool repair = true;  // of an object: as load_object_mesh does it
 };
 
 // A surface from generate_object.
@@ -79,8 +80,8 @@ struct Scene {
   FrictionTable friction;
   CompliantDepths compliant_depths;
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
-  // What the reader of its file assumed or left out, for people: one line each. Those of robots are
-  // with them.
+  // What was assumed about the scene and its object, left out or repaired, for people: one line
+  // each. Those of robots are with them.
   std::vector<std::string> notes = {};
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/geometry/mesh_checks.h"
@@ -17,6 +18,7 @@
 #include "sim/scene/graspit_world.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
 #include "sim/xml/xml_file.h"
 
@@ -102,10 +104,32 @@ std::string read_robot_source(const JsonField& field) {
 
 constexpr double kLargestMass = 1e9;  // kg
 
-GraspableBody read_object(const JsonField& field, ShapeBudget& budget) {
+// Whether the object's mesh file is repaired.
+bool read_repair(const JsonField& field, const SceneSource& source) {
+  if (!field.has("repair")) return source.repair;
+  if (!field.has("mesh")) field["repair"].fail("only of a mesh file");
+  return field["repair"].boolean() && source.repair;
+}
+
+// The object's surface; what was repaired is added to `notes`.
+TriangleMesh read_object_mesh(const JsonField& field, bool repair, ShapeBudget& budget,
+                              std::vector<std::string>& notes) {
+  if (!field.has("mesh") || field.has("generate") || field.has("geometry")) {
+    return read_body_mesh(field, budget);
+  }
+  (void)read_unit(field);
+  const std::filesystem::path file = field.file().parent_path() / field["mesh"].text();
+  ObjectMesh object = load_object_mesh(file, {field.text_or("unit", "m"), repair});
+  notes = std::move(object.notes);
+  return std::move(object.mesh);
+}
+
+GraspableBody read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
+                          std::vector<std::string>& notes) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
-                    "center_of_mass", "pose", "primitives"});
-  TriangleMesh mesh = read_body_mesh(field, budget);
+                    "center_of_mass", "pose", "primitives", "repair"});
+  const bool repair = read_repair(field, source);
+  TriangleMesh mesh = read_object_mesh(field, repair, budget, notes);
   const std::string name = field.text_or("name", "object");
   const Material material = read_material(field, Material::plastic);
   const double mass = read_positive(field, "mass", kDefaultObjectMass);
@@ -120,6 +144,7 @@ GraspableBody read_object(const JsonField& field, ShapeBudget& budget) {
   }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.source = read_source(field);
+  if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = repair;
   return body;
 }
 
@@ -224,6 +249,17 @@ Carrier read_carrier(const JsonField& field, const std::string& hand) {
   return carrier;
 }
 
+// Things that no hand holds are noted, whatever unit was stated.
+void note_size(Scene& scene) {
+  constexpr double kSmallest = 0.002;  // m
+  constexpr double kLargest = 1.5;
+  const double size = bounds(scene.object.mesh).size().maxCoeff();
+  const std::string hint = unit_hint(scene.object);
+  if (hint.empty() || (size >= kSmallest && size <= kLargest)) return;
+  scene.notes.push_back(
+      formatted("%.4g mm large in the stated unit%s", 1000.0 * size, hint.c_str()));
+}
+
 Scene read_scene(const JsonField& root, const SceneSource& source) {
   root.allow_only({"name", "object", "hand", "robot", "obstacles", "friction", "compliant_depths"});
   if (root.has("hand") && root.has("robot")) {
@@ -232,7 +268,8 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   ShapeBudget budget;
-  scene.object = read_object(root["object"], budget);
+  scene.object = read_object(root["object"], source, budget, scene.notes);
+  note_size(scene);
   if (root["object"].has("primitives")) {
     for (const JsonField& field : root["object"]["primitives"].items()) {
       scene.primitives.push_back(read_primitive(field));
@@ -264,7 +301,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
 }
 
 void require_no_unit(const std::filesystem::path& file, const SceneSource& source) {
-  require(source.unit == SceneSource{}.unit,
+  require(source.unit.empty() || source.unit == "m",
           {.file = file.string(),
            .field = "unit",
            .problem = "a scene says the units of its meshes itself",
@@ -288,10 +325,22 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
     require_no_unit(file, source);
     return read_graspit_scene(XmlFile(file), source);
   }
-  GraspableBody object = make_graspable(
-      file.stem().string(), mesh_from_file(file, metres_per_unit(source.unit)), Material::plastic);
-  object.source = MeshFileSource{absolute_path(file), source.unit};
-  return make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand);
+  ObjectMesh read = load_object_mesh(file, {source.unit, source.repair});
+  GraspableBody object =
+      make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic);
+  object.source = MeshFileSource{absolute_path(file), read.unit, source.repair};
+  Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand);
+  scene.notes = std::move(read.notes);
+  // A unit that is the likely one has a note of its own.
+  if (!source.unit.empty() || read.unit == "m") note_size(scene);
+  return scene;
+}
+
+std::string unit_of_source(const std::filesystem::path& name_or_file, const Scene& scene) {
+  const auto* file = std::get_if<MeshFileSource>(&scene.object.source);
+  const bool itself =
+      file != nullptr && file->path == absolute_path(find_scene(name_or_file.string()));
+  return itself ? file->unit : "m";
 }
 
 }  // namespace prehend

@@ -16,9 +16,13 @@ struct SceneSource {
   // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it
   // says.
   std::string hand;
-  // Unit of a mesh file that is given without a scene: m, cm, mm, in. A scene file says the units
-  // of its meshes itself, and another unit than m beside one is an error.
-  std::string unit = "m";
+  // Unit of a mesh file that is given without a scene: m, cm, mm, in; empty: the likely one
+  // (object_mesh.h). A scene file says the units of its meshes itself, and another unit than m
+  // beside one is an error.
+  std::string unit = {};
+  // Whether the surface of the object is repaired where it comes from a mesh file; a scene file may
+  // switch it off itself.
+  bool repair = true;
 };
 
 // The hand of a scene that names none.
@@ -29,6 +33,9 @@ inline constexpr const char* kDefaultHand = "barrett";
 // name
 // ("mug", see scene_library.h). Throws InputError that names the file, the field and the value.
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source = {});
+// The unit in which load_scene has read the mesh file that was given in place of a scene; m for a
+// scene file.
+std::string unit_of_source(const std::filesystem::path& name_or_file, const Scene& scene);
 // As load_scene, of a scene file that was parsed already.
 Scene read_scene(const JsonFile& file, const SceneSource& source = {});
 

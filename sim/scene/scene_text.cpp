@@ -38,7 +38,9 @@ struct ShapeFields {
   Json operator()(std::monostate /*none*/) const { return {{"geometry", triangles_json(mesh)}}; }
   Json operator()(const MeshFileSource& source) const {
     if (!can_be_named(source.path)) return (*this)(std::monostate{});
-    return {{"mesh", source.path}, {"unit", source.unit}};
+    Json fields{{"mesh", source.path}, {"unit", source.unit}};
+    if (!source.repair) fields["repair"] = false;
+    return fields;
   }
   Json operator()(const GeneratedSource& source) const {
     return {{"generate", source.name}, {"triangles", source.triangles}};

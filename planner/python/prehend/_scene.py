@@ -91,6 +91,11 @@ class Scene:
         return self._core.platform
 
     @property
+    def notes(self) -> List[str]:
+        """What was assumed about the object and repaired: one line each."""
+        return self._core.notes
+
+    @property
     def obstacles(self) -> List["_core.StaticBody"]:
         """What stands around."""
         return self._core.obstacles
@@ -164,19 +169,24 @@ class Scene:
         )
 
 
-def load_scene(scene: PathLike, *, hand: PathLike = "", unit: str = "m") -> Scene:
+def load_scene(
+    scene: PathLike, *, hand: PathLike = "", unit: str = "", repair: bool = True
+) -> Scene:
     """Reads a scene.
 
     Args:
         scene: a name of the library (library_scene_names()), a scene file (.json), or a mesh file,
             which becomes the object of a scene with nothing else in it.
         hand: replaces the scene's: a name of the library (library_robot_names()) or a robot file.
-        unit: of a mesh file: "m", "cm", "mm" or "in".
+        unit: of a mesh file: "m", "cm", "mm" or "in"; "": the likely one by the object's size, which
+            Scene.notes says where it is not the metre.
+        repair: closes small and flat holes and cracks in the object's surface if it comes from a
+            mesh file, turns triangles that disagree, drops dust; Scene.notes says what.
 
     Raises:
         InputError: that names the file, the field and the value.
     """
-    return Scene(_core.load_scene(os.fsencode(scene), os.fsencode(hand), unit))
+    return Scene(_core.load_scene(os.fsencode(scene), os.fsencode(hand), unit, repair))
 
 
 def make_scene(
@@ -187,6 +197,7 @@ def make_scene(
     material: str = "plastic",
     mass: float = 0.3,
     X_WO: Optional[ArrayLike] = None,
+    repair: bool = True,
 ) -> Scene:
     """A scene of one's own mesh, with a hand that flies free; Scene.mount() puts one on an arm.
 
@@ -199,13 +210,14 @@ def make_scene(
         material: "glass", "metal", "plastic", "wood" or "rubber".
         mass: [kg].
         X_WO: (4, 4), the object's pose in the world; None: at the world's origin.
+        repair: as of load_scene().
 
     Raises:
         InputError: for a mesh that cannot be used, an unknown name, a mass that is not positive.
     """
     vertices, faces = as_mesh(mesh)
     scene = Scene(
-        _core.make_scene(vertices, faces, os.fsencode(hand), name, material, float(mass))
+        _core.make_scene(vertices, faces, os.fsencode(hand), name, material, float(mass), repair)
     )
     if X_WO is not None:
         scene.set_pose(X_WO)

@@ -1,0 +1,88 @@
+#include "sim/scene/object_mesh.h"
+
+#include <array>
+
+#include "sim/base/formatted.h"
+#include "sim/geometry/mass_properties.h"
+#include "sim/geometry/mesh_repair.h"
+#include "sim/mesh_files/mesh_file.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kMillimetres = 1000.0;
+
+double longest_side(const TriangleMesh& mesh) { return bounds(mesh).size().maxCoeff(); }
+
+std::string counted_repeats(int count) {
+  return count == 1 ? "1 triangle that repeats another"
+                    : std::to_string(count) + " triangles that repeat others";
+}
+
+// Reads the file, in metres first where no unit is stated: the size tells whether they are.
+LoadedMesh read_in_likely_unit(const std::filesystem::path& file, ObjectMesh& object) {
+  LoadedMesh loaded = load_mesh(file);
+  const double size = longest_side(loaded.mesh);
+  object.unit = states_unit(file) ? "m" : likely_unit(size);
+  if (object.unit == "m") return loaded;
+  // Read again, not scaled, so that the same bytes come out as when the unit is stated.
+  loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(object.unit)});
+  object.notes.push_back(formatted(
+      "%.4g long in the file, whose unit nobody says: read in %s, which makes it %.4g mm; --unit m "
+      "reads it in metres",
+      size, object.unit.c_str(), kMillimetres * longest_side(loaded.mesh)));
+  return loaded;
+}
+
+// What was repaired and what is still missing; nothing for a mesh that is a solid as it is.
+void note_repair(const LoadedMesh& loaded, const MeshRepair& repair, ObjectMesh& object) {
+  const MassSource source = mass_properties(repair.mesh).source;
+  std::string words = repair_words(repair);
+  if (loaded.duplicates_removed > 0) {
+    words += (words.empty() ? "" : ", ") + counted_repeats(loaded.duplicates_removed) + " left out";
+  }
+  const std::string missing = missing_words(repair.after);
+  if (words.empty() && missing.empty()) return;
+  if (!missing.empty()) words += (words.empty() ? "" : "; still ") + missing;
+  words += "; " + trust_words(repair.after, source);
+  if (repair.changed()) words += "; --no-repair keeps the surface as it is in the file";
+  object.notes.push_back(words);
+}
+
+}  // namespace
+
+std::string likely_unit(double longest_side) {
+  constexpr double kLongest = 1.5;  // m
+  constexpr std::array<const char*, 3> kUnits = {"mm", "cm", "in"};
+  struct Sizes {
+    double smallest;
+    double largest;
+  };
+  if (!(longest_side > kLongest)) return "m";
+  for (const Sizes& sizes : {Sizes{0.03, 0.5}, Sizes{0.01, 1.0}}) {
+    for (const char* unit : kUnits) {
+      const double size = longest_side * metres_per_unit(unit);
+      if (size >= sizes.smallest && size <= sizes.largest) return unit;
+    }
+  }
+  return "m";
+}
+
+ObjectMesh load_object_mesh(const std::filesystem::path& file, const ObjectMeshSource& source) {
+  ObjectMesh object;
+  object.unit = source.unit;
+  LoadedMesh loaded = source.unit.empty()
+                          ? read_in_likely_unit(file, object)
+                          : load_mesh(file, {.metres_per_unit = metres_per_unit(source.unit)});
+  if (!source.repair) {
+    orient_outward(loaded.mesh);
+    object.mesh = std::move(loaded.mesh);
+    return object;
+  }
+  MeshRepair repair = repair_mesh(loaded.mesh);
+  note_repair(loaded, repair, object);
+  object.mesh = std::move(repair.mesh);
+  return object;
+}
+
+}  // namespace prehend
