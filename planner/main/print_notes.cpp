@@ -14,7 +14,9 @@ void print_notes(const Robot& robot) {
 }
 
 void print_notes(const Scene& scene) {
-  for (const std::string& note : scene.notes) std::cerr << "note: " << on_one_line(note) << "\n";
+  for (const std::string& note : scene.notes) {
+    std::cerr << "warning: " << on_one_line(scene.name + ": " + note) << "\n";
+  }
   if (scene.carrier) {
     const std::vector<MountedRobot>& robots = scene.carrier->platform.robots;
     for (std::size_t r = 0; r < robots.size(); ++r) {
@@ -22,9 +24,6 @@ void print_notes(const Scene& scene) {
     }
   }
   print_notes(scene.hand);
-  for (const std::string& note : scene.notes) {
-    std::cerr << "warning: " << on_one_line(scene.object.name + ": " + note) << "\n";
-  }
 }
 
 }  // namespace prehend
