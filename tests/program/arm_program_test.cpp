@@ -238,7 +238,7 @@ TEST_P(BadArmScene, OneLineAndNothingWritten) {
 INSTANTIATE_TEST_SUITE_P(
     Corpus, BadArmScene,
     testing::Values(BadScene{"MissingPlatform", "/robot/platform", R"("tentacle")",
-                             "in.json: robot.platform: neither a file nor one of barrett, "},
+                             "in.json: robot.platform: neither a file nor one of allegro, "},
                     BadScene{"MissingMesh", "/obstacles/1",
                              R"({"name": "floor", "mesh": "nowhere.obj"})", "nowhere.obj"},
                     BadScene{"ObjectInAnObstacle", "/object/pose/position", "[0.58, 0.05, 0.71]",

@@ -33,7 +33,12 @@ std::string inspected(const std::filesystem::path& file) {
 TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   const std::string whole = inspected(cube_without("inspect_whole", 0));
   EXPECT_NE(whole.find("from the signed volume\n"), std::string::npos) << whole;
-  const std::string holed = inspected(cube_without("inspect_holed", 1));
+  const std::filesystem::path cube = cube_without("inspect_holed", 1);
+  const std::string repaired = inspected(cube);
+  EXPECT_NE(repaired.find("repaired: 1 hole closed"), std::string::npos) << repaired;
+  EXPECT_NE(repaired.find("volume 0.0640 litres"), std::string::npos) << repaired;
+  EXPECT_NE(repaired.find("from the signed volume\n"), std::string::npos) << repaired;
+  const std::string holed = run_program("inspect " + cube.string() + " --no-repair").out;
   EXPECT_NE(holed.find("from the signed volume, holes closed\n"), std::string::npos) << holed;
   EXPECT_EQ(holed.find("encloses nothing"), std::string::npos) << holed;
   const std::string flat = inspected(cube_without("inspect_flat", 10));

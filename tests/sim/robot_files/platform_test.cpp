@@ -307,7 +307,7 @@ INSTANTIATE_TEST_SUITE_P(
     Corpus, BadPlatformFile,
     testing::Values(
         BadTree{"UnknownRobot", "/robots/1/robot", R"("tentacle")",
-                "robots[1].robot: neither a file nor one of barrett, "},
+                "robots[1].robot: neither a file nor one of allegro, "},
         BadTree{"OnALaterOne", "/robots/1/on/robot", R"("right")",
                 R"(robots[1].on.robot: no robot of this name stands before it ("right"))"},
         BadTree{"OnItself", "/robots/1/on/robot", R"("left")",

@@ -280,9 +280,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadArm{"OnlyAHand", "/robot/platform", R"("barrett")",
                R"(robot.platform: nothing carries the hand ("barrett"))"},
         BadArm{"MissingPlatform", "/robot/platform", R"("tentacle")",
-               "robot.platform: neither a file nor one of barrett, "},
+               "robot.platform: neither a file nor one of allegro, "},
         BadArm{"MissingHand", "/robot/hand", R"("tentacle")",
-               "robot.hand: neither a file nor one of barrett, "},
+               "robot.hand: neither a file nor one of allegro, "},
         BadArm{"NoPlatform", "/robot", "{}", "robot.platform: missing field"},
         BadArm{
             "UnknownField", "/robot/speed", "1",
