@@ -13,8 +13,8 @@
 namespace prehend {
 namespace {
 
-// The cells between two rings of `count` vertices that start at vertices `low` and `high`, the second
-// above the first.
+// The cells between two rings of `count` vertices that start at vertices `low` and `high`, the
+// second above the first.
 void add_band(TriangleMesh& mesh, int low, int high, int count) {
   const auto length = [&](int a, int b) {
     return (mesh.vertices[static_cast<std::size_t>(a)] - mesh.vertices[static_cast<std::size_t>(b)])

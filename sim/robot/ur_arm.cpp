@@ -82,29 +82,30 @@ UrArm::Solutions UrArm::solve(const Pose& X_CT, const Joints& near) const {
 // third row give all three angles.
 void UrArm::add_wrists(const Pose& X_C6, double q1, const Joints& near, Solutions& all) const {
   const Matrix3 R_C1 = axis_turn(q1, sign1_);
-  const Matrix3 R_16 = R_C1.transpose() * X_C6.linear();
+  const Matrix3 rotation_16 = R_C1.transpose() * X_C6.linear();
   const Vector3 p_1 = R_C1.transpose() * (X_C6.translation() - d1_ * Vector3::UnitZ());
-  const double sine = std::hypot(R_16(0, 2), R_16(1, 2));
-  const double tilt = std::atan2(sine, -sign4_ * sign5_ * R_16(2, 2));
+  const double sine = std::hypot(rotation_16(0, 2), rotation_16(1, 2));
+  const double tilt = std::atan2(sine, -sign4_ * sign5_ * rotation_16(2, 2));
   Joints angles{q1, 0.0, 0.0, 0.0, 0.0, 0.0};
   if (sine < kUrStraight) {
     // Singular: axes 4 and 6 are parallel, and only the sum or difference of pitch and the last
     // angle counts. The last joint stays where it is near, and the pitch does the rest.
-    angles[4] = -sign4_ * sign5_ * R_16(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
+    angles[4] = -sign4_ * sign5_ * rotation_16(2, 2) > 0.0 ? 0.0 : std::numbers::pi;
     angles[5] = angles_.angle(5, near[5]);
     const Matrix3 wrist =
         axis_turn(0.0, sign4_) * axis_turn(angles[4], sign5_) * axis_turn(angles[5], 0.0);
-    const Matrix3 rest = R_16 * wrist.transpose();
+    const Matrix3 rest = rotation_16 * wrist.transpose();
     add_elbows(p_1, std::atan2(rest(1, 0), rest(0, 0)), angles, near, all);
     return;
   }
   for (const double flip : {1.0, -1.0}) {
     angles[4] = flip * tilt;
-    const double pitch = std::atan2(flip * sign5_ * R_16(1, 2), flip * sign5_ * R_16(0, 2));
+    const double pitch =
+        std::atan2(flip * sign5_ * rotation_16(1, 2), flip * sign5_ * rotation_16(0, 2));
     // The last angle is what is left, so that it makes up for the rounding of a pitch that is
     // poorly determined near the singularity.
     const Matrix3 before = axis_turn(pitch, sign4_) * axis_turn(angles[4], sign5_);
-    const Matrix3 rest = before.transpose() * R_16;
+    const Matrix3 rest = before.transpose() * rotation_16;
     angles[5] = std::atan2(rest(1, 0), rest(0, 0));
     add_elbows(p_1, pitch, angles, near, all);
   }

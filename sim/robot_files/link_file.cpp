@@ -71,7 +71,7 @@ Inertial read_inertial(const JsonField& field, const FileUnits& units, const Tri
   if (is_stated) return stated(field, units, mesh);
   const std::string source = field.text_or("mass", kFromMesh);
   if (source != kFromMesh && source != kUnknown) {
-    field["mass"].fail("must be a number, \"mesh\" or \"unknown\"");
+    field["mass"].fail(R"(must be a number, "mesh" or "unknown")");
   }
   for (const char* key : {"center_of_mass", "inertia"}) {
     if (field.has(key)) field[key].fail("needs \"mass\" as a number with it");

@@ -80,10 +80,11 @@ std::vector<int> TreeRobot::gather(int link) {
                               .inertial = transformed(body.inertial, place.X_AL)});
     }
     const std::vector<int>& below = below_[index(at)];
-    for (auto joint = below.rbegin(); joint != below.rend(); ++joint) {
-      const TreeJoint& held = tree_.joints[index(*joint)];
+    for (std::size_t k = below.size(); k-- > 0;) {
+      const int joint = below[k];
+      const TreeJoint& held = tree_.joints[index(joint)];
       if (held.type != TreeJointType::fixed) {
-        moving.push_back(*joint);
+        moving.push_back(joint);
         continue;
       }
       place_[index(held.child)] = {place.joint, place.X_AL * held.X_LJ};
@@ -126,9 +127,7 @@ void TreeRobot::follow(const Start& start) {
       next = {moving.front(), here};
       continue;
     }
-    for (auto joint = moving.rbegin(); joint != moving.rend(); ++joint) {
-      starts_.push_back({*joint, here});
-    }
+    for (std::size_t k = moving.size(); k-- > 0;) starts_.push_back({moving[k], here});
     chain.name = tree_.links[index(child)].name;
     break;
   }
@@ -230,9 +229,7 @@ Robot TreeRobot::build() {
   robot_.notes = tree_.notes;
   const std::vector<int> moving = gather(root_of(tree_));
   mark_base();
-  for (auto joint = moving.rbegin(); joint != moving.rend(); ++joint) {
-    starts_.push_back({*joint, -1});
-  }
+  for (std::size_t k = moving.size(); k-- > 0;) starts_.push_back({moving[k], -1});
   while (!starts_.empty()) {
     const Start start = starts_.back();
     starts_.pop_back();
