@@ -66,7 +66,8 @@ TEST_P(GraspitHand, LinkPosesAgree) {
 
 TEST_P(GraspitHand, JointValuesAgree) {
   PREHEND_NEEDS_SHARED(file());
-  for (const nlohmann::json& pose : test::reference(file())["poses"]) {
+  const nlohmann::json json = test::reference(file());
+  for (const nlohmann::json& pose : json["poses"]) {
     const auto expected = pose["joints"].get<std::vector<double>>();
     const auto values = joint_values(robot_, pose["dof"].get<std::vector<double>>());
     ASSERT_EQ(values.size(), expected.size());
