@@ -44,6 +44,7 @@
 //   check_path.h          a second look at a finished motion
 //   grasp_motion.h        how a hand comes and closes, posture by posture
 // What is written
+//   converted.h           a robot or a mesh in another format
 //   grasps_file.h         grasps.json
 //   export_files.h        files for other programs
 //   plan_report.h         what a report says of a plan
@@ -104,6 +105,7 @@
 #include "sim/robot/move_robot.h"
 #include "sim/robot/platform.h"
 #include "sim/robot/robot.h"
+#include "sim/robot_files/converted.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/scene/compiled_scene.h"

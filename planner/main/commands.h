@@ -11,6 +11,7 @@
 #include "planner/report/plan_report.h"
 #include "primitives/decompose.h"
 #include "sim/base/deadline.h"
+#include "sim/robot_files/package_folders.h"
 
 namespace prehend {
 
@@ -39,6 +40,7 @@ struct PlanCommand {
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::vector<std::string> exports;           // formats besides grasps.json
+  std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
   CommonOptions common;
 };
 
@@ -72,6 +74,8 @@ struct InspectCommand {
   bool repair = true;                         // of an object's mesh file
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::filesystem::path save;                 // of a scene: write it there; empty: do not
+  std::vector<std::string> packages;          // of a robot: NAME=FOLDER
+  std::filesystem::path srdf;                 // of a robot; empty: that beside it
 };
 
 // Arguments of `quality`.
@@ -87,6 +91,20 @@ struct QualityCommand {
   bool no_report = false;
 };
 
+// Arguments of `convert`.
+struct ConvertCommand {
+  std::string source;
+  std::filesystem::path target;
+  std::string unit = "m";             // of a mesh file that is read
+  std::vector<std::string> packages;  // NAME=FOLDER
+  std::filesystem::path srdf;         // empty: beside the URDF file, if it is there
+};
+
+// The options of readers of robots from NAME=FOLDER and the name of an SRDF file. Throws InputError
+// for words without "=".
+ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
+                                    const std::filesystem::path& srdf);
+
 // Each prints to stdout and returns the exit status. Throws InputError for a caller's mistake,
 // before anything is written. Interrupted, `plan` writes the grasps that it has found; the others
 // end at once. At the end of the budget `plan` and `evaluate` write all files about what was tried
@@ -96,5 +114,6 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts);
 int run_render(const RenderCommand& command, Interrupts& interrupts);
 int run_inspect(const InspectCommand& command, Interrupts& interrupts);
 int run_quality(const QualityCommand& command, Interrupts& interrupts);
+int run_convert(const ConvertCommand& command, Interrupts& interrupts);
 
 }  // namespace prehend

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <sys/resource.h>
 #include <utility>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -120,6 +121,17 @@ void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, s
   add_mesh_words(command, unit, repair);
 }
 
+void add_packages(CLI::App& command, std::vector<std::string>& packages) {
+  command.add_option("--package", packages,
+                     "NAME=FOLDER: where a package is that a URDF file names; may be repeated");
+}
+
+void add_foreign(CLI::App& command, std::vector<std::string>& packages,
+                 std::filesystem::path& srdf) {
+  add_packages(command, packages);
+  command.add_option("--srdf", srdf, "SRDF file of a URDF file, in place of the one beside it");
+}
+
 // The commands, their words, and what to call once they are parsed.
 struct Program {
   CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
@@ -128,6 +140,7 @@ struct Program {
   prehend::RenderCommand render;
   prehend::InspectCommand inspect;
   prehend::QualityCommand quality;
+  prehend::ConvertCommand convert;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(prehend::Interrupts&)> chosen;
@@ -150,6 +163,7 @@ struct Program {
     add_render();
     add_inspect();
     add_quality();
+    add_convert();
   }
 
   void add_plan() {
@@ -176,6 +190,7 @@ struct Program {
         .add_option("--export", plan.exports, "more files, with commas: csv, isaac, moveit, gltf")
         ->delimiter(',')
         ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf"}));
+    add_packages(command, plan.packages);
     add_common(command, plan.common);
     add_accuracy(command, plan.common);
     add_contacts(command, plan.common);
@@ -241,10 +256,30 @@ struct Program {
     command.add_option("--primitive-tolerance", inspect.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_option("--save", inspect.save, "of a scene: write it to this file");
+    add_foreign(command, inspect.packages, inspect.srdf);
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_inspect(inspect, interrupts);
+      };
+    });
+  }
+
+  void add_convert() {
+    CLI::App& command = *app.add_subcommand("convert", "write a robot or a mesh in another format");
+    command.add_option("source", convert.source, "robot or mesh file, or a robot of the library")
+        ->required();
+    command
+        .add_option("target", convert.target,
+                    "file to write: .json or .urdf for a robot, .obj .stl .ply .off for a mesh")
+        ->required();
+    command.add_option("--unit", convert.unit, "unit of a mesh file that is read: m, cm, mm, in")
+        ->capture_default_str();
+    add_foreign(command, convert.packages, convert.srdf);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_convert(convert, interrupts);
       };
     });
   }

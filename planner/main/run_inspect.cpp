@@ -262,7 +262,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   }
   if (has_foreign_robot_name(file)) {
     need_plain(command);
-    print_platform(load_platform(file));
+    print_platform(load_platform(file, foreign_options(command.packages, command.srdf)));
     return 0;
   }
   if (file.extension() != ".json") {

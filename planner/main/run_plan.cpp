@@ -71,7 +71,8 @@ class PlanProgram {
 
   int run() {
     require_writable(folder_);
-    Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair});
+    Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair,
+                                               foreign_options(command_.packages, {})});
     const std::string unit = unit_of_source(command_.scene, loaded);
     print_notes(loaded);
     watch_.lap(Stage::load);

@@ -10,6 +10,7 @@
 #include "sim/robot_files/graspit_robot.h"
 #include "sim/robot_files/graspit_world_robots.h"
 #include "sim/robot_files/hand_split.h"
+#include "sim/robot_files/mjcf_file.h"
 #include "sim/robot_files/robot_sidecar.h"
 #include "sim/robot_files/srdf_file.h"
 #include "sim/robot_files/urdf_file.h"
@@ -120,10 +121,10 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
   if (is_graspit_robot(xml)) return graspit_platform(xml, sidecar);
   if (kind == "world") return read_graspit_platform(xml);
   if (kind == "robot") return platform_of(read_urdf(xml, all), srdf_of(file, all), sidecar);
+  if (kind == "mujoco") return platform_of(read_mjcf(xml), {}, sidecar);
   xml.root().fail(
-      "no robot that can be read; known are URDF (<robot>), GraspIt! robots (<robot> with <palm>) "
-      "and "
-      "worlds (<world>)");
+      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), GraspIt! robots "
+      "(<robot> with <palm>) and worlds (<world>)");
 }
 
 Robot robot_alone(Platform platform) {

@@ -69,6 +69,7 @@ Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robo
     closing.fail("must be orthogonal to the approach axis");
   }
   hand.origin = field["origin"].vector3() * units.length;
+  if (!field.has("preshapes")) return hand;
   const JsonField preshapes = field["preshapes"];
   for (const JsonField& item : preshapes.items()) {
     Preshape preshape = read_preshape(item, units, robot);

@@ -77,7 +77,9 @@ std::vector<int> TreeRobot::gather(int link) {
                               .material = body.material,
                               .joint = place.joint,
                               .mesh = transformed(body.mesh, place.X_AL),
-                              .inertial = transformed(body.inertial, place.X_AL)});
+                              .inertial = body.inertial.mass > 0.0
+                                              ? transformed(body.inertial, place.X_AL)
+                                              : Inertial{}});
     }
     const std::vector<int>& below = below_[index(at)];
     for (std::size_t k = below.size(); k-- > 0;) {

@@ -15,10 +15,10 @@ std::string robot_source(const std::string& name_or_file) {
   return std::filesystem::absolute(name_or_file).lexically_normal().string();
 }
 
-Carrier find_carrier(const std::string& platform) {
+Carrier find_carrier(const std::string& platform, const ForeignRobotOptions& foreign) {
   Carrier carrier;
   carrier.source = robot_source(platform);
-  carrier.platform = find_platform(platform);
+  carrier.platform = find_platform(platform, foreign);
   carrier.hand = hand_of(carrier.platform);
   if (carrier.platform.robots[index(carrier.hand)].parent < 0) {
     throw InputError("nothing carries the hand");
@@ -27,11 +27,12 @@ Carrier find_carrier(const std::string& platform) {
   return carrier;
 }
 
-Scene make_scene(GraspableBody object, const std::string& hand) {
+Scene make_scene(GraspableBody object, const std::string& hand,
+                 const ForeignRobotOptions& foreign) {
   Scene scene;
   scene.name = object.name;
   scene.object = std::move(object);
-  scene.hand = find_robot(hand);
+  scene.hand = find_robot(hand, foreign);
   scene.hand_source = robot_source(hand);
   return scene;
 }

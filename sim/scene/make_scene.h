@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "sim/robot_files/package_folders.h"
 #include "sim/scene/scene.h"
 
 namespace prehend {
@@ -14,12 +15,13 @@ std::string robot_source(const std::string& name_or_file);
 // A platform as the carrier of its hand, with its base at the world's origin, where its file says
 // that it starts. `platform` as in mount. Throws InputError for an unknown platform, one without
 // exactly one hand, and one whose hand stands on no other robot.
-Carrier find_carrier(const std::string& platform);
+Carrier find_carrier(const std::string& platform, const ForeignRobotOptions& foreign = {});
 
 // A scene in which `object` (make_graspable in scene.h) is grasped by a hand that no arm carries.
 // `hand` is a name of the library ("franka_hand") or a robot file. Throws InputError that lists the
 // names when it is neither.
-Scene make_scene(GraspableBody object, const std::string& hand);
+Scene make_scene(GraspableBody object, const std::string& hand,
+                 const ForeignRobotOptions& foreign = {});
 
 // Puts a body into the scene that does not move: it stands in the way, and can be touched. `mesh`
 // in the body's frame B [m]. Throws InputError for a mesh without triangles and for a name that

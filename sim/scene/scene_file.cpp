@@ -231,13 +231,15 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 }
 
 // `hand` replaces the platform's own; empty: as it is.
-Carrier read_carrier(const JsonField& field, const std::string& hand) {
+Carrier read_carrier(const JsonField& field, const std::string& hand,
+                     const ForeignRobotOptions& foreign) {
   field.allow_only({"platform", "hand", "pose", "start", "limits"});
-  Carrier carrier = made_of(field["platform"],
-                            [&] { return find_carrier(read_robot_source(field["platform"])); });
+  Carrier carrier = made_of(field["platform"], [&] {
+    return find_carrier(read_robot_source(field["platform"]), foreign);
+  });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (!hand.empty()) {
-    const auto find = [&] { return find_robot(hand); };
+    const auto find = [&] { return find_robot(hand, foreign); };
     // The field is to blame only if the hand is the one that it names, not one that the caller
     // asked for in its place.
     const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
@@ -278,14 +280,14 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   if (root.has("robot")) {
     if (root["robot"].has("hand")) scene.hand_source = read_robot_source(root["robot"]["hand"]);
     if (!source.hand.empty()) scene.hand_source = robot_source(source.hand);
-    scene.carrier = read_carrier(root["robot"], scene.hand_source);
+    scene.carrier = read_carrier(root["robot"], scene.hand_source, source.foreign);
     const Carrier& carrier = *scene.carrier;
     scene.hand = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)].robot;
   } else {
     scene.hand_source = !source.hand.empty() ? robot_source(source.hand)
                         : root.has("hand")   ? read_robot_source(root["hand"])
                                              : kDefaultHand;
-    const auto find = [&] { return find_robot(scene.hand_source); };
+    const auto find = [&] { return find_robot(scene.hand_source, source.foreign); };
     const bool asked_here = source.hand.empty() && root.has("hand");
     scene.hand = asked_here ? made_of(root["hand"], find) : find();
   }
@@ -329,7 +331,8 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   GraspableBody object =
       make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic);
   object.source = MeshFileSource{absolute_path(file), read.unit, source.repair};
-  Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand);
+  Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand,
+                           source.foreign);
   scene.notes = std::move(read.notes);
   // A unit that is the likely one has a note of its own.
   if (!source.unit.empty() || read.unit == "m") note_size(scene);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/robot_files/package_folders.h"
 #include "sim/scene/scene.h"
 
 namespace prehend {
@@ -23,6 +24,8 @@ struct SceneSource {
   // Whether the surface of the object is repaired where it comes from a mesh file; a scene file may
   // switch it off itself.
   bool repair = true;
+  // Of hands and platforms in another program's format.
+  ForeignRobotOptions foreign = {};
 };
 
 // The hand of a scene that names none.
