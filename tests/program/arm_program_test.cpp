@@ -43,7 +43,7 @@ struct Written {
   std::filesystem::path folder = fresh_folder(
       std::string("arm_") + testing::UnitTest::GetInstance()->current_test_info()->name());
   ProgramRun run = run_program(
-      "plan mug_on_table --path --export json,csv,isaac,moveit,gltf --top 3 "
+      "plan mug_on_table --path --export json,csv,isaac,moveit,gltf --top 3 --trials 240 "
       "--out " +
       folder.string());
   json grasps = json::parse(content(folder / "grasps.json"), nullptr, false);
