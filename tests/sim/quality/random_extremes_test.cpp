@@ -14,11 +14,12 @@
 #include "sim/quality/measures.h"
 #include "sim/quality/ranges.h"
 #include "sim/quality/wrench_slice.h"
+#include "tests/support/repeats.h"
 
 namespace prehend::test {
 namespace {
 
-constexpr int kCases = 1500;
+constexpr int kCases = repeats(1500);
 
 struct RandomCase {
   std::vector<Contact> contacts;

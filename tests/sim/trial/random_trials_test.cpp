@@ -7,6 +7,7 @@
 
 #include "sim/base/random.h"
 #include "sim/geometry/object_generator.h"
+#include "tests/support/repeats.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
@@ -141,13 +142,13 @@ void run_random_trials(const std::string& hand, std::uint64_t seed, int count) {
 }
 
 TEST(RandomTrials, BarrettContactsAreWithinTheThresholdAndNothingPenetrates) {
-  run_random_trials("barrett", 71, 16);
+  run_random_trials("barrett", 71, test::repeats(16));
 }
 TEST(RandomTrials, WideJawContactsAreWithinTheThresholdAndNothingPenetrates) {
-  run_random_trials("parallel_jaw_wide", 72, 16);
+  run_random_trials("parallel_jaw_wide", 72, test::repeats(16));
 }
 TEST(RandomTrials, FrankaContactsAreWithinTheThresholdAndNothingPenetrates) {
-  run_random_trials("franka_hand", 73, 16);
+  run_random_trials("franka_hand", 73, test::repeats(16));
 }
 
 }  // namespace
