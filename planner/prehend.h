@@ -21,6 +21,7 @@
 //   material.h            materials and the friction between them
 //   robot.h               a robot, and of a hand what makes it one; where its links are
 //   robot_file.h          a hand or robot by name or file
+//   derive_hand.h         what makes a robot a hand, from its joints and shape
 //   platform.h            robots on robots: a hand on an arm on a base
 //   platform_file.h       a platform by name or file
 // The answer
@@ -98,6 +99,7 @@
 #include "sim/geometry/mesh_repair.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/geometry/triangle_mesh.h"
+#include "sim/hand/derive_hand.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/quality/quality.h"
 #include "sim/reach/reach.h"

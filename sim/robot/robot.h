@@ -114,11 +114,13 @@ struct Preshape {
   double depth = 0.0;  // from Hand::origin along the approach axis to where the fingers meet [m]
 };
 
-// What makes a robot a hand.
+// What makes a robot a hand. Without preshapes the rest may be known nevertheless, and is derived
+// before planning with the hand (sim/hand/derive_hand.h).
 struct Hand {
   // Direction in which the palm moves to the object: unit, base frame.
   Vector3 approach = Vector3::UnitZ();
-  // Direction along which the fingers close: unit, base frame, orthogonal to `approach`.
+  // Direction along which the fingers close: unit, base frame, orthogonal to `approach`. Zero where
+  // it is not known, without preshapes.
   Vector3 closing = Vector3::UnitX();
   // The point of the palm that is aimed at the object, base frame [m].
   Vector3 origin = Vector3::Zero();

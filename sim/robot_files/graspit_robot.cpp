@@ -136,7 +136,7 @@ void GraspitReader::read_hand() {
     if (!(axis.norm() > kShortestDirection)) direction.fail("has no length", direction.content());
     Hand hand;
     hand.approach = axis.normalized();
-    hand.closing = any_orthogonal(axis);
+    hand.closing = Vector3::Zero();
     hand.origin = graspit_vector((*approach)["referenceLocation"], kGraspitLength);
     robot_.hand = hand;
   }

@@ -13,7 +13,7 @@ bool is_graspit_robot(const XmlFile& file);
 // The robot in such a file; its links are body files (graspit_body.h) in the folder iv beside it.
 // Degrees of freedom are called d0, d1, ..., joints chain0_joint0, ..., and links chain0_link0,
 // ..., as they are numbered there. Robot::hand has the direction of approach and its origin where
-// the file states them, without preshapes; its axis of closing is any then.
+// the file states them, without preshapes and closing axis.
 //
 // Throws InputError "FILE: line 12, <theta>: problem (VALUE)" for what is broken or missing, a
 // joint that no degree of freedom drives or one that is not there, a degree of freedom without a

@@ -63,12 +63,14 @@ Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robo
   field.allow_only({"approach", "closing", "origin", "preshapes"});
   Hand hand;
   hand.approach = field["approach"].direction();
+  hand.origin = field["origin"].vector3() * units.length;
+  hand.closing = Vector3::Zero();
+  if (!field.has("preshapes") && !field.has("closing")) return hand;
   const JsonField closing = field["closing"];
   hand.closing = closing.direction();
   if (std::abs(hand.closing.dot(hand.approach)) > kOrthogonal) {
     closing.fail("must be orthogonal to the approach axis");
   }
-  hand.origin = field["origin"].vector3() * units.length;
   if (!field.has("preshapes")) return hand;
   const JsonField preshapes = field["preshapes"];
   for (const JsonField& item : preshapes.items()) {

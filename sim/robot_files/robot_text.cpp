@@ -128,9 +128,9 @@ Json motion_json(const DegreeOfFreedom& dof) {
 
 Json hand_json(const Robot& robot) {
   const Hand& hand = robot.hand.value();
-  Json json{{"approach", vector_to_json(hand.approach)},
-            {"closing", vector_to_json(hand.closing)},
-            {"origin", vector_to_json(hand.origin)}};
+  Json json{{"approach", vector_to_json(hand.approach)}};
+  if (!hand.closing.isZero()) json["closing"] = vector_to_json(hand.closing);
+  json["origin"] = vector_to_json(hand.origin);
   for (const Preshape& preshape : hand.preshapes) {
     Json dofs = Json::object();
     for (std::size_t d = 0; d < preshape.dofs.size(); ++d) {

@@ -1,12 +1,13 @@
 #include "sim/scene/compiled_link.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/robot/link_pairs.h"
 
 namespace prehend {
 namespace {
@@ -78,13 +79,6 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
           std::move(reach)};
 }
 
-// True when link `b` is further out than `a` on the same path: the joints that move `a` are the
-// first of those that move `b`.
-bool is_before(const CompiledLink& a, const CompiledLink& b) {
-  return a.joints.size() < b.joints.size() &&
-         std::equal(a.joints.begin(), a.joints.end(), b.joints.begin());
-}
-
 }  // namespace
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {
@@ -94,22 +88,12 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) 
   return links;
 }
 
-std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links, const Robot& robot) {
-  const std::set<std::pair<int, int>> exempt(robot.exempt_pairs.begin(), robot.exempt_pairs.end());
-  // Neighbours: one link carries the other with no third link between them, though there may be
-  // several joints (a universal joint has no links of its own).
-  const auto neighbours = [&](const CompiledLink& a, const CompiledLink& b) {
-    const auto between = [&](const CompiledLink& c) { return is_before(a, c) && is_before(c, b); };
-    return is_before(a, b) && std::none_of(links.begin(), links.end(), between);
-  };
+std::vector<LinkPair> separate_pairs([[maybe_unused]] const std::vector<CompiledLink>& links,
+                                     const Robot& robot) {
+  assert(links.size() == robot.links.size());
   std::vector<LinkPair> pairs;
-  for (std::size_t a = 0; a < links.size(); ++a) {
-    for (std::size_t b = a + 1; b < links.size(); ++b) {
-      const bool rigid = links[a].joints == links[b].joints;
-      if (exempt.contains({static_cast<int>(a), static_cast<int>(b)})) continue;
-      if (rigid || neighbours(links[a], links[b]) || neighbours(links[b], links[a])) continue;
-      pairs.push_back({link_id(a), link_id(b)});
-    }
+  for (const auto& [a, b] : checked_pairs(robot)) {
+    pairs.push_back({link_id(index(a)), link_id(index(b))});
   }
   return pairs;
 }

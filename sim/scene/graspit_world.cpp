@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/hand/derive_hand.h"
 #include "sim/robot_files/graspit_body.h"
 #include "sim/robot_files/graspit_notes.h"
 #include "sim/robot_files/graspit_transform.h"
@@ -121,11 +122,8 @@ void read_robots(const XmlFile& file, Scene& scene, const std::string& other_han
     add_bystander(scene, robots, robot);
     scene.notes.push_back(robots[r].name + " does not carry the hand: its links are obstacles");
   }
-  scene.hand = robots[index(hand)].robot;
-  if (!other_hand.empty()) {
-    scene.hand = find_robot(other_hand);
-    scene.hand_source = robot_source(other_hand);
-  }
+  scene.hand = with_hand(other_hand.empty() ? robots[index(hand)].robot : find_robot(other_hand));
+  if (!other_hand.empty()) scene.hand_source = robot_source(other_hand);
   if (!carried) {
     if (other_hand.empty()) scene.hand_source = robot_source(robots[index(hand)].file.string());
     scene.notes.push_back("nothing carries " + robots[index(hand)].name +
@@ -137,10 +135,8 @@ void read_robots(const XmlFile& file, Scene& scene, const std::string& other_han
                           .hand = static_cast<int>(position - carrier.members.begin()),
                           .X_WB = carrier.X_WB,
                           .start = carrier.start};
-  if (!other_hand.empty()) {
-    scene.carrier->platform.robots[index(scene.carrier->hand)].robot = scene.hand;
-    scene.carrier->start = initial_dofs(scene.carrier->platform);
-  }
+  scene.carrier->platform.robots[index(scene.carrier->hand)].robot = scene.hand;
+  if (!other_hand.empty()) scene.carrier->start = initial_dofs(scene.carrier->platform);
 }
 
 }  // namespace

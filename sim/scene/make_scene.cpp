@@ -6,10 +6,29 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/hand/derive_hand.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 
 namespace prehend {
+namespace {
+
+// Where none of its robots is said to be a hand, the last one is taken as it, if another carries
+// it.
+void derive_hands(Platform& platform) {
+  bool has_hand = false;
+  for (MountedRobot& mounted : platform.robots) {
+    if (!mounted.robot.hand) continue;
+    mounted.robot = with_hand(std::move(mounted.robot));
+    has_hand = true;
+  }
+  if (has_hand) return;
+  MountedRobot& last = platform.robots.back();
+  if (last.parent >= 0) last.robot = with_hand(std::move(last.robot));
+}
+
+}  // namespace
+
 std::string robot_source(const std::string& name_or_file) {
   if (!is_file(name_or_file)) return name_or_file;
   return std::filesystem::absolute(name_or_file).lexically_normal().string();
@@ -19,6 +38,7 @@ Carrier find_carrier(const std::string& platform, const ForeignRobotOptions& for
   Carrier carrier;
   carrier.source = robot_source(platform);
   carrier.platform = find_platform(platform, foreign);
+  derive_hands(carrier.platform);
   carrier.hand = hand_of(carrier.platform);
   if (carrier.platform.robots[index(carrier.hand)].parent < 0) {
     throw InputError("nothing carries the hand");
@@ -32,7 +52,7 @@ Scene make_scene(GraspableBody object, const std::string& hand,
   Scene scene;
   scene.name = object.name;
   scene.object = std::move(object);
-  scene.hand = find_robot(hand, foreign);
+  scene.hand = with_hand(find_robot(hand, foreign));
   scene.hand_source = robot_source(hand);
   return scene;
 }
@@ -63,7 +83,7 @@ void mount(Scene& scene, const std::string& platform, const Pose& X_WB, const st
   }();
   carrier.X_WB = X_WB;
   Robot& mounted = carrier.platform.robots[index(carrier.hand)].robot;
-  if (!hand.empty()) mounted = find_robot(hand);
+  if (!hand.empty()) mounted = with_hand(find_robot(hand));
   carrier.start = initial_dofs(carrier.platform);
   scene.hand = mounted;
   scene.hand_source = robot_source(hand);

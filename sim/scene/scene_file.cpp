@@ -9,6 +9,7 @@
 #include "sim/base/input_file.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/object_generator.h"
+#include "sim/hand/derive_hand.h"
 #include "sim/json/json_field.h"
 #include "sim/json/json_pose.h"
 #include "sim/mesh_files/mesh_file.h"
@@ -239,7 +240,7 @@ Carrier read_carrier(const JsonField& field, const std::string& hand,
   });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
   if (!hand.empty()) {
-    const auto find = [&] { return find_robot(hand, foreign); };
+    const auto find = [&] { return with_hand(find_robot(hand, foreign)); };
     // The field is to blame only if the hand is the one that it names, not one that the caller
     // asked for in its place.
     const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
@@ -287,7 +288,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
     scene.hand_source = !source.hand.empty() ? robot_source(source.hand)
                         : root.has("hand")   ? read_robot_source(root["hand"])
                                              : kDefaultHand;
-    const auto find = [&] { return find_robot(scene.hand_source, source.foreign); };
+    const auto find = [&] { return with_hand(find_robot(scene.hand_source, source.foreign)); };
     const bool asked_here = source.hand.empty() && root.has("hand");
     scene.hand = asked_here ? made_of(root["hand"], find) : find();
   }
