@@ -166,7 +166,9 @@ int MjcfReader::add_joints(const XmlElement& body, const std::string& name, int 
     const bool last = &element == &joints.back();
     const bool ends_here = last && p == Vector3::Zero();
     joint.parent = carrier;
-    joint.child = add_link(ends_here ? name : name + "_at_" + joint_name, body);
+    std::string link_name = name;
+    if (!ends_here) link_name.append("_at_").append(joint_name);
+    joint.child = add_link(link_name, body);
     joint.X_LJ = X * translation(p) * joint.X_LJ;  // which held the motion to its reference
     X = translation(-p);
     carrier = joint.child;

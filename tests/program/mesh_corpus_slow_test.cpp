@@ -25,6 +25,12 @@ bool has_null_number(const nlohmann::json& grasp) {
          grasp["contacts"].dump().find("null") != std::string::npos;
 }
 
+// Without the lines that warn of the mesh, which stand before the refusal.
+ProgramRun without_warnings(ProgramRun run) {
+  while (run.err.starts_with("warning: ")) run.err.erase(0, run.err.find('\n') + 1);
+  return run;
+}
+
 void plan_or_refuse(const std::filesystem::path& file) {
   SCOPED_TRACE(file.filename());
   const std::filesystem::path out = fresh_folder("corpus_out") / "out";
@@ -35,7 +41,7 @@ void plan_or_refuse(const std::filesystem::path& file) {
     for (const auto& grasp : json["grasps"]) EXPECT_FALSE(has_null_number(grasp));
     return;
   }
-  expect_refused(run, "");
+  expect_refused(without_warnings(run), "");
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
