@@ -102,19 +102,10 @@ INSTANTIATE_TEST_SUITE_P(All, LibraryRobot, testing::ValuesIn(library_robot_name
                          [](const auto& one) { return one.param; });
 
 TEST(RobotLibrary, HoldsTheRobotsOfTheManual) {
-  const std::vector<std::string> expected = {"allegro",
-                                             "barrett",
-                                             "dlr",
-                                             "franka_hand",
-                                             "panda_arm",
-                                             "parallel_jaw",
-                                             "parallel_jaw_wide",
-                                             "puma560",
-                                             "robotiq_2f85",
-                                             "robotiq_3f",
-                                             "shadow_like",
-                                             "ur5e",
-                                             "xr4000"};
+  const std::vector<std::string> expected = {
+      "allegro",      "barrett",           "dlr",         "franka_hand", "panda_arm",
+      "parallel_jaw", "parallel_jaw_wide", "puma560",     "robonaut",    "robotiq_2f85",
+      "robotiq_3f",   "rutgers",           "shadow_like", "ur5e",        "xr4000"};
   const std::vector<std::string> names = library_robot_names();
   for (const std::string& name : expected) {
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
