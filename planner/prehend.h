@@ -32,6 +32,7 @@
 //   run_context.h         threads, progress and cancellation of all that takes long
 // One step alone
 //   decompose.h           an object into boxes, spheres and cylinders
+//   thin_parts.h          its rims and bars
 //   candidates.h          where a hand may come from
 //   trial.h               one candidate, from pre-grasp to quality
 //   refine_grasps.h       the best grasps improved by trials of grasps near them
@@ -87,6 +88,7 @@
 #include "planner/show/posed_grasp.h"
 #include "planner/show/telling_side.h"
 #include "primitives/decompose.h"
+#include "primitives/thin_parts.h"
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"

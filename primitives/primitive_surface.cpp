@@ -78,6 +78,57 @@ void spread_over(const Cylinder& cylinder, int count, std::vector<PatchPoint>& p
   }
 }
 
+void spread_over(const Cone& cone, int count, std::vector<PatchPoint>& points) {
+  const double total = surface_area(Shape(cone));
+  const double low = cone.radius_low;
+  const double high = cone.radius_high;
+  const double side = pi * (low + high) * std::hypot(cone.height, high - low);
+  spread(points, side, share(side, total, count), [&](double s, double t) {
+    // The area up to a radius grows with the difference of the squares; (r - low) / (high - low),
+    // without a difference that may be 0.
+    const double r = std::sqrt(low * low + s * (high * high - low * low));
+    const double u = low + r > 0.0 ? s * (low + high) / (low + r) : 0.0;
+    const double angle = 2.0 * pi * t;
+    return Vector3(r * std::cos(angle), r * std::sin(angle), (u - 0.5) * cone.height);
+  });
+  for (const double end : {-0.5, 0.5}) {
+    const double radius = end < 0.0 ? low : high;
+    const double cap = pi * radius * radius;
+    spread(points, cap, share(cap, total, count), [&](double s, double t) {
+      const double rho = radius * std::sqrt(s);
+      const double angle = 2.0 * pi * t;
+      return Vector3(rho * std::cos(angle), rho * std::sin(angle), end * cone.height);
+    });
+  }
+}
+
+// Around a curve, as wide as it is.
+void spread_around(const std::vector<Vector3>& line, bool closed, double width, int count,
+                   std::vector<PatchPoint>& points) {
+  const double length = curve_length(line, closed);
+  const std::size_t steps = closed ? line.size() : line.size() - 1;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const Vector3& from = line[i];
+    const Vector3 along = line[(i + 1) % line.size()] - from;
+    const Vector3 x = any_orthogonal(along.normalized());
+    const Vector3 y = along.normalized().cross(x);
+    spread(points, pi * width * along.norm(), share(along.norm(), length, count),
+           [&](double s, double t) {
+             const double angle = 2.0 * pi * t;
+             return Vector3(from + s * along +
+                            0.5 * width * (std::cos(angle) * x + std::sin(angle) * y));
+           });
+  }
+}
+
+void spread_over(const Rim& rim, int count, std::vector<PatchPoint>& points) {
+  spread_around(points_of(rim), rim.closed, rim.width, count, points);
+}
+
+void spread_over(const Bar& bar, int count, std::vector<PatchPoint>& points) {
+  spread_around(bar.points, bar.closed, bar.width, count, points);
+}
+
 }  // namespace
 
 std::vector<PatchPoint> spread_points(const Primitive& primitive, int count) {

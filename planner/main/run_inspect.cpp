@@ -7,6 +7,7 @@
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "primitives/decompose.h"
+#include "primitives/thin_parts.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
@@ -47,19 +48,51 @@ void print_checks(const MeshChecks& checks) {
   if (checks.inward) std::printf("  warning: the surface faces inward\n");
 }
 
+void print_sizes(const Box& box) {
+  const Vector3 size = kMillimetres * box.size;
+  std::printf("%.1f x %.1f x %.1f mm", size.x(), size.y(), size.z());
+}
+
+void print_sizes(const Sphere& sphere) {
+  std::printf("radius %.1f mm", kMillimetres * sphere.radius);
+}
+
+void print_sizes(const Cylinder& cylinder) {
+  std::printf("radius %.1f mm, height %.1f mm", kMillimetres * cylinder.radius,
+              kMillimetres * cylinder.height);
+}
+
+void print_sizes(const Cone& cone) {
+  std::printf("radius %.1f to %.1f mm, height %.1f mm", kMillimetres * cone.radius_low,
+              kMillimetres * cone.radius_high, kMillimetres * cone.height);
+}
+
+void print_curve(double width, const std::vector<Vector3>& points, bool closed) {
+  std::printf("%.2f mm wide, %.1f mm long%s", kMillimetres * width,
+              kMillimetres * curve_length(points, closed), closed ? ", closed" : "");
+}
+
+void print_sizes(const Rim& rim) { print_curve(rim.width, points_of(rim), rim.closed); }
+
+void print_sizes(const Bar& bar) { print_curve(bar.width, bar.points, bar.closed); }
+
+// Where a curve begins.
+void print_start(const Vector3& p_O) {
+  const Vector3 p = kMillimetres * p_O;
+  std::printf(" from (%.1f, %.1f, %.1f) mm\n", p.x(), p.y(), p.z());
+}
+
 void print_shape(const Primitive& primitive) {
-  const Vector3 p = kMillimetres * primitive.X_OP.translation();
-  std::printf("  %-8s", std::string(shape_name(primitive.shape)).c_str());
-  if (const Box* box = std::get_if<Box>(&primitive.shape)) {
-    const Vector3 size = kMillimetres * box->size;
-    std::printf(" %.1f x %.1f x %.1f mm", size.x(), size.y(), size.z());
-  } else if (const Sphere* sphere = std::get_if<Sphere>(&primitive.shape)) {
-    std::printf(" radius %.1f mm", kMillimetres * sphere->radius);
-  } else if (const Cylinder* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
-    std::printf(" radius %.1f mm, height %.1f mm", kMillimetres * cylinder->radius,
-                kMillimetres * cylinder->height);
+  std::printf("  %-8s ", std::string(shape_name(primitive.shape)).c_str());
+  std::visit([](const auto& shape) { print_sizes(shape); }, primitive.shape);
+  if (const Rim* rim = std::get_if<Rim>(&primitive.shape)) {
+    print_start(primitive.X_OP * rim->points.front().p);
+  } else if (const Bar* bar = std::get_if<Bar>(&primitive.shape)) {
+    print_start(primitive.X_OP * bar->points.front());
+  } else {
+    const Vector3 p = kMillimetres * primitive.X_OP.translation();
+    std::printf(" at (%.1f, %.1f, %.1f) mm\n", p.x(), p.y(), p.z());
   }
-  std::printf(" at (%.1f, %.1f, %.1f) mm\n", p.x(), p.y(), p.z());
 }
 
 void print_mass(const TriangleMesh& mesh, const MeshChecks& checks) {
@@ -118,6 +151,9 @@ void print_primitives(const TriangleMesh& mesh, const InspectCommand& command) {
     print_distances(parts.distances_of[k]);
     std::printf("\n");
   }
+  const std::vector<Primitive> thin = find_thin_parts(ProximityMesh(mesh), parts.primitives);
+  if (!thin.empty()) std::printf("thin parts: %zu\n", thin.size());
+  for (const Primitive& part : thin) print_shape(part);
 }
 
 // What the file says of the joint's drive and friction; no line where it says nothing.

@@ -50,7 +50,8 @@ struct Proposals {
   double largest_opening = 0.0;  // largest max_width of the hand's preshapes [m]
 };
 
-// The first `count` candidates of ProposalSequence. Throws Cancelled.
+// The first `count` candidates of ProposalSequence: of rims and bars every fourth, of solids the
+// others, as long as there are both. Throws Cancelled.
 Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                          std::size_t count, const CandidateOptions& options = {},
                          const RunContext& context = {});

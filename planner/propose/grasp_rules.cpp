@@ -1,5 +1,6 @@
 #include "planner/propose/grasp_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -109,6 +110,105 @@ void add_rules(const Sphere& sphere, Rules& rules) {
               const double turn = kTurn * choices[2];
               return AimedGrasp{Vector3::Zero(), approach, std::cos(turn) * x + std::sin(turn) * y};
             });
+}
+
+// The axis of the cone is z.
+void add_rules(const Cone& cone, Rules& rules) {
+  const Vector3 z = Vector3::UnitZ();
+  const double height = cone.height;
+  const double middle = 0.5 * (cone.radius_low + cone.radius_high);
+  const auto sideways = [](double turn) {
+    return Vector3(std::cos(kTurn * turn), std::sin(kTurn * turn), 0.0);
+  };
+  for (const double end : {1.0, -1.0}) {
+    const double radius = end > 0.0 ? cone.radius_high : cone.radius_low;
+    rules.add_both_sides(
+        "cone side, thumb across", 2.0 * std::max(radius, middle), {Freedom::turn, Freedom::place},
+        [=](const std::vector<double>& choices) {
+          const Vector3 approach = sideways(choices[0]);
+          return AimedGrasp{0.5 * end * height * choices[1] * z, approach, z.cross(approach)};
+        });
+    rules.add("cone end", 2.0 * radius, {Freedom::turn}, [=](const std::vector<double>& choices) {
+      return AimedGrasp{end * 0.5 * height * z, -end * z, sideways(choices[0])};
+    });
+  }
+  rules.add_both_sides("cone side, thumb along", height, {Freedom::turn},
+                       [=](const std::vector<double>& choices) {
+                         return AimedGrasp{Vector3::Zero(), sideways(choices[0]), z};
+                       });
+}
+
+// Between two points of a curve: the one before, the one behind, and the part of the way.
+struct Between {
+  std::size_t before = 0;
+  std::size_t behind = 0;
+  double part = 0.0;
+};
+
+// At this part of a curve of `count` points, in equal steps from point to point.
+Between between(double choice, std::size_t count, bool closed) {
+  const std::size_t steps = closed ? count : count - 1;
+  const double at = std::clamp(choice, 0.0, 1.0) * static_cast<double>(steps);
+  const std::size_t before = std::min(static_cast<std::size_t>(at), steps - 1);
+  return {before, (before + 1) % count, at - static_cast<double>(before)};
+}
+
+Freedom along_curve(bool closed) { return closed ? Freedom::turn : Freedom::place; }
+
+// `a` at part 0, `b` at part 1.
+Vector3 mixed(const Vector3& a, const Vector3& b, double part) { return a + part * (b - a); }
+
+// The part of `v` across the unit vector `axis`, of length 1.
+Vector3 unit_across(const Vector3& v, const Vector3& axis) {
+  const Vector3 flat = v - axis * axis.dot(v);
+  return flat.norm() > 0.0 ? Vector3(flat.normalized()) : any_orthogonal(axis);
+}
+
+// The target is inside the wall, so that the fingertips reach beyond its edge.
+void add_rules(const Rim& rim, Rules& rules) {
+  constexpr double kInside = 0.4;  // of the depth of the wall
+  if (rim.points.size() < 2) return;
+  rules.add_both_sides(
+      "rim", rim.width, {along_curve(rim.closed)}, [rim](const std::vector<double>& choices) {
+        const Between at = between(choices[0], rim.points.size(), rim.closed);
+        const RimPoint& a = rim.points[at.before];
+        const RimPoint& b = rim.points[at.behind];
+        const Vector3 into = mixed(a.into, b.into, at.part).normalized();
+        const Vector3 across = mixed(a.across, b.across, at.part);
+        const Vector3 target = mixed(a.p, b.p, at.part) + kInside * rim.depth * into;
+        return AimedGrasp{target, into, unit_across(across, into)};
+      });
+}
+
+// For each step of a curve a unit direction across it, which turns with the curve and not about it,
+// from the one towards the middle of the curve on.
+std::vector<Vector3> directions_across(const Bar& bar) {
+  Vector3 middle = Vector3::Zero();
+  for (const Vector3& p : bar.points) middle += p / static_cast<double>(bar.points.size());
+  Vector3 x = middle - bar.points.front();
+  std::vector<Vector3> across;
+  for (std::size_t i = 0; i < bar.points.size(); ++i) {
+    const Vector3& next = bar.points[(i + 1) % bar.points.size()];
+    x = unit_across(x, (next - bar.points[i]).normalized());
+    across.push_back(x);
+  }
+  return across;
+}
+
+void add_rules(const Bar& bar, Rules& rules) {
+  if (bar.points.size() < 2) return;
+  rules.add_both_sides("bar", bar.width, {Freedom::turn, along_curve(bar.closed)},
+                       [bar, across = directions_across(bar)](const std::vector<double>& choices) {
+                         const Between at = between(choices[1], bar.points.size(), bar.closed);
+                         const Vector3& a = bar.points[at.before];
+                         const Vector3& b = bar.points[at.behind];
+                         const Vector3 along = (b - a).normalized();
+                         const Vector3& x = across[at.before];
+                         const double turn = kTurn * choices[0];
+                         const Vector3 approach =
+                             std::cos(turn) * x + std::sin(turn) * along.cross(x);
+                         return AimedGrasp{mixed(a, b, at.part), approach, along.cross(approach)};
+                       });
 }
 
 }  // namespace

@@ -49,7 +49,10 @@ struct GraspRule {
 //   at a place along the third axis;
 // - cylinder: from the side, from any direction, with the thumb across the axis (at a place along
 //   it) or along it, and onto both ends with any turn of the hand;
-// - sphere: from any direction and with any turn of the hand.
+// - sphere: from any direction and with any turn of the hand;
+// - cone: as a cylinder, from the side on its wider and on its narrower half, and onto both ends;
+// - rim: onto the edge, with thumb and fingers on both sides of the wall, at a place along it;
+// - bar: from any direction across it, with thumb and fingers across it, at a place along it.
 // Where a turn of the hand is not free, each rule comes twice, with the thumb on either side.
 // Source: Miller, Knoop, Allen and Christensen 2003, Automatic grasp planning using shape
 // primitives.

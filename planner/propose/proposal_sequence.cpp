@@ -38,15 +38,26 @@ ProposalSequence::ProposalSequence(const CompiledScene& scene,
     : scene_(&scene),
       options_(options),
       smallest_width_(std::numeric_limits<double>::infinity()),
-      known_(options.duplicate_distance, options.duplicate_angle) {
+      progress_{Progress{{}, {options.duplicate_distance, options.duplicate_angle}},
+                Progress{{}, {options.duplicate_distance, options.duplicate_angle}}} {
   for (const Preshape& preshape : scene.scene.hand.hand->preshapes) {
     reach_.push_back(hand_reach(scene, preshape.dofs));
     largest_opening_ = std::max(largest_opening_, preshape.max_width);
   }
   for (std::size_t p = 0; p < primitives.size(); ++p) {
+    is_curve_.push_back(is_curve(primitives[p].shape));
     add_ways(primitives[p], static_cast<int>(p));
   }
-  begin_level(0);
+  for (std::size_t w = 0; w < ways_.size(); ++w) progress_of(ways_[w]).ways.push_back(w);
+  for (Progress& track : progress_) begin_level(track, 0);
+}
+
+ProposalSequence::Progress& ProposalSequence::progress_of(const Way& way) {
+  return progress(is_curve_[index(way.primitive)] ? Track::curves : Track::solids);
+}
+
+Track ProposalSequence::track_of(const ProposedGrasp& grasp) const {
+  return is_curve_[index(grasp.primitive)] ? Track::curves : Track::solids;
 }
 
 void ProposalSequence::add_ways(const Primitive& primitive, int number) {
@@ -65,48 +76,53 @@ void ProposalSequence::add_ways(const Primitive& primitive, int number) {
   }
 }
 
-void ProposalSequence::begin_level(int level) {
-  level_ = level;
-  place_ = 0;
-  passed_ = 0;
-  first_point_.assign(1, 0);
-  for (const Way& way : ways_) {
-    first_point_.push_back(first_point_.back() + point_count(rules_[index(way.rule)], level));
+void ProposalSequence::begin_level(Progress& track, int level) {
+  track.level = level;
+  track.place = 0;
+  track.passed = 0;
+  track.first_point.assign(1, 0);
+  for (const std::size_t way : track.ways) {
+    track.first_point.push_back(track.first_point.back() +
+                                point_count(rules_[index(ways_[way].rule)], level));
   }
-  stride_ = golden_stride(first_point_.back());
+  track.stride = golden_stride(track.first_point.back());
   const double part = std::pow(0.5, level);
-  known_.refine(part * options_.duplicate_distance, part * options_.duplicate_angle);
+  track.known.refine(part * options_.duplicate_distance, part * options_.duplicate_angle);
 }
 
-std::optional<ProposedGrasp> ProposalSequence::next() {
-  if (ways_.empty()) return std::nullopt;
+std::optional<ProposedGrasp> ProposalSequence::next(Track which) {
+  Progress& track = progress(which);
+  if (track.ways.empty()) return std::nullopt;
   while (true) {
-    if (passed_ == first_point_.back()) {
-      if (level_ == kFinestLevel) return std::nullopt;
-      begin_level(level_ + 1);
+    if (track.passed == track.first_point.back()) {
+      if (track.level == kFinestLevel) return std::nullopt;
+      begin_level(track, track.level + 1);
     }
-    const std::size_t point = place_;
-    place_ = (place_ + stride_) % first_point_.back();
-    ++passed_;
-    const auto above = std::upper_bound(first_point_.begin(), first_point_.end(), point);
-    const auto way = static_cast<std::size_t>(above - first_point_.begin()) - 1;
-    if (std::optional<ProposedGrasp> grasp = at(way, point - first_point_[way])) return grasp;
+    const std::size_t point = track.place;
+    track.place = (track.place + track.stride) % track.first_point.back();
+    ++track.passed;
+    const auto above = std::upper_bound(track.first_point.begin(), track.first_point.end(), point);
+    const auto way = static_cast<std::size_t>(above - track.first_point.begin()) - 1;
+    if (std::optional<ProposedGrasp> grasp =
+            at(track.ways[way], point - track.first_point[way], track.level)) {
+      return grasp;
+    }
   }
 }
 
 // Point `point` of the grid of a way at this level: its choices are the digits of the number.
-std::optional<ProposedGrasp> ProposalSequence::at(std::size_t way, std::size_t point) {
+std::optional<ProposedGrasp> ProposalSequence::at(std::size_t way, std::size_t point, int level) {
   std::vector<double> choices;
   bool is_new = false;
   for (const Freedom freedom : rules_[index(ways_[way].rule)].freedoms) {
-    const std::size_t count = index(choice_count(freedom, level_));
+    const std::size_t count = index(choice_count(freedom, level));
     const int digit = static_cast<int>(point % count);
     point /= count;
-    choices.push_back(choice_at(freedom, level_, digit));
-    is_new = is_new || is_new_choice(freedom, level_, digit);
+    choices.push_back(choice_at(freedom, level, digit));
+    is_new = is_new || is_new_choice(freedom, level, digit);
   }
   if (!is_new) return std::nullopt;
-  return proposed(way, std::move(choices), level_);
+  return proposed(way, std::move(choices), level);
 }
 
 std::optional<ProposedGrasp> ProposalSequence::proposed(std::size_t number,
@@ -116,7 +132,7 @@ std::optional<ProposedGrasp> ProposalSequence::proposed(std::size_t number,
   const AimedGrasp aimed = rule.aim(choices);
   ProposedGrasp grasp;
   grasp.candidate.X_OH = hand_pose(*scene_->scene.hand.hand, aimed, way.stand_off);
-  if (!known_.add(grasp.candidate.X_OH, way.preshape)) return std::nullopt;
+  if (!progress_of(way).known.add(grasp.candidate.X_OH, way.preshape)) return std::nullopt;
   grasp.candidate.approach_O = aimed.approach_O;
   grasp.candidate.approach_distance =
       approach_distance(*scene_, grasp.candidate.X_OH, aimed.approach_O,

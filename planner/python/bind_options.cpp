@@ -28,6 +28,16 @@ void bind_proposal_options(py::module_& core) {
               "See duplicate_distance [rad].")
       .number("start_clearance", &CandidateOptions::start_clearance,
               "Added to the way from the pre-grasp to the object [m].");
+  OptionsClass<ThinPartOptions>(core, "ThinPartOptions",
+                                "What counts as a rim or a bar, relative to the object's diagonal.")
+      .number("rim_width", &ThinPartOptions::rim_width,
+              "Thickest wall whose edge is a rim; in [0, 1], 0: no rims.")
+      .number("bar_width", &ThinPartOptions::bar_width, "Widest bar; in [0, 1], 0: no bars.")
+      .number("most_rims", &ThinPartOptions::most_rims, "So many, the longest (>= 0).")
+      .number("most_bars", &ThinPartOptions::most_bars, "So many, the longest (>= 0).")
+      .number("points", &ThinPartOptions::points,
+              "So many points of the surface are looked at (>= 100).")
+      .number("seed", &ThinPartOptions::seed, kAtLeast0, "Of these points.");
   OptionsClass<SearchOptions>(core, "SearchOptions",
                               "How many candidates are tried, and in which order.")
       .number("trials", &SearchOptions::trials,
@@ -40,7 +50,13 @@ void bind_proposal_options(py::module_& core) {
               "Candidates that are chosen together, from all trials before (>= 1).")
       .number("follow", &SearchOptions::follow,
               "The part of a batch that lies beside the best grasps so far, in 0 .. 1.")
-      .number("followed", &SearchOptions::followed, "So many of the best grasps are followed.");
+      .number("followed", &SearchOptions::followed, "So many of the best grasps are followed.")
+      .number("well_served", &SearchOptions::well_served,
+              "While no grasp has this epsilon, rims and bars are tried as well (>= 0).")
+      .number("solids_first", &SearchOptions::solids_first,
+              "The part of the trials before those of rims and bars, in 0 .. 1.")
+      .number("curves_least", &SearchOptions::curves_least,
+              "The part of the trials that rims and bars then get at least, in 0 .. 1.");
 }
 
 void bind_contact_options(py::module_& core) {
@@ -197,6 +213,7 @@ void bind_options(py::module_& core) {
       .number("seed", &PlanOptions::seed,
               "Everything random in the plan derives from it; seeds further down are set from it.")
       .field("primitives", &PlanOptions::primitives, "DecomposeOptions.")
+      .field("thin_parts", &PlanOptions::thin_parts, "ThinPartOptions.")
       .field("candidates", &PlanOptions::candidates, "CandidateOptions.")
       .field("search", &PlanOptions::search, "SearchOptions.")
       .field("trial", &PlanOptions::trial, "TrialOptions.")

@@ -241,6 +241,30 @@ py::dict primitive_dict(const Primitive& primitive) {
     fields["radius"] = cylinder->radius;
     fields["height"] = cylinder->height;
   }
+  if (const auto* cone = std::get_if<Cone>(&primitive.shape)) {
+    fields["radius_low"] = cone->radius_low;
+    fields["radius_high"] = cone->radius_high;
+    fields["height"] = cone->height;
+  }
+  if (const auto* rim = std::get_if<Rim>(&primitive.shape)) {
+    std::vector<Vector3> into;
+    std::vector<Vector3> across;
+    for (const RimPoint& at : rim->points) {
+      into.push_back(at.into);
+      across.push_back(at.across);
+    }
+    fields["points"] = to_array(points_of(*rim));
+    fields["into"] = to_array(into);
+    fields["across"] = to_array(across);
+    fields["width"] = rim->width;
+    fields["depth"] = rim->depth;
+    fields["closed"] = rim->closed;
+  }
+  if (const auto* bar = std::get_if<Bar>(&primitive.shape)) {
+    fields["points"] = to_array(bar->points);
+    fields["width"] = bar->width;
+    fields["closed"] = bar->closed;
+  }
   return fields;
 }
 
@@ -252,8 +276,32 @@ Primitive primitive_from(const py::dict& fields) {
   if (shape == "cylinder") {
     return {Cylinder{fields["radius"].cast<double>(), fields["height"].cast<double>()}, X_OP};
   }
-  throw InputError(
-      {.field = "shape", .problem = "not one of box, sphere, cylinder", .value = shape});
+  if (shape == "cone") {
+    return {Cone{fields["radius_low"].cast<double>(), fields["radius_high"].cast<double>(),
+                 fields["height"].cast<double>()},
+            X_OP};
+  }
+  if (shape == "rim") {
+    const std::vector<Vector3> points = vectors_of(fields["points"].cast<Doubles>());
+    const std::vector<Vector3> into = vectors_of(fields["into"].cast<Doubles>());
+    const std::vector<Vector3> across = vectors_of(fields["across"].cast<Doubles>());
+    Rim rim{{},
+            fields["width"].cast<double>(),
+            fields["depth"].cast<double>(),
+            fields["closed"].cast<bool>()};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      rim.points.push_back({points[i], into[i], across[i]});
+    }
+    return {rim, X_OP};
+  }
+  if (shape == "bar") {
+    return {Bar{vectors_of(fields["points"].cast<Doubles>()), fields["width"].cast<double>(),
+                fields["closed"].cast<bool>()},
+            X_OP};
+  }
+  throw InputError({.field = "shape",
+                    .problem = "not one of box, sphere, cylinder, cone, rim, bar",
+                    .value = shape});
 }
 
 }  // namespace prehend::python

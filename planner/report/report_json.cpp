@@ -71,16 +71,36 @@ Json body_json(const std::string& name, const TriangleMesh& mesh, const Pose& X_
   return {{"name", name}, {"X", rounded(X_WB)}, {"mesh", mesh_json(mesh)}};
 }
 
+Json points_json(const std::vector<Vector3>& points) {
+  Json json = Json::array();
+  for (const Vector3& p : points) json.push_back(rounded(p));
+  return json;
+}
+
+Json sizes_json(const Box& box) { return {{"size", rounded(box.size)}}; }
+Json sizes_json(const Sphere& sphere) { return {{"radius", rounded(sphere.radius)}}; }
+Json sizes_json(const Cylinder& cylinder) {
+  return {{"radius", rounded(cylinder.radius)}, {"height", rounded(cylinder.height)}};
+}
+Json sizes_json(const Cone& cone) {
+  return {{"radius_low", rounded(cone.radius_low)},
+          {"radius_high", rounded(cone.radius_high)},
+          {"height", rounded(cone.height)}};
+}
+Json sizes_json(const Rim& rim) {
+  return {{"points", points_json(points_of(rim))},
+          {"width", rounded(rim.width)},
+          {"closed", rim.closed}};
+}
+Json sizes_json(const Bar& bar) {
+  return {
+      {"points", points_json(bar.points)}, {"width", rounded(bar.width)}, {"closed", bar.closed}};
+}
+
 Json shape_json(const Primitive& primitive) {
-  Json json{{"shape", shape_name(primitive.shape)}, {"X", rounded(primitive.X_OP)}};
-  if (const auto* box = std::get_if<Box>(&primitive.shape)) json["size"] = rounded(box->size);
-  if (const auto* sphere = std::get_if<Sphere>(&primitive.shape)) {
-    json["radius"] = rounded(sphere->radius);
-  }
-  if (const auto* cylinder = std::get_if<Cylinder>(&primitive.shape)) {
-    json["radius"] = rounded(cylinder->radius);
-    json["height"] = rounded(cylinder->height);
-  }
+  Json json = std::visit([](const auto& shape) { return sizes_json(shape); }, primitive.shape);
+  json["shape"] = shape_name(primitive.shape);
+  json["X"] = rounded(primitive.X_OP);
   return json;
 }
 

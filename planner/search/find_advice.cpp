@@ -231,8 +231,12 @@ class Adviser {
     if (given || options_.primitives.tolerance <= kFineTolerance) return;
     DecomposeOptions fine = options_.primitives;
     fine.tolerance = kFineTolerance;
-    const std::vector<Primitive> primitives =
+    std::vector<Primitive> primitives =
         decompose(scene_.scene.object.mesh, fine, context_).primitives;
+    for (Primitive& part :
+         find_thin_parts(scene_.object().mesh, primitives, options_.thin_parts, context_)) {
+      primitives.push_back(std::move(part));
+    }
     const Held held = try_in(scene_, primitives);
     if (held.held == 0) return;
     add(Hint::tolerance,

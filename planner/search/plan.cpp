@@ -104,6 +104,7 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
 // The options with every seed in them derived from the one seed of the plan.
 PlanOptions with_seeds(PlanOptions options) {
   options.primitives.seed = derived_seed(options.seed);
+  options.thin_parts.seed = derived_seed(options.seed);
   options.trial.reach.kinematics.seed = derived_seed(options.seed);
   options.refine.noise.seed = derived_seed(options.seed);
   if (options.paths) {
@@ -158,9 +159,16 @@ class PlanRun {
   void find_primitives() {
     begin(Stage::primitives);
     const bool given = !scene_.scene.primitives.empty();
-    result_.primitives =
-        given ? scene_.scene.primitives
-              : decompose(scene_.scene.object.mesh, options_.primitives, context_).primitives;
+    if (given) {
+      result_.primitives = scene_.scene.primitives;
+    } else {
+      result_.primitives =
+          decompose(scene_.scene.object.mesh, options_.primitives, context_).primitives;
+      for (Primitive& part : find_thin_parts(scene_.object().mesh, result_.primitives,
+                                             options_.thin_parts, context_)) {
+        result_.primitives.push_back(std::move(part));
+      }
+    }
     count(given ? PlanCount::primitives_given : PlanCount::primitives, result_.primitives.size());
     watch_.lap(Stage::primitives);
   }

@@ -17,6 +17,7 @@
 #include "planner/search/search_grasps.h"
 #include "planner/search/stopwatch.h"
 #include "primitives/decompose.h"
+#include "primitives/thin_parts.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/quality/interval.h"
@@ -32,6 +33,7 @@ struct PlanOptions {
   // from it, whatever they are.
   std::uint64_t seed = 1;
   DecomposeOptions primitives;
+  ThinPartOptions thin_parts;
   CandidateOptions candidates;
   SearchOptions search;
   TrialOptions trial;
@@ -54,10 +56,11 @@ struct PlanOptions {
 // where there are any.
 template <SettingsOf<PlanOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [seed, primitives, candidates, search, trial, refine, rank, paths, volumes, sections] =
-      options;
+  auto& [seed, primitives, thin_parts, candidates, search, trial, refine, rank, paths, volumes,
+         sections] = options;
   visit("seed", seed, kAtLeast0);
   visit("", primitives);
+  visit("", thin_parts);
   visit("", candidates);
   visit("", search);
   visit("", trial);

@@ -72,7 +72,7 @@ class GraspSearch {
     const std::size_t most_put_off = 16 * size;
     std::size_t put_off = 0;
     while (batch.size() < size && put_off < most_put_off) {
-      std::optional<ProposedGrasp> next = sequence_.next();
+      std::optional<ProposedGrasp> next = next_of_sequence();
       if (!next) break;
       if (reach_.seems_out_of_reach(next->candidate.X_OH)) {
         put_off_.push_back(std::move(*next));
@@ -85,6 +85,24 @@ class GraspSearch {
       batch.push_back(std::move(put_off_.front()));
       put_off_.pop_front();
     }
+  }
+
+  // Of the solids, and in turn with them of the curves, where the solids serve badly and the curves
+  // better.
+  std::optional<ProposedGrasp> next_of_sequence() {
+    const bool served = !parents_.empty() && parents_.front().epsilon >= options_.well_served;
+    const bool both = !served && counted_ >= options_.solids_first * options_.trials &&
+                      (curves_proposed_ < options_.curves_least * options_.trials || curves_pay());
+    curve_next_ = both && !curve_next_;
+    std::optional<ProposedGrasp> next = sequence_.next(curve_next_ ? Track::curves : Track::solids);
+    if (curve_next_) ++curves_proposed_;
+    return next ? std::move(next) : sequence_.next(curve_next_ ? Track::solids : Track::curves);
+  }
+
+  bool curves_pay() const {
+    return std::any_of(parents_.begin(), parents_.end(), [&](const Parent& parent) {
+      return sequence_.track_of(result_.proposed[parent.candidate]) == Track::curves;
+    });
   }
 
   // Whether a neighbour waits to be tried, after asking the best parents for theirs.
@@ -160,6 +178,8 @@ class GraspSearch {
   int stable_ = 0;
   std::vector<Parent> parents_;
   std::deque<ProposedGrasp> waiting_;  // beside the best parents
+  int curves_proposed_ = 0;            // in turn with solids
+  bool curve_next_ = false;            // the last proposal of the sequence was of a curve
   ReachMemory reach_;
   std::deque<ProposedGrasp> put_off_;  // seem out of reach
 };

@@ -28,17 +28,28 @@ struct SearchOptions {
   double follow = 0.3;
   // How many of the best grasps are followed.
   int followed = 10;
+  // While no grasp has an epsilon of at least well_served (>= 0), rims and bars are tried in turn
+  // with boxes, spheres, cylinders and cones: from the part solids_first of the trials on, at least
+  // for the part curves_least of them, and longer where some of them are among the grasps that are
+  // followed (both in 0 .. 1).
+  double well_served = 0.15;
+  double solids_first = 0.2;
+  double curves_least = 0.06;
 };
 
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [trials, most_blocked, enough, batch, follow, followed] = options;
+  auto& [trials, most_blocked, enough, batch, follow, followed, well_served, solids_first,
+         curves_least] = options;
   visit("trials", trials, kAtLeast1);
   visit("most_blocked", most_blocked, kAtLeast0);
   visit("enough", enough, kAtLeast0);
   visit("batch", batch, kAtLeast1);
   visit("follow", follow, Range{0.0, 1.0});
   visit("followed", followed, kAtLeast0);
+  visit("well_served", well_served, kAtLeast0);
+  visit("solids_first", solids_first, Range{0.0, 1.0});
+  visit("curves_least", curves_least, Range{0.0, 1.0});
 }
 
 // Why a search ended.

@@ -297,6 +297,11 @@ TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const P
   return {nearest.distance, nearest.on_u, X_AB.inverse() * nearest.on_v};
 }
 
+RayHit first_hit(const ProximityMesh& mesh, const Vector3& from, const Vector3& direction,
+                 double cap) {
+  return first_hit(mesh.data().wide, mesh.data().triangles, from, direction, cap);
+}
+
 bool is_inside(const ProximityMesh& mesh, const Vector3& p_M) {
   const ProximityMesh::Data& data = mesh.data();
   // Answers most queries, also for meshes whose boundaries are too long to be stored.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
+#include "sim/geometry/ray.h"
 #include "sim/geometry/separation.h"
 #include "sim/geometry/triangle_mesh.h"
 
@@ -129,6 +130,11 @@ struct TriangleGap {
 // The distance between triangles pair.a of a and pair.b of b.
 TriangleGap triangle_gap(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                          TrianglePair pair);
+
+// The first triangle that the ray from `from` along the unit vector `direction` meets, both in the
+// frame of the mesh (ray.h).
+RayHit first_hit(const ProximityMesh& mesh, const Vector3& from, const Vector3& direction,
+                 double cap = std::numeric_limits<double>::infinity());
 
 // Whether point p_M (mesh frame) is inside the solid that the mesh bounds: its generalized winding
 // number is at least one half (winding_number.h), which tolerates small holes. The mesh must face

@@ -1,4 +1,4 @@
-// Boxes, spheres and cylinders in scene and grasp files.
+// Primitives in scene and grasp files.
 #pragma once
 
 #include "sim/geometry/primitive.h"

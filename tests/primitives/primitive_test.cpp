@@ -6,6 +6,7 @@
 
 #include "primitives/near_surface.h"
 #include "primitives/primitive_surface.h"
+#include "sim/base/random.h"
 #include "tests/primitives/test_meshes.h"
 
 namespace prehend {
@@ -16,14 +17,17 @@ using std::numbers::pi;
 constexpr double kRounding = 1e-12;
 
 std::vector<Shape> some_shapes() {
-  return {Box{{1.0, 2.0, 3.0}}, Box{{0.1, 5.0, 0.2}}, Sphere{0.5},
-          Sphere{3.0},          Cylinder{0.5, 2.0},   Cylinder{2.0, 0.1}};
+  return {Box{{1.0, 2.0, 3.0}}, Box{{0.1, 5.0, 0.2}}, Sphere{0.5},         Sphere{3.0},
+          Cylinder{0.5, 2.0},   Cylinder{2.0, 0.1},   Cone{1.0, 0.3, 2.0}, Cone{0.0, 1.0, 0.5}};
 }
 
 TEST(Primitive, NamesAreTheShapes) {
   EXPECT_EQ(shape_name(Box{}), "box");
   EXPECT_EQ(shape_name(Sphere{}), "sphere");
   EXPECT_EQ(shape_name(Cylinder{}), "cylinder");
+  EXPECT_EQ(shape_name(Cone{}), "cone");
+  EXPECT_EQ(shape_name(Rim{}), "rim");
+  EXPECT_EQ(shape_name(Bar{}), "bar");
 }
 
 TEST(Primitive, AreaIsTheClosedForm) {
@@ -55,6 +59,40 @@ TEST(Primitive, DistanceFromACylinder) {
   EXPECT_NEAR(signed_distance(cylinder, {0.0, 3.0, 1.0}), 2.0, kRounding);
   EXPECT_NEAR(signed_distance(cylinder, {0.0, 0.5, 5.0}), 3.0, kRounding);
   EXPECT_NEAR(signed_distance(cylinder, {4.0, 0.0, -6.0}), 5.0, kRounding);
+}
+
+// Radius 3 at the bottom, none at the top, 4 high: the side is 5 long.
+TEST(Primitive, AreaOfAConeAndDistanceFromIt) {
+  const Primitive cone{Cone{3.0, 0.0, 4.0}, Pose::Identity()};
+  EXPECT_NEAR(surface_area(cone.shape), pi * 9.0 + pi * 3.0 * 5.0, kRounding);
+  EXPECT_NEAR(signed_distance(cone, {0.0, 0.0, 7.0}), 5.0, kRounding);
+  EXPECT_NEAR(signed_distance(cone, {0.0, 0.0, -3.0}), 1.0, kRounding);
+  EXPECT_NEAR(signed_distance(cone, {1.5 + 4.0, 0.0, 0.0 + 3.0}), 5.0, kRounding);
+  EXPECT_NEAR(signed_distance(cone, {0.0, 0.0, -1.5}), -0.5, kRounding);
+  EXPECT_NEAR(signed_distance(cone, {1.5, 0.0, 0.0}), 0.0, kRounding);
+}
+
+TEST(Primitive, AConeWithEqualRadiiIsACylinder) {
+  Random random(63);
+  const Primitive cone{Cone{0.7, 0.7, 2.0}, Pose::Identity()};
+  const Primitive cylinder{Cylinder{0.7, 2.0}, Pose::Identity()};
+  EXPECT_NEAR(surface_area(cone.shape), surface_area(cylinder.shape), kRounding);
+  for (int i = 0; i < 200; ++i) {
+    const Vector3 p = 2.0 * random.uniform() * random.direction();
+    EXPECT_NEAR(signed_distance(cone, p), signed_distance(cylinder, p), kRounding);
+  }
+}
+
+TEST(Primitive, ACurveIsATubeAroundIt) {
+  const Bar bar{{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 4.0, 0.0}}, 0.5, false};
+  EXPECT_NEAR(curve_length(bar.points, false), 7.0, kRounding);
+  EXPECT_NEAR(curve_length(bar.points, true), 12.0, kRounding);
+  EXPECT_NEAR(surface_area(bar), pi * 0.5 * 7.0, kRounding);
+  EXPECT_NEAR(signed_distance({bar, Pose::Identity()}, {1.0, 0.0, 2.0}), 1.75, kRounding);
+  EXPECT_NEAR(signed_distance({bar, Pose::Identity()}, {1.5, 2.0, 0.0}), 1.25, kRounding);
+  Bar loop = bar;
+  loop.closed = true;
+  EXPECT_NEAR(signed_distance({loop, Pose::Identity()}, {1.5, 2.0, 0.0}), -0.25, kRounding);
 }
 
 TEST(Primitive, DistanceMovesWithTheFrame) {

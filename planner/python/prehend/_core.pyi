@@ -62,6 +62,27 @@ class CandidateOptions:
     def __copy__(self) -> CandidateOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> CandidateOptions: ...
 
+class ThinPartOptions:
+    _fields: Tuple[str, ...]
+    rim_width: float
+    bar_width: float
+    most_rims: int
+    most_bars: int
+    points: int
+    seed: int
+    def __init__(
+        self,
+        *,
+        rim_width: float = ...,
+        bar_width: float = ...,
+        most_rims: int = ...,
+        most_bars: int = ...,
+        points: int = ...,
+        seed: int = ...,
+    ) -> None: ...
+    def __copy__(self) -> ThinPartOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> ThinPartOptions: ...
+
 class SearchOptions:
     _fields: Tuple[str, ...]
     trials: int
@@ -70,6 +91,9 @@ class SearchOptions:
     batch: int
     follow: float
     followed: int
+    well_served: float
+    solids_first: float
+    curves_least: float
     def __init__(
         self,
         *,
@@ -79,6 +103,9 @@ class SearchOptions:
         batch: int = ...,
         follow: float = ...,
         followed: int = ...,
+        well_served: float = ...,
+        solids_first: float = ...,
+        curves_least: float = ...,
     ) -> None: ...
     def __copy__(self) -> SearchOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> SearchOptions: ...
@@ -334,6 +361,7 @@ class PlanOptions:
     _fields: Tuple[str, ...]
     seed: int
     primitives: DecomposeOptions
+    thin_parts: ThinPartOptions
     candidates: CandidateOptions
     search: SearchOptions
     trial: TrialOptions
@@ -347,6 +375,7 @@ class PlanOptions:
         *,
         seed: int = ...,
         primitives: DecomposeOptions = ...,
+        thin_parts: ThinPartOptions = ...,
         candidates: CandidateOptions = ...,
         search: SearchOptions = ...,
         trial: TrialOptions = ...,

@@ -6,6 +6,8 @@ import copy
 import os
 from typing import Callable, List, Optional, Sequence, Union
 
+import numpy as np
+
 from . import _core
 from ._arrays import ArrayLike, as_finite, as_pose
 from ._candidates import as_candidates, candidate_fields
@@ -270,13 +272,50 @@ def _primitive_fields(primitive: Primitive) -> "dict[str, object]":
         "shape": primitive.shape,
         "X_OP": as_pose(primitive.X_OP, "X_OP"),
     }
-    sizes = {"box": ["size"], "sphere": ["radius"], "cylinder": ["radius", "height"]}
+    if primitive.shape in ("rim", "bar"):
+        return {**fields, **_curve_fields(primitive)}
+    sizes = {
+        "box": ["size"],
+        "sphere": ["radius"],
+        "cylinder": ["radius", "height"],
+        "cone": ["radius_low", "radius_high", "height"],
+    }
     for name in sizes.get(primitive.shape, []):
         value = getattr(primitive, name)
         if value is None:
             raise InputError(f"a {primitive.shape} needs it", field=name)
         array = as_finite(value, name, (3,) if name == "size" else ())
-        if not (array > 0.0).all():
+        tip = primitive.shape == "cone" and name != "height"
+        if not ((array > 0.0).all() or (tip and float(array) == 0.0)):
             raise InputError("must be positive", field=name, value=str(value))
         fields[name] = array if name == "size" else float(array)
+    return fields
+
+
+def _curve_fields(curve: Primitive) -> "dict[str, object]":
+    """Those of a rim or a bar, beside its shape and pose."""
+    if curve.points is None:
+        raise InputError(f"a {curve.shape} needs them", field="points")
+    points = np.ascontiguousarray(curve.points, dtype=float)
+    if points.ndim != 2 or points.shape[0] < 2 or points.shape[1] != 3:
+        raise InputError("must be (n, 3), n at least 2", field="points", value=str(points.shape))
+    fields: "dict[str, object]" = {
+        "points": as_finite(points, "points", points.shape),
+        "closed": bool(curve.closed),
+    }
+    is_rim = curve.shape == "rim"
+    for name in ["width", "depth"] if is_rim else ["width"]:
+        value = getattr(curve, name)
+        if value is None or not float(as_finite(value, name, ())) > 0.0:
+            raise InputError("must be positive", field=name, value=str(value))
+        fields[name] = float(value)
+    for name in ["into", "across"] if is_rim else []:
+        value = getattr(curve, name)
+        if value is None:
+            raise InputError("a rim needs them", field=name)
+        array = as_finite(value, name, points.shape)
+        length = np.linalg.norm(array, axis=1, keepdims=True)
+        if not (length > 0.0).all():
+            raise InputError("must not be zero", field=name)
+        fields[name] = array / length
     return fields

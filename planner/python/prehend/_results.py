@@ -134,18 +134,34 @@ class Path:
 
 @dataclass(frozen=True, eq=False)
 class Primitive:
-    """A box, sphere or cylinder that stands for a piece of an object."""
+    """A solid or a curve that stands for a piece of an object."""
 
     shape: str
-    """"box", "sphere" or "cylinder"."""
+    """"box", "sphere", "cylinder", "cone", "rim" or "bar"."""
     X_OP: FloatArray
-    """(4, 4): its pose in the object's frame; a cylinder's axis is its z."""
+    """(4, 4): its pose in the object's frame; the axis of a cylinder or cone is its z."""
     size: Optional[FloatArray] = None
     """(3,): of a box [m]."""
     radius: Optional[float] = None
     """Of a sphere or cylinder [m]."""
     height: Optional[float] = None
-    """Of a cylinder [m]."""
+    """Of a cylinder or cone [m]."""
+    radius_low: Optional[float] = None
+    """Of a cone, at its lower end along z [m]."""
+    radius_high: Optional[float] = None
+    """Of a cone, at its upper end along z [m]."""
+    points: Optional[FloatArray] = None
+    """(n, 3): of a rim, along its edge; of a bar, along its middle [m]."""
+    into: Optional[FloatArray] = None
+    """(n, 3): of a rim, for each point the unit direction from the edge into the wall."""
+    across: Optional[FloatArray] = None
+    """(n, 3): of a rim, for each point the unit normal of the wall."""
+    width: Optional[float] = None
+    """Thickness of the wall of a rim, largest size of a bar across [m]."""
+    depth: Optional[float] = None
+    """How far the wall of a rim goes on behind its edge [m]."""
+    closed: Optional[bool] = None
+    """Of a rim or bar: whether the last point is followed by the first."""
 
 
 @dataclass(frozen=True, eq=False)

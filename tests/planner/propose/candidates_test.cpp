@@ -147,7 +147,7 @@ TEST(ProposalSequence, WhatLiesBesideAGraspIsNearItAndNotProposedAgain) {
   const CandidateOptions options;
   ProposalSequence sequence(scene, primitives(), options);
   std::vector<ProposedGrasp> all;
-  for (int i = 0; i < 50; ++i) all.push_back(sequence.next().value());
+  for (int i = 0; i < 50; ++i) all.push_back(sequence.next(Track::solids).value());
   const ProposedGrasp middle = all[20];
   const auto beside = sequence.beside(middle);
   ASSERT_FALSE(beside.empty());
@@ -163,7 +163,7 @@ TEST(ProposalSequence, WhatLiesBesideAGraspIsNearItAndNotProposedAgain) {
     all.push_back(grasp);
   }
   EXPECT_TRUE(sequence.beside(middle).empty());
-  for (std::size_t i = 0; i < kMany; ++i) all.push_back(sequence.next().value());
+  for (std::size_t i = 0; i < kMany; ++i) all.push_back(sequence.next(Track::solids).value());
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
       ASSERT_TRUE(differ(all[i], all[k], options)) << i << " and " << k;
@@ -174,7 +174,8 @@ TEST(ProposalSequence, WhatLiesBesideAGraspIsNearItAndNotProposedAgain) {
 TEST(ProposalSequence, WithoutAPrimitiveIsEmpty) {
   const CompiledScene scene = mug_scene("parallel_jaw_wide");
   ProposalSequence none(scene, {}, {});
-  EXPECT_FALSE(none.next().has_value());
+  EXPECT_FALSE(none.next(Track::solids).has_value());
+  EXPECT_FALSE(none.next(Track::curves).has_value());
   EXPECT_EQ(none.ways(), 0);
 }
 

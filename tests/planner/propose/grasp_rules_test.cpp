@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -165,6 +166,74 @@ TEST(GraspRules, TheChoicesOfALevelAreAmongThoseOfTheNextAndEvenlySpaced) {
       }
       before = choices;
     }
+  }
+}
+
+TEST(GraspRules, AConeIsHeldFromItsSideAndItsEnds) {
+  Random random(144);
+  const Primitive primitive{Cone{0.03, 0.01, 0.12}, random.pose(0.2)};
+  const auto aims = aims_at(primitive, 1);
+  expect_orthonormal(aims);
+  expect_thumb_on_either_side(aims);
+  const Pose X_PO = primitive.X_OP.inverse();
+  for (const auto& [rule, width, grasp] : aims) {
+    const Vector3 target = X_PO * grasp.target_O;
+    EXPECT_NEAR(target.head<2>().norm(), 0.0, kRuleRounding) << "off the axis";
+    if (rule == "cone side, thumb across") {
+      EXPECT_NEAR(width, target.z() < 0.0 ? 0.06 : 0.04, kRuleRounding);
+    } else if (rule == "cone end") {
+      EXPECT_NEAR(width, target.z() < 0.0 ? 0.06 : 0.02, kRuleRounding);
+    }
+  }
+}
+
+TEST(GraspRules, ARimIsHeldFromItsEdgeWithTheWallBetweenTheFingers) {
+  Random random(145);
+  Rim rim{{}, 0.003, 0.02, true};
+  constexpr int kPoints = 64;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kPoints;
+    const Vector3 out(std::cos(angle), std::sin(angle), 0.0);
+    rim.points.push_back({0.05 * out, -Vector3::UnitZ(), out});
+  }
+  const Primitive primitive{rim, random.pose(0.2)};
+  const auto aims = aims_at(primitive, 1);
+  EXPECT_EQ(aims.size(), 8U * 2U);
+  expect_orthonormal(aims);
+  expect_thumb_on_either_side(aims);
+  const Pose X_PO = primitive.X_OP.inverse();
+  for (const auto& [rule, width, grasp] : aims) {
+    EXPECT_EQ(width, 0.003);
+    const Vector3 target = X_PO * grasp.target_O;
+    EXPECT_NEAR(target.head<2>().norm(), 0.05, 1e-4);
+    EXPECT_LT(target.z(), 0.0);
+    EXPECT_GT(target.z(), -rim.depth);
+    EXPECT_NEAR((X_PO.linear() * grasp.approach_O).z(), -1.0, kRuleRounding);
+    const Vector3 closing = X_PO.linear() * grasp.closing_O;
+    EXPECT_NEAR(std::abs(closing.dot(target)), 0.05, 1e-4);
+  }
+}
+
+TEST(GraspRules, ABarIsHeldAcrossIt) {
+  Random random(146);
+  Bar bar{{}, 0.01, false};
+  constexpr int kPoints = 33;
+  for (int i = 0; i < kPoints; ++i) {
+    const double angle = std::numbers::pi * i / (kPoints - 1);
+    bar.points.emplace_back(0.04 * std::cos(angle), 0.0, 0.04 * std::sin(angle));
+  }
+  const Primitive primitive{bar, random.pose(0.2)};
+  const auto aims = aims_at(primitive, 1);
+  EXPECT_EQ(aims.size(), 8U * 3U * 2U);
+  expect_orthonormal(aims);
+  expect_thumb_on_either_side(aims);
+  const Pose X_PO = primitive.X_OP.inverse();
+  for (const auto& [rule, width, grasp] : aims) {
+    const Vector3 target = X_PO * grasp.target_O;
+    EXPECT_NEAR(target.norm(), 0.04, 1e-4);
+    const Vector3 along = Vector3::UnitY().cross(target).normalized();
+    EXPECT_NEAR((X_PO.linear() * grasp.approach_O).dot(along), 0.0, 0.06);
+    EXPECT_NEAR((X_PO.linear() * grasp.closing_O).dot(along), 0.0, 0.06);
   }
 }
 

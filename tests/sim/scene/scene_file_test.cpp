@@ -105,7 +105,18 @@ INSTANTIATE_TEST_SUITE_P(
                  "positive"},
         BadScene{"SphereWithHeight", R"({"object": {"generate": "mug",
             "primitives": [{"shape": "sphere", "radius": 1, "height": 2}]}})",
-                 "no height"}),
+                 "no height"},
+        BadScene{"ConeWithoutRadius", R"({"object": {"generate": "mug",
+            "primitives": [{"shape": "cone", "radius_low": 0, "radius_high": 0, "height": 2}]}})",
+                 "positive"},
+        BadScene{"BarOfOnePoint", R"({"object": {"generate": "mug",
+            "primitives": [{"shape": "bar", "points": [[0, 0, 1]], "width": 1, "closed": true}]}})",
+                 "two points"},
+        BadScene{"RimAlongItsWall", R"({"object": {"generate": "mug",
+            "primitives": [{"shape": "rim", "points": [[0, 0, 1], [1, 0, 1]], "width": 1,
+              "depth": 1, "closed": false, "into": [[0, 0, -1], [0, 0, -1]],
+              "across": [[0, 1, 0], [0, 0, 1]]}]}})",
+                 "right angle"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(SceneFile, AMistakeNamesItsFieldAndValue) {

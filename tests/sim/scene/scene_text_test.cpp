@@ -95,6 +95,33 @@ TEST(SceneText, KeepsWhatAProgramChanged) {
   EXPECT_EQ(std::get<Cylinder>(again.primitives[0].shape).radius, 0.04);
 }
 
+TEST(SceneText, KeepsPrimitivesOfEveryShape) {
+  Scene scene =
+      load_scene(std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug.json");
+  const Vector3 x = Vector3::UnitX();
+  const Vector3 z = Vector3::UnitZ();
+  scene.primitives = {{Box{{0.1, 0.2, 0.3}}, Pose::Identity()},
+                      {Sphere{0.1}, Pose::Identity()},
+                      {Cylinder{0.04, 0.1}, Pose::Identity()},
+                      {Cone{0.04, 0.0, 0.1}, translation({0.0, 0.0, 0.05})},
+                      {Rim{{{x, z, x}, {2.0 * x, z, x}}, 0.003, 0.02, true}, Pose::Identity()},
+                      {Bar{{x, 2.0 * x, 3.0 * z}, 0.01, false}, Pose::Identity()}};
+  const Scene again = read_back(scene);
+  ASSERT_EQ(again.primitives.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(again.primitives[i].shape.index(), scene.primitives[i].shape.index());
+    for (const Vector3& p : {Vector3(0.01, 0.02, 0.03), Vector3(1.0, 0.5, 0.2)}) {
+      EXPECT_NEAR(signed_distance(again.primitives[i], p), signed_distance(scene.primitives[i], p),
+                  1e-12);
+    }
+  }
+  const Rim& rim = std::get<Rim>(again.primitives[4].shape);
+  EXPECT_EQ(rim.points[1].into, z);
+  EXPECT_EQ(rim.points[1].across, x);
+  EXPECT_EQ(rim.depth, 0.02);
+  EXPECT_TRUE(rim.closed);
+}
+
 TEST(SceneText, AnotherHandOnTheArmStaysThere) {
   const Scene scene = load_scene(
       std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug_on_table.json",
