@@ -65,15 +65,17 @@ ClosingSeconds close_again(const CompiledScene& scene, const Candidate& candidat
   if (joints.empty()) joints = joint_values(hand, start.dofs);
   const ApproachMotion motion{candidate.X_OH, candidate.approach_O, candidate.approach_distance};
   const ApproachResult reached = approach(scene, joints, motion, options);
+  const bool stopped = reached.end == ApproachEnd::touched_obstacle;
+  const double foremost = reached.travel - (stopped ? options.obstacle_clearance : 0.0);
   const int backs = trial.outcome == Outcome::stable ? trial.back_offs : options.back_off_tries;
   ClosingSeconds seconds;
   for (int back = 0; back <= backs; ++back) {
-    const double retreat = back * options.back_off_step;
-    if (retreat > reached.travel) break;
-    start.X_OH = motion.at(reached.travel - retreat);
+    const double travel = foremost - back * options.back_off_step;
+    if (travel < 0.0) break;
+    start.X_OH = motion.at(travel);
     start.object_clearance = reached.object_clearance;
     for (double& clearance : start.object_clearance) {
-      clearance = std::max(0.0, clearance - retreat);
+      clearance = std::max(0.0, clearance - (reached.travel - travel));
     }
     close_once(scene, start, options, seconds);
   }

@@ -164,51 +164,65 @@ Vector3 unit_across(const Vector3& v, const Vector3& axis) {
   return flat.norm() > 0.0 ? Vector3(flat.normalized()) : any_orthogonal(axis);
 }
 
-// The target is inside the wall, so that the fingertips reach beyond its edge.
+// The target is inside the wall, so that the fingertips reach beyond its edge: how far, is left
+// open, because a wall that is bent can only be held near its edge.
 void add_rules(const Rim& rim, Rules& rules) {
-  constexpr double kInside = 0.4;  // of the depth of the wall
+  constexpr double kDeepest = 0.8;  // of the depth of the wall
   if (rim.points.size() < 2) return;
-  rules.add_both_sides(
-      "rim", rim.width, {along_curve(rim.closed)}, [rim](const std::vector<double>& choices) {
-        const Between at = between(choices[0], rim.points.size(), rim.closed);
-        const RimPoint& a = rim.points[at.before];
-        const RimPoint& b = rim.points[at.behind];
-        const Vector3 into = mixed(a.into, b.into, at.part).normalized();
-        const Vector3 across = mixed(a.across, b.across, at.part);
-        const Vector3 target = mixed(a.p, b.p, at.part) + kInside * rim.depth * into;
-        return AimedGrasp{target, into, unit_across(across, into)};
-      });
+  rules.add_both_sides("rim", rim.width, {along_curve(rim.closed), Freedom::place},
+                       [rim](const std::vector<double>& choices) {
+                         const Between at = between(choices[0], rim.points.size(), rim.closed);
+                         const RimPoint& a = rim.points[at.before];
+                         const RimPoint& b = rim.points[at.behind];
+                         const Vector3 into = mixed(a.into, b.into, at.part).normalized();
+                         const Vector3 across = mixed(a.across, b.across, at.part);
+                         const Vector3 target =
+                             mixed(a.p, b.p, at.part) + kDeepest * choices[1] * rim.depth * into;
+                         return AimedGrasp{target, into, unit_across(across, into)};
+                       });
 }
 
-// For each step of a curve a unit direction across it, which turns with the curve and not about it,
-// from the one towards the middle of the curve on.
-std::vector<Vector3> directions_across(const Bar& bar) {
+// A point of a curve with its tangent and a direction across it, both of length 1.
+struct CurveFrame {
+  Vector3 p = Vector3::Zero();
+  Vector3 tangent = Vector3::UnitZ();
+  Vector3 across = Vector3::UnitX();
+};
+
+// The directions across turn with the curve and not about it, from the one towards the middle of
+// the curve on.
+std::vector<CurveFrame> curve_frames(const Bar& bar) {
+  const std::size_t count = bar.points.size();
   Vector3 middle = Vector3::Zero();
-  for (const Vector3& p : bar.points) middle += p / static_cast<double>(bar.points.size());
-  Vector3 x = middle - bar.points.front();
-  std::vector<Vector3> across;
-  for (std::size_t i = 0; i < bar.points.size(); ++i) {
-    const Vector3& next = bar.points[(i + 1) % bar.points.size()];
-    x = unit_across(x, (next - bar.points[i]).normalized());
-    across.push_back(x);
+  for (const Vector3& p : bar.points) middle += p / static_cast<double>(count);
+  Vector3 across = middle - bar.points.front();
+  std::vector<CurveFrame> frames;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t before = i > 0 ? i - 1 : (bar.closed ? count - 1 : 0);
+    const std::size_t behind = i + 1 < count ? i + 1 : (bar.closed ? 0 : i);
+    const Vector3 tangent = (bar.points[behind] - bar.points[before]).normalized();
+    across = unit_across(across, tangent);
+    frames.push_back({bar.points[i], tangent, across});
   }
-  return across;
+  return frames;
 }
 
+// The tangent of the curve, not the step from one point to the next: fingers that are wide along a
+// bent bar touch it on both sides of its middle only if they are aligned with it.
 void add_rules(const Bar& bar, Rules& rules) {
   if (bar.points.size() < 2) return;
-  rules.add_both_sides("bar", bar.width, {Freedom::turn, along_curve(bar.closed)},
-                       [bar, across = directions_across(bar)](const std::vector<double>& choices) {
-                         const Between at = between(choices[1], bar.points.size(), bar.closed);
-                         const Vector3& a = bar.points[at.before];
-                         const Vector3& b = bar.points[at.behind];
-                         const Vector3 along = (b - a).normalized();
-                         const Vector3& x = across[at.before];
-                         const double turn = kTurn * choices[0];
-                         const Vector3 approach =
-                             std::cos(turn) * x + std::sin(turn) * along.cross(x);
-                         return AimedGrasp{mixed(a, b, at.part), approach, along.cross(approach)};
-                       });
+  rules.add_both_sides(
+      "bar", bar.width, {Freedom::turn, along_curve(bar.closed)},
+      [frames = curve_frames(bar), closed = bar.closed](const std::vector<double>& choices) {
+        const Between at = between(choices[1], frames.size(), closed);
+        const CurveFrame& a = frames[at.before];
+        const CurveFrame& b = frames[at.behind];
+        const Vector3 tangent = mixed(a.tangent, b.tangent, at.part).normalized();
+        const Vector3 x = unit_across(mixed(a.across, b.across, at.part), tangent);
+        const double turn = kTurn * choices[0];
+        const Vector3 approach = std::cos(turn) * x + std::sin(turn) * tangent.cross(x);
+        return AimedGrasp{mixed(a.p, b.p, at.part), approach, tangent.cross(approach)};
+      });
 }
 
 }  // namespace

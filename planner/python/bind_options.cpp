@@ -129,6 +129,8 @@ void bind_trial_options(py::module_& core) {
       .field("contact", &TrialOptions::contact, "ContactOptions.")
       .number("contact_gap", &TrialOptions::contact_gap,
               "Motions end at this gap; below 0.9 contact.threshold [m].")
+      .number("obstacle_clearance", &TrialOptions::obstacle_clearance,
+              "A hand that an obstacle stops goes back by this and closes there [m].")
       .number("back_off_step", &TrialOptions::back_off_step,
               "When a grasp does not hold, the hand goes back by this and closes again [m].")
       .number("back_off_tries", &TrialOptions::back_off_tries, "How often it does.")

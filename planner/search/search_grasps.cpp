@@ -91,8 +91,11 @@ class GraspSearch {
   // better.
   std::optional<ProposedGrasp> next_of_sequence() {
     const bool served = !parents_.empty() && parents_.front().epsilon >= options_.well_served;
-    const bool both = !served && counted_ >= options_.solids_first * options_.trials &&
-                      (curves_proposed_ < options_.curves_least * options_.trials || curves_pay());
+    const auto tried = static_cast<double>(result_.trials.size());
+    const auto asked = static_cast<double>(options_.trials);
+    const bool both =
+        !served && tried >= options_.solids_first * options_.trials &&
+        (curves_proposed_ < options_.curves_least * std::max(tried, asked) || curves_pay());
     curve_next_ = both && !curve_next_;
     std::optional<ProposedGrasp> next = sequence_.next(curve_next_ ? Track::curves : Track::solids);
     if (curve_next_) ++curves_proposed_;

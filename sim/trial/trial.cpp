@@ -105,30 +105,54 @@ class TrialRun {
   void try_it(Trial& trial) {
     move_to_object();
     const ApproachResult& reached = buffers_.reached;
-    trial.X_OH = motion_.at(reached.travel);
-    trial.travel = reached.travel;
+    place_hand(reached.travel, trial);
+    if (reached.end == ApproachEnd::starts_in_collision) {
+      trial.outcome = Outcome::hand_blocked;
+      trial.blocked = reached.touch;
+    } else if (reached.end == ApproachEnd::touched_obstacle) {
+      close_before_obstacle(trial);
+    } else {
+      close_from(reached.travel, trial);
+    }
+  }
+
+  // The hand at this travel of its approach, open.
+  void place_hand(double travel, Trial& trial) const {
+    trial.X_OH = motion_.at(travel);
+    trial.travel = travel;
     trial.dofs = start_.dofs;
     trial.joints = buffers_.start_joints;
-    if (reached.end == ApproachEnd::starts_in_collision ||
-        reached.end == ApproachEnd::touched_obstacle) {
-      trial.outcome = reached.end == ApproachEnd::touched_obstacle ? Outcome::approach_blocked
-                                                                   : Outcome::hand_blocked;
-      trial.blocked = reached.touch;
-      return;
-    }
+  }
+
+  // What lies on a table, or stands in front of a wall, can often be grasped only with the fingers
+  // next to the table: as far as the hand comes may be far enough. If not, the obstacle is why.
+  void close_before_obstacle(Trial& trial) {
+    const ApproachResult& reached = buffers_.reached;
+    const double travel = reached.travel - options_.obstacle_clearance;
+    if (travel > 0.0) close_from(travel, trial);
+    if (travel > 0.0 && trial.outcome == Outcome::stable) return;
+    clear(trial);
+    place_hand(reached.travel, trial);
+    trial.outcome = Outcome::approach_blocked;
+    trial.blocked = reached.touch;
+  }
+
+  // Closes the hand at `travel`, and farther back where that does not hold.
+  void close_from(double travel, Trial& trial) {
+    place_hand(travel, trial);
     // The arm is asked once the hand's own way is known to be free, which costs far less than the
     // inverse kinematics of a pose that the arm does not reach, and before the hand closes.
     if (scene_.arm && !arm_follows(trial)) return;
-    close_at(0.0, trial);
+    close_at(travel, trial);
     // A hand that went as far as it could may close beyond the widest part of the object, or touch
     // it with the palm only. Closing a little farther out often holds what the first try did not.
     for (int back = 1; back <= options_.back_off_tries && trial.outcome != Outcome::stable;
          ++back) {
       const double retreat = back * options_.back_off_step;
-      if (retreat > reached.travel) break;
+      if (retreat > travel) break;
       Trial& again = buffers_.again;
       again = trial;
-      close_at(retreat, again);
+      close_at(travel - retreat, again);
       again.back_offs = back;
       if (again.outcome == Outcome::stable) trial = again;
     }
@@ -177,15 +201,15 @@ class TrialRun {
     trial.arm_dofs = reached ? std::move(moved.arm_dofs) : DofValues{};
   }
 
-  // Closes the hand `retreat` before the end of the approach.
-  void close_at(double retreat, Trial& trial) {
+  // Closes the hand at this travel of its approach.
+  void close_at(double travel, Trial& trial) {
     const Timer timer(seconds_.close);
-    trial.travel = buffers_.reached.travel - retreat;
-    start_.X_OH = motion_.at(trial.travel);
+    trial.travel = travel;
+    start_.X_OH = motion_.at(travel);
     // Backing off changes every gap by at most the retreat.
     start_.object_clearance = buffers_.reached.object_clearance;
     for (double& clearance : start_.object_clearance) {
-      clearance = std::max(0.0, clearance - retreat);
+      clearance = std::max(0.0, clearance - (buffers_.reached.travel - travel));
     }
     grasp_at(scene_, start_, options_, buffers_.grasping, trial, context_);
     settle(scene_, options_, buffers_.settling, buffers_.grasping, trial, context_);

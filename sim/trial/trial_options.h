@@ -70,6 +70,9 @@ struct TrialOptions {
   // Motions end at one gap instead of anywhere below the threshold so that the contacts found do
   // not depend on the steps by which they were reached.
   double contact_gap = 5e-5;
+  // A hand that an obstacle stops on its approach, such as the table on which the object lies,
+  // moves back by this and closes there [m].
+  double obstacle_clearance = 1e-3;
   // When a grasp does not hold, the hand backs off along its approach by this and closes again, at
   // most back_off_tries times [m].
   double back_off_step = 8e-3;
@@ -93,10 +96,11 @@ struct TrialOptions {
 
 template <SettingsOf<TrialOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [contact, contact_gap, back_off_step, back_off_tries, soft_fingers, settle, cone_edges,
-         reach, max_gap_queries, gaps] = options;
+  auto& [contact, contact_gap, obstacle_clearance, back_off_step, back_off_tries, soft_fingers,
+         settle, cone_edges, reach, max_gap_queries, gaps] = options;
   visit("contact", contact);
   visit("contact_gap", contact_gap, kAbove0);
+  visit("obstacle_clearance", obstacle_clearance, kAtLeast0);
   visit("back_off_step", back_off_step, kAbove0);
   visit("back_off_tries", back_off_tries, kAtLeast0);
   visit("soft_fingers", soft_fingers);

@@ -72,7 +72,7 @@ void expect_recovered(const Known& known, double noise, double scale, std::uint6
       [scale](auto& s) {
         using S = std::decay_t<decltype(s)>;
         if constexpr (std::is_same_v<S, Box>) s.size /= scale;
-        if constexpr (!std::is_same_v<S, Box>) s.radius /= scale;
+        if constexpr (requires { s.radius; }) s.radius /= scale;
         if constexpr (std::is_same_v<S, Cylinder>) s.height /= scale;
       },
       found.shape);

@@ -228,6 +228,7 @@ class TrialOptions:
     _fields: Tuple[str, ...]
     contact: ContactOptions
     contact_gap: float
+    obstacle_clearance: float
     back_off_step: float
     back_off_tries: int
     soft_fingers: bool
@@ -241,6 +242,7 @@ class TrialOptions:
         *,
         contact: ContactOptions = ...,
         contact_gap: float = ...,
+        obstacle_clearance: float = ...,
         back_off_step: float = ...,
         back_off_tries: int = ...,
         soft_fingers: bool = ...,

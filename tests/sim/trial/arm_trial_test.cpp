@@ -186,8 +186,12 @@ Scene with_block_at(Scene scene, const Vector3& p_O) {
 
 void expect_hand_stopped(Outcome expected, double above_the_palm) {
   const Scene scene = block_on_table();
-  const Grasp grasp = stable_grasp(compile(scene));
-  const Pose X_OH = approach_line(compile(scene), grasp.candidate, grasp.trial).X_OH_from;
+  Grasp grasp = stable_grasp(compile(scene));
+  // From so far away that the fingers do not reach the object where the hand is stopped.
+  constexpr double kFarther = 0.1;
+  const Pose X_OH = translation(-kFarther * grasp.candidate.approach_O) *
+                    approach_line(compile(scene), grasp.candidate, grasp.trial).X_OH_from;
+  grasp.candidate.approach_distance += kFarther;
   const Vector3 palm = X_OH * scene.hand.hand->origin;
   const Vector3 at = palm - above_the_palm * grasp.candidate.approach_O;
   const CompiledScene blocked = compile(with_block_at(scene, at));

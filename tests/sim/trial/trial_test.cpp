@@ -143,6 +143,30 @@ TEST(Trial, NamesWhatBlocks) {
   EXPECT_TRUE(inside.blocked->body.is_object());
 }
 
+// A stick of 8 mm on a table: the plates are long enough to reach 40 mm deeper.
+TEST(Trial, TheFingersCloseBesideTheTableOnWhatLiesFlat) {
+  const Robot hand = find_robot("parallel_jaw_wide");
+  const TriangleMesh stick = make_box({0.14, 0.008, 0.008});
+  const StaticBody table = test::obstacle(make_box({1.0, 1.0, 0.02}), {0.0, 0.0, -0.0145});
+  const CompiledScene scene = compiled(hand, stick, {table});
+  const Candidate candidate = aimed(hand, {0.0, 0.0, 0.03}, -kZ, kY);
+  TrialOptions options;
+  options.back_off_tries = 0;
+  const Trial trial = run_trial(scene, candidate, options);
+  EXPECT_EQ(trial.outcome, Outcome::stable);
+  EXPECT_EQ(test::collision(scene, trial.X_OH, trial.joints), "");
+  options.obstacle_clearance = 3e-3;
+  const Trial higher = run_trial(scene, candidate, options);
+  EXPECT_EQ(higher.outcome, Outcome::stable);
+  EXPECT_NEAR(trial.travel - higher.travel, 2e-3, 1e-12);
+  // Beyond the stick there is nothing to hold.
+  options.obstacle_clearance = 0.02;
+  const Trial above = run_trial(scene, candidate, options);
+  EXPECT_EQ(above.outcome, Outcome::approach_blocked);
+  EXPECT_EQ(above.blocked->body, BodyId::obstacle(0));
+  EXPECT_TRUE(above.contacts.empty());
+}
+
 TEST(Trial, BacksOffWhereTheFirstClosingDoesNotHold) {
   Random random(122);
   const Robot hand = find_robot("barrett");
