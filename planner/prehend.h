@@ -22,6 +22,7 @@
 //   robot.h               a robot, and of a hand what makes it one; where its links are
 //   robot_file.h          a hand or robot by name or file
 //   derive_hand.h         what makes a robot a hand, from its joints and shape
+//   posture_survey.h      where the tips of a robot get, and which of its links collide
 //   platform.h            robots on robots: a hand on an arm on a base
 //   platform_file.h       a platform by name or file
 // The answer
@@ -102,6 +103,7 @@
 #include "sim/geometry/object_generator.h"
 #include "sim/geometry/triangle_mesh.h"
 #include "sim/hand/derive_hand.h"
+#include "sim/hand/posture_survey.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/quality/quality.h"
 #include "sim/reach/reach.h"

@@ -74,6 +74,7 @@ struct InspectCommand {
   bool repair = true;                         // of an object's mesh file
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::filesystem::path save;                 // of a scene: write it there; empty: do not
+  std::filesystem::path picture;              // of a robot: draw it there (PNG); empty: do not
   std::vector<std::string> packages;          // of a robot: NAME=FOLDER
   std::filesystem::path srdf;                 // of a robot; empty: that beside it
 };

@@ -256,6 +256,7 @@ struct Program {
     command.add_option("--primitive-tolerance", inspect.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_option("--save", inspect.save, "of a scene: write it to this file");
+    command.add_option("--picture", inspect.picture, "of a robot: draw it in this file (PNG)");
     add_foreign(command, inspect.packages, inspect.srdf);
     add_limits(command, limits);
     command.callback([this] {

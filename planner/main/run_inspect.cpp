@@ -2,10 +2,14 @@
 #include <cstdio>
 #include <iostream>
 #include <utility>
+#include <vector>
 
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
+#include "planner/main/print_robot.h"
+#include "planner/main/printed_units.h"
+#include "planner/show/robot_picture.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/input_error.h"
@@ -27,11 +31,6 @@
 
 namespace prehend {
 namespace {
-
-// Lengths are in metres inside; they are printed in millimetres, areas in square centimetres,
-// volumes in litres.
-constexpr double kMillimetres = 1000.0;
-constexpr double kLitres = 1000.0;
 
 void print_checks(const MeshChecks& checks) {
   std::printf("  triangles %d, vertices %d, components %d\n", checks.triangles, checks.vertices,
@@ -107,7 +106,7 @@ void print_mass(const TriangleMesh& mesh, const MeshChecks& checks) {
 void print_size(const TriangleMesh& mesh) {
   const Vector3 size = kMillimetres * bounds(mesh).size();
   std::printf("  size %.2f x %.2f x %.2f mm, surface %.1f cm^2\n", size.x(), size.y(), size.z(),
-              1e4 * surface_area(mesh));
+              kSquareCentimetres * surface_area(mesh));
 }
 
 void print_mesh(const TriangleMesh& mesh) {
@@ -156,83 +155,19 @@ void print_primitives(const TriangleMesh& mesh, const InspectCommand& command) {
   for (const Primitive& part : thin) print_shape(part);
 }
 
-// What the file says of the joint's drive and friction; no line where it says nothing.
-void print_drive(const Joint& joint) {
-  const bool turns = joint.type == JointType::revolute;
-  const JointFriction& friction = joint.friction;
-  if (joint.max_effort == 0.0 && friction.coulomb == 0.0 && friction.viscous == 0.0) return;
-  const char* separator = "";
-  std::printf("%29s", "");
-  if (joint.max_effort > 0.0) {
-    std::printf("effort up to %.4g %s", joint.max_effort, turns ? "N m" : "N");
-    separator = ", ";
-  }
-  if (friction.coulomb > 0.0) {
-    std::printf("%sCoulomb friction %.4g %s", separator, friction.coulomb, turns ? "N m" : "N");
-    separator = ", ";
-  }
-  if (friction.viscous > 0.0) {
-    std::printf("%sviscous friction %.4g %s", separator, friction.viscous,
-                turns ? "N m s/rad" : "N s/m");
-  }
-  std::printf("\n");
-}
-
-void print_robot(const Robot& robot) {
-  std::printf("robot %s: %zu links, %zu joints, %zu degrees of freedom\n", robot.name.c_str(),
-              robot.links.size(), robot.joints.size(), robot.dofs.size());
-  for (const Joint& joint : robot.joints) {
-    std::printf("  joint %-20s %-9s limits %9.4f to %9.4f, driven by %s x %.4g\n",
-                joint.name.c_str(), joint.type == JointType::revolute ? "revolute" : "prismatic",
-                joint.lower, joint.upper,
-                robot.dofs[static_cast<std::size_t>(joint.dof)].name.c_str(), joint.ratio);
-    print_drive(joint);
-  }
-  for (const DegreeOfFreedom& dof : robot.dofs) {
-    std::printf("  dof   %-20s from %9.4f to %9.4f, closes at %g\n", dof.name.c_str(), dof.lower,
-                dof.upper, dof.closing_velocity);
-  }
-  for (const Link& link : robot.links) {
-    const Vector3 size = kMillimetres * bounds(link.mesh).size();
-    const Vector3 center = kMillimetres * link.inertial.center_of_mass;
-    std::printf(
-        "  link  %-20s %-8s %3zu triangles, %.1f x %.1f x %.1f mm, %.4g kg about (%.1f, %.1f, "
-        "%.1f) "
-        "mm%s\n",
-        link.name.c_str(), link.material.c_str(), link.mesh.triangles.size(), size.x(), size.y(),
-        size.z(), link.inertial.mass, center.x(), center.y(), center.z(),
-        check_mesh(link.mesh).solid() ? "" : ", not a closed solid");
-  }
-  if (!robot.hand) return;
-  for (const Preshape& preshape : robot.hand->preshapes) {
-    std::printf("  preshape %-17s holds %.0f to %.0f mm\n", preshape.name.c_str(),
-                kMillimetres * preshape.min_width, kMillimetres * preshape.max_width);
-  }
-}
-
-void print_platform(const Platform& platform) {
-  if (platform.robots.size() > 1) {
-    std::printf("platform %s: %zu robots\n", platform.name.c_str(), platform.robots.size());
-  }
-  for (const MountedRobot& mounted : platform.robots) {
-    if (mounted.parent >= 0) {
-      const MountedRobot& parent = platform.robots[static_cast<std::size_t>(mounted.parent)];
-      const Vector3 p = kMillimetres * mounted.X_MR.translation();
-      std::printf("%s on %s, chain %s, at (%.1f, %.1f, %.1f) mm: ", mounted.name.c_str(),
-                  parent.name.c_str(),
-                  parent.robot.chains[static_cast<std::size_t>(mounted.chain)].name.c_str(), p.x(),
-                  p.y(), p.z());
-    }
-    print_robot(mounted.robot);
-    print_notes(mounted.robot);
-  }
+std::vector<InspectedRobot> inspected_robots(const Platform& platform) {
+  std::vector<InspectedRobot> robots;
+  for (const MountedRobot& mounted : platform.robots) robots.push_back(inspected(mounted.robot));
+  return robots;
 }
 
 void print_scene(const Scene& scene, const InspectCommand& command) {
   std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
               scene.object.name.c_str(), std::string(material_name(scene.object.material)).c_str(),
               scene.object.mass, scene.hand.name.c_str(), scene.obstacles.size());
-  if (scene.carrier) print_platform(scene.carrier->platform);
+  if (scene.carrier) {
+    print_platform(scene.carrier->platform, inspected_robots(scene.carrier->platform));
+  }
   print_mesh(scene.object.mesh);
   for (const StaticBody& body : scene.obstacles) {
     std::printf("obstacle %s of %s\n", body.name.c_str(),
@@ -276,63 +211,84 @@ void need_plain(const InspectCommand& command) {
           {.field = "--primitive-tolerance", .problem = "only for meshes and scenes"});
 }
 
+void need_no_picture(const InspectCommand& command) {
+  require(command.picture.empty(), {.field = "--picture", .problem = "only for robots"});
+}
+
+void inspect_platform(const Platform& platform, const InspectCommand& command,
+                      Interrupts& interrupts) {
+  need_plain(command);
+  const std::vector<InspectedRobot> robots = inspected_robots(platform);
+  print_platform(platform, robots);
+  if (command.picture.empty()) return;
+  // A mobile base, an arm and a hand: a row each.
+  std::vector<Image> rows;
+  for (const InspectedRobot& one : robots) {
+    rows.push_back(robot_picture(one.robot, telling_postures(one.robot), one.survey,
+                                 {.width = 1200, .height = 800}));
+  }
+  interrupts.write(command.picture, png_bytes(grid(rows, 1)));
+}
+
+void inspect_scene(const Scene& scene, const InspectCommand& command, Interrupts& interrupts) {
+  need_no_picture(command);
+  print_notes(scene);
+  print_scene(scene, command);
+  if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
+}
+
+void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& command) {
+  need_no_picture(command);
+  std::string unit = command.unit;
+  if (unit.empty()) unit = noted_unit(file);
+  LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(unit)});
+  std::printf("mesh %s\n", file.string().c_str());
+  if (unit != "m") std::printf("  read in %s\n", unit.c_str());
+  if (command.repair) {
+    MeshRepair repair = repair_mesh(loaded.mesh);
+    print_repaired(loaded, repair);
+    loaded.mesh = std::move(repair.mesh);
+  } else {
+    print_mesh(loaded.mesh);
+  }
+  if (loaded.degenerate_removed + loaded.duplicates_removed > 0) {
+    std::printf("  left out: %d triangles without area, %d duplicates\n", loaded.degenerate_removed,
+                loaded.duplicates_removed);
+  }
+  print_primitives(loaded.mesh, command);
+}
+
 }  // namespace
 
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
-  if (!command.save.empty())
-    require_writable(std::filesystem::absolute(command.save).parent_path());
+  for (const std::filesystem::path& written : {command.save, command.picture}) {
+    if (!written.empty()) require_writable(std::filesystem::absolute(written).parent_path());
+  }
   // A file is preferred to a robot of the library of the same name.
   if (!is_there(command.file) && is_robot_name(command.file)) {
-    need_plain(command);
-    print_platform(find_platform(command.file));
+    inspect_platform(find_platform(command.file), command, interrupts);
     return 0;
   }
   const std::filesystem::path file = find_scene(command.file);
   if (is_graspit_scene(file)) {
     need_metres(command);
-    const Scene scene = load_scene(file);
-    print_notes(scene);
-    print_scene(scene, command);
-    if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
-    return 0;
-  }
-  if (has_foreign_robot_name(file)) {
-    need_plain(command);
-    print_platform(load_platform(file, foreign_options(command.packages, command.srdf)));
-    return 0;
-  }
-  if (file.extension() != ".json") {
-    std::string unit = command.unit;
-    if (unit.empty()) unit = noted_unit(file);
-    LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(unit)});
-    std::printf("mesh %s\n", file.string().c_str());
-    if (unit != "m") std::printf("  read in %s\n", unit.c_str());
-    if (command.repair) {
-      MeshRepair repair = repair_mesh(loaded.mesh);
-      print_repaired(loaded, repair);
-      loaded.mesh = std::move(repair.mesh);
+    inspect_scene(load_scene(file), command, interrupts);
+  } else if (has_foreign_robot_name(file)) {
+    inspect_platform(load_platform(file, foreign_options(command.packages, command.srdf)), command,
+                     interrupts);
+  } else if (file.extension() != ".json") {
+    inspect_mesh_file(file, command);
+  } else {
+    need_metres(command);
+    const JsonFile json(file);
+    // Robot files have chains, platform files robots; other JSON files are scenes.
+    if (json.root().has("chains") || json.root().has("robots")) {
+      inspect_platform(load_platform(file), command, interrupts);
     } else {
-      print_mesh(loaded.mesh);
+      inspect_scene(load_scene(file, {.hand = "", .unit = "", .repair = command.repair}), command,
+                    interrupts);
     }
-    if (loaded.degenerate_removed + loaded.duplicates_removed > 0) {
-      std::printf("  left out: %d triangles without area, %d duplicates\n",
-                  loaded.degenerate_removed, loaded.duplicates_removed);
-    }
-    print_primitives(loaded.mesh, command);
-    return 0;
   }
-  need_metres(command);
-  const JsonFile json(file);
-  // Robot files have chains, platform files robots; other JSON files are scenes.
-  if (json.root().has("chains") || json.root().has("robots")) {
-    need_plain(command);
-    print_platform(load_platform(file));
-    return 0;
-  }
-  const Scene scene = load_scene(file, {.hand = "", .unit = "", .repair = command.repair});
-  print_notes(scene);
-  print_scene(scene, command);
-  if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
   return 0;
 }
 

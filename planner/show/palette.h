@@ -33,6 +33,11 @@ inline constexpr Color kCenterOfMass = from_hex(0x111111);
 inline constexpr std::array<Color, 3> kAxes = {from_hex(0xc62828), from_hex(0x2e7d32),
                                                from_hex(0x1f4fb0)};  // x, y, z of a frame
 
+// Where the tips of a robot get, one colour a tip.
+inline constexpr std::array<Color, 5> kTips = {from_hex(0xc62828), from_hex(0x1f4fb0),
+                                               from_hex(0x2e7d32), from_hex(0xe8952b),
+                                               from_hex(0x803fbf)};
+
 // The space of wrenches.
 inline constexpr Color kWrenchSpace = from_hex(0x6f8fb8, 0.30);
 inline constexpr Color kEpsilonBall = from_hex(0x2e9e4f, 0.55);

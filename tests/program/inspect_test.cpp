@@ -85,5 +85,47 @@ TEST(Inspect, RefusesCoordinatesOutOfRange) {
             std::string::npos);
 }
 
+TEST(Inspect, SaysWhatAHandCanDo) {
+  const std::string out = run_program("inspect barrett").out;
+  for (const char* words :
+       {"  joint ", "  dof ", "  link ", "  hand  approaches along (0.000, 0.000, 1.000)",
+        "  aperture 188 mm\n", "  self-collision in ", " of 1000 random postures\n",
+        "  reach of distal_1: x "}) {
+    EXPECT_NE(out.find(words), std::string::npos) << words << "\n" << out;
+  }
+  EXPECT_EQ(out.find("(derived)"), std::string::npos) << out;
+  EXPECT_EQ(run_program("inspect barrett").out, out);
+}
+
+TEST(Inspect, DerivesTheHandOfARobotThatStatesNone) {
+  const std::filesystem::path folder = fresh_folder("inspect_derived");
+  const std::string urdf = (folder / "jaw.urdf").string();
+  ASSERT_EQ(run_program("convert parallel_jaw " + urdf).status, 0);
+  std::filesystem::remove(folder / "jaw.prehend.json");
+  const ProgramRun run = run_program("inspect " + urdf);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("holds 0 to 80 mm, fingers meet at 40 mm (derived)"), std::string::npos)
+      << run.out;
+  const ProgramRun arm = run_program("inspect puma560");
+  EXPECT_EQ(arm.out.find("aperture"), std::string::npos) << arm.out;
+  EXPECT_NE(arm.out.find("  reach of "), std::string::npos) << arm.out;
+}
+
+TEST(Inspect, DrawsRobotsOnly) {
+  const std::filesystem::path folder = fresh_folder("inspect_picture");
+  const std::string picture = (folder / "puma560_barrett.png").string();
+  const ProgramRun run = run_program("inspect puma560_barrett --picture " + picture);
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::ifstream file(picture, std::ios::binary);
+  std::string start(8, ' ');
+  file.read(start.data(), 8);
+  EXPECT_EQ(start, "\x89PNG\r\n\x1a\n");
+  const std::string scene = (folder / "scene.png").string();
+  const ProgramRun refused = run_program("inspect mug --picture " + scene);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("--picture: only for robots"), std::string::npos) << refused.err;
+  EXPECT_FALSE(std::filesystem::exists(scene));
+}
+
 }  // namespace
 }  // namespace prehend::test

@@ -1,0 +1,90 @@
+#include "planner/show/robot_picture.h"
+
+#include <algorithm>
+
+#include "planner/show/palette.h"
+#include "sim/base/index.h"
+#include "sim/geometry/basic_shapes.h"
+
+namespace prehend {
+namespace {
+
+std::vector<DrawnBody> bodies_at(const Robot& robot, const std::vector<double>& dofs) {
+  std::vector<Pose> X_BL;
+  link_poses(robot, joint_values(robot, dofs), X_BL);
+  std::vector<DrawnBody> bodies;
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    const Link& link = robot.links[l];
+    const Color& color = link.material == "rubber" ? palette::kRubber
+                         : robot.hand              ? palette::kHard
+                                                   : palette::kArm;
+    bodies.push_back({SharedMesh::borrowed(link.mesh), X_BL[l], color, link.name});
+  }
+  return bodies;
+}
+
+// Cubes of this size at some of the points, evenly picked.
+TriangleMesh dots(const std::vector<Vector3>& points, double size) {
+  constexpr std::size_t kMost = 300;
+  const TriangleMesh cube = make_box({size, size, size});
+  TriangleMesh all;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / kMost);
+  for (std::size_t i = 0; i < points.size(); i += step) {
+    append(all, transformed(cube, translation(points[i])));
+  }
+  return all;
+}
+
+// To the eye: across the plane in which a hand closes, a little from its front and from the side;
+// of another robot from the front, the side and above.
+Vector3 telling_direction(const Robot& robot) {
+  if (!robot.hand) return {1.0, -1.2, 0.6};
+  const Vector3& approach = robot.hand->approach;
+  const Vector3 closing =
+      robot.hand->closing.norm() > 0.0 ? robot.hand->closing : any_orthogonal(approach);
+  return approach.cross(closing) + 0.45 * approach + 0.35 * closing;
+}
+
+}  // namespace
+
+std::vector<NamedPosture> telling_postures(const Robot& robot) {
+  constexpr std::size_t kMost = 5;
+  std::vector<NamedPosture> postures;
+  if (robot.hand) {
+    for (const Preshape& preshape : robot.hand->preshapes) {
+      if (postures.size() < kMost) postures.push_back({preshape.name, preshape.dofs});
+    }
+  }
+  if (postures.empty()) postures.push_back({robot.name, initial_dofs(robot)});
+  return postures;
+}
+
+Image robot_picture(const Robot& robot, const std::vector<NamedPosture>& postures,
+                    const PostureSurvey& survey, const GraspPictureOptions& options,
+                    const RunContext& context) {
+  const auto cells = static_cast<int>(postures.size()) + 1;
+  const int columns = std::min(cells, 3);
+  const int rows = (cells + columns - 1) / columns;
+  const DrawOptions cell{.width = options.width / columns, .height = options.height / rows};
+  const Vector3 direction = telling_direction(robot);
+  std::vector<Image> images;
+  const auto draw_cell = [&](const std::vector<DrawnBody>& bodies, const std::string& title) {
+    images.push_back(draw(bodies, camera_around(bodies, direction, cell), cell, context));
+    write_title(images.back(), title);
+  };
+  for (const NamedPosture& posture : postures) {
+    draw_cell(bodies_at(robot, posture.dofs), posture.name);
+  }
+  std::vector<DrawnBody> reached = bodies_at(robot, postures.front().dofs);
+  for (std::size_t t = 0; t < survey.tips.size(); ++t) {
+    const TipWorkspace& tip = survey.tips[t];
+    if (tip.points.empty()) continue;
+    constexpr double kDot = 0.008;  // of the size of the workspace
+    reached.push_back({SharedMesh(dots(tip.points, kDot * tip.box.diagonal())), Pose::Identity(),
+                       palette::kTips[t % palette::kTips.size()], tip.name});
+  }
+  draw_cell(reached, "where the tips get");
+  return grid(images, columns);
+}
+
+}  // namespace prehend
