@@ -32,7 +32,7 @@
 //   grasp_words.h         where a grasp came from, in words
 //   run_context.h         threads, progress and cancellation of all that takes long
 // One step alone
-//   decompose.h           an object into boxes, spheres and cylinders
+//   decompose.h           an object into boxes, spheres, cylinders and cones
 //   thin_parts.h          its rims and bars
 //   candidates.h          where a hand may come from
 //   trial.h               one candidate, from pre-grasp to quality

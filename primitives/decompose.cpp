@@ -13,6 +13,7 @@
 #include "primitives/polish.h"
 #include "primitives/quantile.h"
 #include "primitives/split.h"
+#include "primitives/taper.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/mesh_checks.h"
@@ -21,8 +22,8 @@ namespace prehend {
 namespace {
 
 // Stages: scale the mesh to unit size, sample points from it, split greedily from the whole surface
-// down (grown), improve the pieces as a set (polished), drop to the number allowed (reduced), then
-// correct radii for tessellation and scale back.
+// down (grown), improve the pieces as a set (polished), drop to the number allowed (reduced), make
+// cones of cylinders that taper, then correct radii for tessellation and scale back.
 
 // Throws InputError for options out of range and meshes with unusable indices or vertices.
 void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
@@ -160,8 +161,23 @@ Primitive rescaled(Primitive primitive, const UnitMesh& unit) {
     cylinder->radius *= unit.diagonal;
     cylinder->height *= unit.diagonal;
   }
+  if (auto* cone = std::get_if<Cone>(&primitive.shape)) {
+    cone->radius_low *= unit.diagonal;
+    cone->radius_high *= unit.diagonal;
+    cone->height *= unit.diagonal;
+  }
   primitive.X_OP.translation() = primitive.X_OP.translation() * unit.diagonal + unit.center;
   return primitive;
+}
+
+// Where a cylinder tapers, the cone about the axis that it will have in the end (aligned).
+void make_cones(std::vector<Region>& regions, const Surface& surface,
+                const SurfaceMoments& moments) {
+  for (Region& region : regions) {
+    Primitive& primitive = region.fit.primitive;
+    const Primitive found = tapered(aligned(primitive, moments), region.points, surface.tolerance);
+    if (std::holds_alternative<Cone>(found.shape)) primitive = found;
+  }
 }
 
 // Of distances in units of `unit` metres.
@@ -254,6 +270,7 @@ Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& option
   std::vector<Region> regions = grown(surface, options);
   if (regions.size() > 1) regions = polished(std::move(regions), surface);
   regions = reduced(std::move(regions), surface, static_cast<std::size_t>(options.max_primitives));
+  make_cones(regions, surface, surface_moments(unit.mesh));
   return result_of(regions, surface, unit);
 }
 

@@ -1,4 +1,5 @@
-// Shape decomposition: approximates the surface of a mesh by a few boxes, spheres and cylinders.
+// Shape decomposition: approximates the surface of a mesh by a few boxes, spheres,
+// cylinders and cones.
 #pragma once
 
 #include <cstdint>

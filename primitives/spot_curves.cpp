@@ -162,7 +162,7 @@ ThinSpot smoothed(const Ordered& curve, double at, double window) {
   return mean;
 }
 
-SpotCurve curve_through(Spots spots, double link) {
+SpotCurve curve_through(const Spots& spots, double link) {
   constexpr double kWidestGap = 0.25 * std::numbers::pi;
   SpotCurve curve;
   Ordered ordered = by_angle(spots);

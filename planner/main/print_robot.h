@@ -10,7 +10,7 @@ namespace prehend {
 struct InspectedRobot {
   Robot robot;               // with derived preshapes where it is a hand that states none
   bool derived = false;      // whether they are
-  std::string no_hand = "";  // why it cannot be one although it has fingers
+  std::string no_hand;  // why it cannot be one although it has fingers
   PostureSurvey survey;
 };
 

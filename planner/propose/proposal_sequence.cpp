@@ -90,21 +90,21 @@ void ProposalSequence::begin_level(Progress& track, int level) {
   track.known.refine(part * options_.duplicate_distance, part * options_.duplicate_angle);
 }
 
-std::optional<ProposedGrasp> ProposalSequence::next(Track which) {
-  Progress& track = progress(which);
-  if (track.ways.empty()) return std::nullopt;
+std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
+  Progress& walk = progress(track);
+  if (walk.ways.empty()) return std::nullopt;
   while (true) {
-    if (track.passed == track.first_point.back()) {
-      if (track.level == kFinestLevel) return std::nullopt;
-      begin_level(track, track.level + 1);
+    if (walk.passed == walk.first_point.back()) {
+      if (walk.level == kFinestLevel) return std::nullopt;
+      begin_level(walk, walk.level + 1);
     }
-    const std::size_t point = track.place;
-    track.place = (track.place + track.stride) % track.first_point.back();
-    ++track.passed;
-    const auto above = std::upper_bound(track.first_point.begin(), track.first_point.end(), point);
-    const auto way = static_cast<std::size_t>(above - track.first_point.begin()) - 1;
+    const std::size_t point = walk.place;
+    walk.place = (walk.place + walk.stride) % walk.first_point.back();
+    ++walk.passed;
+    const auto above = std::upper_bound(walk.first_point.begin(), walk.first_point.end(), point);
+    const auto way = static_cast<std::size_t>(above - walk.first_point.begin()) - 1;
     if (std::optional<ProposedGrasp> grasp =
-            at(track.ways[way], point - track.first_point[way], track.level)) {
+            at(walk.ways[way], point - walk.first_point[way], walk.level)) {
       return grasp;
     }
   }

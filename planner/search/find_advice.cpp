@@ -172,6 +172,7 @@ class Adviser {
   }
 
   // The hand of the library that holds most, each with the places that this plan proposed.
+  // The smallest hand with which half of the candidates hold, else the best.
   void advise_hand() {
     std::optional<Robot> best;
     Held most;
@@ -180,6 +181,7 @@ class Adviser {
       if (held.held <= most.held) continue;
       most = held;
       best = hand;
+      if (2 * held.held >= held.tried) break;
     }
     if (!best) return;
     const bool on_arm = scene_.arm.has_value();
@@ -198,7 +200,8 @@ class Adviser {
     return widest;
   }
 
-  // Hands of the library besides the scene's that open wide enough for the object.
+  // Hands of the library besides the scene's that open wide enough for the object, the one that
+  // opens least first.
   std::vector<Robot> other_hands() const {
     std::vector<Robot> hands;
     try {
@@ -216,6 +219,8 @@ class Adviser {
     } catch (const InputError&) {
       // There is no library: prehend may be used without one.
     }
+    std::stable_sort(hands.begin(), hands.end(),
+                     [](const Robot& a, const Robot& b) { return opening(a) < opening(b); });
     return hands;
   }
 

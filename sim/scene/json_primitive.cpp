@@ -91,14 +91,14 @@ struct ShapeFields {
 };
 
 const std::array<ShapeFields, 6>& all_shapes() {
-  static const std::array<ShapeFields, 6> kShapes{
+  static const std::array<ShapeFields, 6> shapes{
       {{"box", {"size"}},
        {"sphere", {"radius"}},
        {"cylinder", {"radius", "height"}},
        {"cone", {"radius_low", "radius_high", "height"}},
        {"rim", {"points", "into", "across", "width", "depth", "closed"}},
        {"bar", {"points", "width", "closed"}}}};
-  return kShapes;
+  return shapes;
 }
 
 Shape read_shape(const JsonField& field) {
@@ -178,7 +178,8 @@ Primitive read_primitive(const JsonField& field) {
       const bool belongs =
           std::find(known->fields.begin(), known->fields.end(), name) != known->fields.end();
       if (belongs) (void)field[key];
-      if (!belongs && field.has(key)) field[key].fail("a " + shape + " has no " + key);
+      if (!belongs && field.has(key))
+        field[key].fail(std::string("a ").append(shape).append(" has no ").append(key));
     }
   }
   return {read_shape(field), field.has("pose") ? read_pose(field["pose"]) : Pose::Identity()};
