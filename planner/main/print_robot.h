@@ -8,9 +8,9 @@ namespace prehend {
 
 // A robot as a hand, as far as it is one, and what its joints can do.
 struct InspectedRobot {
-  Robot robot;               // with derived preshapes where it is a hand that states none
-  bool derived = false;      // whether they are
-  std::string no_hand;  // why it cannot be one although it has fingers
+  Robot robot;           // with derived preshapes where it is a hand that states none
+  bool derived = false;  // whether they are
+  std::string no_hand;   // why it cannot be one although it has fingers
   PostureSurvey survey;
 };
 

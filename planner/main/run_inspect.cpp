@@ -12,12 +12,14 @@
 #include "planner/show/robot_picture.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
+#include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/mesh_repair.h"
+#include "sim/hand/derive_hand.h"
 #include "sim/json/json_field.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/robot_files/foreign_robot.h"
@@ -237,6 +239,19 @@ void inspect_scene(const Scene& scene, const InspectCommand& command, Interrupts
   if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
 }
 
+// The scene of a GraspIt! file. Where nothing can be derived of its hand, that is said and shown as
+// it is; a scene to be saved is one that can be planned with.
+Scene graspit_scene(const std::filesystem::path& file, const InspectCommand& command) {
+  Scene scene = load_scene(file, {.hand = "", .derive_hand = !command.save.empty()});
+  try {
+    scene.hand = with_hand(scene.hand);
+  } catch (const InputError& error) {
+    std::printf("no hand can be derived: %s\n", on_one_line(error.what()).c_str());
+  }
+  if (scene.carrier) scene.carrier->platform.robots[index(scene.carrier->hand)].robot = scene.hand;
+  return scene;
+}
+
 void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& command) {
   need_no_picture(command);
   std::string unit = command.unit;
@@ -272,7 +287,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   const std::filesystem::path file = find_scene(command.file);
   if (is_graspit_scene(file)) {
     need_metres(command);
-    inspect_scene(load_scene(file), command, interrupts);
+    inspect_scene(graspit_scene(file, command), command, interrupts);
   } else if (has_foreign_robot_name(file)) {
     inspect_platform(load_platform(file, foreign_options(command.packages, command.srdf)), command,
                      interrupts);

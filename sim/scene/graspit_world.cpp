@@ -106,7 +106,8 @@ void add_bystander(Scene& scene, const std::vector<GraspitWorldRobot>& robots, i
   }
 }
 
-void read_robots(const XmlFile& file, Scene& scene, const std::string& other_hand) {
+void read_robots(const XmlFile& file, Scene& scene, const SceneSource& source) {
+  const std::string& other_hand = source.hand;
   const XmlElement world = file.root();
   const std::vector<GraspitWorldRobot> robots = read_graspit_world_robots(world, scene.notes);
   const int hand = graspit_hand_of(robots);
@@ -122,7 +123,8 @@ void read_robots(const XmlFile& file, Scene& scene, const std::string& other_han
     add_bystander(scene, robots, robot);
     scene.notes.push_back(robots[r].name + " does not carry the hand: its links are obstacles");
   }
-  scene.hand = with_hand(other_hand.empty() ? robots[index(hand)].robot : find_robot(other_hand));
+  scene.hand = other_hand.empty() ? robots[index(hand)].robot : find_robot(other_hand);
+  if (source.derive_hand) scene.hand = with_hand(scene.hand);
   if (!other_hand.empty()) scene.hand_source = robot_source(other_hand);
   if (!carried) {
     if (other_hand.empty()) scene.hand_source = robot_source(robots[index(hand)].file.string());
@@ -152,7 +154,7 @@ Scene read_graspit_world(const XmlFile& file, const SceneSource& source) {
                                                    "connection", "camera",        "timeStep"};
   note_unknown(world, kKnown, scene.notes);
   read_bodies(world, scene);
-  read_robots(file, scene, source.hand);
+  read_robots(file, scene, source);
   return scene;
 }
 

@@ -26,6 +26,9 @@ struct SceneSource {
   bool repair = true;
   // Of hands and platforms in another program's format.
   ForeignRobotOptions foreign = {};
+  // Whether the hand of a GraspIt! world is derived (derive_hand.h). Without that it is as its file
+  // states it, maybe without preshapes: a scene to look at, which cannot be compiled.
+  bool derive_hand = true;
 };
 
 // The hand of a scene that names none.

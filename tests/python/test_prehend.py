@@ -342,7 +342,7 @@ class Scenes(unittest.TestCase):
     def test_a_plan_without_a_grasp_says_what_may_help(self):
         result = prehend.plan(prehend.make_scene(box_mesh(0.12, 0.12, 0.12), hand="parallel_jaw"))
         self.assertEqual([one.hint for one in result.advice], ["other_hand"])
-        self.assertIn("--hand dlr, which opens to 152 mm", result.advice[0].words)
+        self.assertIn("--hand parallel_jaw_wide, which opens to 140 mm", result.advice[0].words)
         few = prehend.PlanOptions(search=prehend.SearchOptions(trials=5))
         held = prehend.plan(prehend.make_scene(box_mesh(0.05, 0.05, 0.1), hand="franka_hand"), few)
         self.assertEqual((held.advice, held.rules), ([], []))

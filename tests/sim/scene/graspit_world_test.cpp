@@ -190,6 +190,29 @@ TEST(GraspitWorld, RefusesWithFileAndLine) {
             std::string::npos);
 }
 
+// An arm that calls itself a hand can be looked at, not planned with.
+TEST(GraspitWorld, CanBeReadWithAHandThatCannotGrasp) {
+  const std::filesystem::path file =
+      written_world(edited(kFreeWorld, "pincher/pincher.xml", "slider/slider.xml"));
+  const std::string three_joints =
+      edited(edited(test::graspit_arm(), "</robot>",
+                    "<approachDirection><referenceLocation>0 0 5</referenceLocation>"
+                    "<direction>0 0 1</direction></approachDirection></robot>"),
+             "<link dynamicJointType=\"Prismatic\">",
+             "<joint type=\"Revolute\"><theta>d1</theta><d>0</d><a>50</a><alpha>0</alpha>"
+             "<minValue>-180</minValue><maxValue>180</maxValue></joint>"
+             "<link dynamicJointType=\"Revolute\">link.xml</link>"
+             "<link dynamicJointType=\"Prismatic\">");
+  test::write_graspit_text(file.parent_path().parent_path() / "models/robots/slider/slider.xml",
+                           three_joints);
+  EXPECT_NE(std::string(test::refusal_of([&] { (void)load_scene(file); }).what())
+                .find("nothing that could grasp"),
+            std::string::npos);
+  const Scene scene = load_scene(file, {.hand = "", .derive_hand = false});
+  EXPECT_EQ(scene.hand.name, "slider");
+  EXPECT_TRUE(scene.hand.hand->preshapes.empty());
+}
+
 TEST(GraspitBodyFile, IsTheObjectOfAScene) {
   const std::filesystem::path file = written_world(kFreeWorld);
   const Scene scene = load_scene(file.parent_path().parent_path() / "models/objects/brick.xml",
