@@ -190,8 +190,8 @@ SpotCurve curve_through(const Spots& spots, double link) {
 std::vector<SpotCurve> spot_curves(const std::vector<ThinSpot>& spots, double link,
                                    double shortest) {
   std::vector<SpotCurve> curves;
-  for (Spots& group : connected(spots, link)) {
-    SpotCurve curve = curve_through(std::move(group), link);
+  for (const Spots& group : connected(spots, link)) {
+    SpotCurve curve = curve_through(group, link);
     if (curve.length >= shortest) curves.push_back(std::move(curve));
   }
   std::stable_sort(curves.begin(), curves.end(),
