@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/json/json_field.h"
 #include "sim/robot_files/graspit_robot.h"
+#include "sim/robot_files/hand_split.h"
+#include "sim/robot_files/mjcf_file.h"
 #include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
+#include "sim/robot_files/urdf_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/untrusted_files.h"
 
@@ -31,9 +35,10 @@ void check_dof(const DegreeOfFreedom& dof) {
 
 void check_hand(const Hand& hand, const Robot& robot) {
   promised(std::abs(hand.approach.norm() - 1.0) < 1e-9, "the approach axis is unit");
-  promised(std::abs(hand.closing.norm() - 1.0) < 1e-9, "the closing axis is unit");
   promised(hand.origin.allFinite(), "the origin is finite");
-  promised(!hand.preshapes.empty(), "a hand has preshapes");
+  // What a file may leave out together is derived later.
+  const bool derived_later = hand.preshapes.empty() && hand.closing.isZero();
+  promised(derived_later || std::abs(hand.closing.norm() - 1.0) < 1e-9, "the closing axis is unit");
   for (const Preshape& preshape : hand.preshapes) {
     promised(preshape.dofs.size() == robot.dofs.size(), "a preshape has a value for each");
     promised(0.0 <= preshape.min_width && preshape.min_width <= preshape.max_width &&
@@ -66,6 +71,17 @@ void check_robot(const Robot& robot) {
   promised(std::all_of(X_BL.begin(), X_BL.end(), finite), "links are at finite places");
 }
 
+// As the robot of a file in another format: whole, and parted where there is a hand on an arm.
+void check_tree(const JointTree& tree) {
+  (void)root_of(tree);
+  check_robot(to_robot(tree));
+  const std::optional<int> hand = inferred_hand(tree);
+  if (!hand) return;
+  const Platform platform = parted(tree, *hand);
+  promised(platform.robots.size() == 2, "an arm and a hand are two robots");
+  for (const MountedRobot& mounted : platform.robots) check_robot(mounted.robot);
+}
+
 }  // namespace
 
 void read_robot_file(std::string_view name, const std::string& bytes) {
@@ -88,6 +104,14 @@ void read_graspit_robot_file(std::string_view name, const std::string& bytes) {
   }
   robot.hand.reset();
   check_robot(robot);
+}
+
+void read_urdf_file(std::string_view name, const std::string& bytes) {
+  check_tree(read_urdf(XmlFile(pretended_path(name, "urdf"), bytes)));
+}
+
+void read_mjcf_file(std::string_view name, const std::string& bytes) {
+  check_tree(read_mjcf(XmlFile(pretended_path(name, "xml"), bytes)));
 }
 
 }  // namespace prehend::fuzz

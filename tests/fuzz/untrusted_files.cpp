@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 16> kKinds{{
+constexpr std::array<FileKind, 18> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -22,6 +22,8 @@ constexpr std::array<FileKind, 16> kKinds{{
     {"platform", Grammar::json, read_platform_file},
     {"graspit_robot", Grammar::bytes, read_graspit_robot_file},
     {"graspit_world", Grammar::bytes, read_graspit_world_file},
+    {"urdf", Grammar::bytes, read_urdf_file},
+    {"mjcf", Grammar::bytes, read_mjcf_file},
     {"scene", Grammar::json, read_scene_file},
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},
