@@ -7,6 +7,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_file.h"
+#include "sim/robot/closed_form.h"
 #include "sim/robot_files/graspit_body.h"
 #include "sim/robot_files/graspit_joint.h"
 #include "sim/robot_files/graspit_notes.h"
@@ -65,6 +66,7 @@ Robot GraspitReader::read() {
   if (chains.empty()) root_.fail("a robot needs at least one <chain>");
   for (const XmlElement& chain : chains) read_chain(chain);
   for (int d = 0; d < dofs_; ++d) read_graspit_dof(dofs[index(d)], d, robot_);
+  for (Chain& chain : robot_.chains) chain.closed_form = closed_form_of(robot_, chain);
   read_hand();
   return std::move(robot_);
 }

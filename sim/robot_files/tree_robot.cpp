@@ -6,7 +6,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/basic_shapes.h"
-#include "sim/robot/spherical_wrist.h"
+#include "sim/robot/closed_form.h"
 #include "sim/robot_files/joint_tree.h"
 
 namespace prehend {
@@ -134,10 +134,8 @@ void TreeRobot::follow(const Start& start) {
     break;
   }
   chain.joint_count = static_cast<int>(robot_.joints.size()) - chain.first_joint;
+  chain.closed_form = closed_form_of(robot_, chain);
   robot_.chains.push_back(chain);
-  if (spherical_wrist_defect(robot_, chain).empty()) {
-    robot_.chains.back().closed_form = ClosedForm::spherical_wrist;
-  }
 }
 
 // Two fingers on one drive that slide in opposite directions on one body.

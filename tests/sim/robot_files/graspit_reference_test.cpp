@@ -101,6 +101,13 @@ TEST_P(GraspitRobots, HaveTheLimitsVelocitiesMaterialsAndGeometryOfGraspIt) {
   }
 }
 
+TEST(GraspitArm, IsSolvedInClosedForm) {
+  const std::string file = "data/robots/graspit/models/robots/Puma560/Puma560.xml";
+  PREHEND_NEEDS_SHARED(file);
+  const Robot arm = read_graspit_robot(XmlFile(test::shared(file)));
+  EXPECT_EQ(arm.chains.front().closed_form, ClosedForm::spherical_wrist);
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, GraspitRobots,
                          testing::Values("Barrett", "M7tool", "Puma560", "SimpleArm", "XR4000",
                                          "fetch_gripper"),

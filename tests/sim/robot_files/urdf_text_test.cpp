@@ -132,6 +132,20 @@ TEST(UrdfText, PlatformsReadBackWithEqualPositions) {
 }
 
 // The joint's own value is that of its degree of freedom, whatever it was before.
+// The file does not say it: it shows in the axes.
+TEST(UrdfText, ArmsKeepTheirClosedForm) {
+  for (const char* name : {"puma560", "ur5e"}) {
+    const Platform again = written_and_read(find_platform(name));
+    ASSERT_EQ(again.robots.size(), 1U) << name;
+    const Chain& chain = again.robots.front().robot.chains.front();
+    EXPECT_NE(chain.closed_form, ClosedForm::none) << name;
+    EXPECT_EQ(chain.closed_form, find_robot(name).chains.front().closed_form) << name;
+  }
+  for (const Chain& chain : written_and_read(find_platform("panda_arm")).robots[0].robot.chains) {
+    EXPECT_EQ(chain.closed_form, ClosedForm::none);
+  }
+}
+
 TEST(UrdfText, DegreesOfFreedomBecomeJointValues) {
   Robot robot = find_robot("parallel_jaw");
   for (Joint& joint : robot.joints) {
