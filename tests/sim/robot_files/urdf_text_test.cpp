@@ -141,7 +141,8 @@ TEST(UrdfText, ArmsKeepTheirClosedForm) {
     EXPECT_NE(chain.closed_form, ClosedForm::none) << name;
     EXPECT_EQ(chain.closed_form, find_robot(name).chains.front().closed_form) << name;
   }
-  for (const Chain& chain : written_and_read(find_platform("panda_arm")).robots[0].robot.chains) {
+  const Platform redundant = written_and_read(find_platform("panda_arm"));
+  for (const Chain& chain : redundant.robots.front().robot.chains) {
     EXPECT_EQ(chain.closed_form, ClosedForm::none);
   }
 }
