@@ -13,13 +13,13 @@ namespace prehend {
 namespace {
 
 // Lengths relative to the diagonal of the bounding box.
-constexpr double kReach = 0.1;
+constexpr double kReach = 0.1;  // as in ThinLimits, also the next three
 constexpr double kFreeAhead = 0.2;
 constexpr double kFreeBeside = 0.04;
 constexpr double kAround = 0.3;
-constexpr double kLink = 0.08;
-constexpr double kShortest = 0.15;
-constexpr double kDeepest = 0.12;  // what counts of the depth of a wall
+constexpr double kLink = 0.08;      // between spots of one curve
+constexpr double kShortest = 0.15;  // curve
+constexpr double kDeepest = 0.12;   // what counts of the depth of a wall
 
 // A curve is at least so many times as long as it is wide.
 constexpr double kSlender = 3.0;

@@ -129,8 +129,10 @@ class TrialRun {
   void close_before_obstacle(Trial& trial) {
     const ApproachResult& reached = buffers_.reached;
     const double travel = reached.travel - options_.obstacle_clearance;
-    if (travel > 0.0) close_from(travel, trial);
-    if (travel > 0.0 && trial.outcome == Outcome::stable) return;
+    if (travel > 0.0) {
+      close_from(travel, trial);
+      if (trial.outcome == Outcome::stable) return;
+    }
     clear(trial);
     place_hand(reached.travel, trial);
     trial.outcome = Outcome::approach_blocked;
