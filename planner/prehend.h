@@ -62,6 +62,11 @@
 //   output_file.h         files that are written whole or not at all
 //   data_folder.h         where the robots and scenes that come with prehend are
 //   input_error.h         what is thrown for a caller's mistake
+// Things that move
+//   shake_grasps.h        the grasps of a plan are closed, lifted and shaken
+//   shake.h               one grasp under a protocol, and what became of it
+//   protocol_file.h       protocols from files and from the library
+//   world.h               bodies and robots that move, step by step
 // Judging contacts
 //   quality.h             contacts in, numbers out
 #pragma once
@@ -84,6 +89,7 @@
 #include "planner/search/grasp_words.h"
 #include "planner/search/plan.h"
 #include "planner/search/refine_grasps.h"
+#include "planner/search/shake_grasps.h"
 #include "planner/show/contact_sheet.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
@@ -95,6 +101,7 @@
 #include "sim/base/output_file.h"
 #include "sim/base/pose.h"
 #include "sim/base/run_context.h"
+#include "sim/dynamics/world.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/make_mesh.h"
 #include "sim/geometry/mass_properties.h"
@@ -104,6 +111,8 @@
 #include "sim/geometry/triangle_mesh.h"
 #include "sim/hand/derive_hand.h"
 #include "sim/hand/posture_survey.h"
+#include "sim/manipulation/protocol_file.h"
+#include "sim/manipulation/shake.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/quality/quality.h"
 #include "sim/reach/reach.h"

@@ -6,6 +6,7 @@
 
 #include "planner/files/json_contact.h"
 #include "planner/files/json_posture.h"
+#include "planner/files/json_shake.h"
 #include "planner/files/json_trajectory.h"
 #include "sim/base/index.h"
 #include "sim/json/json_fields.h"
@@ -201,6 +202,12 @@ void refinement_field(auto& fields, auto& grasp) {
   });
 }
 
+// Written for information: a grasp that is read has to be shaken again.
+void shake_field(auto& fields, auto& grasp) {
+  if (!kReads<decltype(fields)> && !grasp.shake) return;
+  fields.derived("shake", [&] { return shake_to_json(*grasp.shake); });
+}
+
 void outcome_fields(auto& fields, auto& grasp) {
   auto& trial = grasp.trial;
   double epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
@@ -288,6 +295,7 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
                 [&](auto& inner) { weakest_wrench_fields(inner, trial.epsilon.weakest); });
   primitive_field(fields, grasp, primitives);
   refinement_field(fields, grasp);
+  shake_field(fields, grasp);
   fields.object("approach", [&](auto& inner) { approach_fields(inner, grasp); });
   fields.derived("blocked", [&] { return blocked_json(scene, trial); });
   arm_fields(fields, grasp, scene);

@@ -6,6 +6,7 @@
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/json/json_field.h"
+#include "sim/manipulation/protocol_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 
@@ -27,6 +28,11 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   record.unit = unit_of_source(asked.scene, loaded);
   print_notes(loaded);
   return {compile(std::move(loaded)), record};
+}
+
+std::optional<Protocol> asked_protocol(const std::string& name_or_file) {
+  if (name_or_file.empty()) return {};
+  return read_protocol(find_protocol(name_or_file));
 }
 
 double asked_tolerance(const TriangleMesh& object, double millimetres) {

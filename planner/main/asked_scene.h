@@ -1,7 +1,11 @@
 // Loads the scene of a grasp file, which the command line may override.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "planner/files/grasps_file.h"
+#include "sim/manipulation/protocol.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend {
@@ -15,6 +19,9 @@ struct LoadedScene {
 // Each field that is set on the command line overrides that of the file; empty ones do not.
 // Throws InputError when neither names a scene.
 LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& command_line);
+
+// The protocol that --shake names; nothing where it does not. Throws InputError.
+std::optional<Protocol> asked_protocol(const std::string& name_or_file);
 
 // DecomposeOptions::tolerance from --primitive-tolerance [mm]. Throws InputError that names the
 // option.

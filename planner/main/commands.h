@@ -40,7 +40,9 @@ struct PlanCommand {
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::vector<std::string> exports;           // formats besides grasps.json
-  std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
+  std::string shake;                          // protocol: name or file; empty: none
+  bool rank_by_shake = false;
+  std::vector<std::string> packages;  // of a hand or platform: NAME=FOLDER
   CommonOptions common;
 };
 
@@ -51,6 +53,7 @@ struct EvaluateCommand {
   std::string hand;
   std::string unit;
   bool repair = true;
+  std::string shake;                    // protocol: name or file; empty: none
   std::size_t volumes = kMostDetailed;  // of so many grasps: those that the report shows in detail
   CommonOptions common;
 };

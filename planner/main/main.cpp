@@ -87,6 +87,11 @@ void add_common(CLI::App& command, CommonOptions& common) {
   command.add_flag("--progress", common.progress, "say on stderr how far the run is, in lines");
 }
 
+void add_shake(CLI::App& command, std::string& protocol) {
+  command.add_option("--shake", protocol,
+                     "close, lift and shake each grasp: a protocol's name or file");
+}
+
 void add_no_report(CLI::App& command, bool& no_report) {
   command.add_flag("--no-report", no_report, "do without report.html");
 }
@@ -190,6 +195,12 @@ struct Program {
         .add_option("--export", plan.exports, "more files, with commas: csv, isaac, moveit, gltf")
         ->delimiter(',')
         ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf"}));
+    add_shake(command, plan.shake);
+    command
+        .add_option_function<std::string>(
+            "--rank", [this](const std::string& by) { plan.rank_by_shake = by == "shake"; },
+            "what comes first: larger epsilon, or more survived of the tests of --shake")
+        ->check(CLI::IsMember({"epsilon", "shake"}));
     add_packages(command, plan.packages);
     add_common(command, plan.common);
     add_accuracy(command, plan.common);
@@ -213,6 +224,7 @@ struct Program {
                     "for how many grasps the volume is computed, much slower than the rest")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
+    add_shake(command, evaluate.shake);
     add_common(command, evaluate.common);
     add_accuracy(command, evaluate.common);
     add_contacts(command, evaluate.common);

@@ -13,20 +13,34 @@ std::string volume_words(const ScoredGrasp& grasp) {
   return grasp.volume ? formatted("%.3g", *grasp.volume) : "-";
 }
 
+// "5 of 6" tests survived, "-" of a grasp that was not shaken; a column only where there are any.
+std::string shake_words(const ScoredGrasp& grasp) {
+  if (!grasp.shake) return "-";
+  return formatted("%d of %d", grasp.shake->survived(), grasp.shake->count());
+}
+
+bool any_shaken(const PlanResult& result) {
+  return std::any_of(result.grasps.begin(), result.grasps.end(),
+                     [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); });
+}
+
 }  // namespace
 
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
-  std::string text = formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s\n", "rank", "epsilon",
-                               "volume", "contacts", "outcome", "preshape", "primitive");
+  const bool shaken = any_shaken(result);
+  std::string text =
+      formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s%s\n", "rank", "epsilon", "volume", "contacts",
+                "outcome", "preshape", shaken ? "shaken   " : "", "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
     const std::string volume = volume_words(grasp);
     const std::string preshape = preshape_name(scene, grasp.candidate);
-    text +=
-        formatted("%4zu  %8.4f  %9s  %8zu  %-17s  %-16s  %s\n", i + 1, grasp.trial.epsilon.lower,
-                  volume.c_str(), grasp.trial.contacts.size(),
-                  std::string(outcome_name(grasp.trial.outcome)).c_str(),
-                  preshape.empty() ? "-" : preshape.c_str(), origin_words(grasp, result).c_str());
+    text += formatted("%4zu  %8.4f  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
+                      grasp.trial.epsilon.lower, volume.c_str(), grasp.trial.contacts.size(),
+                      std::string(outcome_name(grasp.trial.outcome)).c_str(),
+                      preshape.empty() ? "-" : preshape.c_str(),
+                      shaken ? formatted("%-9s", shake_words(grasp).c_str()).c_str() : "",
+                      origin_words(grasp, result).c_str());
   }
   return text;
 }

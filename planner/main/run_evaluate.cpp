@@ -11,6 +11,7 @@
 #include "planner/main/result_table.h"
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
+#include "planner/search/shake_grasps.h"
 #include "sim/base/output_file.h"
 #include "sim/json/json_field.h"
 
@@ -49,6 +50,7 @@ bool goes_on(PlanResult& result, Interrupts& interrupts) {
 
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
+  const std::optional<Protocol> protocol = asked_protocol(command.shake);
   Stopwatch watch;
   const Given given = read_given(command);
   const LoadedScene& loaded = given.loaded;
@@ -67,9 +69,14 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   interrupts.cancel_first();
   PlanResult result = evaluate(loaded.scene, given.candidates, options, context);
   bar.clear();
+  if (protocol && result.status == PlanStatus::complete) {
+    watch.add(result.times);
+    shake_grasps(loaded.scene, *protocol, context, result);
+    watch.lap(Stage::shake);
+  }
   if (!goes_on(result, interrupts)) return interrupts.exit_status();
   interrupts.end_at_once("nothing is written");
-  watch.add(result.times);
+  if (!protocol) watch.add(result.times);
 
   RunRecord record = loaded.record;
   record.options.seed = command.common.seed;

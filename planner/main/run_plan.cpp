@@ -12,6 +12,7 @@
 #include "planner/main/result_table.h"
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
+#include "planner/search/shake_grasps.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/telling_side.h"
@@ -71,6 +72,7 @@ class PlanProgram {
 
   int run() {
     require_writable(folder_);
+    const std::optional<Protocol> protocol = asked_protocol(command_.shake);
     Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair,
                                                foreign_options(command_.packages, {})});
     const std::string unit = unit_of_source(command_.scene, loaded);
@@ -80,7 +82,8 @@ class PlanProgram {
     watch_.lap(Stage::compile);
     const RunRecord record{scene_reference(command_.scene), unit, command_.hand,
                            options_of(command_, scene.scene.object.mesh), command_.repair};
-    const PlanResult result = plan_grasps(scene, record.options);
+    PlanResult result = plan_grasps(scene, record.options);
+    shake(scene, protocol, result);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     const bool late = result.status == PlanStatus::out_of_time;
     if (late && result.tried.empty()) {
@@ -122,6 +125,17 @@ class PlanProgram {
     }
     watch_.add(result.times);
     return result;
+  }
+
+  void shake(const CompiledScene& scene, const std::optional<Protocol>& protocol,
+             PlanResult& result) {
+    if (!protocol || result.grasps.empty() || result.status == PlanStatus::cancelled) return;
+    shake_grasps(
+        scene, *protocol,
+        {command_.common.threads, interrupts_.cancellation(), {}, command_.common.deadline},
+        result);
+    if (command_.rank_by_shake) rank_by_shake(result);
+    watch_.lap(Stage::shake);
   }
 
   // Writes what is quick to make: no exports, no report and no pictures.

@@ -20,6 +20,7 @@
 #include "primitives/thin_parts.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
+#include "sim/manipulation/shake.h"
 #include "sim/quality/interval.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/scene/compiled_scene.h"
@@ -102,6 +103,7 @@ struct ScoredGrasp {
   // (epsilon_nearby). Computed with the volume.
   std::optional<Interval> epsilon_nearby = {};
   std::optional<Refinement> refinement = {};
+  std::optional<ShakeReport> shake = {};  // filled in by shake_grasps
 };
 
 // A candidate that was tried, and the outcome of its trial.

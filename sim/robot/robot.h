@@ -89,6 +89,9 @@ struct DegreeOfFreedom {
   double max_velocity = 0.0;      // 0: not said [rad/s or m/s]
   double max_acceleration = 0.0;  // 0: not said [rad/s^2 or m/s^2]
   Coupling coupling = Coupling::rigid;
+  // Of a breakaway or by_finger coupling: the torque or force of a joint (at a ratio of 1) from
+  // which on its clutch slips; 0: not said [N m or N].
+  double breakaway_effort = 0.0;
 };
 
 // Whether a value is inside the limits of its degree of freedom, to 1e-9 rad or m: a limit itself

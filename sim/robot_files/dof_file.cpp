@@ -71,6 +71,9 @@ void read_motion(const JsonField& field, const FileUnits& units, int dof, Robot&
     motion.max_acceleration = read_positive(field["acceleration"]) * rate;
   }
   if (field.has("coupling")) motion.coupling = read_coupling(field["coupling"], dof, robot);
+  if (field.has("breakaway_effort")) {
+    motion.breakaway_effort = read_positive(field["breakaway_effort"]);
+  }
 }
 
 }  // namespace prehend

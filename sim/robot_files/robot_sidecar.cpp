@@ -39,7 +39,8 @@ void read_exempt_links(const JsonField& field, JointTree& tree) {
 }
 
 void read_motion_of(const JsonField& field, const FileUnits& units, Platform& platform) {
-  field.allow_only({"name", "initial", "closing_velocity", "velocity", "acceleration", "coupling"});
+  field.allow_only({"name", "initial", "closing_velocity", "velocity", "acceleration", "coupling",
+                    "breakaway_effort"});
   for (MountedRobot& mounted : platform.robots) {
     for (std::size_t d = 0; d < mounted.robot.dofs.size(); ++d) {
       if (mounted.robot.dofs[d].name != field["name"].text()) continue;

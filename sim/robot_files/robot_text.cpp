@@ -123,6 +123,7 @@ Json motion_json(const DegreeOfFreedom& dof) {
   if (dof.coupling == Coupling::breakaway) json["coupling"] = "breakaway";
   if (dof.coupling == Coupling::by_finger) json["coupling"] = "by_finger";
   if (dof.coupling == Coupling::self_centering) json["coupling"] = "self_centering";
+  if (dof.breakaway_effort > 0.0) json["breakaway_effort"] = dof.breakaway_effort;
   return json;
 }
 

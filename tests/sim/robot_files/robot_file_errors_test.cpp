@@ -34,7 +34,7 @@ std::vector<BadField> bad_fields() {
        "origin, axis, zero, after, limits, effort, friction (3)"},
       {"UnknownDofField", "/dofs/0/speed", "1",
        "dofs[0].speed: unknown field, known here are name, drives, initial, closing_velocity, "
-       "coupling, velocity, acceleration (1)"},
+       "coupling, breakaway_effort, velocity, acceleration (1)"},
       {"UnknownLengthUnit", "/units/length", R"("furlong")", "units.length: "},
       {"UnknownAngleUnit", "/units/angle", R"("grad")",
        R"(units.angle: unknown unit, known are rad and deg ("grad"))"},

@@ -1,0 +1,273 @@
+#include "sim/dynamics/island.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/index.h"
+#include "sim/dynamics/joint_conditions.h"
+
+namespace prehend {
+namespace {
+
+using Eigen::Index;
+
+// A round value of the radius of fingertips, with which the depth of a compliant material was
+// stated (material.h) [m].
+constexpr double kPadRadius = 0.03;
+
+// The lever arm with which friction resists spin on a contact of Hertz: of its pressure over a disc
+// of radius sqrt(R d), 3 pi / 16 of that (Johnson 1985, Contact Mechanics, sections 4.2 and 7.4).
+double soft_arm(double depth) {
+  return 3.0 * std::acos(-1.0) / 16.0 * std::sqrt(kPadRadius * depth);
+}
+
+// Part of the drift of contacts that stick which a step takes back.
+constexpr double kReturn = 0.5;
+
+// A contact of the step in world axes.
+struct PlacedContact {
+  Vector3 p_W;
+  std::array<Vector3, 3> directions;  // normal and tangents
+  double gap = 0.0;
+  Eigen::Vector2d drift = Eigen::Vector2d::Zero();  // of a's point against b's, along the tangents
+};
+
+PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b) {
+  const Vector3 on_a = a.X_WS * contact.p_A;
+  const Vector3 on_b = b.X_WS * contact.p_B;
+  const Matrix3& R = a.X_WS.linear();
+  const Vector3 tangent = any_orthogonal(contact.normal_A);
+  const std::array<Vector3, 3> directions = {R * contact.normal_A, R * tangent,
+                                             R * contact.normal_A.cross(tangent)};
+  const Vector3 between = on_a - on_b;
+  return {0.5 * (on_a + on_b),
+          directions,
+          directions[0].dot(between),
+          {directions[1].dot(between), directions[2].dot(between)}};
+}
+
+class IslandStep {
+ public:
+  IslandStep(const World& world, const Solids& solids, const Island& island, double time,
+             const StepOptions& options)
+      : world_(world), solids_(solids), island_(island), time_(time), options_(options) {}
+
+  IslandMotion run() {
+    for (const int mover : island_.movers) add_mover(mover);
+    for (const std::size_t p : island_.pairs) add_pair(world_.memory.pairs[p]);
+    const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
+                                      [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
+    if (!has_warm) warm_ = {};
+    motion_.solution = solve_contacts(problem_, options_.solver, warm_);
+    report();
+    return std::move(motion_);
+  }
+
+ private:
+  bool is_body(int mover) const { return index(mover) < world_.bodies.size(); }
+
+  void add_mover(int mover) {
+    const auto first = static_cast<int>(problem_.free.size());
+    motion_.first.push_back(first);
+    if (is_body(mover)) {
+      add_body(world_.bodies[index(mover)], first);
+    } else {
+      add_robot(world_.robots[index(mover) - world_.bodies.size()], first);
+    }
+  }
+
+  void add_velocities(const Eigen::VectorXd& now, const Eigen::VectorXd& free) {
+    const Index before = problem_.free.size();
+    problem_.free.conservativeResize(before + free.size());
+    problem_.free.tail(free.size()) = free;
+    warm_.velocity.conservativeResize(before + free.size());
+    warm_.velocity.tail(free.size()) = now;
+  }
+
+  void add_body(const WorldBody& body, int first) {
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(6, 6) * body.inertial.mass;
+    const Matrix3 inertia = inertia_in_world(body.inertial, body.motion.X_WB);
+    mass.topLeftCorner<3, 3>() = inertia;
+    problem_.masses.push_back({first, std::move(mass)});
+    Vector6 free;
+    free.head<3>() = free_angular_velocity(body.inertial, body.motion.X_WB,
+                                           inertia * body.motion.angular, time_);
+    free.tail<3>() =
+        body.motion.linear + time_ * (world_.gravity + body.force_W / body.inertial.mass);
+    add_velocities(spatial(body.motion.angular, body.motion.linear), free);
+  }
+
+  // Viscous friction acts at the end of the step, so that it never turns a motion round.
+  void add_robot(const WorldRobot& robot, int first) {
+    const RobotModel& model = *robot.model;
+    const Eigen::VectorXd q = joints_of(robot);
+    const Eigen::MatrixXd& C = model.joints_of;
+    Eigen::MatrixXd mass = C.transpose() * model.dynamics.mass_matrix(q) * C;
+    mass.diagonal() += model.drive_inertia;
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(mass.cols());
+    if (!robot.is_balanced)
+      push -= C.transpose() * model.dynamics.bias(q, C * robot.rate, around(robot));
+    if (robot.effort.size() > 0) push.head(model.dofs()) += robot.effort;
+    const Eigen::VectorXd momentum = mass * robot.rate + time_ * push;
+    for (std::size_t j = 0; j < model.robot.joints.size(); ++j) {
+      const double viscous = model.robot.joints[j].friction.viscous;
+      if (viscous == 0.0) continue;
+      const auto row = C.row(static_cast<Index>(j));
+      mass += time_ * viscous * row.transpose() * row;
+    }
+    add_velocities(robot.rate, mass.llt().solve(momentum));
+    problem_.masses.push_back({first, std::move(mass)});
+    for (JointCondition& joint : joint_conditions(robot, first, time_)) {
+      const bool is_known = robot.joint_impulses.size() == joint_places(robot);
+      warm_.impulses.push_back(Eigen::Vector4d::Zero());
+      if (is_known) warm_.impulses.back()[0] = time_ * robot.joint_impulses[joint.place];
+      problem_.contacts.push_back(std::move(joint.condition));
+    }
+  }
+
+  RobotSurroundings around(const WorldRobot& robot) const {
+    const Matrix3 R_BW = robot.X_WB.linear().transpose();
+    RobotSurroundings around;
+    around.gravity_B = R_BW * world_.gravity;
+    around.base_velocity = spatial(R_BW * robot.base_angular, R_BW * robot.base_linear);
+    // The spatial acceleration of B's origin: what changes of its velocity besides the turn.
+    const Vector3 angular = (robot.base_angular - robot.last_base_angular) / time_;
+    const Vector3 linear = (robot.base_linear - robot.last_base_linear) / time_ -
+                           robot.base_angular.cross(robot.base_linear);
+    around.base_acceleration = spatial(R_BW * angular, R_BW * linear);
+    return around;
+  }
+
+  int first_of(int mover) const {
+    const auto place = std::lower_bound(island_.movers.begin(), island_.movers.end(), mover);
+    return motion_.first[static_cast<std::size_t>(place - island_.movers.begin())];
+  }
+
+  double friction_of(const HeldContact& contact, const Solid& a, const Solid& b) const {
+    const ContactLaws& laws = world_.laws;
+    const FrictionTable& table = contact.slides && laws.kinetic ? *laws.kinetic : laws.friction;
+    return table.between(a.material, b.material);
+  }
+
+  double arm_of(const Solid& a, const Solid& b, double friction) const {
+    const ContactLaws& laws = world_.laws;
+    const bool of_robot = a.id.robot >= 0 || b.id.robot >= 0;
+    if (of_robot && laws.torsion) return friction > 0.0 ? *laws.torsion / friction : 0.0;
+    return soft_arm(laws.compliant_depths.between(a.material, b.material));
+  }
+
+  // How fast the contact may close: what is left of its gap, used up in one step. An impact gives
+  // back a part of its velocity, by Newton's law.
+  double approach_of(const Solid& a, const Solid& b, const PlacedContact& at, bool crosses) const {
+    const double closing = at.directions[0].dot(b.velocity_at(at.p_W) - a.velocity_at(at.p_W));
+    const double restitution = std::max(a.restitution, b.restitution);
+    const double room = (at.gap - options_.rest_gap) / time_;
+    if (restitution > 0.0 && closing > options_.slowest_bounce && closing > room) {
+      return -restitution * closing;
+    }
+    // A gap that has become too small opens slowly: at once, it would throw the bodies apart.
+    constexpr double kOpening = 0.1;
+    if (crosses) return kOpening * std::min(room, -options_.rest_gap / time_);
+    return room > 0.0 ? room : kOpening * room;
+  }
+
+  void add_pair(const PairMemory& pair) {
+    const Solid& a = solids_.at(pair.a);
+    const Solid& b = solids_.at(pair.b);
+    for (const HeldContact& held : pair.contacts) {
+      const PlacedContact at = placed(held, a, b);
+      ContactCondition condition;
+      condition.friction = friction_of(held, a, b);
+      const double arm = arm_of(a, b, condition.friction);
+      condition.offset = ConeVector::Zero(arm > 0.0 ? 4 : 3);
+      condition.offset[0] = approach_of(a, b, at, pair.crosses);
+      // Contacts that stick go back to where they stuck, so that what steps lose on curved ways
+      // does not add up.
+      if (!held.slides) condition.offset.segment<2>(1) = kReturn / time_ * at.drift;
+      for (const auto& [solid, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
+        const int first = solid->mover >= 0 ? first_of(solid->mover) : -1;
+        solids_.add_rows(*solid, first, at.p_W, at.directions, arm, sign, condition);
+      }
+      motion_.contacts.push_back({.a = pair.a,
+                                  .b = pair.b,
+                                  .position_W = at.p_W,
+                                  .normal_W = at.directions[0],
+                                  .gap = at.gap});
+      places_.push_back({at.directions, arm, problem_.contacts.size()});
+      warm_.impulses.push_back(time_ * held.impulse);
+      problem_.contacts.push_back(std::move(condition));
+    }
+  }
+
+  void report() {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& place = places_[i];
+      const Eigen::Vector4d& impulse = motion_.solution.impulses[place.condition];
+      WorldContact& contact = motion_.contacts[i];
+      contact.impulse_W = impulse[0] * place.directions[0] + impulse[1] * place.directions[1] +
+                          impulse[2] * place.directions[2];
+      contact.spin_impulse = place.arm * impulse[3];
+      const ContactCondition& condition = problem_.contacts[place.condition];
+      Eigen::Vector2d slip = condition.offset.segment<2>(1);
+      for (const JacobianBlock& block : condition.blocks) {
+        slip += block.rows.middleRows<2>(1) *
+                motion_.solution.velocity.segment(block.first, block.rows.cols());
+      }
+      contact.slip = slip.norm();
+    }
+  }
+
+  struct Place {
+    std::array<Vector3, 3> directions;
+    double arm = 0.0;
+    std::size_t condition = 0;
+  };
+
+  const World& world_;
+  const Solids& solids_;
+  const Island& island_;
+  double time_;
+  const StepOptions& options_;
+  ContactProblem problem_;
+  WarmStart warm_;
+  std::vector<Place> places_;  // of each contact
+  IslandMotion motion_;
+};
+
+}  // namespace
+
+std::vector<Island> islands_of(const Solids& solids, const ContactMemory& memory) {
+  const auto movers = static_cast<std::size_t>(solids.movers());
+  DisjointSets sets(movers);
+  for (const PairMemory& pair : memory.pairs) {
+    const int a = solids.at(pair.a).mover;
+    const int b = solids.at(pair.b).mover;
+    if (!pair.contacts.empty() && a >= 0 && b >= 0) sets.merge(index(a), index(b));
+  }
+  std::vector<Island> islands;
+  std::vector<std::size_t> island_of(movers);
+  for (std::size_t m = 0; m < movers; ++m) {
+    const std::size_t root = sets.find(m);
+    if (root == m) {
+      island_of[m] = islands.size();
+      islands.emplace_back();
+    }
+    islands[island_of[root]].movers.push_back(static_cast<int>(m));
+  }
+  for (std::size_t p = 0; p < memory.pairs.size(); ++p) {
+    if (memory.pairs[p].contacts.empty()) continue;
+    const int a = solids.at(memory.pairs[p].a).mover;
+    const int b = solids.at(memory.pairs[p].b).mover;
+    if (a < 0 && b < 0) continue;
+    islands[island_of[sets.find(index(a >= 0 ? a : b))]].pairs.push_back(p);
+  }
+  return islands;
+}
+
+IslandMotion solve_island(const World& world, const Solids& solids, const Island& island,
+                          double time, const StepOptions& options) {
+  return IslandStep(world, solids, island, time, options).run();
+}
+
+}  // namespace prehend

@@ -1,0 +1,195 @@
+#include "sim/dynamics/near_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+// Pairs that are this much farther apart than they need to be are known already: what speeds up
+// within the step was then looked at [m].
+constexpr double kMargin = 5e-3;
+
+struct Ball {
+  Vector3 center;
+  double radius = 0.0;
+  int solid = 0;
+};
+
+bool is_checked(const World& world, const Solid& a, const Solid& b) {
+  if (!a.moves && !b.moves) return false;
+  if (a.id.robot < 0 || a.id.robot != b.id.robot) return true;
+  const RobotModel& model = *world.robots[index(a.id.robot)].model;
+  const auto pair = std::minmax(a.id.index, b.id.index);
+  return std::find(model.self_pairs.begin(), model.self_pairs.end(),
+                   std::pair<int, int>(pair.first, pair.second)) != model.self_pairs.end();
+}
+
+// Whether neither has to be looked at: both rest.
+bool both_rest(const World& world, const Solid& a, const Solid& b) {
+  const auto rests = [&](const Solid& solid) {
+    if (solid.id.robot >= 0) return false;
+    const WorldBody& body = world.bodies[index(solid.id.index)];
+    return body.is_fixed || body.asleep;
+  };
+  return rests(a) && rests(b);
+}
+
+double fastest_point(const Solid& solid) {
+  return solid.velocity_at(solid.X_WS * solid.shape->mesh.ball_center()).norm() +
+         solid.angular.norm() * solid.shape->mesh.ball_radius();
+}
+
+// Pairs whose bounding balls come near each other within the step: by sweeping along x.
+std::vector<std::pair<int, int>> ball_pairs(const Solids& solids, const World& world, double time) {
+  std::vector<Ball> balls;
+  for (const Solid& solid : solids.all()) {
+    balls.push_back({solid.X_WS * solid.shape->mesh.ball_center(),
+                     solid.shape->mesh.ball_radius() + kMargin + time * fastest_point(solid),
+                     static_cast<int>(balls.size())});
+  }
+  const auto low = [](const Ball& ball) { return ball.center.x() - ball.radius; };
+  std::sort(balls.begin(), balls.end(), [&](const Ball& a, const Ball& b) {
+    return low(a) != low(b) ? low(a) < low(b) : a.solid < b.solid;
+  });
+  std::vector<std::pair<int, int>> pairs;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    const double end = balls[i].center.x() + balls[i].radius;
+    for (std::size_t j = i + 1; j < balls.size() && low(balls[j]) <= end; ++j) {
+      const double reach = balls[i].radius + balls[j].radius;
+      if ((balls[i].center - balls[j].center).squaredNorm() > reach * reach) continue;
+      const auto pair = std::minmax(balls[i].solid, balls[j].solid);
+      if (is_checked(world, solids.all()[index(pair.first)], solids.all()[index(pair.second)])) {
+        pairs.emplace_back(pair.first, pair.second);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// The range up to which contacts may be looked for: within about the size of a triangle only few
+// of them are near.
+double widest_range(const Solid& a, const Solid& b, const ContactSearchOptions& options) {
+  constexpr double kPart = 0.3;
+  const auto grain = [](const Solid& solid) {
+    const ProximityMesh& mesh = solid.shape->mesh;
+    return 2.0 * mesh.ball_radius() / std::sqrt(static_cast<double>(mesh.mesh().triangles.size()));
+  };
+  return std::max(2.0 * options.range, kPart * std::min(grain(a), grain(b)));
+}
+
+// Looks at one pair: what the memory says of it is enough, or is brought up to date. Returns the
+// longest step.
+class PairSearch {
+ public:
+  PairSearch(const Solids& solids, const World& world, double time, const StepOptions& options)
+      : solids_(solids), options_(options), time_(time) {
+    // What gravity and forces add to the speed.
+    double fastest_gain = world.gravity.norm();
+    for (const WorldBody& body : world.bodies) {
+      if (body.is_fixed) continue;
+      fastest_gain =
+          std::max(fastest_gain, world.gravity.norm() + body.force_W.norm() / body.inertial.mass);
+    }
+    gain_ = 2.0 * time * fastest_gain;
+  }
+
+  double look(const Solid& a, const Solid& b, double speed, PairMemory& pair) {
+    const double need = time_ * (speed + gain_);
+    const double moved = moved_since(pair, solids_);
+    const ContactSearchOptions& contacts = options_.contacts;
+    const bool is_fresh = pair.contacts.empty()
+                              ? pair.at_least - moved > contacts.range + need
+                              : moved <= contacts.refresh && pair.at_least - moved > need;
+    if (is_fresh) return time_;
+    const double range =
+        std::clamp(contacts.range + need, contacts.range, widest_range(a, b, contacts));
+    const Pose X_AB = a.X_WS.inverse() * b.X_WS;
+    // Farther than needed now, so that the answer lasts for some steps.
+    const double far = contacts.range + 3.0 * need + kMargin;
+    const Gap gap = find_gap(a.shape->mesh, b.shape->mesh, X_AB,
+                             {.cap = far, .relative_error = 0.1, .hint = {}});
+    if (gap.lower > range) {
+      pair.contacts.clear();
+      pair.crosses = false;
+      pair.X_AB = X_AB;
+      pair.at_least = std::min(gap.lower, far);
+      if (pair.at_least > contacts.range + need) return time_;
+      // To the middle of the range: the contact is there in the next step.
+      return (pair.at_least - 0.5 * contacts.range) / (speed + gain_);
+    }
+    touch(a.shape->mesh, b.shape->mesh, X_AB, gap, range, pair);
+    return need < range ? time_ : time_ * range / need;
+  }
+
+ private:
+  void touch(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, const Gap& gap,
+             double range, PairMemory& pair) {
+    pair.crosses = gap.upper == 0.0;
+    if (!pair.crosses) {
+      search_contacts(a, b, X_AB, range, options_.contacts, workspace_, pair);
+      if (pair.contacts.empty()) pair.contacts = {nearest_contact(a, b, X_AB, gap.pair)};
+      return;
+    }
+    // No contacts can be found: those held before push the surfaces apart.
+    if (!pair.contacts.empty()) return;
+    pair.X_AB = X_AB;
+    if (const auto contact = crossing_contact(a, b, X_AB)) pair.contacts = {*contact};
+  }
+
+  const Solids& solids_;
+  const StepOptions& options_;
+  double time_;
+  double gain_;
+  RegionWorkspace workspace_;
+};
+
+}  // namespace
+
+double moved_since(const PairMemory& pair, const Solids& solids) {
+  const Solid& a = solids.at(pair.a);
+  const Solid& b = solids.at(pair.b);
+  const Pose X_AB = a.X_WS.inverse() * b.X_WS;
+  const Vector3& center = b.shape->mesh.ball_center();
+  const double turned = (X_AB.linear() - pair.X_AB.linear()).norm();  // sqrt(2) times the chord
+  return (X_AB * center - pair.X_AB * center).norm() + turned * b.shape->mesh.ball_radius();
+}
+
+double find_near(const Solids& solids, const Solids* speeds, const World& world, double time,
+                 const StepOptions& options, ContactMemory& memory) {
+  double longest = time;
+  std::vector<PairMemory> next;
+  std::size_t known = 0;
+  PairSearch search(solids, world, time, options);
+  for (const auto& [i, j] : ball_pairs(speeds != nullptr ? *speeds : solids, world, time)) {
+    const Solid& a = solids.all()[index(i)];
+    const Solid& b = solids.all()[index(j)];
+    while (known < memory.pairs.size() &&
+           (memory.pairs[known].a < a.id ||
+            (memory.pairs[known].a == a.id && memory.pairs[known].b < b.id))) {
+      ++known;
+    }
+    const bool is_known = known < memory.pairs.size() && memory.pairs[known].a == a.id &&
+                          memory.pairs[known].b == b.id;
+    next.push_back(is_known ? std::move(memory.pairs[known]) : PairMemory{a.id, b.id});
+    if (both_rest(world, a, b)) continue;
+    double speed = closing_speed(a, b);
+    if (speeds != nullptr) {
+      speed = std::max(speed, closing_speed(speeds->all()[index(i)], speeds->all()[index(j)]));
+    }
+    longest = std::min(longest, search.look(a, b, speed, next.back()));
+  }
+  memory.pairs = std::move(next);
+  return std::max(longest, options.shortest * options.step);
+}
+
+bool may_have_met(const Solids& after, const ContactMemory& memory) {
+  return std::any_of(memory.pairs.begin(), memory.pairs.end(), [&](const PairMemory& pair) {
+    return pair.contacts.empty() && !pair.crosses && moved_since(pair, after) >= pair.at_least;
+  });
+}
+
+}  // namespace prehend

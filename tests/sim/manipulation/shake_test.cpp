@@ -1,0 +1,132 @@
+#include "sim/manipulation/shake.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/geometry/basic_shapes.h"
+#include "sim/manipulation/protocol_file.h"
+#include "sim/scene/make_scene.h"
+#include "tests/support/refusal_of.h"
+
+namespace prehend {
+namespace {
+
+// A cube between the jaws of the library's parallel jaw, held across its middle.
+class HeldCube : public ::testing::Test {
+ protected:
+  static constexpr double kEdge = 0.04;
+
+  static CompiledScene scene_of(double mass) {
+    Scene scene = make_scene(
+        make_graspable("cube", make_box(Vector3::Constant(kEdge)), Material::plastic, mass),
+        "parallel_jaw");
+    return compile(std::move(scene));
+  }
+
+  // The hand comes from above; its palm stays clear of the cube.
+  static Trial closed(const CompiledScene& scene) {
+    const Hand& hand = *scene.scene.hand.hand;
+    const double depth = hand.preshapes.front().depth;
+    Matrix3 R_HG;
+    R_HG << hand.closing, hand.approach.cross(hand.closing), hand.approach;
+    Matrix3 R_OG;
+    R_OG << Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitZ();
+    R_OG.col(1) = R_OG.col(2).cross(R_OG.col(0));
+    Candidate candidate;
+    const Matrix3 R_OH = R_OG * R_HG.transpose();
+    candidate.X_OH = pose_from(R_OH, -R_OH * (hand.origin + depth * hand.approach));
+    candidate.approach_O = -Vector3::UnitZ();
+    candidate.approach_distance = 0.02;
+    candidate.preshape = 0;
+    return run_trial(scene, candidate);
+  }
+
+  static Protocol hanging(double friction, double seconds) {
+    Protocol protocol{.name = "hanging", .source = "test"};
+    protocol.friction = friction;
+    protocol.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
+    ProtocolPhase hold{.kind = PhaseKind::hold, .duration = seconds};
+    hold.gravity = Vector3(0.0, 0.0, -9.81);
+    hold.fails.moved = 0.01;
+    protocol.tests = {{"gravity", {hold}}};
+    return protocol;
+  }
+};
+
+TEST_F(HeldCube, HangsWhereFrictionBearsItsWeightAndFallsWhereItDoesNot) {
+  const CompiledScene scene = scene_of(0.1);
+  const Trial trial = closed(scene);
+  ASSERT_EQ(trial.outcome, Outcome::stable);
+  const auto hand = hand_model(scene);
+  // The drive moves both pads, which share its effort.
+  const double press = hand->effort[0] / hand->joints_of.col(0).cwiseAbs().sum();
+  const double needed = 0.1 * 9.81 / (2.0 * press);
+  const ShakeReport holds = shake_grasp(scene, hand, posture_of(trial), hanging(1.1 * needed, 1.0));
+  EXPECT_TRUE(holds.holds());
+  EXPECT_LT(holds.tests.back().phases.back().moved, 1e-5);
+  const ShakeReport falls = shake_grasp(scene, hand, posture_of(trial), hanging(0.9 * needed, 1.0));
+  EXPECT_FALSE(falls.holds());
+  EXPECT_EQ(falls.tests.back().outcome, ShakeOutcome::moved);
+  ASSERT_TRUE(falls.tests.back().first_slip.has_value());
+  // With the friction that is there it falls with a tenth of g.
+  EXPECT_NEAR(falls.tests.back().failed_at, std::sqrt(2.0 * 0.01 / (0.1 * 9.81)), 0.01);
+}
+
+TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
+  const CompiledScene scene = scene_of(0.1);
+  const Trial trial = closed(scene);
+  const auto hand = hand_model(scene);
+  for (const std::string& name : library_protocol_names()) {
+    const Protocol protocol = read_protocol(find_protocol(name));
+    const ShakeReport report = shake_grasp(scene, hand, posture_of(trial), protocol);
+    EXPECT_TRUE(report.holds()) << name;
+    EXPECT_EQ(report.count(), static_cast<int>(protocol.tests.size()));
+    EXPECT_EQ(report.effort.crossings, 0) << name;
+  }
+}
+
+TEST_F(HeldCube, WhatIsShakenTwiceMovesTheSame) {
+  const CompiledScene scene = scene_of(0.1);
+  const GraspPosture grasp = posture_of(closed(scene));
+  const auto hand = hand_model(scene);
+  const Protocol protocol = read_protocol(find_protocol("acronym"));
+  const ShakeReport a = shake_grasp(scene, hand, grasp, protocol);
+  const ShakeReport b = shake_grasp(scene, hand, grasp, protocol);
+  ASSERT_EQ(a.tests.size(), b.tests.size());
+  for (std::size_t t = 0; t < a.tests.size(); ++t) {
+    for (std::size_t p = 0; p < a.tests[t].phases.size(); ++p) {
+      EXPECT_EQ(a.tests[t].phases[p].moved, b.tests[t].phases[p].moved);
+      EXPECT_EQ(a.tests[t].phases[p].turned, b.tests[t].phases[p].turned);
+    }
+  }
+}
+
+// About the axis on which the fingers close: across it they would give way, since each of them is
+// driven by its own effort alone.
+TEST_F(HeldCube, ATurningHandTakesItsObjectAlong) {
+  const CompiledScene scene = scene_of(0.1);
+  const GraspPosture grasp = posture_of(closed(scene));
+  Protocol protocol{.name = "turning", .source = "test"};
+  protocol.friction = 1.0;
+  protocol.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
+  ProtocolPhase turn{.kind = PhaseKind::turn, .duration = 2.0};
+  turn.axis = Vector3::UnitX();
+  turn.amplitude = 0.5;
+  turn.frequency = 1.0;
+  protocol.tests = {{"turn", {turn}}};
+  const ShakeReport report = shake_grasp(scene, hand_model(scene), grasp, protocol);
+  EXPECT_LT(report.tests.back().phases[0].moved, 1e-4);
+  EXPECT_LT(report.tests.back().phases[0].turned, 1e-3);
+}
+
+TEST_F(HeldCube, AnObjectWithoutMassCannotBeShaken) {
+  CompiledScene scene = scene_of(0.1);
+  const GraspPosture grasp = posture_of(closed(scene));
+  scene.scene.object.mass = 0.0;
+  const Protocol protocol = hanging(1.0, 0.1);
+  const auto hand = hand_model(scene);
+  EXPECT_EQ(test::refusal_of([&] { (void)shake_grasp(scene, hand, grasp, protocol); }).field(),
+            "cube");
+}
+
+}  // namespace
+}  // namespace prehend
