@@ -42,7 +42,10 @@
 //   move_robot.h          the same for a robot that others carry
 //   reach.h               whether an arm follows the hand's approach
 //   grasp_path.h          the arm's whole motion to a grasp
+//   lift_object.h         what comes after it: the object lifted and taken along
+//   cartesian_line.h      the arm's postures with its hand on a straight line
 //   plan_transfer.h       its way from one posture to another, around everything
+//   trajectory.h          a motion of joints in time
 //   time_path.h           the fastest motion along a path
 //   check_path.h          a second look at a finished motion
 //   grasp_motion.h        how a hand comes and closes, posture by posture
@@ -77,8 +80,8 @@
 #include "planner/path/check_path.h"
 #include "planner/path/grasp_motion.h"
 #include "planner/path/grasp_path.h"
+#include "planner/path/lift_object.h"
 #include "planner/path/plan_transfer.h"
-#include "planner/path/time_path.h"
 #include "planner/picture/image.h"
 #include "planner/propose/candidates.h"
 #include "planner/report/contacts_report.h"
@@ -101,6 +104,8 @@
 #include "sim/base/output_file.h"
 #include "sim/base/pose.h"
 #include "sim/base/run_context.h"
+#include "sim/control/time_path.h"
+#include "sim/control/trajectory.h"
 #include "sim/dynamics/world.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/make_mesh.h"
@@ -115,6 +120,7 @@
 #include "sim/manipulation/shake.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/quality/quality.h"
+#include "sim/reach/cartesian_line.h"
 #include "sim/reach/reach.h"
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/robot/move_robot.h"

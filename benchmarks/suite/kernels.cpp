@@ -165,7 +165,7 @@ void add_path(const Sizes& sizes, std::vector<Kernel>& kernels) {
   if (grasps.empty()) return;
   kernels.push_back(kernel_over("one path, " + name, grasps, [scene](const ScoredGrasp& grasp) {
     const auto path = plan_grasp_path(*scene, grasp.candidate, grasp.trial);
-    return path ? path->times.back() : 0.0;
+    return path ? path->motion.times.back() : 0.0;
   }));
 }
 

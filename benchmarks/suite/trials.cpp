@@ -71,13 +71,13 @@ void measure_paths_of(const std::string& name, const Sizes& sizes, Record& recor
     reaches.push_back(processor_milliseconds([&] {
       (void)find_reach(*scene.arm, approach_line(scene, grasp.candidate, grasp.trial), {});
     }));
-    std::optional<Trajectory> path;
+    std::optional<GraspPath> path;
     const double planned = processor_milliseconds(
         [&] { path = plan_grasp_path(scene, grasp.candidate, grasp.trial); });
     if (!path) continue;
     paths.push_back(planned);
-    motions.push_back(path->times.back());
-    checks.push_back(processor_milliseconds([&] { (void)check_path(scene, *path); }));
+    motions.push_back(path->motion.times.back());
+    checks.push_back(processor_milliseconds([&] { (void)check_path(scene, path->motion); }));
   }
   record.add(kReach, name, "ms", reaches);
   record.add(kPath, name, "ms", paths);

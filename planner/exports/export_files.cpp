@@ -4,6 +4,7 @@
 
 #include "planner/exports/csv.h"
 #include "planner/exports/isaac.h"
+#include "planner/exports/mjcf.h"
 #include "planner/exports/moveit.h"
 #include "planner/picture/glb_bytes.h"
 #include "planner/search/grasp_words.h"
@@ -28,6 +29,8 @@ ExportHeader header_of(const CompiledScene& scene) {
   return header;
 }
 
+}  // namespace
+
 ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int rank) {
   const Trial& trial = grasp.trial;
   ExportGrasp exported;
@@ -48,6 +51,8 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   return exported;
 }
 
+namespace {
+
 // The grasp with all that stands around it.
 ExportFile gltf_file(const CompiledScene& scene, const ScoredGrasp& grasp,
                      const ExportGrasp& exported) {
@@ -63,7 +68,9 @@ ExportFile gltf_file(const CompiledScene& scene, const ScoredGrasp& grasp,
 
 }  // namespace
 
-std::vector<std::string> export_formats() { return {"json", "csv", "isaac", "moveit", "gltf"}; }
+std::vector<std::string> export_formats() {
+  return {"json", "csv", "isaac", "moveit", "gltf", "mjcf"};
+}
 
 std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResult& result,
                                      const std::string& format) {
@@ -93,6 +100,12 @@ std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResul
   } else if (format == "gltf") {
     for (std::size_t g = 0; g < grasps.size(); ++g) {
       files.push_back(gltf_file(scene, result.grasps[g], grasps[g]));
+    }
+  } else if (format == "mjcf") {
+    const MjcfShapes shapes = grasps.empty() ? MjcfShapes{} : mjcf_shapes(scene);
+    for (const ExportGrasp& grasp : grasps) {
+      if (grasp.closed_joints.empty()) continue;
+      files.push_back({mjcf_file_name(grasp.rank), mjcf_text(scene, shapes, grasp)});
     }
   } else {
     std::string known;

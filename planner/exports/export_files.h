@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/exports/export_grasp.h"
 #include "planner/search/plan.h"
 
 namespace prehend {
@@ -15,8 +16,11 @@ struct ExportFile {
 };
 
 // The names that export_files accepts as a format: "json" (grasps.json, which is always written),
-// "csv", "isaac", "moveit", "gltf".
+// "csv", "isaac", "moveit", "gltf", "mjcf".
 std::vector<std::string> export_formats();
+
+// What the formats need of a grasp; `rank` counts from 1.
+ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int rank);
 
 // The result in one format, as one or several files (docs/exports.md); nothing is written to disk.
 // Throws InputError that lists the known formats when `format` is none of them.

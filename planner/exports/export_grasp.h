@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/path/trajectory.h"
 #include "sim/base/pose.h"
+#include "sim/control/trajectory.h"
 
 namespace prehend {
 

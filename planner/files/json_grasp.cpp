@@ -254,15 +254,19 @@ void read_arm(const JsonField& grasp, const CompiledArm& arm, const HandLine& li
 void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
   if constexpr (kReads<decltype(fields)>) {
     // Permitted in every scene, and ignored in one without an arm.
-    for (const char* name : {"arm_dofs", "arm_line", "path"}) (void)fields.knows(name);
+    for (const char* name : {"arm_dofs", "arm_line", "path", "lift"}) (void)fields.knows(name);
     if (!scene.arm) return;
     const JsonField& field = fields.field();
     read_arm(field, *scene.arm, approach_line(scene, grasp.candidate, grasp.trial), grasp.trial);
     if (field.has("path")) grasp.path = read_trajectory(field["path"], scene.arm->robot());
+    fields.named("lift", grasp.lift, value_names(kLiftEnds, lift_end_name));
   } else {
     if (!grasp.trial.arm_dofs.empty()) fields("arm_dofs", grasp.trial.arm_dofs);
     if (!grasp.trial.arm_line.empty()) fields("arm_line", grasp.trial.arm_line);
-    if (grasp.path) fields.derived("path", [&] { return trajectory_to_json(*grasp.path); });
+    if (grasp.path) {
+      fields.derived("path", [&] { return trajectory_to_json(*grasp.path); });
+      fields.named("lift", grasp.lift, value_names(kLiftEnds, lift_end_name));
+    }
   }
 }
 

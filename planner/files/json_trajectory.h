@@ -2,7 +2,7 @@
 // (docs/grasps-file.md).
 #pragma once
 
-#include "planner/path/trajectory.h"
+#include "sim/control/trajectory.h"
 #include "sim/json/json_field.h"
 #include "sim/robot/robot.h"
 

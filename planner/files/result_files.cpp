@@ -14,8 +14,8 @@ constexpr std::array<std::string_view, 8> kPlain = {
     "best_arm.png", "grasps.csv",   "grasps_isaac.yaml", "grasps_moveit.yaml"};
 
 // '#' stands for a number.
-constexpr std::array<std::string_view, 3> kNumbered = {"path_#.csv", "path_#_moveit.yaml",
-                                                       "grasp_#.glb"};
+constexpr std::array<std::string_view, 4> kNumbered = {"path_#.csv", "path_#_moveit.yaml",
+                                                       "grasp_#.glb", "grasp_#.xml"};
 constexpr std::array<std::string_view, 3> kRendered = {"contact_sheet.png", "grasp_#.png",
                                                        "approach_#_frame_#.png"};
 

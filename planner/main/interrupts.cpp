@@ -46,6 +46,9 @@ Interrupts::~Interrupts() {
   is_over_ = true;
   ::pthread_kill(waiter_.native_handle(), kWake);
   waiter_.join();
+  // A program that was told to end is about to: a second signal that came meanwhile would kill it
+  // here, before it says so with its exit status.
+  if (cancellation_.requested()) return;
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 

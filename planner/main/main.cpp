@@ -192,9 +192,10 @@ struct Program {
         ->check(CLI::IsMember({"rrt_connect", "roadmap", "rrt_star"}))
         ->capture_default_str();
     command
-        .add_option("--export", plan.exports, "more files, with commas: csv, isaac, moveit, gltf")
+        .add_option("--export", plan.exports,
+                    "more files, with commas: csv, isaac, moveit, gltf, mjcf")
         ->delimiter(',')
-        ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf"}));
+        ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf", "mjcf"}));
     add_shake(command, plan.shake);
     command
         .add_option_function<std::string>(

@@ -114,9 +114,9 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
   });
   if (count == 0) return;
   const ScoredGrasp& result = grasp.result;
-  const std::vector<NamedFrame> frames = named_frames(
-      grasp_motion(scene, result.candidate, result.trial, result.path ? &*result.path : nullptr),
-      count);
+  const GraspMotion motion =
+      grasp_motion(scene, result.candidate, result.trial, result.path ? &*result.path : nullptr);
+  const std::vector<NamedFrame> frames = named_frames(motion, count);
   if (frames.empty()) {
     std::cout << "no frames: the file does not say how the hand comes to grasp " << grasp.number
               << "\n";
@@ -130,8 +130,10 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
   for_each_in_parallel(frames.size(), 0, [&](std::size_t i) {
     PosedGrasp moment = posed_at(frames[i].frame);
     moment.title = frame_title(grasp, frames[i], i + 1, frames.size());
-    // The last frame is the grasp; in earlier ones nothing touches.
-    if (i + 1 == frames.size()) moment.contacts = grasp.posed.contacts;
+    // Before the grasp nothing touches, and afterwards it is elsewhere.
+    if (frames[i].frame.time == motion.frames[motion.grasp()].time) {
+      moment.contacts = grasp.posed.contacts;
+    }
     // Fixed width, so that the names sort in the order of the frames.
     names[i] = start + formatted(count < 100 ? "%02zu.png" : "%04zu.png", i + 1);
     interrupts.write(folder / names[i],

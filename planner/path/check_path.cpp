@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "planner/path/lift_object.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
+#include "sim/control/cubic_peaks.h"
+#include "sim/scene/carried_object.h"
 
 namespace prehend {
 namespace {
@@ -57,32 +61,38 @@ std::vector<std::vector<Vector3>> box_corners(const CompiledArm& arm) {
 
 class PathChecker {
  public:
-  PathChecker(const CompiledScene& scene, const Trajectory& path, const PathCheckOptions& options,
-              const RunContext& context)
-      : arm_(*scene.arm),
+  // `carries`: the arm's last link is the object, which the hand holds.
+  PathChecker(const CompiledScene& scene, const CompiledArm& arm, bool carries,
+              const Trajectory& path, const PathCheckOptions& options, const RunContext& context)
+      : arm_(arm),
+        carries_(carries),
         path_(path),
         options_(options),
         context_(context),
         hand_joints_(scene.scene.hand.joints.size()),
-        pairs_(separate_pairs(arm_.links, arm_.robot())),
-        corners_(box_corners(arm_)) {}
+        corners_(box_corners(arm_)) {
+    find_pairs(*scene.arm);
+  }
 
-  PathCheck run() {
-    check_limits();
+  // Looks at the samples `first` to `last`.
+  PathCheck run(std::size_t first, std::size_t last) {
+    check_limits(first, last);
     // walk(i) tests the postures after sample i. The one before all of them is tested here.
-    look(path_.positions.front(), path_.times.front());
-    for (std::size_t i = 0; i + 1 < path_.times.size(); ++i) walk(i);
+    if (carries_) {
+      arm_link_poses(arm_, path_.positions[first], X_BL_);
+      std::erase_if(touching_ = pairs_, [&](const ArmPair& pair) { return !meet(pair); });
+    }
+    look(path_.positions[first], path_.times[first]);
+    for (std::size_t i = first; i < last; ++i) walk(i);
     return check_;
   }
 
  private:
   // Limits are stated for degrees of freedom, the path has joint values. A joint moves `ratio`
-  // times as fast as its degree of freedom, so its rates are divided by the ratio. Velocities are
-  // compared at the samples, accelerations as mean values between two samples, which is also what
-  // time_path keeps inside the limits.
-  void check_limits() {
+  // times as fast as its degree of freedom, so its rates are divided by the ratio.
+  void check_limits(std::size_t first, std::size_t last) {
     const Robot& robot = arm_.robot();
-    for (std::size_t i = 0; i < path_.times.size(); ++i) {
+    for (std::size_t i = first; i <= last; ++i) {
       for (std::size_t j = 0; j < robot.joints.size(); ++j) {
         const Joint& joint = robot.joints[j];
         const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
@@ -97,16 +107,30 @@ class PathChecker {
           check_.beyond_limits =
               std::max({check_.beyond_limits, dof.lower - dof_value, dof_value - dof.upper});
         }
-        const double speed = std::abs(path_.velocities[i][j] / joint.ratio);
-        // Joints at rest are skipped: their limits may be missing (0), which would give 0 / 0.
-        if (speed > 0.0) check_.velocity = std::max(check_.velocity, speed / dof.max_velocity);
-        if (i == 0) continue;
-        const double change = std::abs(path_.velocities[i][j] - path_.velocities[i - 1][j]);
-        const double rate = change / std::abs(joint.ratio) / (path_.times[i] - path_.times[i - 1]);
-        if (change > 0.0) {
-          check_.acceleration = std::max(check_.acceleration, rate / dof.max_acceleration);
-        }
+        if (i > first) check_rates(i, j, dof, std::abs(joint.ratio));
       }
+    }
+  }
+
+  // Velocity and acceleration of a joint on the cubic that ends at sample i.
+  void check_rates(std::size_t i, std::size_t j, const DegreeOfFreedom& dof, double ratio) {
+    const double before = path_.positions[i - 1][j];
+    const double here = path_.positions[i][j];
+    const double seconds = path_.times[i] - path_.times[i - 1];
+    CubicPeaks peaks =
+        cubic_peaks(here - before, path_.velocities[i - 1][j], path_.velocities[i][j], seconds);
+    // Positions are rounded. Over a short time that makes an acceleration of its own.
+    const double rounding =
+        std::numeric_limits<double>::epsilon() * (std::abs(before) + std::abs(here)) / seconds;
+    peaks.velocity -= 2.0 * rounding;
+    peaks.acceleration -= 6.0 * rounding / seconds;
+    // Joints at rest are skipped: their limits may be missing (0), which would give 0 / 0.
+    if (peaks.velocity > 0.0) {
+      check_.velocity = std::max(check_.velocity, peaks.velocity / ratio / dof.max_velocity);
+    }
+    if (peaks.acceleration > 0.0) {
+      check_.acceleration =
+          std::max(check_.acceleration, peaks.acceleration / ratio / dof.max_acceleration);
     }
   }
 
@@ -158,23 +182,46 @@ class PathChecker {
     check_.first_collision = met + formatted(" at %.3f s", time);
   }
 
-  // "LINK meets BODY" for the first collision in the current posture, empty if there is none.
-  std::string what_meets() const {
-    for (const LinkPair& pair : pairs_) {
-      const CompiledLink& a = arm_.links[index(pair.a)];
-      const CompiledLink& b = arm_.links[index(pair.b)];
-      if (meet(a.mesh, b.mesh, X_BL_[index(pair.a)], X_BL_[index(pair.b)])) {
-        return a.name + " meets " + b.name;
-      }
+  // All pairs of the scene's arm `arm`, and with the object in the hand those of the object.
+  void find_pairs(const CompiledArm& arm) {
+    for (const LinkPair& pair : separate_pairs(arm.links, arm.robot())) {
+      pairs_.push_back({.link = pair.a, .other = pair.b});
     }
     for (std::size_t l = 0; l < arm_.links.size(); ++l) {
-      for (const PlacedBody& body : arm_.bodies) {
-        if (meet(body.mesh, arm_.links[l].mesh, body.X_RB, X_BL_[l])) {
-          return arm_.links[l].name + " meets " + body.name;
-        }
+      for (std::size_t b = carries_ ? 1 : 0; b < arm_.bodies.size(); ++b) {
+        pairs_.push_back({.link = link_id(l), .other = BodyId::at(b)});
+      }
+      if (!carries_ || arm_.is_hand_link(link_id(l))) continue;
+      if (arm_.robot().links[l].joint == arm_.hand_part().joint) continue;
+      pairs_.push_back({.link = carried_object(arm_), .other = link_id(l)});
+    }
+  }
+
+  // "LINK meets BODY" for the first collision in the current posture, empty if there is none.
+  std::string what_meets() {
+    for (const ArmPair& pair : pairs_) {
+      const bool touches = meet(pair);
+      const auto touching =
+          std::find_if(touching_.begin(), touching_.end(), [&](const ArmPair& other) {
+            return other.link == pair.link && other.other == pair.other;
+          });
+      if (touching != touching_.end()) {
+        if (!touches) touching_.erase(touching);
+      } else if (touches) {
+        return first_name(arm_, pair) + " meets " + second_name(arm_, pair);
       }
     }
     return "";
+  }
+
+  bool meet(const ArmPair& pair) const {
+    const Pose& X_BL = X_BL_[index(pair.link)];
+    const ProximityMesh& mesh = arm_.links[index(pair.link)].mesh;
+    if (const LinkId* link = std::get_if<LinkId>(&pair.other)) {
+      return meet(mesh, arm_.links[index(*link)].mesh, X_BL, X_BL_[index(*link)]);
+    }
+    const PlacedBody& body = arm_.body(std::get<BodyId>(pair.other));
+    return meet(body.mesh, mesh, body.X_RB, X_BL);
   }
 
   // Whether the surfaces intersect. Bounding balls first: they rule out most pairs cheaply.
@@ -185,15 +232,26 @@ class PathChecker {
   }
 
   const CompiledArm& arm_;
+  const bool carries_;
   const Trajectory& path_;
   const PathCheckOptions& options_;
   const RunContext& context_;
   const std::size_t hand_joints_;
-  const std::vector<LinkPair> pairs_;
   const std::vector<std::vector<Vector3>> corners_;
+  std::vector<ArmPair> pairs_;
+  std::vector<ArmPair> touching_;  // since the object was lifted
   std::vector<Pose> X_BL_;
   PathCheck check_;
 };
+
+// The hand's base in the object's frame, in a posture in which the object is still in its place.
+Pose hand_pose(const CompiledArm& arm, const std::vector<double>& joints) {
+  std::vector<Pose> X_BJ;
+  joint_poses(arm.robot(), joints, X_BJ);
+  const PlatformPart& hand = arm.hand_part();
+  const Pose X_BJh = hand.joint < 0 ? Pose::Identity() : X_BJ[index(hand.joint)];
+  return arm.X_BO.inverse() * X_BJh * hand.X_JR;
+}
 
 }  // namespace
 
@@ -204,7 +262,22 @@ bool PathCheck::ok() const {
 
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
                      const PathCheckOptions& options, const RunContext& context) {
-  return PathChecker(scene, path, options, context).run();
+  const CompiledArm& arm = *scene.arm;
+  const std::size_t last = path.times.size() - 1;
+  const auto lift = std::find_if(path.segments.begin(), path.segments.end(),
+                                 [](const auto& segment) { return segment.name == kLift; });
+  const std::size_t held = lift == path.segments.end() ? last : index(lift->first);
+  PathCheck check = PathChecker(scene, arm, false, path, options, context).run(0, held);
+  if (held == last) return check;
+  const CompiledArm carrying = arm_with_object(scene, hand_pose(arm, path.positions[held]));
+  const PathCheck then = PathChecker(scene, carrying, true, path, options, context).run(held, last);
+  check.postures += then.postures;
+  if (check.collisions == 0) check.first_collision = then.first_collision;
+  check.collisions += then.collisions;
+  check.velocity = std::max(check.velocity, then.velocity);
+  check.acceleration = std::max(check.acceleration, then.acceleration);
+  check.beyond_limits = std::max(check.beyond_limits, then.beyond_limits);
+  return check;
 }
 
 }  // namespace prehend

@@ -29,10 +29,22 @@ GraspMotion motion_along(const CompiledScene& scene, const Trajectory& path) {
     motion.frames.push_back(frame_of(scene, path.times[i], path.positions[i]));
   }
   motion.segments = path.segments;
+  const std::size_t grasp = motion.grasp();
+  const Pose X_HC = motion.frames[grasp].X_OH.inverse();
+  for (std::size_t i = grasp + 1; i < motion.frames.size(); ++i) {
+    motion.frames[i].X_OC = motion.frames[i].X_OH * X_HC;
+  }
   return motion;
 }
 
 }  // namespace
+
+std::size_t GraspMotion::grasp() const {
+  for (const TrajectorySegment& segment : segments) {
+    if (segment.name == "close") return static_cast<std::size_t>(segment.last);
+  }
+  return frames.size() - 1;
+}
 
 // Without a path there are two segments. Approach: with an arm one frame for each posture of
 // trial.arm_line, which follows the hand's line in steps of equal length, so that equal times

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/path/trajectory.h"
+#include "sim/control/trajectory.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
@@ -15,13 +15,19 @@ struct MotionFrame {
   Pose X_OH = Pose::Identity();         // the hand's base in the object's frame
   std::vector<double> joints;           // of the hand [rad or m]
   std::vector<double> arm_joints = {};  // of the whole platform; empty without an arm
+  // The object C as the hand carries it, in the frame O in which it stood before.
+  Pose X_OC = Pose::Identity();
 };
 
 // Between two frames joint values (and, without an arm, the hand's position) are interpolated
 // linearly in time.
 struct GraspMotion {
-  std::vector<MotionFrame> frames;          // at least one; the last is the grasp
+  std::vector<MotionFrame> frames;          // at least one
   std::vector<TrajectorySegment> segments;  // "approach", "close"; with a path also those before
+                                            // and after
+  // Index of the frame in which the object is grasped: the end of "close", the last one where there
+  // is no such segment. From there on the hand carries the object.
+  std::size_t grasp() const;
 };
 
 struct GraspMotionOptions {

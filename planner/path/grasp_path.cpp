@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "planner/path/blend_transfer.h"
 #include "planner/path/closing_path.h"
 #include "sim/base/index.h"
 
@@ -52,12 +53,12 @@ class GraspPathPlanner {
 
   // The trial's own line comes first: other lines cost a search by inverse kinematics, which is
   // left out where the first succeeds.
-  std::optional<Trajectory> plan() {
+  std::optional<GraspPath> plan() {
     if (!trial_.arm_line.empty()) {
-      if (std::optional<Trajectory> path = along(trial_.arm_line)) return path;
+      if (std::optional<GraspPath> path = along(trial_.arm_line)) return path;
     }
     for (const std::vector<DofValues>& line : other_lines()) {
-      if (std::optional<Trajectory> path = along(line)) return path;
+      if (std::optional<GraspPath> path = along(line)) return path;
     }
     return std::nullopt;
   }
@@ -86,14 +87,35 @@ class GraspPathPlanner {
 
   // The path whose approach runs along `line`, with the hand taking its preshape at the start where
   // that works, else at the pre-grasp.
-  std::optional<Trajectory> along(const std::vector<DofValues>& line) const {
+  std::optional<GraspPath> along(const std::vector<DofValues>& line) const {
     for (const bool opens_first : {true, false}) {
       // With nothing to open, both orders are the same path.
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
       std::optional<Trajectory> path = along(line, opens_first);
-      if (path && check_path(scene_, *path, options_.check, context_).ok()) return path;
+      if (path && check_path(scene_, *path, options_.check, context_).ok()) {
+        return lifted(*path, line.back());
+      }
     }
     return std::nullopt;
+  }
+
+  // The path with what comes after the grasp, as far as that stands.
+  GraspPath lifted(const Trajectory& path, const DofValues& held) const {
+    GraspPath whole{path};
+    const LiftedPath then = lift_object({scene_, trial_, held}, options_.lift, options_.reach,
+                                        options_.transfer, limits_, options_.timing, context_);
+    whole.lift = then.end;
+    if (then.lift) append(whole.motion, kLift, *then.lift);
+    // The proof is not the only one to say so.
+    if (then.lift && !check_path(scene_, whole.motion, options_.check, context_).ok()) {
+      return {path, LiftEnd::lift_blocked};
+    }
+    if (!then.retreat) return whole;
+    GraspPath back = whole;
+    append(back.motion, kRetreat, *then.retreat);
+    if (check_path(scene_, back.motion, options_.check, context_).ok()) return back;
+    whole.lift = LiftEnd::retreat_blocked;
+    return whole;
   }
 
   // Both orders are worth trying: there may be no room to open the hand at the start, or none to
@@ -113,7 +135,9 @@ class GraspPathPlanner {
     for (const Joint& joint : arm_.robot().joints) path.joints.push_back(joint.name);
     const bool opens = start_hand_ != line_.hand_joints;
     if (opens && opens_first) add(path, "preshape", opening, PathKind::corners);
-    add(path, "transfer", with_hand(waypoints, carried), PathKind::corners);
+    append(path, "transfer",
+           blend_transfer(arm_, waypoints, carried, limits_, options_.transfer, options_.timing,
+                          context_));
     if (opens && !opens_first) add(path, "preshape", opening, PathKind::corners);
     // The line is densely sampled along a smooth motion, so it is run through without stops.
     add(path, "approach", with_hand(line, line_.hand_joints), PathKind::smooth);
@@ -152,9 +176,9 @@ class GraspPathPlanner {
 
 }  // namespace
 
-std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
-                                          const Trial& trial, const GraspPathOptions& options,
-                                          const RunContext& context) {
+std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
+                                         const Trial& trial, const GraspPathOptions& options,
+                                         const RunContext& context) {
   return GraspPathPlanner(scene, candidate, trial, options, context).plan();
 }
 

@@ -4,9 +4,10 @@
 #include <optional>
 
 #include "planner/path/check_path.h"
+#include "planner/path/lift_object.h"
 #include "planner/path/plan_transfer.h"
-#include "planner/path/time_path.h"
-#include "planner/path/trajectory.h"
+#include "sim/control/time_path.h"
+#include "sim/control/trajectory.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
@@ -19,31 +20,41 @@ struct GraspPathOptions {
   // an arm_line, then other inverse kinematics solutions, nearest to the start first.
   int alternatives = 3;
   PathCheckOptions check;  // of the finished path
+  LiftOptions lift;        // what comes after the grasp
 };
 
 template <SettingsOf<GraspPathOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [reach, transfer, timing, alternatives, check] = options;
+  auto& [reach, transfer, timing, alternatives, check, lift] = options;
   visit("", reach);
   visit("", transfer);
   visit("", timing);
   visit("alternatives", alternatives, kAtLeast1);
   visit("check", check);
+  visit("lift", lift);
 }
+
+// The path of a grasp, and whether the object is lifted at its end.
+struct GraspPath {
+  Trajectory motion;
+  LiftEnd lift = LiftEnd::not_asked;
+};
 
 // Plans the timed motion of arm and hand from the scene's start posture to the grasp of a trial.
 //
 // Segments of the path: "preshape" (the hand takes its preshape while the arm rests; before or
 // after the transfer, left out where the hand starts in it), "transfer" (from the start to the
-// pre-grasp), "approach" (the hand moves straight to the grasp), "close". Joints are those of the
-// platform, in its order.
+// pre-grasp), "approach" (the hand moves straight to the grasp), "close", then as far as they were
+// asked for and found "lift" (straight up) and "retreat" (back to the start posture, the hand
+// closed), both with the object in the hand. Joints are those of the platform, in its order.
 //
 // All but the closing is proven free of collision (first_blocked), and the whole path is tested
-// again by check_path. Returns nothing when no such path was found. The scene must have an arm, and
+// again by check_path. A path is one also where lift or retreat fail: GraspPath::lift says so.
+// Returns nothing when no such path was found. The scene must have an arm, and
 // the trial must be stable. Throws InputError for a degree of freedom that moves and has no
 // velocity or acceleration limit, and Cancelled.
-std::optional<Trajectory> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
-                                          const Trial& trial, const GraspPathOptions& options = {},
-                                          const RunContext& context = {});
+std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
+                                         const Trial& trial, const GraspPathOptions& options = {},
+                                         const RunContext& context = {});
 
 }  // namespace prehend

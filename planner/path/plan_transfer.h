@@ -45,17 +45,22 @@ struct TransferOptions {
   // Longest edge that a planner adds in one step, as a length in the planner's space: each degree
   // of freedom counts with the farthest that it moves any point of the arm [m].
   double longest_edge = 0.8;
+  // How far the motion may pass from its corners, as the farthest that any point of the arm moves
+  // from where it is at the corner (>= 0); 0: it stops at each of them [m].
+  double corner_deviation = 0.2;
   std::uint64_t seed = 1;
   MotionCheckOptions motion;
 };
 
 template <SettingsOf<TransferOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [planner, max_iterations, simplify_steps, longest_edge, seed, motion] = options;
+  auto& [planner, max_iterations, simplify_steps, longest_edge, corner_deviation, seed, motion] =
+      options;
   visit("planner", planner);
   visit("max_iterations", max_iterations, kAtLeast1);
   visit("simplify_steps", simplify_steps, kAtLeast0);
   visit("longest_edge", longest_edge, kAbove0);
+  visit("corner_deviation", corner_deviation, kAtLeast0);
   visit("", motion);
 }
 

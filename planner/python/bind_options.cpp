@@ -158,6 +158,8 @@ void bind_path_options(py::module_& core) {
       .number("simplify_steps", &TransferOptions::simplify_steps, "Tries to cut a corner short.")
       .number("longest_edge", &TransferOptions::longest_edge,
               "Longest edge that a tree grows at once, as a motion of the arm [m].")
+      .number("corner_deviation", &TransferOptions::corner_deviation,
+              "How far the motion may pass from its corners, 0: it stops there [m].")
       .number("seed", &TransferOptions::seed, kAtLeast0, "Of the search.")
       .field("motion", &TransferOptions::motion, "MotionCheckOptions.");
   OptionsClass<TimePathOptions>(core, "TimePathOptions", "How a path is timed.")
@@ -167,13 +169,20 @@ void bind_path_options(py::module_& core) {
                                  "How a finished path is looked at again.")
       .number("step", &PathCheckOptions::step,
               "Longest motion of any point of a link between two postures [m].");
+  OptionsClass<LiftOptions>(core, "LiftOptions", "What comes after a grasp.")
+      .number("height", &LiftOptions::height,
+              "How far the object is lifted straight up, 0: not at all [m].")
+      .field("retreat", &LiftOptions::retreat, "Whether the arm then goes back to its start.")
+      .number("leave_within", &LiftOptions::leave_within,
+              "Way within which what touches has to be apart [m].");
   OptionsClass<GraspPathOptions>(core, "GraspPathOptions", "The whole way of an arm to a grasp.")
       .field("reach", &GraspPathOptions::reach, "ReachOptions.")
       .field("transfer", &GraspPathOptions::transfer, "TransferOptions.")
       .field("timing", &GraspPathOptions::timing, "TimePathOptions.")
       .number("alternatives", &GraspPathOptions::alternatives,
               "Postures of the pre-grasp that are tried (>= 1).")
-      .field("check", &GraspPathOptions::check, "PathCheckOptions: of the finished path.");
+      .field("check", &GraspPathOptions::check, "PathCheckOptions: of the finished path.")
+      .field("lift", &GraspPathOptions::lift, "LiftOptions.");
 }
 
 void bind_refine_options(py::module_& core) {

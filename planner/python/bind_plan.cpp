@@ -133,11 +133,11 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
   if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {
     throw std::invalid_argument("no stable grasp of an arm");
   }
-  std::optional<Trajectory> path;
+  std::optional<GraspPath> path;
   run_in_background(call, [&](const RunContext& context) {
     path = plan_grasp_path(*trial.scene, grasp.candidate, grasp.trial, options, context);
   });
-  return path ? py::object(path_dict(*path)) : py::none();
+  return path ? py::object(path_dict(path->motion, path->lift)) : py::none();
 }
 
 }  // namespace

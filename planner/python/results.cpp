@@ -130,7 +130,7 @@ py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
       scored.refinement
           ? py::object(py::make_tuple(scored.refinement->gain, scored.refinement->trials))
           : py::none();
-  fields["path"] = scored.path ? py::object(path_dict(*scored.path)) : py::none();
+  fields["path"] = scored.path ? py::object(path_dict(*scored.path, scored.lift)) : py::none();
   fields["candidate"] = candidate_dict(*plan.scene, scored.candidate);
   fields["_trial"] = handle;
   return fields;
@@ -193,7 +193,7 @@ py::dict result_dict(const PlanHandle& plan) {
   return fields;
 }
 
-py::dict path_dict(const Trajectory& path) {
+py::dict path_dict(const Trajectory& path, LiftEnd lift) {
   py::list segments;
   for (const TrajectorySegment& segment : path.segments) {
     segments.append(py::make_tuple(segment.name, segment.first, segment.last));
@@ -204,6 +204,7 @@ py::dict path_dict(const Trajectory& path) {
   fields["positions"] = to_array(path.positions, path.joints.size());
   fields["velocities"] = to_array(path.velocities, path.joints.size());
   fields["segments"] = segments;
+  fields["lift"] = text(lift_end_name(lift));
   return fields;
 }
 

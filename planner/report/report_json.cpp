@@ -191,7 +191,8 @@ Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
     segments.push_back({{"name", s.name}, {"first", s.first}, {"last", s.last}});
   }
   return {{"on_arm", on_arm},
-          {"X_OH", rounded(motion.frames.back().X_OH)},
+          {"X_OH", rounded(motion.frames[motion.grasp()].X_OH)},
+          {"grasp", motion.grasp()},
           {"times", times},
           {"rows", rows},
           {"segments", segments}};

@@ -53,7 +53,11 @@ class PathSearch {
     path.transfer.seed = derived_seed(options_.seed, i);
     if (is_over(context_)) return false;
     try {
-      grasp.path = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
+      auto found = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
+      if (found) {
+        grasp.path = std::move(found->motion);
+        grasp.lift = found->lift;
+      }
     } catch (const Cancelled&) {
       return false;
     }

@@ -104,6 +104,7 @@ struct ScoredGrasp {
   std::optional<Interval> epsilon_nearby = {};
   std::optional<Refinement> refinement = {};
   std::optional<ShakeReport> shake = {};  // filled in by shake_grasps
+  LiftEnd lift = LiftEnd::not_asked;      // whether `path` goes on after the grasp, or why not
 };
 
 // A candidate that was tried, and the outcome of its trial.

@@ -113,7 +113,8 @@ std::vector<DrawnBody> GraspBodies::grasp_and_arm() const {
 GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
   const GraspableBody& object = scene.scene.object;
   GraspBodies bodies;
-  bodies.object = {SharedMesh::borrowed(object.mesh), object.X_WO, palette::kObject, object.name};
+  bodies.object = {SharedMesh::borrowed(object.mesh), object.X_WO * grasp.X_OC, palette::kObject,
+                   object.name};
   bodies.hand = hand_bodies(scene, grasp);
   for (const GraspContact& contact : grasp.contacts) {
     bodies.contacts.push_back(contact_body(scene, contact.point));

@@ -27,8 +27,15 @@ std::vector<double> between(const std::vector<double>& a, const std::vector<doub
   return values;
 }
 
+Pose between(const Pose& a, const Pose& b, double part) {
+  const Eigen::Quaterniond turned =
+      Eigen::Quaterniond(a.linear()).slerp(part, Eigen::Quaterniond(b.linear()));
+  return pose_from(turned.toRotationMatrix(),
+                   a.translation() + part * (b.translation() - a.translation()));
+}
+
 // The motion at `time`, which lies in it: linear interpolation between the frames around it, with
-// slerp for the hand's rotation.
+// slerp for rotations.
 MotionFrame frame_at(const GraspMotion& motion, double time) {
   const auto after =
       std::lower_bound(motion.frames.begin(), motion.frames.end(), time,
@@ -39,12 +46,8 @@ MotionFrame frame_at(const GraspMotion& motion, double time) {
   const MotionFrame& a = *(after - 1);
   const MotionFrame& b = *after;
   const double part = (time - a.time) / (b.time - a.time);
-  const Eigen::Quaterniond turned =
-      Eigen::Quaterniond(a.X_OH.linear()).slerp(part, Eigen::Quaterniond(b.X_OH.linear()));
-  return {time,
-          pose_from(turned.toRotationMatrix(),
-                    a.X_OH.translation() + part * (b.X_OH.translation() - a.X_OH.translation())),
-          between(a.joints, b.joints, part), between(a.arm_joints, b.arm_joints, part)};
+  return {time, between(a.X_OH, b.X_OH, part), between(a.joints, b.joints, part),
+          between(a.arm_joints, b.arm_joints, part), between(a.X_OC, b.X_OC, part)};
 }
 
 std::vector<Stretch> stretches(const GraspMotion& motion) {
@@ -91,7 +94,7 @@ std::vector<NamedFrame> named_frames(const GraspMotion& motion, int count) {
     append(motion, all[s], s == 0 ? all[s].name : all[s - 1].name + " > " + all[s].name, frames);
   }
   frames.push_back({motion.frames.back(), all.back().name});
-  // Fewer frames than ends: `frames` has the ends only. The last one is the grasp and always kept;
+  // Fewer frames than ends: `frames` has the ends only. The last one is always kept;
   // the others are picked evenly.
   if (count >= ends) return frames;
   std::vector<NamedFrame> few;

@@ -83,7 +83,10 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
     // With an arm the close picture frames the hand at the grasp, in all its joint positions along
     // the motion, and not on its way there. The way of an arm is long: a picture of it would show
     // the fingers too small. The other picture shows it.
-    if (view.with_arm) moment.X_OH = grasp.X_OH;
+    if (view.with_arm) {
+      moment.X_OH = grasp.X_OH;
+      moment.X_OC = grasp.X_OC;
+    }
     append_points(grasp_bodies(scene, moment).grasp(), close);
   }
   view.close =

@@ -17,9 +17,9 @@ struct MotionView {
   bool with_arm = false;
 };
 
-// Sees all of the frames (at least one; the last is `grasp`). The side of the arm's picture is one
-// across the hand's way on which the hand is hidden least; the other's is the telling side. Throws
-// Cancelled.
+// Sees all of the frames (at least one; one of them is `grasp`). The side of the arm's picture is
+// one across the hand's way on which the hand is hidden least; the other's is the telling side.
+// Throws Cancelled.
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
                        const PosedGrasp& grasp, const GraspPictureOptions& options = {},
                        const RunContext& context = {});

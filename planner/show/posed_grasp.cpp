@@ -13,7 +13,7 @@ PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
 }
 
 PosedGrasp posed_at(const MotionFrame& frame) {
-  return {frame.X_OH, frame.joints, {}, Wrench::Zero(), "", frame.arm_joints};
+  return {frame.X_OH, frame.joints, {}, Wrench::Zero(), "", frame.arm_joints, frame.X_OC};
 }
 
 }  // namespace prehend

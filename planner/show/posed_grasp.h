@@ -18,6 +18,7 @@ struct PosedGrasp {
   Wrench weakest = Wrench::Zero();      // drawn from the centre of mass; zero: not drawn
   std::string title;                    // lines under the picture
   std::vector<double> arm_joints = {};  // of the whole platform; empty: no arm is drawn
+  Pose X_OC = Pose::Identity();         // the object as the hand carries it (MotionFrame)
 };
 
 // A grasp that was tried: the hand closed, and where the scene has an arm and the trial found its

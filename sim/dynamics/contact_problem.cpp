@@ -1,313 +1,58 @@
 #include "sim/dynamics/contact_problem.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include <utility>
 
-#include <Eigen/LU>
-#include <Eigen/SparseCholesky>
-#include <Eigen/SparseCore>
-
-#include "sim/dynamics/smoothed_contacts.h"
-
+#include "sim/dynamics/contact_pyramids.h"
+#include "sim/dynamics/multiplier_method.h"
 namespace prehend {
 namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
-
-// How much stiffer than the inertia that a contact feels its smoothed form is: in the first round,
-// where Newton's steps have far to go, and at most. Each round takes the error of sticking contacts
-// down by about this factor, and its Newton steps lose as many digits.
-constexpr double kFirstStiffness = 10.0;
-constexpr double kStiffness = 1e5;
-constexpr double kStiffer = 30.0;
-// From so many velocities on, most pairs of them do not meet in a contact.
-constexpr Index kDenseVelocities = 120;
-// Newton steps end where they change the velocities by less than this part of those that occur.
-constexpr double kNothing = 1e-13;
-// The same of the coupled form.
-constexpr double kConverged = 1e-12;
-
-VectorXd newton_step(MatrixXd& matrix, const VectorXd& gradient) {
-  if (matrix.cols() <= kDenseVelocities) {
-    const Eigen::LLT<Eigen::Ref<MatrixXd>, Eigen::Lower> factor(matrix);
-    return -factor.solve(gradient);
-  }
-  const Eigen::SparseMatrix<double> sparse = matrix.sparseView();
-  return -Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower>(sparse).solve(gradient);
+ContactProblem without_corrections(ContactProblem problem) {
+  for (ContactCondition& condition : problem.contacts) condition.correction.setZero();
+  return problem;
 }
 
-// Minimises the smoothed energy from v on. Returns the number of steps.
-int minimise(const SmoothedContacts& smoothed, int most, double scale, VectorXd& v) {
-  constexpr double kEnough = 1e-4;  // of the decrease that the slope promises (Armijo)
-  VectorXd gradient;
-  MatrixXd matrix;
-  double energy = smoothed.energy(v);
-  for (int step = 0; step < most; ++step) {
-    smoothed.linearise(v, gradient, matrix);
-    const VectorXd d = newton_step(matrix, gradient);
-    if (!(d.lpNorm<Eigen::Infinity>() > kNothing * scale)) return step;
-    const double slope = gradient.dot(d);
-    double length = 1.0;
-    VectorXd next = v + d;
-    double reached = smoothed.energy(next);
-    while (reached > energy + kEnough * length * slope && length > 1e-10) {
-      length *= 0.5;
-      next = v + length * d;
-      reached = smoothed.energy(next);
-    }
-    // No more than rounding is left to gain.
-    if (!(reached < energy)) return step + 1;
-    v = next;
-    energy = reached;
-  }
-  return most;
+// Where cones alone led nowhere: pyramids are solved exactly, and from their impulses the cones are
+// not far. The better of the two.
+ContactSolution led_by_pyramids(const ContactProblem& problem, const ContactSolverOptions& options,
+                                ContactSolution found) {
+  const ContactSolution lead = solve_with_pyramids(problem, options.pyramids);
+  if (!lead.velocity.allFinite()) return found;
+  ContactSolution again = solve_with_multipliers(problem, options, {lead.velocity, lead.impulses});
+  again.newton_steps += found.newton_steps;
+  found.newton_steps = again.newton_steps;
+  ContactSolution& better = again.violation < found.violation ? again : found;
+  better.pivots = lead.pivots;
+  return better;
 }
-
-// Newton's method for momentum with the lifts that the velocities cause. There is no energy to go
-// down, so steps are shortened until the residual shrinks; false, and v as it was, where that
-// fails.
-bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, VectorXd& v) {
-  constexpr int kSteps = 25;
-  constexpr double kShortest = 1e-3;
-  VectorXd at = v;
-  VectorXd residual;
-  VectorXd next;
-  MatrixXd matrix;
-  for (int step = 0; step < kSteps; ++step) {
-    ++steps;
-    smoothed.linearise_coupled(at, residual, matrix);
-    const VectorXd d = matrix.partialPivLu().solve(-residual);
-    if (!d.allFinite()) return false;
-    next = at + d;
-    if (d.lpNorm<Eigen::Infinity>() <= kConverged * scale) {
-      v = next;
-      return true;
-    }
-    const double size = residual.norm();
-    double length = 1.0;
-    smoothed.residual_coupled(next, residual);
-    while (!(residual.norm() < size) && length > kShortest) {
-      length *= 0.5;
-      next = at + length * d;
-      smoothed.residual_coupled(next, residual);
-    }
-    if (!(residual.norm() < size)) return false;
-    at = next;
-  }
-  return false;
-}
-
-// The largest velocity that occurs, to which violations are relative.
-double velocity_scale(const ContactProblem& problem, const VectorXd& v) {
-  double scale = std::max(problem.free.lpNorm<Eigen::Infinity>(), v.lpNorm<Eigen::Infinity>());
-  for (const ContactCondition& condition : problem.contacts) {
-    if (condition.compliance > 0.0) continue;
-    scale = std::max(scale, relative_velocity(condition, problem.free).lpNorm<Eigen::Infinity>());
-  }
-  return scale > 0.0 ? scale : 1.0;
-}
-
-// How far a condition is from the law, as a velocity.
-double violation_of(const ContactCondition& condition, double inertia, const VectorXd& v,
-                    const ConeVector& impulse) {
-  ConeVector w = relative_velocity(condition, v);
-  w[0] += condition.friction * slip_of(w) + condition.compliance * impulse[0];
-  // Where a spring is softer than the inertia, it sets how large an impulse is.
-  const double stiffness =
-      condition.compliance > 0.0 ? std::min(inertia, 1.0 / condition.compliance) : inertia;
-  const ConeVector projected =
-      allowed_impulse(condition, ConeVector(impulse - stiffness * w)).point;
-  return (impulse - projected).norm() / stiffness;
-}
-
-// How far the velocities are from what the impulses give.
-double momentum_violation(const ContactProblem& problem, const std::vector<MassFactor>& masses,
-                          const VectorXd& v, const std::vector<ConeVector>& impulses) {
-  VectorXd push = VectorXd::Zero(v.size());
-  for (std::size_t i = 0; i < impulses.size(); ++i) {
-    for (const JacobianBlock& block : problem.contacts[i].blocks) {
-      push.segment(block.first, block.rows.cols()) +=
-          block.rows.transpose().lazyProduct(impulses[i]);
-    }
-  }
-  double most = 0.0;
-  for (const MassFactor& mass : masses) {
-    const Index size = mass.factor.cols();
-    const VectorXd change = mass.factor.solve(push.segment(mass.first, size));
-    const VectorXd missing = (v - problem.free).segment(mass.first, size) - change;
-    most = std::max(most, missing.lpNorm<Eigen::Infinity>());
-  }
-  return most;
-}
-
-Eigen::Vector4d filled(const ConeVector& impulse) {
-  Eigen::Vector4d all = Eigen::Vector4d::Zero();
-  all.head(impulse.size()) = impulse;
-  return all;
-}
-
-// Successive estimates of the lifts mu |w_t|, which depend on themselves through the velocities:
-// Aitken's extrapolation for vectors (Anderson's with one step of memory).
-class Extrapolation {
- public:
-  // `given` were the lifts, `found` is what they became.
-  VectorXd next(const VectorXd& given, const VectorXd& found) {
-    const VectorXd residual = found - given;
-    VectorXd result = found;
-    if (last_residual_.size() == residual.size()) {
-      const VectorXd change = residual - last_residual_;
-      const double size = change.squaredNorm();
-      if (size > 0.0) result -= residual.dot(change) / size * (found - last_found_);
-    }
-    last_residual_ = residual;
-    last_found_ = found;
-    return result.cwiseMax(0.0);
-  }
-
- private:
-  VectorXd last_residual_;
-  VectorXd last_found_;
-};
-
-// Rounds of the proximal method of multipliers: velocities at given multipliers, then multipliers
-// at these velocities.
-class MultiplierRounds {
- public:
-  MultiplierRounds(const ContactProblem& problem, const ContactSolverOptions& options,
-                   const WarmStart& warm)
-      : problem_(problem),
-        options_(options),
-        masses_(mass_factors(problem)),
-        smoothed_(problem, felt_inertias(problem, masses_)),
-        velocity_(warm.velocity.size() > 0 ? warm.velocity : problem.free),
-        lifts_(VectorXd::Zero(static_cast<Index>(problem.contacts.size()))),
-        scale_(velocity_scale(problem, problem.free)),
-        stiffness_(warm.impulses.empty() ? kFirstStiffness : kStiffness) {
-    for (std::size_t i = 0; i < warm.impulses.size(); ++i) {
-      smoothed_.set_centre(i,
-                           warm.impulses[i].head(problem.contacts[i].blocks.front().rows.rows()));
-    }
-    impulses_.resize(problem.contacts.size());
-    is_near_ = !warm.impulses.empty();
-  }
-
-  ContactSolution run() {
-    constexpr int kPatience = 2;  // rounds
-    int stalled = 0;
-    ContactSolution best;
-    best.violation = std::numeric_limits<double>::infinity();
-    for (int round = 0; round < options_.max_rounds; ++round) {
-      move();
-      update_multipliers();
-      const double found = violation();
-      if (!std::isfinite(found)) break;
-      stalled = found < 0.5 * best.violation ? 0 : stalled + 1;
-      if (found < best.violation) keep(found, best);
-      // Where impulses may be shared in many ways, rounding and slow shifts between these are all
-      // that is left to gain.
-      if (found <= options_.tolerance) break;
-      if (found <= options_.acceptable && stalled >= kPatience) break;
-      if (coupled_) stiffness_ = std::min(kStiffer * stiffness_, kStiffness);
-      update_lifts();
-    }
-    if (impulses_at_best_.empty()) keep(best.violation, best);
-    const bool is_solved = best.violation <= options_.acceptable;
-    best.outcome = is_solved ? ContactOutcome::solved : ContactOutcome::not_converged;
-    best.newton_steps = steps_;
-    for (const ConeVector& impulse : impulses_at_best_) best.impulses.push_back(filled(impulse));
-    return best;
-  }
-
- private:
-  void keep(double violation, ContactSolution& best) {
-    best.violation = violation;
-    best.velocity = velocity_;
-    impulses_at_best_ = impulses_;
-  }
-
-  // Velocities at the multipliers as they are. Where the coupled form has no solution near where
-  // the search is, the convex one with the lifts of the round before leads there.
-  void move() {
-    smoothed_.set_stiffness(stiffness_);
-    coupled_ = is_near_ && solve_coupled(smoothed_, scale_, steps_, velocity_);
-    if (!coupled_) {
-      steps_ += minimise(smoothed_, options_.max_newton, scale_, velocity_);
-      coupled_ = solve_coupled(smoothed_, scale_, steps_, velocity_);
-    }
-    is_near_ = coupled_;
-  }
-
-  void update_multipliers() {
-    for (std::size_t i = 0; i < impulses_.size(); ++i) {
-      impulses_[i] = smoothed_.impulse(i, velocity_, coupled_);
-    }
-    for (std::size_t i = 0; i < impulses_.size(); ++i) smoothed_.set_centre(i, impulses_[i]);
-  }
-
-  void update_lifts() {
-    VectorXd slips(lifts_.size());
-    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) {
-      const ContactCondition& condition = problem_.contacts[i];
-      slips[static_cast<Index>(i)] =
-          condition.friction * slip_of(relative_velocity(condition, velocity_));
-    }
-    lifts_ = coupled_ ? slips : extrapolation_.next(lifts_, slips);
-    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) {
-      smoothed_.set_lift(i, lifts_[static_cast<Index>(i)]);
-    }
-  }
-
-  double violation() const {
-    double most = momentum_violation(problem_, masses_, velocity_, impulses_);
-    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) {
-      most = std::max(
-          most, violation_of(problem_.contacts[i], smoothed_.inertia(i), velocity_, impulses_[i]));
-    }
-    return most / velocity_scale(problem_, velocity_);
-  }
-
-  const ContactProblem& problem_;
-  const ContactSolverOptions& options_;
-  std::vector<MassFactor> masses_;
-  SmoothedContacts smoothed_;
-  std::vector<ConeVector> impulses_;
-  std::vector<ConeVector> impulses_at_best_;
-  VectorXd velocity_;
-  VectorXd lifts_;
-  double scale_;  // of the velocities that occur
-  double stiffness_;
-  bool is_near_ = false;  // the velocities are probably near a solution of the coupled form
-  bool coupled_ = false;  // the last round solved the coupled form
-  int steps_ = 0;
-  Extrapolation extrapolation_;
-};
 
 }  // namespace
 
-double contact_violation(const ContactProblem& problem, const VectorXd& velocity,
-                         const std::vector<Eigen::Vector4d>& impulses) {
-  const std::vector<MassFactor> masses = mass_factors(problem);
-  const std::vector<double> inertias = felt_inertias(problem, masses);
-  double most = 0.0;
-  std::vector<ConeVector> used;
-  for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
-    const ContactCondition& condition = problem.contacts[i];
-    used.emplace_back(impulses[i].head(condition.blocks.front().rows.rows()));
-    most = std::max(most, violation_of(condition, inertias[i], velocity, used.back()));
-  }
-  most = std::max(most, momentum_violation(problem, masses, velocity, used));
-  return most / velocity_scale(problem, velocity);
-}
-
 ContactSolution solve_contacts(const ContactProblem& problem, const ContactSolverOptions& options,
                                const WarmStart& warm) {
-  if (!problem.contacts.empty()) return MultiplierRounds(problem, options, warm).run();
-  ContactSolution solution;
-  solution.velocity = problem.free;
-  return solution;
+  if (problem.contacts.empty()) {
+    ContactSolution solution;
+    solution.velocity = problem.free;
+    return solution;
+  }
+  if (options.method == ContactMethod::pyramids) {
+    ContactSolution found = solve_with_pyramids(problem, options.pyramids);
+    if (found.outcome == ContactOutcome::solved) return found;
+    found = solve_with_pyramids(without_corrections(problem), options.pyramids);
+    found.corrected = false;
+    return found;
+  }
+  ContactSolution found = solve_with_multipliers(problem, options, warm);
+  if (found.outcome == ContactOutcome::solved) return found;
+  const ContactProblem bare = without_corrections(problem);
+  ContactSolution again = solve_with_multipliers(bare, options, warm);
+  again.newton_steps += found.newton_steps;
+  const bool is_small = problem.contacts.size() <= static_cast<std::size_t>(options.most_led);
+  if (again.outcome != ContactOutcome::solved && is_small) {
+    again = led_by_pyramids(bare, options, std::move(again));
+  }
+  again.corrected = false;
+  return again;
 }
 
 }  // namespace prehend

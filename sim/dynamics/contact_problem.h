@@ -40,8 +40,11 @@ struct ContactCondition {
   std::vector<JacobianBlock> blocks;  // all with 1, 3 or 4 rows; no velocity twice
   double friction = 0.0;              // mu >= 0 of a contact
   ConeVector offset =
-      ConeVector::Zero(1);  // added to J v: w = J v + offset, or shorter: the rest 0
-  double lower = 0.0;       // of the impulse of a joint [N s, N m s]
+      ConeVector::Zero(1);  // added to J v: w = J v + offset; shorter: the rest is 0
+  // Added as well, where the conditions can be met with it: what takes a contact back to where it
+  // should be. Fingers that jam an object may have no velocities that do so.
+  ConeVector correction = ConeVector::Zero(1);
+  double lower = 0.0;  // of the impulse of a joint [N s, N m s]
   double upper = std::numeric_limits<double>::infinity();
   double compliance = 0.0;  // >= 0, of a joint [velocity per impulse]
 };
@@ -58,13 +61,31 @@ struct ContactProblem {
   std::vector<ContactCondition> contacts;
 };
 
+// Which friction a step has, and how it is solved for.
+enum class ContactMethod {
+  cones,     // exact cones (multiplier_method.h); where that does not converge, led by pyramids
+  pyramids,  // pyramids, exactly (contact_pyramids.h)
+};
+
+struct PyramidOptions {
+  // Edges of the friction pyramid of a contact, around its normal (>= 3). They lie on the cone, so
+  // that friction is weaker by up to 1 - cos(pi / edges) between them: 7.6 % for 8.
+  int edges = 8;
+  int max_pivots = 10000;  // >= 1
+};
+
 struct ContactSolverOptions {
+  ContactMethod method = ContactMethod::cones;
+
   // Violation of the law, relative to the velocities that occur, at which the search ends (> 0),
   // and up to which a search that rounding stalls counts as solved.
   double tolerance = 1e-9;
   double acceptable = 1e-5;
   int max_rounds = 30;  // steps of the multipliers (>= 1)
   int max_newton = 30;  // steps within each (>= 1)
+  PyramidOptions pyramids = {};
+  // Pyramids lead cones in problems of up to so many contacts: they take much longer in others.
+  int most_led = 60;
 };
 
 // How a solution ended.
@@ -77,8 +98,10 @@ struct ContactSolution {
   ContactOutcome outcome = ContactOutcome::solved;
   Eigen::VectorXd velocity;
   std::vector<Eigen::Vector4d> impulses;  // of each contact, in the order of its rows; unused: 0
+  bool corrected = true;                  // the corrections of contacts are met
   double violation = 0.0;                 // of the law, relative as in the options
   int newton_steps = 0;
+  int pivots = 0;
 };
 
 // Where the search begins: with the velocities and impulses of the step before. Empty: not known.
@@ -87,10 +110,8 @@ struct WarmStart {
   std::vector<Eigen::Vector4d> impulses = {};
 };
 
-// Solves the problem by the proximal method of multipliers on the velocities: with mu |w_t| held
-// from the round before, it is a convex problem (Anitescu 2006; Cadoux 2009 for the fixed point),
-// whose smoothed form has a Newton step of the size of the velocities, whatever the number of
-// contacts. Deterministic.
+// Solves the problem as the options say: with all corrections, or where that has no solution, as
+// impulses without bounds show, with none. Deterministic.
 ContactSolution solve_contacts(const ContactProblem& problem,
                                const ContactSolverOptions& options = {},
                                const WarmStart& warm = {});

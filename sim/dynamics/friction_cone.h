@@ -24,7 +24,7 @@ inline ConeProjection project_to_cone(const ConeVector& x, double friction) {
   ConeProjection result{ConeVector::Zero(rows), ConeMatrix::Zero(rows, rows)};
   const double normal = x[0];
   const double slip = rows > 1 ? x.tail(rows - 1).norm() : 0.0;
-  if (slip <= friction * normal) {
+  if (normal >= 0.0 && slip <= friction * normal) {
     result.point = x;
     result.derivative.setIdentity();
     return result;

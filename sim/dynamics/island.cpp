@@ -6,46 +6,15 @@
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 #include "sim/dynamics/joint_conditions.h"
+#include "sim/dynamics/placed_contact.h"
 
 namespace prehend {
 namespace {
 
 using Eigen::Index;
 
-// A round value of the radius of fingertips, with which the depth of a compliant material was
-// stated (material.h) [m].
-constexpr double kPadRadius = 0.03;
-
-// The lever arm with which friction resists spin on a contact of Hertz: of its pressure over a disc
-// of radius sqrt(R d), 3 pi / 16 of that (Johnson 1985, Contact Mechanics, sections 4.2 and 7.4).
-double soft_arm(double depth) {
-  return 3.0 * std::acos(-1.0) / 16.0 * std::sqrt(kPadRadius * depth);
-}
-
 // Part of the drift of contacts that stick which a step takes back.
 constexpr double kReturn = 0.5;
-
-// A contact of the step in world axes.
-struct PlacedContact {
-  Vector3 p_W;
-  std::array<Vector3, 3> directions;  // normal and tangents
-  double gap = 0.0;
-  Eigen::Vector2d drift = Eigen::Vector2d::Zero();  // of a's point against b's, along the tangents
-};
-
-PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b) {
-  const Vector3 on_a = a.X_WS * contact.p_A;
-  const Vector3 on_b = b.X_WS * contact.p_B;
-  const Matrix3& R = a.X_WS.linear();
-  const Vector3 tangent = any_orthogonal(contact.normal_A);
-  const std::array<Vector3, 3> directions = {R * contact.normal_A, R * tangent,
-                                             R * contact.normal_A.cross(tangent)};
-  const Vector3 between = on_a - on_b;
-  return {0.5 * (on_a + on_b),
-          directions,
-          directions[0].dot(between),
-          {directions[1].dot(between), directions[2].dot(between)}};
-}
 
 class IslandStep {
  public:
@@ -144,32 +113,24 @@ class IslandStep {
     return motion_.first[static_cast<std::size_t>(place - island_.movers.begin())];
   }
 
-  double friction_of(const HeldContact& contact, const Solid& a, const Solid& b) const {
-    const ContactLaws& laws = world_.laws;
-    const FrictionTable& table = contact.slides && laws.kinetic ? *laws.kinetic : laws.friction;
-    return table.between(a.material, b.material);
-  }
-
-  double arm_of(const Solid& a, const Solid& b, double friction) const {
-    const ContactLaws& laws = world_.laws;
-    const bool of_robot = a.id.robot >= 0 || b.id.robot >= 0;
-    if (of_robot && laws.torsion) return friction > 0.0 ? *laws.torsion / friction : 0.0;
-    return soft_arm(laws.compliant_depths.between(a.material, b.material));
-  }
-
-  // How fast the contact may close: what is left of its gap, used up in one step. An impact gives
-  // back a part of its velocity, by Newton's law.
-  double approach_of(const Solid& a, const Solid& b, const PlacedContact& at, bool crosses) const {
+  // How fast the contact may close, or has to open: an impact gives back a part of its velocity, by
+  // Newton's law.
+  double approach_of(const Solid& a, const Solid& b, const PlacedContact& at) const {
     const double closing = at.directions[0].dot(b.velocity_at(at.p_W) - a.velocity_at(at.p_W));
     const double restitution = std::max(a.restitution, b.restitution);
     const double room = (at.gap - options_.rest_gap) / time_;
     if (restitution > 0.0 && closing > options_.slowest_bounce && closing > room) {
       return -restitution * closing;
     }
-    // A gap that has become too small opens slowly: at once, it would throw the bodies apart.
+    return std::max(room, 0.0);
+  }
+
+  // A gap that has become too small opens slowly: at once, it would throw the bodies apart, and so
+  // it would in steps that are shortened.
+  double opening_of(const PlacedContact& at, bool crosses) const {
     constexpr double kOpening = 0.1;
-    if (crosses) return kOpening * std::min(room, -options_.rest_gap / time_);
-    return room > 0.0 ? room : kOpening * room;
+    const double missing = options_.rest_gap - (crosses ? std::min(at.gap, 0.0) : at.gap);
+    return -kOpening * std::max(missing, 0.0) / options_.step;
   }
 
   void add_pair(const PairMemory& pair) {
@@ -178,13 +139,15 @@ class IslandStep {
     for (const HeldContact& held : pair.contacts) {
       const PlacedContact at = placed(held, a, b);
       ContactCondition condition;
-      condition.friction = friction_of(held, a, b);
-      const double arm = arm_of(a, b, condition.friction);
+      condition.friction = friction_of(world_.laws, held, a, b);
+      const double arm = arm_of(world_.laws, a, b, condition.friction);
       condition.offset = ConeVector::Zero(arm > 0.0 ? 4 : 3);
-      condition.offset[0] = approach_of(a, b, at, pair.crosses);
+      condition.offset[0] = approach_of(a, b, at);
+      condition.correction = ConeVector::Zero(3);
+      condition.correction[0] = opening_of(at, pair.crosses);
       // Contacts that stick go back to where they stuck, so that what steps lose on curved ways
       // does not add up.
-      if (!held.slides) condition.offset.segment<2>(1) = kReturn / time_ * at.drift;
+      if (!held.slides) condition.correction.tail<2>() = kReturn / options_.step * at.drift;
       for (const auto& [solid, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
         const int first = solid->mover >= 0 ? first_of(solid->mover) : -1;
         solids_.add_rows(*solid, first, at.p_W, at.directions, arm, sign, condition);
@@ -210,6 +173,7 @@ class IslandStep {
       contact.spin_impulse = place.arm * impulse[3];
       const ContactCondition& condition = problem_.contacts[place.condition];
       Eigen::Vector2d slip = condition.offset.segment<2>(1);
+      if (motion_.solution.corrected) slip += condition.correction.tail<2>();
       for (const JacobianBlock& block : condition.blocks) {
         slip += block.rows.middleRows<2>(1) *
                 motion_.solution.velocity.segment(block.first, block.rows.cols());

@@ -134,10 +134,32 @@ class PairSearch {
       if (pair.contacts.empty()) pair.contacts = {nearest_contact(a, b, X_AB, gap.pair)};
       return;
     }
-    // No contacts can be found: those held before push the surfaces apart.
-    if (!pair.contacts.empty()) return;
+    if (pair.contacts.empty()) {
+      if (const auto contact = crossing_contact(a, b, X_AB)) pair.contacts = {*contact};
+    }
+    touch_apart(a, b, X_AB, range, pair);
     pair.X_AB = X_AB;
-    if (const auto contact = crossing_contact(a, b, X_AB)) pair.contacts = {*contact};
+    pair.at_least = range;
+  }
+
+  // Contacts of surfaces that cross: those that they have once they are moved apart along the
+  // contacts held so far, which are kept where that does not help.
+  void touch_apart(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
+                   PairMemory& pair) {
+    Vector3 normal = Vector3::Zero();
+    for (const HeldContact& contact : pair.contacts) normal += contact.normal_A;
+    constexpr double kOpposed = 0.3;  // of their number: contacts on two sides have no way apart
+    if (normal.norm() < kOpposed * static_cast<double>(pair.contacts.size()) + 1e-9) return;
+    for (const double part : {0.5, 2.0, 8.0}) {
+      const double apart = part * options_.rest_gap;
+      Pose X_AB_apart = X_AB;
+      X_AB_apart.translation() -= apart * normal.normalized();
+      if (surfaces_cross(a, b, X_AB_apart)) continue;
+      const PairMemory before = pair;
+      search_contacts(a, b, X_AB_apart, range + apart, options_.contacts, workspace_, pair);
+      if (pair.contacts.empty()) pair.contacts = before.contacts;
+      return;
+    }
   }
 
   const Solids& solids_;

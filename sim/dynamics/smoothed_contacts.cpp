@@ -24,6 +24,7 @@ VectorXd taken_up(const ContactProblem& problem, const ContactProblem::Mass& mas
 ConeVector relative_velocity(const ContactCondition& condition, const VectorXd& v) {
   ConeVector w = ConeVector::Zero(rows_of(condition));
   w.head(condition.offset.size()) = condition.offset;
+  w.head(condition.correction.size()) += condition.correction;
   for (const JacobianBlock& block : condition.blocks) {
     w += block.rows.lazyProduct(v.segment(block.first, block.rows.cols()));
   }
@@ -133,7 +134,7 @@ void SmoothedContacts::add_force(std::size_t i, const ConeVector& impulse,
 }
 
 void SmoothedContacts::add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
-                                     MatrixXd& matrix) const {
+                                     NewtonMatrix& matrix) const {
   if (derivative.isZero(0.0)) return;
   const std::vector<JacobianBlock>& blocks = problem_.contacts[i].blocks;
   for (const JacobianBlock& b : blocks) {
@@ -141,18 +142,17 @@ void SmoothedContacts::add_stiffness(std::size_t i, const ConeMatrix& derivative
         stiffness(i) * derivative.lazyProduct(b.rows);
     for (const JacobianBlock& a : blocks) {
       if (symmetric && a.first < b.first) continue;
-      matrix.block(a.first, b.first, a.rows.cols(), b.rows.cols()) +=
-          a.rows.transpose().lazyProduct(pulled);
+      matrix.add(a.first, b.first, a.rows.transpose().lazyProduct(pulled));
     }
   }
 }
 
-void SmoothedContacts::linearise(const VectorXd& v, VectorXd& gradient, MatrixXd& matrix) const {
+void SmoothedContacts::linearise(const VectorXd& v, VectorXd& gradient,
+                                 NewtonMatrix& matrix) const {
   start(v, gradient);
-  matrix.setZero(v.size(), v.size());
+  matrix.start(v.size());
   for (const ContactProblem::Mass& mass : problem_.masses) {
-    const Index size = mass.matrix.cols();
-    matrix.block(mass.first, mass.first, size, size) = mass.matrix;
+    matrix.add(mass.first, mass.first, mass.matrix);
   }
   for (std::size_t i = 0; i < centre_.size(); ++i) {
     const ContactCondition& condition = problem_.contacts[i];
@@ -169,12 +169,11 @@ void SmoothedContacts::residual_coupled(const VectorXd& v, VectorXd& residual) c
 }
 
 void SmoothedContacts::linearise_coupled(const VectorXd& v, VectorXd& residual,
-                                         MatrixXd& matrix) const {
+                                         NewtonMatrix& matrix) const {
   start(v, residual);
-  matrix.setZero(v.size(), v.size());
+  matrix.start(v.size());
   for (const ContactProblem::Mass& mass : problem_.masses) {
-    const Index size = mass.matrix.cols();
-    matrix.block(mass.first, mass.first, size, size) = mass.matrix;
+    matrix.add(mass.first, mass.first, mass.matrix);
   }
   for (std::size_t i = 0; i < centre_.size(); ++i) {
     const ContactCondition& condition = problem_.contacts[i];

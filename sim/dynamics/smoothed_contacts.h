@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "sim/dynamics/contact_problem.h"
+#include "sim/dynamics/newton_matrix.h"
 
 namespace prehend {
 
@@ -50,11 +51,10 @@ class SmoothedContacts {
   // The convex function that the round minimises, with the lifts as they were set.
   double energy(const Eigen::VectorXd& v) const;
   // Its gradient, and the matrix of its Newton step, of which only the lower triangle is set.
-  void linearise(const Eigen::VectorXd& v, Eigen::VectorXd& gradient,
-                 Eigen::MatrixXd& matrix) const;
+  void linearise(const Eigen::VectorXd& v, Eigen::VectorXd& gradient, NewtonMatrix& matrix) const;
   // What momentum lacks where the lifts follow the velocities, and its derivative.
   void linearise_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& residual,
-                         Eigen::MatrixXd& matrix) const;
+                         NewtonMatrix& matrix) const;
   // The same without the derivative.
   void residual_coupled(const Eigen::VectorXd& v, Eigen::VectorXd& residual) const;
 
@@ -64,7 +64,7 @@ class SmoothedContacts {
   void start(const Eigen::VectorXd& v, Eigen::VectorXd& gradient) const;
   void add_force(std::size_t i, const ConeVector& impulse, Eigen::VectorXd& gradient) const;
   void add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
-                     Eigen::MatrixXd& matrix) const;
+                     NewtonMatrix& matrix) const;
 
   const ContactProblem& problem_;
   std::vector<double> inertia_;

@@ -5,6 +5,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/dynamics/impacts.h"
 #include "sim/dynamics/island.h"
 #include "sim/dynamics/joint_conditions.h"
 #include "sim/dynamics/near_pairs.h"
@@ -66,11 +67,20 @@ void move_base(double time, WorldRobot& robot) {
 class WorldStep {
  public:
   WorldStep(World& world, const StepOptions& options)
-      : world_(world), options_(options), before_(motions_of(world)), solids_(world) {}
+      : world_(world),
+        options_(options),
+        before_(motions_of(world)),
+        hit_(before_),
+        solids_(world) {}
 
   StepResult run() {
     result_.time = find_near(solids_, nullptr, world_, options_.step, options_, world_.memory);
     if (result_.time < options_.step) ++result_.shortened;
+    if (resolve_impacts(world_, result_.time, options_)) {
+      solids_ = Solids(world_);
+      for (std::size_t i = 0; i < world_.bodies.size(); ++i)
+        hit_.bodies[i] = world_.bodies[i].motion;
+    }
     for (bool looked_again = false; result_.time >= options_.shortest * options_.step;) {
       solve();
       if (!all_finite()) return ended(StepOutcome::not_finite);
@@ -78,13 +88,13 @@ class WorldStep {
       const Solids after(world_);
       const bool met = may_have_met(after, world_.memory);
       if (!met && !crosses(after)) return finished(after);
-      if (!met && accepts_crossings(after)) return finished(after);
-      set_motions(before_, world_);
+      if (!met && looked_again && accepts_crossings(after)) return finished(after);
+      set_motions(hit_, world_);
       ++result_.shortened;
       // What the step sets in motion may need more room than what moved before: once, contacts are
       // looked for with the new speeds. After that only a shorter step helps.
       const double shorter = 0.5 * result_.time;
-      if (met && !looked_again) {
+      if (!looked_again) {
         result_.time = std::min(result_.time, find_near(solids_, &after, world_, result_.time,
                                                         options_, world_.memory));
         looked_again = true;
@@ -270,7 +280,8 @@ class WorldStep {
   World& world_;
   const StepOptions& options_;
   const Motions before_;
-  const Solids solids_;  // before the step
+  Motions hit_;    // with the velocities after impacts
+  Solids solids_;  // before the step, after impacts
   StepResult result_;
   std::vector<Island> islands_;  // those that move
   std::vector<IslandMotion> motions_;

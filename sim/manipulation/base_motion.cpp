@@ -2,43 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace prehend {
 namespace {
 
-const double kTwoPi = 2.0 * std::acos(-1.0);
-
-// From 0 to 1, with no velocity and acceleration at either end: 10 s^3 - 15 s^4 + 6 s^5.
-double quintic(double s) {
+// From 0 at 0 to 1 at 1, velocity and acceleration 0 at both.
+double smooth_step(double s) {
   s = std::clamp(s, 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + s * 6.0));
+  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
 }
 
-// A motion that repeats does not begin with its full velocity: it grows for a quarter of a period.
-double grown(const ProtocolPhase& phase, double time) {
-  return quintic(4.0 * phase.frequency * time);
+// The part of the amplitude at a time.
+double swell(const ProtocolPhase& phase, double time) {
+  const double ramp = std::min(0.25 * phase.duration, 0.5 / std::max(phase.frequency, 1e-9));
+  return std::min(smooth_step(time / ramp), smooth_step((phase.duration - time) / ramp));
 }
 
 }  // namespace
 
-Pose base_pose(const ProtocolPhase& phase, const Pose& X_WH_start, double height,
-               const Vector3& axis_W, double time) {
-  const double angle = kTwoPi * phase.frequency * time;
-  const double amplitude = grown(phase, time) * phase.amplitude;
-  const auto shifted = [&](const Vector3& way) { return translation(way) * X_WH_start; };
+Pose base_pose(const ProtocolPhase& phase, const BaseStart& start, double time) {
+  Pose X_WH = start.X_WH;
+  const double angle = 2.0 * std::numbers::pi * phase.frequency * time;
   switch (phase.kind) {
     case PhaseKind::lift:
-      return shifted(height * quintic(time / phase.duration) * Vector3::UnitZ());
+      X_WH.translation().z() += start.height * smooth_step(time / phase.duration);
+      break;
     case PhaseKind::circle:
-      return shifted(amplitude * Vector3(std::cos(angle), std::sin(angle), 0.0));
+      X_WH.translation() +=
+          phase.amplitude * swell(phase, time) * Vector3(std::cos(angle), std::sin(angle), 0.0);
+      break;
     case PhaseKind::swing:
-      return shifted(amplitude * std::sin(angle) * axis_W);
+      X_WH.translation() += phase.amplitude * swell(phase, time) * std::sin(angle) * start.axis_W;
+      break;
     case PhaseKind::turn:
-      return pose_from(Eigen::AngleAxisd(amplitude * std::sin(angle), axis_W) * X_WH_start.linear(),
-                       X_WH_start.translation());
-    default:
-      return X_WH_start;
+      X_WH.linear() =
+          Eigen::AngleAxisd(phase.amplitude * swell(phase, time) * std::sin(angle), start.axis_W) *
+          start.X_WH.linear();
+      break;
+    case PhaseKind::settle:
+    case PhaseKind::close:
+    case PhaseKind::hold:
+    case PhaseKind::open:
+      break;
   }
+  return X_WH;
 }
 
 }  // namespace prehend

@@ -1,14 +1,22 @@
-// The motion of a hand's base during a phase of a protocol.
+// How a protocol's phase moves the base of the hand.
 #pragma once
 
+#include "sim/base/pose.h"
 #include "sim/manipulation/protocol.h"
 
 namespace prehend {
 
-// X_WH at a time since the phase began [s], for a hand that was at X_WH_start. `height`: that of a
-// lift [m]; `axis_W`: of a swing or turn. Motions of a lift begin and end at rest, with continuous
-// acceleration; swings, turns and circles begin with a quarter of a period in which they grow.
-Pose base_pose(const ProtocolPhase& phase, const Pose& X_WH_start, double height,
-               const Vector3& axis_W, double time);
+// What a phase's motion needs to know besides the phase.
+struct BaseStart {
+  Pose X_WH = Pose::Identity();       // where the base is when the phase begins
+  Vector3 axis_W = Vector3::UnitZ();  // of a swing or a turn, unit
+  double height = 0.0;                // of a lift [m]
+};
+
+// The pose of the base `time` [s] after the phase began. A lift follows a quintic from rest to
+// rest. The amplitude of circles, swings and turns grows and shrinks by such a quintic within the
+// first and the last half period, or a quarter of the phase if that is less, so that there is no
+// jolt.
+Pose base_pose(const ProtocolPhase& phase, const BaseStart& start, double time);
 
 }  // namespace prehend

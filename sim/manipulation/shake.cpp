@@ -119,7 +119,7 @@ class PhaseRun {
 
   // Base velocities that lead to the pose at the end of the step.
   void move_base(const ProtocolPhase& phase, double time, double step) {
-    const Pose to = base_pose(phase, X_WH_start_, height_, axis_W_, time + step);
+    const Pose to = base_pose(phase, {X_WH_start_, axis_W_, height_}, time + step);
     const Pose& from = hand().X_WB;
     hand().base_linear = (to.translation() - from.translation()) / step;
     const Eigen::AngleAxisd turn(Matrix3(to.linear() * from.linear().transpose()));

@@ -54,8 +54,16 @@ class MeasuredPath {
 class MotionCheck {
  public:
   MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
-              const MotionCheckOptions& options, const RunContext& context)
-      : arm_(arm), pairs_(pairs), path_(path), options_(options), context_(context) {}
+              const std::vector<double>& sway, const MotionCheckOptions& options,
+              const RunContext& context)
+      : arm_(arm), pairs_(pairs), path_(path), options_(options), context_(context) {
+    for (const ArmPair& pair : pairs) {
+      sway_.push_back(0.0);
+      for (std::size_t k = 0; k < pair.joints.size(); ++k) {
+        sway_.back() += pair.reach[k] * sway[index(pair.joints[k])];
+      }
+    }
+  }
 
   std::optional<ArmPair> run() {
     std::vector<std::size_t> all(pairs_.size());
@@ -96,7 +104,7 @@ class MotionCheck {
         ahead += pair.reach[k] * (after[j] - here[j]);
       }
       const double farthest = std::max(back, ahead);
-      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest, options_.gap_error);
+      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest + sway_[p], options_.gap_error);
       if (gap == GapAnswer::larger) continue;
       // Each half of the stretch moves the bodies by `farthest` at most, the whole by twice that.
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
@@ -113,6 +121,7 @@ class MotionCheck {
   const MeasuredPath path_;
   const MotionCheckOptions& options_;
   const RunContext& context_;
+  std::vector<double> sway_;  // how far each pair may move beside the lines [m]
   std::vector<double> joints_;
   std::vector<Pose> X_BL_;
 };
@@ -122,8 +131,16 @@ class MotionCheck {
 std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
                                      const JointPath& path, const MotionCheckOptions& options,
                                      const RunContext& context) {
+  if (path.empty()) return std::nullopt;
+  return first_blocked(arm, pairs, path, std::vector<double>(path.front().size(), 0.0), options,
+                       context);
+}
+
+std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
+                                     const JointPath& path, const std::vector<double>& sway,
+                                     const MotionCheckOptions& options, const RunContext& context) {
   if (path.empty() || pairs.empty()) return std::nullopt;
-  return MotionCheck(arm, pairs, path, options, context).run();
+  return MotionCheck(arm, pairs, path, sway, options, context).run();
 }
 
 std::optional<ArmPair> first_meeting(const CompiledArm& arm, const std::vector<ArmPair>& pairs,

@@ -43,6 +43,13 @@ std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<A
                                      const JointPath& path, const MotionCheckOptions& options = {},
                                      const RunContext& context = {});
 
+// The same for a motion that leaves the lines between its waypoints, each joint by no more than
+// `sway` says (one number a joint [rad or m]).
+std::optional<ArmPair> first_blocked(const CompiledArm& arm, const std::vector<ArmPair>& pairs,
+                                     const JointPath& path, const std::vector<double>& sway,
+                                     const MotionCheckOptions& options,
+                                     const RunContext& context = {});
+
 // The first of the pairs whose bodies collide in a posture (one value for each joint of the
 // platform): their surfaces intersect, or one body lies inside the other.
 std::optional<ArmPair> first_meeting(const CompiledArm& arm, const std::vector<ArmPair>& pairs,

@@ -1,9 +1,8 @@
 #include "sim/reach/reach.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "sim/base/index.h"
+#include "sim/reach/cartesian_line.h"
 
 // An arm has several postures for one pose of the hand, the branches of its inverse kinematics, and
 // a redundant arm has infinitely many. Along a line the joints can move continuously only within
@@ -27,28 +26,15 @@ JointPath joints_of(const CompiledArm& arm, const std::vector<DofValues>& line,
   return path;
 }
 
-// The posture at each step of the line, each solved from the one before, so that all are on one
-// branch of the inverse kinematics; empty where a step has no solution nearby.
+// The posture at each step of the line; empty where a step has none.
 std::vector<DofValues> follow(const CompiledArm& arm, const HandLine& line, const DofValues& first,
                               const ReachOptions& options, const RunContext& context) {
-  // The hand keeps its orientation along the line: only the translation is interpolated.
-  const Vector3 way = line.X_OH_to.translation() - line.X_OH_from.translation();
-  const int steps = std::max(1, static_cast<int>(std::ceil(way.norm() / options.line_step)));
-  std::vector<DofValues> postures = {first};
-  Pose X_OH = line.X_OH_from;
-  for (int i = 1; i <= steps; ++i) {
-    context.cancellation.check();
-    X_OH.translation() = line.X_OH_from.translation() + (static_cast<double>(i) / steps) * way;
-    const auto next =
-        solve_near(arm.robot(), {target_at(arm, X_OH)}, postures.back(), options.kinematics);
-    if (!next) return {};
-    for (const int d : arm.dofs) {
-      const double step = std::abs((*next)[index(d)] - postures.back()[index(d)]);
-      if (step > options.largest_joint_step) return {};
-    }
-    postures.push_back(*next);
-  }
-  return postures;
+  // The hand keeps its orientation along the line, to the bit.
+  Pose X_OH_to = line.X_OH_from;
+  X_OH_to.translation() = line.X_OH_to.translation();
+  FollowedLine followed = follow_line(arm, line.X_OH_from, X_OH_to, first, options, context);
+  if (followed.end != LineEnd::followed) return {};
+  return std::move(followed.postures);
 }
 
 // Follows the line from one posture at the pre-grasp. The cheapest test comes first: a collision in

@@ -17,6 +17,22 @@ namespace {
 // What a hinge without a range may turn to either side.
 constexpr double kFreeTurn = 2.0 * std::numbers::pi;
 
+bool has_joint_below(const XmlElement& body) {
+  const std::vector<XmlElement> bodies = body.children("body");
+  return body.child("joint") || std::any_of(bodies.begin(), bodies.end(), has_joint_below);
+}
+
+// The one body with joints that turn or slide, where it is free: a robot that flies.
+std::optional<std::size_t> free_robot(const std::vector<XmlElement>& bodies) {
+  std::optional<std::size_t> only;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!has_joint_below(bodies[b])) continue;
+    if (only || !bodies[b].child("freejoint")) return std::nullopt;
+    only = b;
+  }
+  return only;
+}
+
 class MjcfReader {
  public:
   explicit MjcfReader(const XmlFile& file)
@@ -52,7 +68,8 @@ class MjcfReader {
   JointTree tree_;
   std::map<std::string, int> body_of_;
   std::map<std::string, int> joint_of_;
-  std::vector<int> moving_;  // joints in the order of the file
+  std::map<int, double> ref_;  // of joints that have one
+  std::vector<int> moving_;    // joints in the order of the file
   std::set<std::string> names_;
 };
 
@@ -96,6 +113,14 @@ void MjcfReader::read_world() {
     }
   }
   if (bodies.empty()) root_.fail("there is no body in <worldbody>");
+  if (const std::optional<std::size_t> only = free_robot(bodies)) {
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (b != *only)
+        tree_.notes.push_back(bodies[b].place() + ": a body beside the robot is left out");
+    }
+    read_body(bodies[*only], -1, Pose::Identity(), "");
+    return;
+  }
   const bool has_joint = bodies.front().child("joint").has_value();
   if (bodies.size() == 1 && !has_joint) {
     read_body(bodies.front(), -1, Pose::Identity(), "");
@@ -233,6 +258,8 @@ TreeJoint MjcfReader::read_joint(const XmlElement& element, const std::string& n
   if (const auto at = defaults_.saying("ref", element, childclass)) {
     // The value in which the file shows the body.
     const double ref = at->number("ref");
+    ref_[static_cast<int>(tree_.joints.size())] =
+        ref * (joint.type == TreeJointType::prismatic ? 1.0 : defaults_.angle_unit());
     joint.X_LJ = joint.type == TreeJointType::prismatic
                      ? translation(-ref * joint.axis)
                      : Pose(Eigen::AngleAxisd(-ref * defaults_.angle_unit(), joint.axis));
@@ -252,7 +279,8 @@ int MjcfReader::body_called(const XmlElement& at, const std::string& attribute) 
   return found->second;
 }
 
-// joint1 = a + b joint2 + c joint2^2 + ...; without joint2 it stays where it is.
+// joint1 = a + b joint2 + c joint2^2 + ..., each from its reference; without joint2 it stays where
+// it is.
 void MjcfReader::couple(const XmlElement& element) {
   TreeJoint& joint = tree_.joints[index(joint_called(element, "joint1"))];
   std::vector<double> poly = {0.0, 1.0};
@@ -265,7 +293,11 @@ void MjcfReader::couple(const XmlElement& element) {
                           "is not read");
     return;
   }
-  joint.mimic = Mimic{joint_called(element, "joint2"), poly[1], poly[0]};
+  // It speaks of the ways from where the file shows the joints.
+  const int leader = joint_called(element, "joint2");
+  const auto ref = [&](int of) { return ref_.contains(of) ? ref_.at(of) : 0.0; };
+  const double offset = poly[0] + ref(joint_called(element, "joint1")) - poly[1] * ref(leader);
+  joint.mimic = Mimic{leader, poly[1], offset};
 }
 
 void MjcfReader::read_couplings() {

@@ -1,6 +1,8 @@
 #include "sim/robot_files/mjcf_geometry.h"
 
 #include "sim/geometry/basic_shapes.h"
+#include "sim/geometry/convex_hull.h"
+#include "sim/geometry/make_mesh.h"
 #include "sim/geometry/weld.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/robot_files/package_folders.h"
@@ -68,17 +70,53 @@ TriangleMesh MjcfGeometry::read(const std::vector<XmlElement>& geoms,
   return mesh;
 }
 
+// The vertices that are written in the file, with their faces or else their hull.
+TriangleMesh MjcfGeometry::read_written(const XmlElement& asset) {
+  const std::vector<double> numbers = asset.numbers("vertex");
+  if (numbers.size() % 3 != 0) asset.fail("attribute vertex must have three numbers a vertex");
+  if (numbers.size() / 3 > kMostShapeTriangles) asset.fail("has too many vertices");
+  std::vector<Vector3> vertices;
+  for (std::size_t i = 0; i < numbers.size(); i += 3) {
+    vertices.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    if (!(vertices.back().cwiseAbs().maxCoeff() <= kFarthestVertex)) {
+      asset.fail("a vertex is farther away than 1e6 m");
+    }
+  }
+  if (!asset.has("face")) {
+    TriangleMesh hull = convex_hull(vertices);
+    if (hull.empty()) asset.fail("the vertices have no convex hull");
+    return hull;
+  }
+  const std::vector<double> corners = asset.numbers("face");
+  if (corners.size() % 3 != 0) asset.fail("attribute face must have three numbers a triangle");
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double v = corners[i];
+    if (!(v >= 0.0 && v < static_cast<double>(vertices.size()))) {
+      asset.fail("attribute face names a vertex that is not there", std::to_string(v));
+    }
+    if (i % 3 == 0) triangles.emplace_back();
+    triangles.back()[i % 3] = static_cast<int>(v);
+  }
+  return make_mesh(std::move(vertices), std::move(triangles));
+}
+
 TriangleMesh MjcfGeometry::read_asset(const XmlElement& geom, const std::string& childclass) {
   const XmlElement at = defaults_.saying("mesh", geom, childclass).value_or(geom);
   const auto found = meshes_.find(at.text("mesh"));
   if (found == meshes_.end()) at.fail("no mesh of this name in <asset>", at.text("mesh"));
   const XmlElement& asset = found->second;
   return made_of(asset, [&] {
+    const auto sized = defaults_.saying("scale", asset, "");
+    if (asset.has("vertex")) {
+      TriangleMesh written = read_written(asset);
+      spent_ += written.triangles.size();
+      return sized ? scaled(std::move(written), sized->vector3("scale")) : written;
+    }
     const std::filesystem::path name = asset.text("file");
     const std::filesystem::path folder = defaults_.mesh_folder();
     TriangleMesh mesh = load_mesh(resolved_uri((folder / name).string(), asset.file(), {})).mesh;
-    const auto scale = defaults_.saying("scale", asset, "");
-    return scale ? scaled(std::move(mesh), scale->vector3("scale")) : mesh;
+    return sized ? scaled(std::move(mesh), sized->vector3("scale")) : mesh;
   });
 }
 

@@ -24,6 +24,7 @@ class MjcfGeometry {
 
  private:
   TriangleMesh read_geom(const XmlElement& geom, const std::string& childclass);
+  static TriangleMesh read_written(const XmlElement& asset);
   TriangleMesh read_asset(const XmlElement& geom, const std::string& childclass);
   bool collides(const XmlElement& geom, const std::string& childclass) const;
 

@@ -43,14 +43,12 @@ void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
 void find_pairs(CompiledArm& arm) {
   for (const LinkPair& links : separate_pairs(arm.links, arm.robot())) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
-    ArmPair pair{.link = links.a, .other = links.b};
-    add_motion(arm.links[index(links.a)], &arm.links[index(links.b)], pair);
+    ArmPair pair = arm_pair(arm, links.a, links.b);
     if (!stay_apart(arm, pair)) arm.arm_pairs.push_back(std::move(pair));
   }
   for (std::size_t l = 0; l < arm.links.size(); ++l) {
     for (std::size_t b = 0; b < arm.bodies.size(); ++b) {
-      ArmPair pair{.link = link_id(l), .other = BodyId::at(b)};
-      add_motion(arm.links[l], nullptr, pair);
+      ArmPair pair = arm_pair(arm, link_id(l), BodyId::at(b));
       // The hand is meant to come near the object and what it stands on: a proof that it stays
       // away in all postures would fail, at some cost.
       if (arm.is_hand_link(pair.link)) {
@@ -119,6 +117,14 @@ CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies) {
   find_pairs(arm);
   check_start(scene, arm);
   return arm;
+}
+
+ArmPair arm_pair(const CompiledArm& arm, LinkId link, const std::variant<LinkId, BodyId>& other) {
+  ArmPair pair{.link = link, .other = other};
+  const LinkId* second = std::get_if<LinkId>(&other);
+  add_motion(arm.links[index(link)], second != nullptr ? &arm.links[index(*second)] : nullptr,
+             pair);
+  return pair;
 }
 
 std::vector<double> arm_joints(const CompiledArm& arm, const std::vector<double>& dofs,

@@ -50,6 +50,9 @@ struct CompiledArm {
 // collides or is outside limits, or the start does not fit the platform.
 CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies);
 
+// The pair of a link with another link or with a body.
+ArmPair arm_pair(const CompiledArm& arm, LinkId link, const std::variant<LinkId, BodyId>& other);
+
 // Joint values of the whole platform for `dofs`, with the hand's joints as given.
 std::vector<double> arm_joints(const CompiledArm& arm, const std::vector<double>& dofs,
                                const std::vector<double>& hand_joints);

@@ -60,6 +60,8 @@ std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
   return reach;
 }
 
+}  // namespace
+
 CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& link) {
   if (link.mesh.empty()) {
     throw InputError({robot.name, "link " + link.name, "has no triangles"});
@@ -78,8 +80,6 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
   return {make_collision_body(link.name, link.mesh, true), friction, depth, std::move(joints),
           std::move(reach)};
 }
-
-}  // namespace
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {
   require_tree(robot);

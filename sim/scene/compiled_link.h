@@ -29,6 +29,10 @@ struct LinkPair {
   LinkId b = {};
 };
 
+// A link that is fixed to a joint of `robot`. Throws InputError for an unknown material and a link
+// without triangles.
+CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& link);
+
 // All links of `robot`, with their friction against the object of the scene.
 // Throws InputError for an unknown material, a link without triangles or joints that are no tree.
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot);

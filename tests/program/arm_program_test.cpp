@@ -100,11 +100,16 @@ TEST_F(ArmExport, TheGraspFileHoldsPathsAndObstacles) {
     EXPECT_TRUE(std::is_sorted(path["times"].begin(), path["times"].end()));
     EXPECT_EQ(path["segments"].front()["first"], 0);
     EXPECT_EQ(path["segments"].back()["last"], samples - 1);
-    EXPECT_EQ(path["segments"].back()["name"], "close");
+    ASSERT_TRUE(grasp.contains("lift"));
+    const json& name = path["segments"].back()["name"];
+    EXPECT_EQ(name, grasp["lift"] == "complete"          ? "retreat"
+                    : grasp["lift"] == "retreat_blocked" ? "lift"
+                                                         : "close");
   }
 }
 
-// The hand's joints, which are the last of the path, end where the grasp has them.
+// The hand's joints, which are the last of the path, end where the grasp has them, and stay there
+// while the object is carried.
 TEST_F(ArmExport, APathEndsInItsGrasp) {
   for (const json& grasp : grasps()["grasps"]) {
     const json& last = grasp["path"]["positions"].back();

@@ -31,8 +31,9 @@ ProgramRun plan_into(const fs::path& out, const std::string& words) {
 
 TEST(EarlierFiles, OfMoreExportsAndMoreGraspsAreRemoved) {
   const fs::path out = fresh_folder("earlier_exports");
-  plan_into(out, "--top 3 --export csv,isaac,moveit,gltf");
+  plan_into(out, "--top 3 --export csv,isaac,moveit,gltf,mjcf");
   EXPECT_TRUE(fs::exists(out / "grasp_3.glb"));
+  EXPECT_TRUE(fs::exists(out / "grasp_3.xml"));
   std::ofstream(out / "notes.txt") << "mine";
   std::ofstream(out / "path_7.csv") << "of an earlier run";
   plan_into(out, "--top 1 --no-report --export csv,gltf");

@@ -27,7 +27,7 @@ std::string quoted(const std::filesystem::path& file) {
 
 ProgramRun plan_cube(const std::filesystem::path& mesh, const std::filesystem::path& out) {
   return run_program("plan " + quoted(mesh) + " --hand parallel_jaw --top 1 --out " + quoted(out) +
-                     " --export csv,isaac,moveit,gltf");
+                     " --export csv,isaac,moveit,gltf,mjcf");
 }
 
 TEST(NotUtf8, AMeshFileIsPlannedForAndNamedAsWellAsJsonCan) {

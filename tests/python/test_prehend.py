@@ -385,6 +385,10 @@ class Kinematics(unittest.TestCase):
         self.assertEqual(path.velocities.shape, (samples, len(path.joints)))
         self.assertTrue(np.all(np.diff(path.times) > 0.0))
         self.assertEqual(path.segments[-1].last, samples - 1)
+        self.assertEqual(path.lift, "complete")
+        self.assertEqual([s.name for s in path.segments[-2:]], ["lift", "retreat"])
+        bare = prehend.GraspPathOptions(lift=prehend.LiftOptions(height=0.0))
+        self.assertEqual(prehend.plan_grasp_path(result[0], bare).lift, "not_asked")
         alone = prehend.plan_grasp_path(result[0])
         np.testing.assert_array_equal(alone.positions[0], path.positions[0])
 

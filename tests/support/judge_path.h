@@ -20,7 +20,11 @@ class PathJudge {
  public:
   PathJudge(const Scene& scene, const Machine& machine, const Surroundings& around,
             const ScoredGrasp& grasp)
-      : scene_(scene), machine_(machine), around_(around), grasp_(grasp), path_(*grasp.path) {}
+      : scene_(scene), machine_(machine), around_(around), grasp_(grasp), path_(*grasp.path) {
+    for (const TrajectorySegment& segment : path_.segments) {
+      if (segment.name == "close") grasped_ = static_cast<std::size_t>(segment.last);
+    }
+  }
 
   Judgement judge() {
     check_shape();
@@ -29,6 +33,8 @@ class PathJudge {
     check_limits();
     check_segments();
     check_approach();
+    check_lift();
+    if (grasped_ + 1 < path_.times.size()) take_object();
     for (std::size_t i = 0; i + 1 < path_.times.size(); ++i) walk(i);
     return judgement_;
   }
@@ -104,14 +110,18 @@ class PathJudge {
         if (std::abs(path_.positions[0][j] - start) > 1e-9) fault("not at the start", 0);
         if (path_.velocities[0][j] != 0.0) fault("moves at the start", 0);
         if (path_.velocities[last][j] != 0.0) fault("moves at the end", last);
-        if (is_hand && std::abs(path_.positions[last][j] - grasp_.trial.joints[k]) > 1e-9) {
-          fault("the hand is not closed", last);
+        for (std::size_t i = grasped_; is_hand && i <= last; ++i) {
+          if (std::abs(path_.positions[i][j] - grasp_.trial.joints[k]) > 1e-9) {
+            fault("the hand is not closed", i);
+          }
         }
       }
       first_dof += robot.dofs.size();
     }
-    const Matrix4 hand = machine_.hand_base(machine_.frames(posture(path_.positions[last])));
-    if ((hand - wanted_hand()).cwiseAbs().maxCoeff() > 1e-6) fault("the hand is elsewhere", last);
+    const Matrix4 hand = machine_.hand_base(machine_.frames(posture(path_.positions[grasped_])));
+    if ((hand - wanted_hand()).cwiseAbs().maxCoeff() > 1e-6) {
+      fault("the hand is elsewhere", grasped_);
+    }
   }
 
   void check_limits() {
@@ -133,11 +143,30 @@ class PathJudge {
       if (outside || of_dof < dof.lower - kSlack || of_dof > dof.upper + kSlack) {
         fault(joint.name + " outside its limits", i);
       }
-      if (std::abs(path_.velocities[i][j]) > fastest) fault(joint.name + " too fast", i);
-      if (i == 0) continue;
-      const double change = path_.velocities[i][j] - path_.velocities[i - 1][j];
-      if (std::abs(change) > hardest * (path_.times[i] - path_.times[i - 1])) {
-        fault(joint.name + " accelerates too hard", i);
+      if (i > 0) check_cubic(joint.name, i, j, fastest, hardest);
+    }
+  }
+
+  // Velocity and acceleration at many places of the cubic that ends at sample i, from the same
+  // polynomial as in `between`.
+  void check_cubic(const std::string& name, std::size_t i, std::size_t j, double fastest,
+                   double hardest) {
+    const double h = path_.times[i] - path_.times[i - 1];
+    const double p0 = path_.positions[i - 1][j];
+    const double p1 = path_.positions[i][j];
+    const double m0 = h * path_.velocities[i - 1][j];
+    const double m1 = h * path_.velocities[i][j];
+    // Rounding of positions, which a short time makes much of.
+    const double noise = 1e-15 * (std::abs(p0) + std::abs(p1)) / h;
+    for (int k = 0; k <= 10; ++k) {
+      const double s = k / 10.0;
+      const double second = 3.0 * (p1 - p0) - 2.0 * m0 - m1;
+      const double third = 2.0 * (p0 - p1) + m0 + m1;
+      const double velocity = (m0 + s * (2.0 * second + s * 3.0 * third)) / h;
+      const double acceleration = (2.0 * second + s * 6.0 * third) / (h * h);
+      if (std::abs(velocity) > fastest + noise) return fault(name + " too fast", i);
+      if (std::abs(acceleration) > hardest + 6.0 * noise / h) {
+        return fault(name + " accelerates too hard", i);
       }
     }
   }
@@ -154,10 +183,77 @@ class PathJudge {
     }
     const std::size_t last = path_.times.size() - 1;
     if (at != static_cast<int>(last)) fault("segments end early", static_cast<std::size_t>(at));
+    for (const std::string after : {"retreat ", "lift "}) {
+      if (names.ends_with(after)) names.erase(names.size() - after.size());
+    }
     if (names != "transfer approach close " && names != "preshape transfer approach close " &&
         names != "transfer preshape approach close ") {
       fault("segments " + names, 0);
     }
+  }
+
+  // Straight up, turned as at the grasp, also between samples.
+  void check_lift() {
+    const auto segment = std::find_if(path_.segments.begin(), path_.segments.end(),
+                                      [](const auto& s) { return s.name == "lift"; });
+    if (segment == path_.segments.end()) return;
+    const Matrix4 start = wanted_hand();
+    double height = -1e-9;
+    for (auto i = static_cast<std::size_t>(segment->first);
+         i < static_cast<std::size_t>(segment->last); ++i) {
+      for (const double s : {0.0, 0.5}) {
+        const Matrix4 hand = machine_.hand_base(machine_.frames(posture(between(i, s))));
+        const Vector3 way = (hand - start).topRightCorner<3, 1>();
+        if (way.head<2>().norm() > 1e-5) fault("the lift is not straight", i);
+        if ((hand - start).topLeftCorner<3, 3>().cwiseAbs().maxCoeff() > 1e-4) {
+          fault("the hand turns", i);
+        }
+        if (way.z() < height - 1e-9) fault("the lift goes back", i);
+        height = way.z();
+      }
+    }
+    if (height < 0.05) fault("hardly a lift", static_cast<std::size_t>(segment->last));
+  }
+
+  // From the grasp on, the object is a body in the frame of the hand.
+  void take_object() {
+    const Matrix4 X_HO = grasp_.trial.X_OH.matrix().inverse();
+    object_.name = scene_.object.name;
+    object_.triangles = soup(scene_.object.mesh, Pose(X_HO));
+    object_.box = box_of(object_.triangles);
+    for (const Surroundings::Thing& thing : around_.things) {
+      if (thing.name != object_.name) without_object_.things.push_back(thing);
+    }
+  }
+
+  // What the carried object meets, "" for nothing: obstacles, and links of robots other than the
+  // hand that are not on the frame that the hand is on.
+  std::string what_object_meets(const Frames& frames) const {
+    const Matrix4 X = machine_.hand_base(frames);
+    const Bounds box = moved(X, object_.box);
+    for (const Surroundings::Thing& thing : without_object_.things) {
+      std::vector<Corners> near;
+      for (std::size_t t = 0; t < thing.triangles.size(); ++t) {
+        if (boxes_meet(thing.boxes[t], box)) near.push_back(thing.triangles[t]);
+      }
+      if (near.empty()) continue;
+      if (surfaces_meet(triangles_in(object_, X, box_of(near)), near)) {
+        return object_.name + " meets " + thing.name;
+      }
+    }
+    const MountedRobot& hand =
+        scene_.carrier->platform.robots[static_cast<std::size_t>(scene_.carrier->hand)];
+    const std::string carrier = machine_.carried_by(hand);
+    for (const Body& body : machine_.bodies()) {
+      if (body.name.starts_with(hand.name + "/") || body.frame == carrier) continue;
+      const Matrix4& X_WB = frames.at(body.frame);
+      const Bounds other = moved(X_WB, body.box);
+      if (!boxes_meet(box, other)) continue;
+      if (surfaces_meet(triangles_in(object_, X, other), triangles_in(body, X_WB, box))) {
+        return object_.name + " meets " + body.name;
+      }
+    }
+    return "";
   }
 
   // Along the scene's approach, turned as at the grasp, also between samples; nothing of the hand
@@ -223,7 +319,9 @@ class PathJudge {
 
   void look(const Frames& frames, std::size_t sample) {
     ++judgement_.postures;
-    const std::string met = what_meets(machine_, around_, frames);
+    const bool carries = sample >= grasped_ && !object_.triangles.empty();
+    std::string met = what_meets(machine_, carries ? without_object_ : around_, frames);
+    if (carries && met.empty()) met = what_object_meets(frames);
     if (met.empty()) return;
     ++judgement_.collisions;
     fault(met, sample);
@@ -235,6 +333,9 @@ class PathJudge {
   const ScoredGrasp& grasp_;
   const Trajectory& path_;
   Judgement judgement_;
+  std::size_t grasped_ = path_.times.size() - 1;  // the sample at which the hand is closed
+  Body object_;                                   // in the frame of the hand; empty: not carried
+  Surroundings without_object_;
 };
 
 }  // namespace prehend::test

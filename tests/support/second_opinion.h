@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/path/trajectory.h"
+#include "sim/control/trajectory.h"
 #include "sim/scene/scene.h"
 #include "tests/support/brute_force.h"
 
@@ -101,6 +101,13 @@ class Machine {
     return frames.at(carried_by(hand)) * hand.X_MR.matrix();
   }
 
+  std::string carried_by(const MountedRobot& mounted) const {
+    if (mounted.parent < 0) return "";
+    const MountedRobot& parent = carrier_.platform.robots[at(mounted.parent)];
+    const Chain& chain = parent.robot.chains[at(mounted.chain)];
+    return joint_name(parent, chain.first_joint + chain.joint_count - 1);
+  }
+
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -113,13 +120,6 @@ class Machine {
 
   static std::string joint_name(const MountedRobot& mounted, int joint) {
     return mounted.name + "/" + mounted.robot.joints[at(joint)].name;
-  }
-
-  std::string carried_by(const MountedRobot& mounted) const {
-    if (mounted.parent < 0) return "";
-    const MountedRobot& parent = carrier_.platform.robots[at(mounted.parent)];
-    const Chain& chain = parent.robot.chains[at(mounted.chain)];
-    return joint_name(parent, chain.first_joint + chain.joint_count - 1);
   }
 
   void add_links(const MountedRobot& mounted) {
@@ -176,6 +176,8 @@ struct Surroundings {
     Bounds box;
   };
   std::vector<Thing> things;
+
+  Surroundings() = default;
 
   explicit Surroundings(const Scene& scene) {
     add(scene.object.name, soup(scene.object.mesh, scene.object.X_WO));

@@ -166,8 +166,12 @@ test('the arm moves along its path', async () => {
   const report = await OpenReport.open(browser, out);
   await report.page.getByText('fit everything').click();
   const end = await report.picture('#scene');
-  await report.page.locator('#slider').fill('400');
+  await report.page.locator('#slider').fill('200');
   assert.match(await report.text('#moment'), /^(preshape|transfer|approach), /);
+  await expectChanged(report, end, await report.picture('#scene'), 300);
+  // And on with the object in the hand.
+  await report.page.locator('#slider').fill('900');
+  assert.match(await report.text('#moment'), /^(lift|retreat), /);
   await expectChanged(report, end, await report.picture('#scene'), 300);
   const blockers = await report.text('#blockers');
   assert.ok(blockers.includes('table'), blockers);

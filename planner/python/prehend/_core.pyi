@@ -261,6 +261,7 @@ class TransferOptions:
     max_iterations: int
     simplify_steps: int
     longest_edge: float
+    corner_deviation: float
     seed: int
     motion: MotionCheckOptions
     def __init__(
@@ -270,6 +271,7 @@ class TransferOptions:
         max_iterations: int = ...,
         simplify_steps: int = ...,
         longest_edge: float = ...,
+        corner_deviation: float = ...,
         seed: int = ...,
         motion: MotionCheckOptions = ...,
     ) -> None: ...
@@ -298,6 +300,21 @@ class PathCheckOptions:
     def __copy__(self) -> PathCheckOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> PathCheckOptions: ...
 
+class LiftOptions:
+    _fields: Tuple[str, ...]
+    height: float
+    retreat: bool
+    leave_within: float
+    def __init__(
+        self,
+        *,
+        height: float = ...,
+        retreat: bool = ...,
+        leave_within: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> LiftOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> LiftOptions: ...
+
 class GraspPathOptions:
     _fields: Tuple[str, ...]
     reach: ReachOptions
@@ -305,6 +322,7 @@ class GraspPathOptions:
     timing: TimePathOptions
     alternatives: int
     check: PathCheckOptions
+    lift: LiftOptions
     def __init__(
         self,
         *,
@@ -313,6 +331,7 @@ class GraspPathOptions:
         timing: TimePathOptions = ...,
         alternatives: int = ...,
         check: PathCheckOptions = ...,
+        lift: LiftOptions = ...,
     ) -> None: ...
     def __copy__(self) -> GraspPathOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> GraspPathOptions: ...

@@ -100,7 +100,7 @@ class Segment(NamedTuple):
     """A named stretch of a path: samples first .. last, both included."""
 
     name: str
-    """"preshape", "transfer", "approach" or "close"."""
+    """"preshape", "transfer", "approach", "close", "lift" or "retreat"."""
     first: int
     last: int
 
@@ -120,6 +120,9 @@ class Path:
     """(T, J) [rad/s or m/s]."""
     segments: List[Segment]
     """In order; neighbours share a sample."""
+    lift: str
+    """What comes after the grasp: "complete", "not_asked", or why it is not there:
+    "lift_unreachable", "lift_blocked", "retreat_blocked"."""
 
     @property
     def duration(self) -> float:

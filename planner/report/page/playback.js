@@ -1,4 +1,5 @@
-// Plays the motion to a grasp: approach and closing, and the arm's path where there is one.
+// Plays the motion to a grasp: approach and closing, and the arm's path where there is one, which
+// may go on with the object in the hand.
 
 class Playback {
   constructor(view) {
@@ -28,12 +29,18 @@ class Playback {
     return times[times.length - 1];
   }
 
-  // A new grasp starts at its end: as a grasp.
+  // When the object is grasped; from there on the hand carries it.
+  graspTime() {
+    const {times, grasp} = this.motion();
+    return times[grasp];
+  }
+
+  // A new grasp starts as a grasp.
   reset() {
     this.stop();
     const motion = this.motion();
     byId('playback').hidden = !motion || motion.times.length < 2;
-    if (!byId('playback').hidden) this.seek(this.end(), true);
+    if (!byId('playback').hidden) this.seek(this.graspTime(), true);
   }
 
   seek(time, fromOutside = false) {
@@ -47,7 +54,7 @@ class Playback {
 
   segment(time) {
     const {times, segments} = this.motion();
-    if (time >= this.end()) return 'grasp';
+    if (time === this.graspTime()) return 'grasp';
     const current = segments.find((s) => time <= times[s.last]);
     return current ? current.name : '';
   }
@@ -69,7 +76,7 @@ class Playback {
     if (!this.motion()) return;
     this.playing = true;
     this.button.textContent = '❚❚ pause';
-    if (this.time >= this.end()) this.time = 0;
+    if (this.time >= this.end() || this.time === this.graspTime()) this.time = 0;
     let last = null;
     const step = (now) => {
       if (!this.playing) return;

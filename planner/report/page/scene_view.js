@@ -100,7 +100,7 @@ class SceneView {
     }
   }
 
-  // Shows a grasp with its marks, at the end of its motion; null shows the scene without a grasp.
+  // Shows a grasp with its marks, as it holds the object; null shows the scene without a grasp.
   show(grasp) {
     this.grasp = grasp;
     for (const name of ['contacts', 'weakest', 'primitive']) {
@@ -120,10 +120,10 @@ class SceneView {
       data.primitives.forEach((p) => this.layers.primitive.add(primitiveSolid(p)));
     }
     this.highlight(-1);
-    this.pose(grasp && grasp.motion ? grasp.motion.times[grasp.motion.times.length - 1] : 0);
+    this.pose(grasp && grasp.motion ? grasp.motion.times[grasp.motion.grasp] : 0);
   }
 
-  // Poses hand and arm as at a time [s] of the grasp's motion.
+  // Poses hand and arm as at a time [s] of the grasp's motion, and the object, where it is carried.
   pose(time) {
     this.time = time;
     if (data.scene) {
@@ -132,6 +132,7 @@ class SceneView {
       const row = motion ? motionRow(motion, time) : null;
       if (this.arm) this.arm.setJoints(motion && motion.on_arm ? row : data.scene.arm.start);
       if (row) this.poseHand(motion, row);
+      this.poseObject(motion, time);
     }
     this.ask();
   }
@@ -147,6 +148,16 @@ class SceneView {
       this.hand.setBase(X_WO.clone().multiply(X_OH));
       this.hand.setJoints(row.slice(3));
     }
+  }
+
+  // Where it stands, or in the hand as it was grasped.
+  poseObject(motion, time) {
+    const X = X_WO.clone();
+    if (motion && motion.on_arm && time > motion.times[motion.grasp]) {
+      const X_HO = new THREE.Matrix4().getInverse(matrixOf(motion.X_OH));
+      X.copy(this.handMount.matrixWorld).multiply(X_HO);
+    }
+    X.decompose(this.objectFrame.position, this.objectFrame.quaternion, this.objectFrame.scale);
   }
 
   // Highlights the contact with this index; -1 for none.

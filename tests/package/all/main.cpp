@@ -87,7 +87,7 @@ void plan_with_arm(const std::filesystem::path& folder) {
   check(evaluated.grasps.front().trial.epsilon.lower == best.trial.epsilon.lower,
         "so does an evaluation");
 
-  for (const char* format : {"csv", "isaac", "moveit", "gltf"}) {
+  for (const char* format : {"csv", "isaac", "moveit", "gltf", "mjcf"}) {
     for (const prehend::ExportFile& file : prehend::export_files(ready, result, format)) {
       prehend::write_file(folder / file.name, file.content);
     }

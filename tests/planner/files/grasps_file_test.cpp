@@ -156,10 +156,14 @@ TEST(GraspsFile, OfAnArmPostureAndPathComeBack) {
   grasp.path->positions.assign(3, posture);
   grasp.path->velocities.assign(3, std::vector<double>(posture.size(), 0.125));
   grasp.path->segments = {{"transfer", 0, 1}, {"approach", 1, 2}};
+  grasp.lift = LiftEnd::lift_blocked;
   const Json first = Json::parse(grasps_json(scene, result, some_record()));
   const GraspFile read = read_grasps(file_with(first.dump()), scene);
   const Json again = Json::parse(grasps_json(scene, read.result, read.record));
   EXPECT_EQ(first["grasps"][0]["path"].dump(), again["grasps"][0]["path"].dump());
+  EXPECT_EQ(first["grasps"][0]["lift"], "lift_blocked");
+  EXPECT_EQ(read.result.grasps[0].lift, LiftEnd::lift_blocked);
+  EXPECT_FALSE(again["grasps"][1].contains("lift"));
   EXPECT_EQ(first["grasps"][0]["arm_dofs"].dump(), again["grasps"][0]["arm_dofs"].dump());
   EXPECT_FALSE(again["grasps"][1].contains("path"));
 }

@@ -31,7 +31,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 TEST(ResultFiles, AreKnownByTheirWholeNames) {
   for (const char* name : {"grasps.json", "report.html", "path_1.csv", "path_12_moveit.yaml",
-                           "grasp_10.glb", "grasps_isaac.yaml", "best_arm.png"}) {
+                           "grasp_10.glb", "grasp_2.xml", "grasps_isaac.yaml", "best_arm.png"}) {
     EXPECT_TRUE(is_result_file(name)) << name;
     EXPECT_FALSE(is_rendered_file(name)) << name;
   }

@@ -101,8 +101,11 @@ class ArmMotion : public testing::Test {
 
   // The hand comes along one straight line, and stands still while it closes.
   static void expect_approach(const GraspMotion& motion) {
-    const std::size_t count = motion.segments.size();
+    std::size_t count = 0;
+    while (count < motion.segments.size() && motion.segments[count].name != "close") ++count;
+    ++count;
     ASSERT_GE(count, 2U);
+    ASSERT_LE(count, motion.segments.size());
     EXPECT_EQ(motion.segments[count - 2].name, "approach");
     EXPECT_EQ(motion.segments[count - 1].name, "close");
     const Pose from = pre_grasp(grasp().candidate, grasp().trial);
@@ -163,7 +166,15 @@ TEST_F(ArmMotion, WhereOnlyTheLastPostureIsKnownTheArmStandsThere) {
   }
 }
 
-// Where the trial reached in another posture than the nearest to the start, the path ends there.
+// The last posture of the segment "close".
+const std::vector<double>& at_grasp(const Trajectory& path) {
+  for (const TrajectorySegment& segment : path.segments) {
+    if (segment.name == "close") return path.positions[index(segment.last)];
+  }
+  return path.positions.back();
+}
+
+// Where the trial reached in another posture than the nearest to the start, so does the path.
 TEST_F(ArmMotion, APathEndsInThePostureOfTheTrial) {
   const CompiledScene& scene = test::block_in_the_air();
   const auto [candidate, trial] = test::grasp_in_the_farther_posture(scene);
@@ -171,7 +182,7 @@ TEST_F(ArmMotion, APathEndsInThePostureOfTheTrial) {
   options.alternatives = 1;
   const auto path = plan_grasp_path(scene, candidate, trial, options);
   ASSERT_TRUE(path.has_value());
-  EXPECT_EQ(path->positions.back(), arm_joints(*scene.arm, trial.arm_dofs, trial.joints));
+  EXPECT_EQ(at_grasp(path->motion), arm_joints(*scene.arm, trial.arm_dofs, trial.joints));
 }
 
 TEST_F(ArmMotion, WhereTheArmDidNotReachTheHandFlies) {
@@ -187,22 +198,37 @@ TEST_F(ArmMotion, WhereTheArmDidNotReachTheHandFlies) {
 TEST_F(ArmMotion, APathIsShownAsItIs) {
   const auto path = plan_grasp_path(scene(), grasp().candidate, grasp().trial);
   ASSERT_TRUE(path.has_value());
-  const GraspMotion found = motion(&*path);
+  const GraspMotion found = motion(&path->motion);
   expect_sound(found);
   expect_approach(found);
-  ASSERT_EQ(found.frames.size(), path->times.size());
+  ASSERT_EQ(found.frames.size(), path->motion.times.size());
+  const MotionFrame& grasped = found.frames[found.grasp()];
+  EXPECT_EQ(grasped.arm_joints, at_grasp(path->motion));
   for (std::size_t i = 0; i < found.frames.size(); ++i) {
-    EXPECT_EQ(found.frames[i].time, path->times[i]);
-    EXPECT_EQ(found.frames[i].arm_joints, path->positions[i]);
+    EXPECT_EQ(found.frames[i].time, path->motion.times[i]);
+    EXPECT_EQ(found.frames[i].arm_joints, path->motion.positions[i]);
   }
-  EXPECT_TRUE(found.frames.back().X_OH.isApprox(grasp().trial.X_OH, 1e-6));
-  const std::vector<double>& joints = found.frames.back().joints;
+  EXPECT_TRUE(grasped.X_OH.isApprox(grasp().trial.X_OH, 1e-6));
+  const std::vector<double>& joints = grasped.joints;
   ASSERT_EQ(joints.size(), grasp().trial.joints.size());
   for (std::size_t j = 0; j < joints.size(); ++j) {
     EXPECT_NEAR(joints[j], grasp().trial.joints[j], 1e-9);
   }
+  // The object stands until it is grasped, and is then at rest in the hand.
+  EXPECT_EQ(path->lift, LiftEnd::complete);
+  for (std::size_t i = 0; i < found.frames.size(); ++i) {
+    const MotionFrame& frame = found.frames[i];
+    const Pose X_HC = frame.X_OH.inverse() * frame.X_OC;
+    if (i <= found.grasp()) {
+      EXPECT_EQ(frame.X_OC.matrix(), Pose::Identity().matrix()) << i;
+    } else {
+      EXPECT_TRUE(X_HC.isApprox(grasped.X_OH.inverse(), 1e-9)) << i;
+    }
+  }
+  EXPECT_GT(found.frames.back().X_OC.translation().norm(), 0.05);
   const GraspMotion few = thinned(found, 40);
   expect_sound(few);
+  EXPECT_EQ(few.frames[few.grasp()].arm_joints, grasped.arm_joints);
   EXPECT_EQ(few.frames.back().arm_joints, found.frames.back().arm_joints);
 }
 

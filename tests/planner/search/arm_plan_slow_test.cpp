@@ -133,10 +133,37 @@ TEST_F(SpoiltPath, HasteIsSeen) {
 }
 
 TEST_F(SpoiltPath, AnApproachBesideTheLineIsSeen) {
-  const auto& approach = grasp_.path->segments[grasp_.path->segments.size() - 2];
-  ASSERT_EQ(approach.name, "approach");
+  const auto segment = std::find_if(grasp_.path->segments.begin(), grasp_.path->segments.end(),
+                                    [](const auto& s) { return s.name == "approach"; });
+  ASSERT_NE(segment, grasp_.path->segments.end());
+  const auto& approach = *segment;
   grasp_.path->positions[static_cast<std::size_t>((approach.first + approach.last) / 2)][0] += 1e-4;
   EXPECT_FALSE(judged().faults.empty());
+}
+
+TEST_F(SpoiltPath, ALiftToTheSideIsSeen) {
+  const auto& last = grasp_.path->segments[grasp_.path->segments.size() - 2];
+  ASSERT_EQ(last.name, "lift");
+  grasp_.path->positions[static_cast<std::size_t>((last.first + last.last) / 2)][0] += 1e-3;
+  EXPECT_FALSE(judged().faults.empty());
+}
+
+// Where the object comes by, but neither hand nor arm.
+TEST_F(SpoiltPath, ABoxInTheWayOfTheObjectIsSeen) {
+  const auto& last = grasp_.path->segments.back();
+  ASSERT_EQ(last.name, "retreat");
+  const auto sample = static_cast<std::size_t>(last.first + 1);
+  test::Posture posture;
+  for (std::size_t j = 0; j < grasp_.path->joints.size(); ++j) {
+    posture[grasp_.path->joints[j]] = grasp_.path->positions[sample][j];
+  }
+  const Pose X_WH(machine_.hand_base(machine_.frames(posture)));
+  const Pose X_WO = X_WH * grasp_.trial.X_OH.inverse();
+  test::Surroundings around(scene_);
+  const Bounds box = bounds(scene_.object.mesh);
+  around.add("box", test::soup(make_box({0.2, 0.2, 0.004}),
+                               X_WO * translation({0.0, 0.0, box.lower.z() + 0.004})));
+  EXPECT_GT(judged(around).collisions, 0);
 }
 
 int count_of(const PlanResult& result, Outcome outcome) {

@@ -200,7 +200,7 @@ TEST(CancelledBeforehand, LongCallsThrow) {
   }
   const auto path = plan_grasp_path(scene, best.candidate, best.trial);
   ASSERT_TRUE(path.has_value());
-  EXPECT_THROW(check_path(scene, *path, {}, context), Cancelled);
+  EXPECT_THROW(check_path(scene, path->motion, {}, context), Cancelled);
 }
 
 TEST(Context, DoesNotChangeTheResult) {

@@ -4,7 +4,7 @@
 #include "planner/search/plan.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/robot_files/robot_file.h"
-#include "tests/planner/search/published_grasps.h"
+#include "tests/support/published_grasps.h"
 #include "tests/support/shared_data.h"
 
 namespace prehend::test {

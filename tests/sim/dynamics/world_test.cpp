@@ -6,52 +6,18 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/geometry/basic_shapes.h"
 #include "tests/support/refusal_of.h"
+#include "tests/support/sample_worlds.h"
 
 namespace prehend {
 namespace {
 
-constexpr double kG = 9.81;
-
-WorldBody body_of(const std::string& name, const TriangleMesh& mesh, double mass,
-                  const Vector3& p) {
-  WorldBody body{name, make_collision_body(name, mesh, true)};
-  body.inertial = inertial_of_mass(mesh, mass);
-  body.motion.X_WB = translation(p);
-  return body;
-}
-
-WorldBody box(const std::string& name, const Vector3& size, double mass, const Vector3& p) {
-  return body_of(name, make_box(size), mass, p);
-}
-
-// A plate whose upper side is at z = 0.
-WorldBody ground(double size = 4.0) {
-  WorldBody body = box("ground", {size, size, 0.1}, 1.0, {0.0, 0.0, -0.05});
-  body.is_fixed = true;
-  return body;
-}
-
-World world_with(std::vector<WorldBody> bodies, double friction) {
-  World world;
-  world.bodies = std::move(bodies);
-  world.laws.friction.set(Material::plastic, Material::plastic, friction);
-  return world;
-}
-
-// Until `seconds` have passed, or a step does not move.
-StepOutcome run(World& world, double seconds, const StepOptions& options = {}) {
-  double time = 0.0;
-  StepOptions last = options;
-  while (time < seconds - 1e-12) {
-    last.step = std::min(options.step, seconds - time);
-    const StepResult result = step_world(world, last);
-    if (result.outcome != StepOutcome::moved) return result.outcome;
-    time += result.time;
-  }
-  return StepOutcome::moved;
-}
+using test::body_of;
+using test::box;
+using test::ground;
+using test::kG;
+using test::run;
+using test::world_with;
 
 TEST(World, FreeFallOfFirstOrder) {
   const auto fallen = [](double step) -> Vector3 {

@@ -178,6 +178,49 @@ TEST(MjcfFile, CouplingsDriveJointsTogether) {
   EXPECT_TRUE(has_note(robot, "taken to move alike"));
 }
 
+// They speak of the ways from where the file shows the joints (ref).
+TEST(MjcfFile, CouplingsCountFromTheReferences) {
+  const Robot robot = robot_of(on_palm(
+      "<body name=\"a\"><joint name=\"ja\" range=\"-90 90\" ref=\"30\"/><geom "
+      "size=\"0.01\"/></body>"
+      "<body name=\"b\"><joint name=\"jb\" range=\"-90 90\" ref=\"-10\"/><geom "
+      "size=\"0.01\"/></body>",
+      "<equality><joint joint1=\"jb\" joint2=\"ja\" polycoef=\"0 0.5 0 0 0\"/></equality>"));
+  ASSERT_EQ(robot.dofs.size(), 1U);
+  EXPECT_EQ(robot.joints[1].ratio, 0.5);
+  EXPECT_NEAR(robot.joints[1].offset, (-10.0 - 15.0) / 90.0 * kRightAngle, kExact);
+}
+
+TEST(MjcfFile, MeshesMayBeWrittenInTheFile) {
+  const std::string body =
+      "<body name=\"tip\"><joint name=\"j\" range=\"0 90\"/>"
+      "<geom type=\"mesh\" mesh=\"m\"/></body>";
+  const std::string corners = "0 0 0  0.1 0 0  0 0.1 0  0 0 0.1";
+  // The hull of the vertices, in which an inner one has no part.
+  const Robot hull = robot_of(
+      on_palm(body, "<asset><mesh name=\"m\" vertex=\"" + corners + " 0.01 0.01 0.01\"/></asset>"));
+  EXPECT_EQ(hull.links[1].mesh.triangles.size(), 4U);
+  EXPECT_NEAR(bounds(hull.links[1].mesh).size().x(), 0.1, kExact);
+  const Robot faces =
+      robot_of(on_palm(body, "<asset><mesh name=\"m\" scale=\"2 2 2\" vertex=\"" + corners +
+                                 "\" face=\"0 2 1 0 1 3 0 3 2\"/></asset>"));
+  EXPECT_EQ(faces.links[1].mesh.triangles.size(), 3U);
+  EXPECT_NEAR(bounds(faces.links[1].mesh).size().z(), 0.2, kExact);
+}
+
+// A hand that flies, beside what it holds: its own free body is the base.
+TEST(MjcfFile, AFreeBodyWithJointsIsTheRobot) {
+  const Robot robot = robot_of(
+      mjcf("<worldbody><body name=\"target\" mocap=\"true\"/><body name=\"palm\" pos=\"1 2 3\">"
+           "<freejoint/><geom size=\"0.02\"/><body name=\"tip\" pos=\"0.1 0 0\"><joint name=\"j\" "
+           "range=\"0 90\"/><geom size=\"0.01\"/></body></body><body name=\"cup\"><freejoint/>"
+           "<geom size=\"0.03\"/></body></worldbody>"));
+  ASSERT_EQ(robot.links.size(), 2U);
+  EXPECT_EQ(robot.links[0].name, "palm");
+  EXPECT_LT((poses(robot, {0.0})[1].translation() - Vector3(0.1, 0.0, 0.0)).norm(), kExact);
+  EXPECT_TRUE(has_note(robot, "beside the robot"));
+}
+
 struct BadMjcf {
   const char* name;
   std::string text;

@@ -1,0 +1,140 @@
+// How long steps of moving bodies take:
+//
+//   dynamics [--boxes N]
+//
+// A hand that holds an object above a table, step by step, and boxes that fall into a heap, up to N
+// of them (1000), with the exponent of their time.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "benchmarks/report/power_law.h"
+#include "benchmarks/support/percentile.h"
+#include "planner/search/plan.h"
+#include "sim/base/input_error.h"
+#include "sim/base/random.h"
+#include "sim/dynamics/rigid_motion.h"
+#include "sim/dynamics/world.h"
+#include "sim/geometry/basic_shapes.h"
+#include "sim/manipulation/grasp_world.h"
+#include "sim/manipulation/protocol_file.h"
+#include "sim/scene/scene_file.h"
+
+namespace prehend::bench {
+namespace {
+
+struct StepTimes {
+  std::vector<double> milliseconds;
+  std::vector<double> contacts;
+};
+
+double mean(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+StepTimes run_steps(World& world, int steps) {
+  StepTimes times;
+  for (int i = 0; i < steps; ++i) {
+    const auto start = benchmark::Clock::now();
+    const StepResult result = step_world(world);
+    times.milliseconds.push_back(benchmark::milliseconds_since(start));
+    times.contacts.push_back(static_cast<double>(world.contacts.size()));
+    if (result.outcome == StepOutcome::blocked) break;
+  }
+  return times;
+}
+
+void print_times(const std::string& name, const StepTimes& times) {
+  std::printf("%-28s %6zu %8.0f %9.3f %9.3f %9.3f\n", name.c_str(), times.milliseconds.size(),
+              benchmark::percentile(times.contacts, 0.5),
+              benchmark::percentile(times.milliseconds, 0.5),
+              benchmark::percentile(times.milliseconds, 0.95),
+              *std::max_element(times.milliseconds.begin(), times.milliseconds.end()));
+  std::fflush(stdout);
+}
+
+// The best grasp of a scene: the fingers close on the object on its support, lift it and put it
+// down again, so that hand, object and table touch.
+void time_grasp(const std::string& name) {
+  const CompiledScene scene = compile(load_scene(name, {}));
+  const PlanResult plan = prehend::plan(scene, {});
+  if (plan.grasps.empty()) return;
+  Protocol protocol = read_protocol(find_protocol("simready"));
+  World world =
+      make_grasp_world(scene, hand_model(scene), posture_of(plan.grasps.front().trial), protocol);
+  world.gravity = {0.0, 0.0, -9.81};
+  WorldRobot& hand = world.robots[kGraspingHand];
+  hand.drives = closing_drives(*hand.model);
+  print_times(name + ", closing", run_steps(world, 300));
+  print_times(name + ", held", run_steps(world, 700));
+}
+
+// Boxes over each other in columns that lean on each other as they fall: a heap of N of them.
+World heap(int boxes) {
+  World world;
+  WorldBody ground{"ground",
+                   make_collision_body("ground", make_box(Vector3(10.0, 10.0, 0.1)), true)};
+  ground.is_fixed = true;
+  ground.motion.X_WB = translation({0.0, 0.0, -0.05});
+  world.bodies.push_back(std::move(ground));
+  Random random(1);
+  const int side = std::max(1, static_cast<int>(std::lround(std::cbrt(boxes))));
+  for (int i = 0; i < boxes; ++i) {
+    const TriangleMesh mesh = make_box(Vector3(0.05, 0.04, 0.03));
+    WorldBody box{"box" + std::to_string(i), make_collision_body("box", mesh, true)};
+    box.inertial = inertial_of_mass(mesh, 0.05);
+    const int layer = i / (side * side);
+    const int row = (i / side) % side;
+    const Vector3 place(0.06 * (i % side), 0.06 * row, 0.05 + 0.06 * layer);
+    const Vector3 off(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), 0.0);
+    box.motion.X_WB = translation(place + off);
+    world.bodies.push_back(std::move(box));
+  }
+  return world;
+}
+
+void time_heaps(int most) {
+  std::vector<DataPoint> points;
+  for (int boxes = 8; boxes <= most; boxes *= 5) {
+    World world = heap(boxes);
+    const StepTimes times = run_steps(world, 320);
+    print_times("heap of " + std::to_string(boxes), times);
+    points.push_back({static_cast<double>(boxes), mean(times.milliseconds)});
+  }
+  if (const std::optional<PowerLaw> law = fit_power_law(points)) {
+    std::printf("mean time of a step of a heap: boxes to the power of %.2f (r^2 %.3f)\n",
+                law->exponent, law->r_squared);
+  }
+}
+
+int run(const std::vector<std::string>& words) {
+  int most = 1000;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != "--boxes" || i + 1 == words.size()) {
+      throw InputError({.field = words[i], .problem = "is no option, or needs a value"});
+    }
+    most = std::stoi(words[++i]);
+  }
+  std::printf("%-28s %6s %8s %9s %9s %9s\n", "world", "steps", "contacts", "median ms", "95 %",
+              "most");
+  time_grasp("mug_on_table");
+  time_heaps(most);
+  return 0;
+}
+
+}  // namespace
+}  // namespace prehend::bench
+
+int main(int count, char** words) {
+  try {
+    return prehend::bench::run({words + 1, words + count});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "dynamics: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,212 @@
+// Whether shaking tells more of a grasp than its quality: published grasps as they are, and moved
+// off their place.
+//
+//   disturbed_grasps [--each N] [--protocol NAME]... FOLDER
+//
+// FOLDER holds grasps/dexycb_franka_*.json and ycb/*.obj; every N-th grasp is taken (4).
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "planner/search/shake_grasps.h"
+#include "sim/base/input_error.h"
+#include "sim/base/random.h"
+#include "sim/manipulation/protocol_file.h"
+#include "sim/mesh_files/mesh_file.h"
+#include "sim/robot_files/robot_file.h"
+#include "sim/scene/make_scene.h"
+#include "tests/support/published_grasps.h"
+
+namespace prehend::bench {
+namespace {
+
+struct Disturbance {
+  std::string name;
+  double distance = 0.0;  // m
+  double angle = 0.0;     // rad
+};
+
+std::vector<Disturbance> disturbances() {
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  return {{"none"},
+          {"5 mm", 0.005},
+          {"10 mm", 0.010},
+          {"20 mm", 0.020},
+          {"10 deg", 0.0, 10.0 * kDegree},
+          {"20 deg", 0.0, 20.0 * kDegree},
+          {"40 deg", 0.0, 40.0 * kDegree}};
+}
+
+Vector3 random_direction(Random& random) {
+  Vector3 v = Vector3::Zero();
+  do {
+    for (double& value : v) value = random.uniform(-1.0, 1.0);
+  } while (v.norm() > 1.0 || v.norm() < 1e-3);
+  return v.normalized();
+}
+
+// The hand is moved along a random direction and turned about a random axis through the point
+// between its fingers.
+Candidate disturbed(Candidate grasp, const Disturbance& by, const Hand& hand, double depth,
+                    Random& random) {
+  const Vector3 grip_H = hand.origin + depth * hand.approach;
+  const Vector3 grip_O = grasp.X_OH * grip_H;
+  const Matrix3 turn = Eigen::AngleAxisd(by.angle, random_direction(random)).toRotationMatrix();
+  grasp.X_OH.linear() = turn * grasp.X_OH.linear();
+  grasp.X_OH.translation() =
+      grip_O - grasp.X_OH.linear() * grip_H + by.distance * random_direction(random);
+  grasp.approach_O = grasp.X_OH.linear() * hand.approach;
+  return grasp;
+}
+
+CompiledScene franka_at(const std::filesystem::path& folder, const std::string& object) {
+  Scene scene;
+  scene.object = make_graspable(object, load_mesh(folder / "ycb" / (object + ".obj")).mesh,
+                                Material::plastic, 0.1);
+  scene.hand = find_robot("franka_hand");
+  return compile(std::move(scene));
+}
+
+// What became of the grasps of one disturbance.
+struct Tally {
+  int tried = 0;
+  int closed = 0;        // the fingers closed on the object
+  int force_closed = 0;  // and hold by force closure
+  int survived = 0;
+  int survived_force_closed = 0;
+  std::vector<double> surviving;  // epsilon, 0 without force closure
+  std::vector<double> failing;
+
+  void add(const ScoredGrasp& grasp) {
+    ++tried;
+    const bool survives = grasp.shake && grasp.shake->holds();
+    if (grasp.shake) {
+      ++closed;
+      (survives ? surviving : failing).push_back(grasp.trial.epsilon.lower);
+    }
+    if (survives) ++survived;
+    if (grasp.trial.outcome == Outcome::stable) {
+      ++force_closed;
+      if (survives) ++survived_force_closed;
+    }
+  }
+
+  // The probability that of a survivor and another the survivor has the larger epsilon.
+  double ranked_right() const {
+    double right = 0.0;
+    for (const double a : surviving) {
+      for (const double b : failing) right += a > b ? 1.0 : a == b ? 0.5 : 0.0;
+    }
+    const auto pairs = static_cast<double>(surviving.size() * failing.size());
+    return pairs > 0.0 ? right / pairs : 0.0;
+  }
+
+  double mean_epsilon() const {
+    double sum = 0.0;
+    for (const double value : surviving) sum += value;
+    for (const double value : failing) sum += value;
+    return closed > 0 ? sum / closed : 0.0;
+  }
+};
+
+double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; }
+
+void print_row(const std::string& protocol, const std::string& name, const Tally& tally) {
+  std::printf(
+      "%-18s %-8s %6d %6.0f %% %6.0f %% %8.3f %6.0f %% %9.0f %% %11.0f %% %8.2f\n",
+      protocol.c_str(), name.c_str(), tally.tried, percent(tally.closed, tally.tried),
+      percent(tally.force_closed, tally.tried), tally.mean_epsilon(),
+      percent(tally.survived, tally.tried),
+      percent(tally.survived_force_closed, tally.force_closed),
+      percent(tally.survived - tally.survived_force_closed, tally.closed - tally.force_closed),
+      tally.ranked_right());
+  std::fflush(stdout);
+}
+
+struct Arguments {
+  int each = 4;
+  std::vector<std::string> protocols;
+  std::filesystem::path folder;
+};
+
+Arguments read_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool is_option = words[i] == "--each" || words[i] == "--protocol";
+    if (is_option && i + 1 == words.size()) {
+      throw InputError({.field = words[i], .problem = "needs a value"});
+    }
+    if (words[i] == "--each") {
+      arguments.each = std::max(1, std::stoi(words[++i]));
+    } else if (words[i] == "--protocol") {
+      arguments.protocols.push_back(words[++i]);
+    } else {
+      arguments.folder = words[i];
+    }
+  }
+  if (arguments.folder.empty()) throw InputError({.field = "FOLDER", .problem = "is missing"});
+  if (arguments.protocols.empty()) arguments.protocols = {"dexgraspbench", "acronym"};
+  return arguments;
+}
+
+std::vector<std::string> objects_in(const std::filesystem::path& folder) {
+  const std::string prefix = "dexycb_franka_";
+  std::vector<std::string> objects;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "grasps")) {
+    const std::string stem = entry.path().stem().string();
+    if (stem.starts_with(prefix)) objects.push_back(stem.substr(prefix.size()));
+  }
+  std::sort(objects.begin(), objects.end());
+  return objects;
+}
+
+int run(const std::vector<std::string>& words) {
+  const Arguments arguments = read_arguments(words);
+  const std::vector<Disturbance> all = disturbances();
+  std::vector<std::vector<Tally>> tallies(arguments.protocols.size(),
+                                          std::vector<Tally>(all.size()));
+  for (const std::string& object : objects_in(arguments.folder)) {
+    const CompiledScene scene = franka_at(arguments.folder, object);
+    const Hand& hand = *scene.scene.hand.hand;
+    const std::vector<Candidate> published = test::published_grasps(
+        arguments.folder / "grasps" / ("dexycb_franka_" + object + ".json"), scene);
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      Random random(1 + d);
+      std::vector<Candidate> grasps;
+      for (std::size_t i = 0; i < published.size(); i += static_cast<std::size_t>(arguments.each)) {
+        const double depth =
+            hand.preshapes[static_cast<std::size_t>(published[i].preshape.value_or(0))].depth;
+        grasps.push_back(disturbed(published[i], all[d], hand, depth, random));
+      }
+      for (std::size_t p = 0; p < arguments.protocols.size(); ++p) {
+        PlanResult result = evaluate(scene, grasps, {});
+        shake_grasps(scene, read_protocol(find_protocol(arguments.protocols[p])), {}, result);
+        for (const ScoredGrasp& grasp : result.grasps) tallies[p][d].add(grasp);
+      }
+    }
+  }
+  std::printf("%-18s %-8s %6s %8s %8s %8s %8s %11s %13s %8s\n", "protocol", "off by", "tried",
+              "closed", "f.c.", "epsilon", "survive", "of f.c.", "of no f.c.", "ranked");
+  for (std::size_t p = 0; p < arguments.protocols.size(); ++p) {
+    for (std::size_t d = 0; d < all.size(); ++d) {
+      print_row(arguments.protocols[p], all[d].name, tallies[p][d]);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace prehend::bench
+
+int main(int count, char** words) {
+  try {
+    return prehend::bench::run({words + 1, words + count});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "disturbed_grasps: %s\n", error.what());
+    return 1;
+  }
+}

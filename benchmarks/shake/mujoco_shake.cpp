@@ -1,0 +1,137 @@
+#include "benchmarks/shake/mujoco_shake.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "benchmarks/shake/mujoco_world.h"
+#include "sim/geometry/mass_properties.h"
+#include "sim/manipulation/base_motion.h"
+
+namespace prehend::bench {
+namespace {
+
+// An object that was slower than this for so long has settled [m/s, s].
+constexpr double kRestSpeed = 1e-3;
+constexpr double kRestTime = 0.1;
+
+class ShakeRun {
+ public:
+  ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject);
+
+  ShakeResult run();
+
+ private:
+  bool run_phases(const std::vector<ProtocolPhase>& phases, ShakeTestResult& result);
+  PhaseResult run_phase(const ProtocolPhase& phase);
+  void measure(const Pose& X_HO, const Vector3& p_H, double z, PhaseMeasure& measure) const;
+  Matrix3 axes_of(ProtocolFrame frame) const;
+  double object_mass() const;
+
+  const Protocol& protocol_;
+  const ShakeSubject& subject_;
+  MujocoWorld world_;
+  Matrix3 R_WO_;  // at the start
+  double steps_ = 0.0;
+};
+
+ShakeRun::ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject)
+    : protocol_(protocol), subject_(subject), world_(mjcf) {
+  if (protocol.object.mass) world_.set_object_mass(*protocol.object.mass);
+  if (protocol.object.density) world_.set_object_mass(*protocol.object.density * subject.volume);
+  if (protocol.friction) world_.set_friction(*protocol.friction);
+  if (protocol.torsion) world_.set_torsion(*protocol.torsion);
+  world_.start();
+  R_WO_ = world_.object().linear();
+}
+
+Matrix3 ShakeRun::axes_of(ProtocolFrame frame) const {
+  if (frame == ProtocolFrame::object) return R_WO_;
+  if (frame == ProtocolFrame::hand) return world_.base().linear() * subject_.R_HG;
+  return Matrix3::Identity();
+}
+
+void ShakeRun::measure(const Pose& X_HO, const Vector3& p_H, double z,
+                       PhaseMeasure& measure) const {
+  const Pose X_HW = world_.base().inverse();
+  const Vector3 com_W = world_.center_of_mass();
+  measure.moved_end = (X_HW * com_W - p_H).norm();
+  measure.moved = std::max(measure.moved, measure.moved_end);
+  const Matrix3 turn = X_HO.linear().transpose() * (X_HW * world_.object()).linear();
+  measure.turned = std::max(measure.turned, Eigen::AngleAxisd(turn).angle());
+  measure.rise = com_W.z() - z;
+  measure.dropped = std::max(measure.dropped, -measure.rise);
+  measure.deepest = std::max(measure.deepest, world_.overlap());
+}
+
+PhaseResult ShakeRun::run_phase(const ProtocolPhase& phase) {
+  if (phase.kind == PhaseKind::close) world_.close();
+  if (phase.kind == PhaseKind::open) world_.open();
+  const Matrix3 R = axes_of(phase.frame);
+  world_.set_gravity(phase.gravity ? Vector3(R * *phase.gravity) : protocol_.gravity);
+  world_.set_pull(world_.object_mass() * (R * phase.pull));
+  const BaseStart start{
+      .X_WH = world_.base(),
+      .axis_W = R * phase.axis,
+      .height = std::max(phase.height, phase.height_in_edges * subject_.longest_edge)};
+  const Pose X_HO = world_.base().inverse() * world_.object();
+  const Vector3 p_H = world_.base().inverse() * world_.center_of_mass();
+  const double z = world_.center_of_mass().z();
+  PhaseResult result;
+  result.kind = phase.kind;
+  const double h = world_.time_step();
+  const int steps = static_cast<int>(std::ceil(phase.duration / h - 1e-9));
+  int resting = 0;
+  for (int k = 1; k <= steps; ++k) {
+    world_.step_to(base_pose(phase, start, k * h));
+    steps_ += 1.0;
+    measure(X_HO, p_H, z, result.measure);
+    resting = world_.object_speed() < kRestSpeed ? resting + 1 : 0;
+    if (phase.kind == PhaseKind::settle && resting * h > kRestTime) break;
+    if (world_.is_unstable()) break;
+  }
+  result.measure.in_contact = world_.in_contact();
+  result.failure =
+      world_.is_unstable() ? PhaseFailure::unstable : judged(result.measure, phase.fails);
+  return result;
+}
+
+bool ShakeRun::run_phases(const std::vector<ProtocolPhase>& phases, ShakeTestResult& result) {
+  for (const ProtocolPhase& phase : phases) {
+    result.phases.push_back(run_phase(phase));
+    if (!result.survived()) return false;
+  }
+  return true;
+}
+
+ShakeResult ShakeRun::run() {
+  ShakeResult result;
+  result.prepare.name = "prepare";
+  if (run_phases(protocol_.prepare, result.prepare)) {
+    world_.keep();
+    for (const ProtocolTest& test : protocol_.tests) {
+      world_.go_back();
+      result.tests.push_back({.name = test.name, .phases = {}});
+      run_phases(test.phases, result.tests.back());
+    }
+  }
+  result.steps = steps_;
+  return result;
+}
+
+}  // namespace
+
+ShakeSubject subject_of(const CompiledScene& scene) {
+  ShakeSubject subject;
+  const Hand& hand = *scene.scene.hand.hand;
+  subject.R_HG << hand.closing, hand.approach.cross(hand.closing), hand.approach;
+  subject.volume = mass_properties(scene.scene.object.mesh).volume;
+  subject.longest_edge = bounds(scene.scene.object.mesh).size().maxCoeff();
+  return subject;
+}
+
+ShakeResult shake_in_mujoco(const std::string& mjcf, const Protocol& protocol,
+                            const ShakeSubject& subject) {
+  return ShakeRun(mjcf, protocol, subject).run();
+}
+
+}  // namespace prehend::bench

@@ -1,0 +1,26 @@
+// Protocols carried out in MuJoCo.
+#pragma once
+
+#include <string>
+
+#include "benchmarks/shake/shake_result.h"
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend::bench {
+
+// What protocols ask of a hand and an object.
+struct ShakeSubject {
+  Matrix3 R_HG = Matrix3::Identity();  // the axes of ProtocolFrame::hand in the hand's base frame
+  double volume = 0.0;                 // of the object [m^3]
+  double longest_edge = 0.0;           // of the object's bounds [m]
+};
+
+ShakeSubject subject_of(const CompiledScene& scene);
+
+// Carries out the protocol on a model of mjcf_text, with the time step of the model, which its
+// contacts are made for. On a support the model must have the scene's obstacles, else none. Throws
+// InputError for a model that MuJoCo refuses.
+ShakeResult shake_in_mujoco(const std::string& mjcf, const Protocol& protocol,
+                            const ShakeSubject& subject);
+
+}  // namespace prehend::bench

@@ -1,0 +1,359 @@
+#include "benchmarks/shake/mujoco_world.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <mujoco/mujoco.h>
+#include <vector>
+
+#include "sim/base/input_error.h"
+
+namespace prehend::bench {
+namespace {
+
+// The base is so heavy and so hard to turn that nothing it carries moves it [kg, kg m^2]. What is
+// left of that is taken back in every step.
+constexpr double kBaseMass = 1e4;
+constexpr double kBaseInertia = 1e2;
+// The steps in which the hand is opened at the start, parts of the way to the preshape.
+constexpr double kOpeningStep = 1.0 / 400.0;
+
+void ignore_warning(const char* /*text*/) {}
+
+mjModel* load_model(const std::string& mjcf) {
+  mju_user_warning = ignore_warning;
+  const auto files = std::make_unique<mjVFS>();
+  mj_defaultVFS(files.get());
+  const char* const name = "model.xml";
+  mj_makeEmptyFileVFS(files.get(), name, static_cast<int>(mjcf.size()));
+  std::memcpy(files->filedata[mj_findFileVFS(files.get(), name)], mjcf.data(), mjcf.size());
+  std::array<char, 1000> error{};
+  mjModel* model = mj_loadXML(name, files.get(), error.data(), static_cast<int>(error.size()));
+  mj_deleteVFS(files.get());
+  if (model == nullptr) throw InputError({.problem = "MuJoCo: " + std::string(error.data())});
+  return model;
+}
+
+Pose pose_of(const mjtNum* p, const mjtNum* q) {
+  const Eigen::Quaterniond rotation(q[0], q[1], q[2], q[3]);
+  return pose_from(rotation.normalized().toRotationMatrix(), {p[0], p[1], p[2]});
+}
+
+}  // namespace
+
+struct MujocoWorld::Data {
+  struct FreeModel {
+    void operator()(mjModel* of) const { mj_deleteModel(of); }
+    void operator()(mjData* of) const { mj_deleteData(of); }
+  };
+  using Model = std::unique_ptr<mjModel, FreeModel>;
+  using State = std::unique_ptr<mjData, FreeModel>;
+
+  // The motion of the base between two poses, as velocities in the world.
+  struct Twist {
+    Vector3 linear = Vector3::Zero();
+    Vector3 angular = Vector3::Zero();
+  };
+
+  static Twist twist_between(const Pose& from, const Pose& to, double time);
+
+  enum class Drive { still, closing, opening };
+
+  Model model;
+  State state;
+  State kept;
+  int base = -1;  // bodies
+  int target = -1;
+  int object = -1;
+  int grasp_key = -1;
+  int pregrasp_key = -1;
+  Drive drive = Drive::still;
+  std::vector<double> start_joints;  // qpos
+  Pose X_WH = Pose::Identity();
+  Twist velocity;
+  Pose kept_X_WH = Pose::Identity();
+  Twist kept_velocity;
+  Drive kept_drive = Drive::still;
+
+  int qpos_of(int body) const { return model->jnt_qposadr[model->body_jntadr[body]]; }
+  int dof_of(int body) const { return model->jnt_dofadr[model->body_jntadr[body]]; }
+  void find_bodies();
+  void make_base_heavy() const;
+  bool of_hand(int geom) const { return root_of(geom) == base; }
+  int root_of(int geom) const { return model->body_rootid[model->geom_bodyid[geom]]; }
+  bool hand_meets_object(const mjContact& contact) const;
+  double overlap() const;
+  void put_base(const Pose& pose, const Twist& twist) const;
+  void put_joints(double opened) const;
+  void drive_joints() const;
+};
+
+MujocoWorld::Data::Twist MujocoWorld::Data::twist_between(const Pose& from, const Pose& to,
+                                                          double time) {
+  const Eigen::AngleAxisd turn(Matrix3(to.linear() * from.linear().transpose()));
+  return {(to.translation() - from.translation()) / time, turn.angle() / time * turn.axis()};
+}
+
+void MujocoWorld::Data::find_bodies() {
+  for (int e = 0; e < model->neq; ++e) {
+    if (model->eq_type[e] != mjEQ_WELD) continue;
+    target = model->eq_obj1id[e];
+    base = model->eq_obj2id[e];
+    model->eq_active[e] = 0;  // the base is moved by itself
+  }
+  for (int j = 0; j < model->njnt; ++j) {
+    if (model->jnt_type[j] == mjJNT_FREE && model->jnt_bodyid[j] != base) {
+      object = model->jnt_bodyid[j];
+    }
+  }
+  grasp_key = mj_name2id(model.get(), mjOBJ_KEY, "grasp");
+  pregrasp_key = mj_name2id(model.get(), mjOBJ_KEY, "pregrasp");
+  if (base < 0 || object < 0 || grasp_key < 0 || pregrasp_key < 0) {
+    throw InputError({.problem = "no model of an exported grasp"});
+  }
+}
+
+void MujocoWorld::Data::make_base_heavy() const {
+  model->body_mass[base] = kBaseMass;
+  for (int k = 0; k < 3; ++k) {
+    model->body_inertia[3 * base + k] = kBaseInertia;
+    model->body_ipos[3 * base + k] = 0.0;
+  }
+  const std::array<mjtNum, 4> unturned = {1.0, 0.0, 0.0, 0.0};
+  std::copy(unturned.begin(), unturned.end(), model->body_iquat + 4 * base);
+}
+
+bool MujocoWorld::Data::hand_meets_object(const mjContact& contact) const {
+  const int a = root_of(contact.geom1);
+  const int b = root_of(contact.geom2);
+  return (a == base && b == object) || (a == object && b == base);
+}
+
+double MujocoWorld::Data::overlap() const {
+  double deepest = 0.0;
+  for (int c = 0; c < state->ncon; ++c) {
+    const mjContact& contact = state->contact[c];
+    if (hand_meets_object(contact)) deepest = std::max(deepest, -contact.dist);
+  }
+  return deepest;
+}
+
+void MujocoWorld::Data::put_base(const Pose& pose, const Twist& twist) const {
+  mjtNum* qpos = state->qpos + qpos_of(base);
+  mjtNum* qvel = state->qvel + dof_of(base);
+  const Eigen::Quaterniond q = quaternion_of(pose);
+  const Vector3 p = pose.translation();
+  const std::array<double, 7> values = {p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z()};
+  std::copy(values.begin(), values.end(), qpos);
+  // MuJoCo has the angular velocity of free bodies in their own frames.
+  const Vector3 own = pose.linear().transpose() * twist.angular;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    qvel[k] = twist.linear[k];
+    qvel[3 + k] = own[k];
+  }
+}
+
+// The joints a part of the way from the grasp to the preshape.
+void MujocoWorld::Data::put_joints(double opened) const {
+  const mjtNum* closed = model->key_qpos + grasp_key * model->nq;
+  const mjtNum* open = model->key_qpos + pregrasp_key * model->nq;
+  for (int j = 0; j < model->njnt; ++j) {
+    if (model->jnt_type[j] == mjJNT_FREE) continue;
+    const int q = model->jnt_qposadr[j];
+    state->qpos[q] = closed[q] + opened * (open[q] - closed[q]);
+    state->qvel[model->jnt_dofadr[j]] = 0.0;
+  }
+}
+
+void MujocoWorld::Data::drive_joints() const {
+  const mjtNum* closing = model->key_ctrl + grasp_key * model->nu;
+  const mjtNum* opening = model->key_ctrl + pregrasp_key * model->nu;
+  const mjtNum* open = model->key_qpos + pregrasp_key * model->nq;
+  for (int a = 0; a < model->nu; ++a) {
+    const bool motor = model->actuator_biastype[a] == mjBIAS_NONE;
+    state->ctrl[a] = motor && drive == Drive::still ? 0.0 : closing[a];
+    if (!motor || drive != Drive::opening) continue;
+    const int q = model->jnt_qposadr[model->actuator_trnid[2 * a]];
+    const bool there = (open[q] - state->qpos[q]) * opening[a] <= 0.0;
+    state->ctrl[a] = there ? 0.0 : opening[a];
+  }
+}
+
+MujocoWorld::MujocoWorld(const std::string& mjcf) : data_(std::make_unique<Data>()) {
+  data_->model = Data::Model(load_model(mjcf));
+  data_->state = Data::State(mj_makeData(data_->model.get()));
+  data_->kept = Data::State(mj_makeData(data_->model.get()));
+  data_->find_bodies();
+  data_->make_base_heavy();
+}
+
+MujocoWorld::~MujocoWorld() = default;
+
+void MujocoWorld::set_object_mass(double mass) {
+  mjModel& model = *data_->model;
+  const double factor = mass / model.body_mass[data_->object];
+  model.body_mass[data_->object] = mass;
+  for (int k = 0; k < 3; ++k) model.body_inertia[3 * data_->object + k] *= factor;
+}
+
+double MujocoWorld::object_mass() const { return data_->model->body_mass[data_->object]; }
+
+void MujocoWorld::set_friction(double friction) {
+  mjModel& model = *data_->model;
+  for (int g = 0; g < model.ngeom; ++g) {
+    if (data_->of_hand(g)) model.geom_friction[3 * g] = friction;
+  }
+}
+
+void MujocoWorld::set_torsion(double torsion) {
+  mjModel& model = *data_->model;
+  for (int g = 0; g < model.ngeom; ++g) {
+    if (!data_->of_hand(g)) continue;
+    model.geom_friction[3 * g + 1] = torsion;
+    model.geom_condim[g] = torsion > 0.0 ? 4 : 3;
+  }
+}
+
+void MujocoWorld::start(const StartOptions& options) {
+  mjModel* model = data_->model.get();
+  mjData* state = data_->state.get();
+  // By their mean inertia MuJoCo decides when forces are exact enough: the base must not count.
+  const double mean_inertia = model->stat.meaninertia;
+  mj_setConst(model, state);
+  model->stat.meaninertia = mean_inertia;
+  mj_resetDataKeyframe(model, state, data_->grasp_key);
+  double opened = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  const int steps = static_cast<int>(std::ceil(options.most_opened / kOpeningStep));
+  for (int k = 0; k <= steps && least > options.overlap; ++k) {
+    data_->put_joints(k * kOpeningStep);
+    mj_fwdPosition(model, state);
+    if (data_->overlap() < least) {
+      least = data_->overlap();
+      opened = k * kOpeningStep;
+    }
+  }
+  data_->put_joints(opened);
+  data_->start_joints.assign(state->qpos, state->qpos + model->nq);
+  mj_forward(model, state);
+  data_->X_WH = pose_of(state->xpos + 3 * data_->base, state->xquat + 4 * data_->base);
+  data_->velocity = {};
+  data_->drive = Data::Drive::still;
+}
+
+void MujocoWorld::close() { data_->drive = Data::Drive::closing; }
+void MujocoWorld::open() { data_->drive = Data::Drive::opening; }
+
+void MujocoWorld::set_gravity(const Vector3& gravity_W) {
+  std::copy(gravity_W.begin(), gravity_W.end(), data_->model->opt.gravity);
+}
+
+void MujocoWorld::set_pull(const Vector3& force_W) {
+  std::copy(force_W.begin(), force_W.end(), data_->state->xfrc_applied + 6 * data_->object);
+}
+
+double MujocoWorld::time_step() const { return data_->model->opt.timestep; }
+
+void MujocoWorld::step_to(const Pose& X_WH) {
+  mjModel* model = data_->model.get();
+  mjData* state = data_->state.get();
+  const double h = model->opt.timestep;
+  const Data::Twist next = Data::twist_between(data_->X_WH, X_WH, h);
+  data_->put_base(data_->X_WH, data_->velocity);
+  if (data_->drive == Data::Drive::still) {
+    for (int j = 0; j < model->njnt; ++j) {
+      if (model->jnt_type[j] == mjJNT_FREE) continue;
+      const auto q = static_cast<std::size_t>(model->jnt_qposadr[j]);
+      state->qpos[q] = data_->start_joints[q];
+      state->qvel[model->jnt_dofadr[j]] = 0.0;
+    }
+  }
+  data_->drive_joints();
+  // What gives the base its next velocity: contacts are found with that, not with a base that
+  // falls.
+  const Vector3 gravity(model->opt.gravity[0], model->opt.gravity[1], model->opt.gravity[2]);
+  const Vector3 force = kBaseMass * ((next.linear - data_->velocity.linear) / h - gravity);
+  const Vector3 torque = kBaseInertia * (next.angular - data_->velocity.angular) / h;
+  std::copy(force.begin(), force.end(), state->xfrc_applied + 6 * data_->base);
+  std::copy(torque.begin(), torque.end(), state->xfrc_applied + 6 * data_->base + 3);
+  mj_step(model, state);
+  data_->X_WH = X_WH;
+  data_->velocity = next;
+}
+
+Pose MujocoWorld::base() const { return data_->X_WH; }
+
+Pose MujocoWorld::object() const {
+  const mjtNum* qpos = data_->state->qpos + data_->qpos_of(data_->object);
+  return pose_of(qpos, qpos + 3);
+}
+
+Vector3 MujocoWorld::center_of_mass() const {
+  const mjtNum* p = data_->model->body_ipos + 3 * data_->object;
+  return object() * Vector3(p[0], p[1], p[2]);
+}
+
+// That of the body's origin, with the angular velocity as if it were at the farthest point.
+double MujocoWorld::object_speed() const {
+  const mjtNum* v = data_->state->qvel + data_->dof_of(data_->object);
+  const Vector3 linear(v[0], v[1], v[2]);
+  const Vector3 angular(v[3], v[4], v[5]);
+  return linear.norm() + 0.1 * angular.norm();
+}
+
+bool MujocoWorld::in_contact() const {
+  const mjModel* model = data_->model.get();
+  const mjData* state = data_->state.get();
+  for (int c = 0; c < state->ncon; ++c) {
+    if (!data_->hand_meets_object(state->contact[c])) continue;
+    std::array<mjtNum, 6> force{};
+    mj_contactForce(model, state, c, force.data());
+    if (force[0] > 0.0) return true;
+  }
+  return false;
+}
+
+double MujocoWorld::overlap() const { return data_->overlap(); }
+
+bool MujocoWorld::is_unstable() const {
+  // With too many contacts some would be left out.
+  for (const int warning :
+       {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CONTACTFULL, mjWARN_CNSTRFULL}) {
+    if (data_->state->warning[warning].number > 0) return true;
+  }
+  return false;
+}
+
+Pose MujocoWorld::body(const std::string& name) const {
+  const int id = mj_name2id(data_->model.get(), mjOBJ_BODY, name.c_str());
+  if (id < 0) throw InputError({.problem = "no body of this name", .value = name});
+  return pose_of(data_->state->xpos + 3 * id, data_->state->xquat + 4 * id);
+}
+
+void MujocoWorld::keep() {
+  mj_copyData(data_->kept.get(), data_->model.get(), data_->state.get());
+  data_->kept_X_WH = data_->X_WH;
+  data_->kept_velocity = data_->velocity;
+  data_->kept_drive = data_->drive;
+}
+
+void MujocoWorld::go_back() {
+  mj_copyData(data_->state.get(), data_->model.get(), data_->kept.get());
+  data_->X_WH = data_->kept_X_WH;
+  data_->velocity = data_->kept_velocity;
+  data_->drive = data_->kept_drive;
+}
+
+double drift_as_loaded(const std::string& mjcf, double seconds) {
+  const MujocoWorld::Data::Model model(load_model(mjcf));
+  const MujocoWorld::Data::State state(mj_makeData(model.get()));
+  mj_resetDataKeyframe(model.get(), state.get(), 0);
+  const mjtNum* p = state->qpos + model->nq - 7;  // of the object, which is the last
+  const Vector3 before(p[0], p[1], p[2]);
+  while (state->time < seconds) mj_step(model.get(), state.get());
+  return (Vector3(p[0], p[1], p[2]) - before).norm();
+}
+
+}  // namespace prehend::bench

@@ -1,0 +1,54 @@
+#include "benchmarks/shake/shake_cases.h"
+
+#include <algorithm>
+
+#include "sim/geometry/object_generator.h"
+#include "sim/scene/make_scene.h"
+#include "sim/scene/scene_file.h"
+
+namespace prehend::bench {
+namespace {
+
+constexpr int kTriangles = 3000;
+
+Scene scene_of(const std::string& name, const std::string& hand) {
+  const std::vector<std::string> generated = generated_object_names();
+  if (std::find(generated.begin(), generated.end(), name) != generated.end()) {
+    return make_scene(make_graspable(name, generate_object(name, kTriangles), Material::plastic),
+                      hand.empty() ? "barrett" : hand);
+  }
+  SceneSource source;
+  source.hand = hand;
+  return load_scene(name, source);
+}
+
+}  // namespace
+
+ShakeCase shake_case(const std::string& name, int trials, int most) {
+  const std::size_t colon = name.find(':');
+  const std::string hand = colon == std::string::npos ? "" : name.substr(colon + 1);
+  ShakeCase shaken;
+  shaken.name = name;
+  shaken.scene = compile(scene_of(name.substr(0, colon), hand));
+  PlanOptions options;
+  options.search.trials = trials;
+  options.rank.top = most;
+  options.volumes = false;
+  for (ScoredGrasp& grasp : plan(shaken.scene, options).grasps) {
+    const int rank = static_cast<int>(shaken.grasps.size()) + 1;
+    shaken.grasps.push_back({std::move(grasp), rank});
+  }
+  shaken.shapes = mjcf_shapes(shaken.scene);
+  return shaken;
+}
+
+std::vector<ShakeTestResult> failed_tests(const ShakeResult& result) {
+  std::vector<ShakeTestResult> failed;
+  if (!result.prepare.survived()) failed.push_back(result.prepare);
+  for (const ShakeTestResult& test : result.tests) {
+    if (!test.survived()) failed.push_back(test);
+  }
+  return failed;
+}
+
+}  // namespace prehend::bench

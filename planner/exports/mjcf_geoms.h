@@ -1,0 +1,46 @@
+// The geometry of bodies in models of MuJoCo, which takes the convex hull of every mesh.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/exports/xml_text.h"
+#include "sim/geometry/box_shape.h"
+#include "sim/geometry/convex_pieces.h"
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend {
+
+// The convex pieces of all bodies of a scene, in the bodies' frames: the same for all its grasps.
+struct MjcfShapes {
+  std::vector<TriangleMesh> object;
+  std::vector<std::vector<TriangleMesh>> links;      // of the hand
+  std::vector<std::vector<TriangleMesh>> obstacles;  // as in the scene
+};
+
+// Throws Cancelled.
+MjcfShapes mjcf_shapes(const CompiledScene& scene, const ConvexPiecesOptions& options = {},
+                       const RunContext& context = {});
+
+// A convex piece in the file.
+struct MjcfGeom {
+  std::string name;
+  std::string mesh;  // empty: a box
+  PlacedBox box = {};
+};
+
+// Writes the elements <mesh> of a body's pieces, but for boxes, and returns what refers to them:
+// BODY/0, BODY/1, ...
+std::vector<MjcfGeom> write_meshes(XmlText& xml, const std::string& body,
+                                   const std::vector<TriangleMesh>& pieces);
+
+// Writes the elements <geom>. MuJoCo takes friction from the geom of higher priority: those with a
+// coefficient have it, a negative one is none.
+void write_geoms(XmlText& xml, const std::vector<MjcfGeom>& geoms, double friction,
+                 const std::string& color);
+
+// Writes elements <pair> with this coefficient for all pairs of geoms.
+void write_pairs(XmlText& xml, const std::vector<MjcfGeom>& a, const std::vector<MjcfGeom>& b,
+                 double friction);
+
+}  // namespace prehend

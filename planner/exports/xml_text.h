@@ -1,0 +1,43 @@
+// XML as text, element by element.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/base/pose.h"
+
+namespace prehend {
+
+// Names and values of attributes, in their order. Values are escaped when they are written; what is
+// not UTF-8 in them becomes U+FFFD.
+using XmlAttributes = std::vector<std::pair<std::string, std::string>>;
+
+class XmlText {
+ public:
+  // An element on a line of its own.
+  void element(const std::string& tag, const XmlAttributes& attributes);
+  // An element around those that follow, until close().
+  void open(const std::string& tag, const XmlAttributes& attributes = {});
+  void close();
+  // Must not hold "--".
+  void comment(const std::string& text);
+
+  // All that was written; every element has to be closed.
+  const std::string& text() const;
+
+ private:
+  void begin(const std::string& tag, const XmlAttributes& attributes);
+
+  std::string text_;
+  std::vector<std::string> open_;
+};
+
+// Numbers as number_text writes them, with spaces between.
+std::string numbers_text(const std::vector<double>& values);
+std::string vector_text(const Vector3& v);
+// w x y z, of unit length, with w >= 0.
+std::string quaternion_text(const Pose& pose);
+
+}  // namespace prehend
