@@ -68,7 +68,7 @@ PhaseResult ShakeRun::run_phase(const ProtocolPhase& phase) {
   if (phase.kind == PhaseKind::open) world_.open();
   const Matrix3 R = axes_of(phase.frame);
   world_.set_gravity(phase.gravity ? Vector3(R * *phase.gravity) : protocol_.gravity);
-  world_.set_pull(world_.object_mass() * (R * phase.pull));
+  const Vector3 pull_W = world_.object_mass() * (R * phase.pull);
   const BaseStart start{
       .X_WH = world_.base(),
       .axis_W = R * phase.axis,
@@ -82,6 +82,7 @@ PhaseResult ShakeRun::run_phase(const ProtocolPhase& phase) {
   const int steps = static_cast<int>(std::ceil(phase.duration / h - 1e-9));
   int resting = 0;
   for (int k = 1; k <= steps; ++k) {
+    world_.set_pull((phase.pull_grows ? k * h / phase.duration : 1.0) * pull_W);
     world_.step_to(base_pose(phase, start, k * h));
     steps_ += 1.0;
     measure(X_HO, p_H, z, result.measure);

@@ -23,6 +23,7 @@ Json test_to_json(const ShakeTestReport& test) {
   if (test.first_slip) {
     json["first_slip"] = {{"link", test.first_slip->link}, {"time", test.first_slip->time}};
   }
+  if (test.largest_pull) json["largest_pull"] = *test.largest_pull;
   json["phases"] = Json::array();
   for (const PhaseReport& phase : test.phases) json["phases"].push_back(phase_to_json(phase));
   return json;
@@ -34,8 +35,9 @@ Json shake_to_json(const ShakeReport& report) {
   Json json{{"protocol", report.protocol},
             {"survived", report.survived()},
             {"of", report.count()},
-            {"holds", report.holds()},
-            {"tests", Json::array()}};
+            {"holds", report.holds()}};
+  if (const std::optional<double> pull = report.largest_pull()) json["largest_pull"] = *pull;
+  json["tests"] = Json::array();
   for (const ShakeTestReport& test : report.tests) json["tests"].push_back(test_to_json(test));
   const SimulationEffort& effort = report.effort;
   json["simulation"] = {{"steps", effort.steps},

@@ -1,6 +1,7 @@
 #include "planner/main/result_table.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "planner/search/grasp_words.h"
 #include "sim/base/formatted.h"
@@ -14,9 +15,27 @@ std::string volume_words(const ScoredGrasp& grasp) {
 }
 
 // "5 of 6" tests survived, "-" of a grasp that was not shaken; a column only where there are any.
+// Of a protocol with growing pulls also the largest that was survived.
 std::string shake_words(const ScoredGrasp& grasp) {
   if (!grasp.shake) return "-";
-  return formatted("%d of %d", grasp.shake->survived(), grasp.shake->count());
+  const std::string words = formatted("%d of %d", grasp.shake->survived(), grasp.shake->count());
+  const std::optional<double> pull = grasp.shake->largest_pull();
+  if (!pull) return words;
+  const char* least = grasp.shake->holds() ? "over " : "";
+  return words + formatted(", %s%.3g m/s2", least, *pull);
+}
+
+// The width of the column: of its title and its longest words.
+std::size_t shake_width(const PlanResult& result) {
+  std::size_t width = std::string_view("shaken").size();
+  for (const ScoredGrasp& grasp : result.grasps) {
+    width = std::max(width, shake_words(grasp).size());
+  }
+  return width;
+}
+
+std::string shake_column(const std::string& words, std::size_t width) {
+  return words + std::string(width + 2 - words.size(), ' ');
 }
 
 bool any_shaken(const PlanResult& result) {
@@ -28,9 +47,10 @@ bool any_shaken(const PlanResult& result) {
 
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
   const bool shaken = any_shaken(result);
-  std::string text =
-      formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s%s\n", "rank", "epsilon", "volume", "contacts",
-                "outcome", "preshape", shaken ? "shaken   " : "", "primitive");
+  const std::size_t width = shake_width(result);
+  std::string text = formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s%s\n", "rank", "epsilon",
+                               "volume", "contacts", "outcome", "preshape",
+                               shaken ? shake_column("shaken", width).c_str() : "", "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
     const std::string volume = volume_words(grasp);
@@ -39,7 +59,7 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
                       grasp.trial.epsilon.lower, volume.c_str(), grasp.trial.contacts.size(),
                       std::string(outcome_name(grasp.trial.outcome)).c_str(),
                       preshape.empty() ? "-" : preshape.c_str(),
-                      shaken ? formatted("%-9s", shake_words(grasp).c_str()).c_str() : "",
+                      shaken ? shake_column(shake_words(grasp), width).c_str() : "",
                       origin_words(grasp, result).c_str());
   }
   return text;

@@ -49,6 +49,7 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.preshape = preshape_name(scene, scored.candidate);
   grasp.blame = words_of(blame(scene, trial));
   grasp.primitive = scored.primitive.value_or(-1);
+  grasp.shake = scored.shake;
   for (const GraspContact& contact : trial.contacts) {
     grasp.contacts.push_back({contact.point, scene.links[index(contact.link)].name, contact.gap});
   }

@@ -9,6 +9,7 @@
 
 #include "planner/path/grasp_motion.h"
 #include "planner/report/grasp_detail.h"
+#include "sim/manipulation/shake.h"
 #include "sim/quality/interval.h"
 #include "sim/scene/compiled_scene.h"
 
@@ -35,6 +36,7 @@ struct ReportGrasp {
   std::vector<ReportContact> contacts;
   std::optional<GraspMotion> motion = {};  // empty without a hand
   std::optional<GraspDetail> detail = {};  // empty for grasps that are not analysed further
+  std::optional<ShakeReport> shake = {};   // empty for grasps that were not shaken
   std::optional<Vector3> side = {};        // viewing direction, unit, towards the eye, world frame
 };
 

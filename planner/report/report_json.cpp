@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/files/json_shake.h"
 #include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 #include "planner/report/robot_json.h"
@@ -219,6 +220,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   }
   json["motion"] = grasp.motion ? motion_json(*grasp.motion, most_frames) : Json();
   json["side"] = grasp.side ? rounded(*grasp.side) : Json();
+  if (grasp.shake) json["shake"] = shake_to_json(*grasp.shake);
   json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
   return json;
 }

@@ -69,6 +69,7 @@ struct ProtocolPhase {
   double duration = 0.0;  // > 0 [s]
   // Acceleration that acts on the object alone, as a force at its centre of mass [m/s^2].
   Vector3 pull = Vector3::Zero();
+  bool pull_grows = false;  // from nothing to `pull` at the end of the phase, instead of at once
   // Gravity during the phase instead of the protocol's [m/s^2].
   std::optional<Vector3> gravity = {};
   ProtocolFrame frame = ProtocolFrame::world;  // of pull, gravity and axis

@@ -64,6 +64,7 @@ void read_phase(FieldReader& fields, ProtocolPhase& phase) {
   positive(fields, "duration", phase.duration);
   fields.require("duration", phase.duration <= kLongestPhase, "must be at most 1000 s");
   fields("pull", phase.pull);
+  fields("pull_grows", phase.pull_grows);
   fields("gravity", phase.gravity);
   fields.named("frame", phase.frame, value_names(kProtocolFrames, protocol_frame_name));
   read_motion(fields, phase);

@@ -84,7 +84,7 @@ class PhaseRun {
     };
     axis_W_ = in_world(phase.axis, phase.frame, as_hand, X_WO, X_WH_start_);
     world_.gravity = phase.gravity ? turned(*phase.gravity) : protocol_.gravity;
-    object().force_W = object().inertial.mass * turned(phase.pull);
+    pull_W_ = turned(phase.pull);
     object().asleep = false;
     object().rest_time = 0.0;
     const double edge = bounds(scene_.scene.object.mesh).size().maxCoeff();
@@ -103,12 +103,15 @@ class PhaseRun {
         hand().drives = opening_drives(*hand().model, hand().x, open_posture());
       }
       move_base(phase, time, step);
+      const double share = phase.pull_grows ? (time + step) / phase.duration : 1.0;
+      object().force_W = object().inertial.mass * share * pull_W_;
       const double done = advance(step);
       if (report_.outcome != ShakeOutcome::survived) return;
       time += done;
       time_ += done;
       measure(time);
       if (fails_on_the_way(phase.fails)) return;
+      if (phase.pull_grows) report_.largest_pull = share * pull_W_.norm();
       resting = is_resting() ? resting + done : 0.0;
       if (may_end_early && resting >= kRestingFor) break;
     }
@@ -222,6 +225,7 @@ class PhaseRun {
   double time_ = 0.0;  // since the test began
   double height_ = 0.0;
   Vector3 axis_W_ = Vector3::UnitZ();
+  Vector3 pull_W_ = Vector3::Zero();  // the phase's, at its largest [m/s^2]
   Pose X_WH_start_ = Pose::Identity();
   Pose X_HO_start_ = Pose::Identity();
   Vector3 center_start_ = Vector3::Zero();
@@ -245,6 +249,15 @@ int ShakeReport::count() const {
 bool ShakeReport::holds() const {
   return std::all_of(tests.begin(), tests.end(),
                      [](const auto& test) { return test.outcome == ShakeOutcome::survived; });
+}
+
+std::optional<double> ShakeReport::largest_pull() const {
+  std::optional<double> weakest;
+  for (const ShakeTestReport& test : tests) {
+    if (!test.largest_pull) continue;
+    weakest = std::min(weakest.value_or(kNoLimit), *test.largest_pull);
+  }
+  return weakest;
 }
 
 ShakeReport shake_grasp(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,

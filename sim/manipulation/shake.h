@@ -63,6 +63,8 @@ struct ShakeTestReport {
   double failed_at = 0.0;  // since the test began [s]; of no meaning where it survived
   std::vector<PhaseReport> phases;
   std::optional<FirstSlip> first_slip = {};
+  // What its growing pulls reached before it failed; none without such a phase [m/s^2].
+  std::optional<double> largest_pull = {};
 };
 
 // How much work the simulation was, and how well it went.
@@ -85,6 +87,9 @@ struct ShakeReport {
   int count() const;
   // All tests, after a preparation that did not fail.
   bool holds() const;
+  // The largest disturbance survived: what growing pulls reached before the grasp failed, in the
+  // weakest of their tests; none without such a test [m/s^2].
+  std::optional<double> largest_pull() const;
 };
 
 struct ShakeOptions {

@@ -130,6 +130,7 @@ class Page {
     const grasp = data.grasps[i];
     this.list.select(i);
     showNumbers(grasp, i);
+    showShake(grasp);
     showContacts(grasp, (contact) => this.light(contact));
     if (!this.view) return;
     this.view.show(grasp);

@@ -223,6 +223,30 @@ TEST(PlanReport, OfAThousandGraspsIsNotTooLarge) {
   EXPECT_GE(few["grasps"][9]["motion"]["rows"].size(), 100U);
 }
 
+TEST(PlanReport, SaysWhatShakingShowed) {
+  const HeldCube held = held_cube();
+  PlanResult result;
+  ScoredGrasp scored;
+  scored.trial = held.trial;
+  scored.candidate = test::from_above();
+  result.grasps.assign(2, scored);
+  ShakeTestReport tug;
+  tug.name = "tug";
+  tug.outcome = ShakeOutcome::moved;
+  tug.failed_at = 0.5;
+  tug.phases = {{.kind = PhaseKind::hold, .seconds = 0.5, .moved = 0.006}};
+  tug.first_slip = FirstSlip{"pad", 0.25};
+  tug.largest_pull = 12.5;
+  result.grasps[0].shake = ShakeReport{.protocol = "strength", .tests = {tug}, .effort = {}};
+  const nlohmann::json data = data_of(plan_report(held.scene, result, {}, kBrief));
+  const nlohmann::json& shake = data["grasps"][0]["shake"];
+  EXPECT_EQ(shake["survived"], 0);
+  EXPECT_EQ(shake["largest_pull"], 12.5);
+  EXPECT_EQ(shake["tests"][0]["outcome"], "moved");
+  EXPECT_EQ(shake["tests"][0]["first_slip"]["link"], "pad");
+  EXPECT_FALSE(data["grasps"][1].contains("shake"));
+}
+
 TEST(PlanReport, OfMoreGraspsAndCandidatesSomeAreShown) {
   const HeldCube held = held_cube();
   PlanResult result;

@@ -19,7 +19,7 @@ std::string refusal(const std::string& text) {
 
 TEST(ProtocolFile, EveryProtocolOfTheLibraryIsRead) {
   const std::vector<std::string> names = library_protocol_names();
-  EXPECT_EQ(names.size(), 5U);
+  EXPECT_EQ(names.size(), 6U);
   for (const std::string& name : names) {
     const Protocol protocol = read_protocol(find_protocol(name));
     EXPECT_EQ(protocol.name, name);
@@ -50,7 +50,7 @@ TEST(ProtocolFile, WhatIsWrongIsNamed) {
   EXPECT_EQ(
       refusal(with_phase(R"({"kind": "hold", "duration": 1, "wobble": 2})")),
       "p.json: tests[0].phases[0].wobble: unknown field, known here are kind, duration, pull, "
-      "gravity, frame, fails (2)");
+      "pull_grows, gravity, frame, fails (2)");
   EXPECT_EQ(refusal(with_phase(R"({"kind": "hold", "duration": 0})")),
             "p.json: tests[0].phases[0].duration: must be above 0 (0)");
   EXPECT_EQ(refusal(with_phase(R"({"kind": "jump", "duration": 1})")),

@@ -71,6 +71,7 @@ TEST_F(HeldCube, HangsWhereFrictionBearsItsWeightAndFallsWhereItDoesNot) {
   EXPECT_NEAR(falls.tests.back().failed_at, std::sqrt(2.0 * 0.01 / (0.1 * 9.81)), 0.01);
 }
 
+// But the one that pulls until the grasp gives way.
 TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
   const CompiledScene scene = scene_of(0.1);
   const Trial trial = closed(scene);
@@ -78,10 +79,42 @@ TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
   for (const std::string& name : library_protocol_names()) {
     const Protocol protocol = read_protocol(find_protocol(name));
     const ShakeReport report = shake_grasp(scene, hand, posture_of(trial), protocol);
-    EXPECT_TRUE(report.holds()) << name;
+    EXPECT_EQ(report.holds(), name != "strength") << name;
+    EXPECT_EQ(report.largest_pull().has_value(), name == "strength") << name;
     EXPECT_EQ(report.count(), static_cast<int>(protocol.tests.size()));
     EXPECT_EQ(report.effort.crossings, 0) << name;
   }
+}
+
+// Two pads bear a pull of a = 2 mu N / m between them. What grows beyond by k a second accelerates
+// the cube by k t, so that it has moved by k t^3 / 6 when the pull is a + k t.
+TEST_F(HeldCube, BearsAGrowingPullAsFarAsFrictionSays) {
+  const CompiledScene scene = scene_of(0.1);
+  const GraspPosture grasp = posture_of(closed(scene));
+  const auto hand = hand_model(scene);
+  const double press = hand->effort[0] / hand->joints_of.col(0).cwiseAbs().sum();
+  constexpr double kFriction = 0.2;
+  constexpr double kFarthest = 0.002;
+  const double bears = 2.0 * kFriction * press / 0.1;
+  Protocol protocol{.name = "tug", .source = "test"};
+  protocol.friction = kFriction;
+  protocol.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
+  ProtocolPhase tug{.kind = PhaseKind::hold, .duration = 2.0};
+  tug.pull = Vector3(0.0, 2.0 * bears, 0.0);
+  tug.pull_grows = true;
+  tug.fails.moved = kFarthest;
+  ProtocolPhase weaker = tug;
+  weaker.pull = Vector3(0.0, 0.0, 0.5 * bears);
+  protocol.tests = {{"tug", {tug}}, {"weaker", {weaker}}};
+  const ShakeReport report = shake_grasp(scene, hand, grasp, protocol);
+  ASSERT_EQ(report.tests.size(), 3U);
+  const double growth = bears;  // twice that in two seconds
+  const double beyond = growth * std::cbrt(6.0 * kFarthest / growth);
+  EXPECT_EQ(report.tests[1].outcome, ShakeOutcome::moved);
+  EXPECT_NEAR(report.tests[1].largest_pull.value_or(0.0), bears + beyond, 0.01 * bears);
+  EXPECT_EQ(report.tests[2].outcome, ShakeOutcome::survived);
+  EXPECT_NEAR(report.tests[2].largest_pull.value_or(0.0), 0.5 * bears, 1e-9);
+  EXPECT_EQ(report.largest_pull(), report.tests[2].largest_pull);
 }
 
 TEST_F(HeldCube, WhatIsShakenTwiceMovesTheSame) {
