@@ -123,7 +123,7 @@ TEST(RobotDynamics, InverseAndForwardAgreeOnEveryRobotOfTheLibrary) {
   for (const Robot& robot : library()) {
     const RobotDynamics dynamics(robot);
     Random random(17);
-    for (int i = 0; i < 100; ++i) {
+    for (int i = 0; i < 1000; ++i) {
       const JointVector q = random_values(random, robot);
       const JointVector v = random_vector(random, dynamics.joints(), 3.0);
       const JointVector a = random_vector(random, dynamics.joints(), 10.0);

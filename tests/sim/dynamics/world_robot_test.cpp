@@ -88,6 +88,62 @@ TEST(WorldRobot, APendulumSwingsAsItShould) {
   EXPECT_LT(last, 2e-3);
 }
 
+Robot double_pendulum() {
+  Robot robot = pendulum(0.3, 0.5);
+  Joint elbow = robot.joints[0];
+  elbow.name = "elbow";
+  elbow.parent = 0;
+  elbow.dof = 1;
+  elbow.X_PJ = translation({0.0, 0.0, -0.34});
+  robot.joints.push_back(elbow);
+  robot.dofs.push_back({.name = "elbow", .lower = -10.0, .upper = 10.0});
+  Link rod = robot.links[1];
+  rod.name = "second rod";
+  rod.joint = 1;
+  robot.links.push_back(rod);
+  robot.chains[0].joint_count = 2;
+  return robot;
+}
+
+// By the classical Runge-Kutta method on the accelerations of articulated bodies.
+Eigen::VectorXd swung_double(const RobotDynamics& dynamics, Eigen::VectorXd q, double seconds) {
+  RobotSurroundings around;
+  around.gravity_B = Vector3(0.0, 0.0, -kWeight);
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(2);
+  const auto slope = [&](const Eigen::VectorXd& at,
+                         const Eigen::VectorXd& rate) -> Eigen::VectorXd {
+    return dynamics.forward(at, rate, none, around);
+  };
+  const int steps = 2000;
+  const double h = seconds / steps;
+  Eigen::VectorXd v = none;
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::VectorXd k1 = slope(q, v);
+    const Eigen::VectorXd k2 = slope(q + 0.5 * h * v, v + 0.5 * h * k1);
+    const Eigen::VectorXd k3 = slope(q + 0.5 * h * (v + 0.5 * h * k1), v + 0.5 * h * k2);
+    const Eigen::VectorXd k4 = slope(q + h * (v + 0.5 * h * k2), v + h * k3);
+    q += h * (v + h / 6.0 * (k1 + k2 + k3));
+    v += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+  }
+  return q;
+}
+
+TEST(WorldRobot, ADoublePendulumSwingsAsItShould) {
+  const Eigen::Vector2d start(0.8, -0.5);
+  double last = 0.0;
+  for (const double step : {2e-3, 1e-3, 5e-4}) {
+    World world = world_with_robot(double_pendulum(), {start[0], start[1]});
+    run_all(world, 1.0, step);
+    const Eigen::VectorXd exact = swung_double(world.robots[0].model->dynamics, start, 1.0);
+    const double error = (world.robots[0].x - exact).norm();
+    if (last > 0.0) {
+      EXPECT_NEAR(last / error, 2.0, 0.2);  // of first order
+    }
+    last = error;
+  }
+  EXPECT_LT(last, 5e-3);
+}
+
 TEST(WorldRobot, ADriveHoldsUpToItsEffort) {
   const double center = 0.5 * 0.3 + 0.02;
   const double moment = 0.5 * kWeight * center;  // of the rod held level
