@@ -70,6 +70,11 @@
 //   shake.h               one grasp under a protocol, and what became of it
 //   protocol_file.h       protocols from files and from the library
 //   world.h               bodies and robots that move, step by step
+//   controller.h          what drives a robot: a function from its state to efforts
+//   joint_controllers.h   PD, gravity compensation and computed torque
+//   wrist_impedance.h     an arm whose wrist gives way like a spring
+//   joint_motion.h        what a controller follows: a trajectory, or one posture
+//   run_controlled.h      a world run with controllers, and how that ended
 // Judging contacts
 //   quality.h             contacts in, numbers out
 #pragma once
