@@ -65,11 +65,12 @@ void time_grasp(const std::string& name) {
   const PlanResult plan = prehend::plan(scene, {});
   if (plan.grasps.empty()) return;
   Protocol protocol = read_protocol(find_protocol("simready"));
-  World world =
+  GraspWorld grasped =
       make_grasp_world(scene, hand_model(scene), posture_of(plan.grasps.front().trial), protocol);
+  World& world = grasped.world;
   world.gravity = {0.0, 0.0, -9.81};
-  WorldRobot& hand = world.robots[kGraspingHand];
-  hand.drives = closing_drives(*hand.model);
+  WorldRobot& hand = world.robots.front();
+  hand.drives = closing_drives(*hand.model, grasped.hand);
   print_times(name + ", closing", run_steps(world, 300));
   print_times(name + ", held", run_steps(world, 700));
 }

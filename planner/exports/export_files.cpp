@@ -39,7 +39,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   exported.epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
   exported.volume = grasp.volume.value_or(0.0);
   exported.X_OH = trial.X_OH;
-  exported.X_WH = scene.scene.object.X_WO * trial.X_OH;
+  exported.X_WH = scene.scene.object.X_WO * hand_in_scene(trial);
   exported.preshape = preshape_name(scene, grasp.candidate);
   exported.dofs = trial.dofs;
   // The joints with which the hand started: of the preshape, or as given with the candidate.

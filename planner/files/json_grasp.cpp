@@ -158,7 +158,7 @@ struct PoseFields {
 
   void operator()(FieldWriter& fields, const ScoredGrasp& grasp) const {
     fields("X_object_hand", grasp.trial.X_OH);
-    fields("X_world_hand", Pose(X_WO * grasp.trial.X_OH));
+    fields("X_world_hand", Pose(X_WO * hand_in_scene(grasp.trial)));
   }
 
   void operator()(FieldReader& fields, ScoredGrasp& grasp) const {
@@ -222,6 +222,17 @@ void outcome_fields(auto& fields, auto& grasp) {
     if (fields.knows("epsilon") && !fields.knows("outcome")) {
       trial.outcome = epsilon > 0.0 ? Outcome::stable : Outcome::not_force_closure;
     }
+  }
+}
+
+// Only of grasps that formed in time, on an object that gave way.
+void object_moved_field(auto& fields, auto& grasp) {
+  if (!kReads<decltype(fields)> && !grasp.trial.X_OC) return;
+  if constexpr (kReads<decltype(fields)>) {
+    if (!fields.knows("X_object_moved")) return;
+    fields("X_object_moved", grasp.trial.X_OC.emplace());
+  } else {
+    fields("X_object_moved", *grasp.trial.X_OC);
   }
 }
 
@@ -302,6 +313,7 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
   shake_field(fields, grasp);
   fields.object("approach", [&](auto& inner) { approach_fields(inner, grasp); });
   fields.derived("blocked", [&] { return blocked_json(scene, trial); });
+  object_moved_field(fields, grasp);
   arm_fields(fields, grasp, scene);
 }
 

@@ -17,7 +17,9 @@ Json phase_to_json(const PhaseReport& phase) {
           {"touching", phase.touching}};
 }
 
-Json test_to_json(const ShakeTestReport& test) {
+}  // namespace
+
+Json shake_test_to_json(const ShakeTestReport& test) {
   Json json{{"name", test.name}, {"outcome", shake_outcome_name(test.outcome)}};
   if (test.outcome != ShakeOutcome::survived) json["failed_at"] = test.failed_at;
   if (test.first_slip) {
@@ -29,7 +31,16 @@ Json test_to_json(const ShakeTestReport& test) {
   return json;
 }
 
-}  // namespace
+Json effort_to_json(const SimulationEffort& effort) {
+  Json json{{"steps", effort.steps},
+            {"shortened", effort.shortened},
+            {"not_converged", effort.not_converged},
+            {"crossings", effort.crossings},
+            {"violation", effort.violation},
+            {"simulated", effort.simulated}};
+  if (effort.last != StepOutcome::moved) json["last_step"] = step_outcome_name(effort.last);
+  return json;
+}
 
 Json shake_to_json(const ShakeReport& report) {
   Json json{{"protocol", report.protocol},
@@ -38,17 +49,9 @@ Json shake_to_json(const ShakeReport& report) {
             {"holds", report.holds()}};
   if (const std::optional<double> pull = report.largest_pull()) json["largest_pull"] = *pull;
   json["tests"] = Json::array();
-  for (const ShakeTestReport& test : report.tests) json["tests"].push_back(test_to_json(test));
-  const SimulationEffort& effort = report.effort;
-  json["simulation"] = {{"steps", effort.steps},
-                        {"shortened", effort.shortened},
-                        {"not_converged", effort.not_converged},
-                        {"crossings", effort.crossings},
-                        {"violation", effort.violation},
-                        {"simulated", effort.simulated}};
-  if (effort.last != StepOutcome::moved) {
-    json["simulation"]["last_step"] = step_outcome_name(effort.last);
-  }
+  for (const ShakeTestReport& test : report.tests)
+    json["tests"].push_back(shake_test_to_json(test));
+  json["simulation"] = effort_to_json(report.effort);
   return json;
 }
 

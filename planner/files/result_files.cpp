@@ -16,6 +16,8 @@ constexpr std::array<std::string_view, 8> kPlain = {
 // '#' stands for a number.
 constexpr std::array<std::string_view, 4> kNumbered = {"path_#.csv", "path_#_moveit.yaml",
                                                        "grasp_#.glb", "grasp_#.xml"};
+constexpr std::array<std::string_view, 4> kSimulated = {"simulation.json", "states.csv",
+                                                        "report.html", "moment_#.png"};
 constexpr std::array<std::string_view, 3> kRendered = {"contact_sheet.png", "grasp_#.png",
                                                        "approach_#_frame_#.png"};
 
@@ -60,6 +62,8 @@ bool is_result_file(std::string_view name) {
 }
 
 bool is_rendered_file(std::string_view name) { return is_one_of(name, kRendered); }
+
+bool is_simulation_file(std::string_view name) { return is_one_of(name, kSimulated); }
 
 void remove_earlier_results(const std::filesystem::path& folder,
                             const std::vector<std::string>& written, const Scene& scene,

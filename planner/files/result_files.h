@@ -17,6 +17,9 @@ bool is_result_file(std::string_view name);
 // Whether `render` may write a file of this name.
 bool is_rendered_file(std::string_view name);
 
+// Whether `simulate` may write a file of this name.
+bool is_simulation_file(std::string_view name);
+
 // Removes from `folder` what earlier runs of plan, evaluate and render left there and what is not
 // among `written`: pictures and exports of other grasps must not stand beside a new grasps.json.
 // All other files stay, and so does everything that is no regular file, such as links, the mesh

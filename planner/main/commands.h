@@ -42,6 +42,7 @@ struct PlanCommand {
   std::vector<std::string> exports;           // formats besides grasps.json
   std::string shake;                          // protocol: name or file; empty: none
   bool rank_by_shake = false;
+  bool dynamic = false;               // hands close in time, on an object that gives way
   std::vector<std::string> packages;  // of a hand or platform: NAME=FOLDER
   CommonOptions common;
 };
@@ -54,7 +55,24 @@ struct EvaluateCommand {
   std::string unit;
   bool repair = true;
   std::string shake;                    // protocol: name or file; empty: none
+  bool dynamic = false;                 // hands close in time, on an object that gives way
   std::size_t volumes = kMostDetailed;  // of so many grasps: those that the report shows in detail
+  CommonOptions common;
+};
+
+// Arguments of `simulate`.
+struct SimulateCommand {
+  std::string scene;                    // name, scene file or file of grasps
+  int grasp = 1;                        // of a file of grasps: which one
+  std::string hand;                     // of a scene; empty: its own
+  std::string protocol;                 // name or file; empty: the hand closes
+  std::string test;                     // of the protocol; empty: the first
+  double seconds = 4.0;                 // for which the hand closes, without a protocol
+  std::optional<double> step;           // s; empty: the protocol's
+  double every = 0.01;                  // s between recorded states
+  std::vector<std::string> quantities;  // of states.csv; "all": all; empty: no such file
+  int frames = 0;                       // pictures of moments
+  std::vector<std::string> packages;    // of a hand or platform: NAME=FOLDER
   CommonOptions common;
 };
 
@@ -115,6 +133,7 @@ ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
 // until then.
 int run_plan(const PlanCommand& command, Interrupts& interrupts);
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts);
+int run_simulate(const SimulateCommand& command, Interrupts& interrupts);
 int run_render(const RenderCommand& command, Interrupts& interrupts);
 int run_inspect(const InspectCommand& command, Interrupts& interrupts);
 int run_quality(const QualityCommand& command, Interrupts& interrupts);

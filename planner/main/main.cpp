@@ -92,6 +92,11 @@ void add_shake(CLI::App& command, std::string& protocol) {
                      "close, lift and shake each grasp: a protocol's name or file");
 }
 
+void add_dynamic(CLI::App& command, bool& dynamic) {
+  command.add_flag("--dynamic", dynamic,
+                   "simulate how each hand closes: the object has weight and gives way");
+}
+
 void add_no_report(CLI::App& command, bool& no_report) {
   command.add_flag("--no-report", no_report, "do without report.html");
 }
@@ -142,6 +147,7 @@ struct Program {
   CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
   prehend::PlanCommand plan;
   prehend::EvaluateCommand evaluate;
+  prehend::SimulateCommand simulate;
   prehend::RenderCommand render;
   prehend::InspectCommand inspect;
   prehend::QualityCommand quality;
@@ -165,6 +171,7 @@ struct Program {
     app.set_version_flag("--version", "prehend " PREHEND_VERSION);
     add_plan();
     add_evaluate();
+    add_simulate();
     add_render();
     add_inspect();
     add_quality();
@@ -202,6 +209,7 @@ struct Program {
             "--rank", [this](const std::string& by) { plan.rank_by_shake = by == "shake"; },
             "what comes first: larger epsilon, or more survived of the tests of --shake")
         ->check(CLI::IsMember({"epsilon", "shake"}));
+    add_dynamic(command, plan.dynamic);
     add_packages(command, plan.packages);
     add_common(command, plan.common);
     add_accuracy(command, plan.common);
@@ -226,6 +234,7 @@ struct Program {
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     add_shake(command, evaluate.shake);
+    add_dynamic(command, evaluate.dynamic);
     add_common(command, evaluate.common);
     add_accuracy(command, evaluate.common);
     add_contacts(command, evaluate.common);
@@ -234,6 +243,44 @@ struct Program {
     command.callback([this] {
       chosen = [this](prehend::Interrupts& interrupts) {
         return prehend::run_evaluate(evaluate, interrupts);
+      };
+    });
+  }
+
+  void add_simulate() {
+    CLI::App& command = *app.add_subcommand("simulate", "simulate what a hand does to an object");
+    command.add_option("scene", simulate.scene, "scene name, scene file or grasp file")->required();
+    command.add_option("--grasp", simulate.grasp, "number of the grasp of a grasp file")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_option("--hand", simulate.hand, "robot of the library or robot file");
+    command.add_option("--protocol", simulate.protocol,
+                       "what the hand does, by a protocol's name or file; without it, it closes");
+    command.add_option("--test", simulate.test, "test of the protocol; without it the first");
+    command
+        .add_option("--seconds", simulate.seconds, "for how long a hand without protocol closes")
+        ->check(CLI::Range(1e-3, 1000.0))
+        ->capture_default_str();
+    command.add_option("--step", simulate.step, "longest step of the simulation, in s")
+        ->check(CLI::Range(1e-6, 0.1));
+    command.add_option("--every", simulate.every, "time between two recorded states, in s")
+        ->check(CLI::Range(1e-6, 1000.0))
+        ->capture_default_str();
+    command
+        .add_option("--csv", simulate.quantities,
+                    "write states.csv: quantities by name, with commas, or all")
+        ->delimiter(',');
+    command.add_option("--frames", simulate.frames, "pictures of moments to draw (PNG)")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    simulate.common.out = "out/simulate";
+    add_packages(command, simulate.packages);
+    add_common(command, simulate.common);
+    add_no_report(command, simulate.common.no_report);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](prehend::Interrupts& interrupts) {
+        return prehend::run_simulate(simulate, interrupts);
       };
     });
   }

@@ -61,6 +61,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   options.seed = command.common.seed;
   options.trial = read_accuracy(command.common.accuracy).trial;
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  if (command.dynamic) options.trial.formation.dynamic = true;
   options.volumes = command.volumes;
   if (!command.common.no_report) options.sections = kMostDetailed;
   const RunContext context{command.common.threads, interrupts.cancellation(),

@@ -50,9 +50,15 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   }
   options.seed = command.common.seed;
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  if (command.dynamic) options.trial.formation.dynamic = true;
   options.rank.top = command.top;
   if (command.trials) options.search.trials = *command.trials;
   if (command.enough) options.search.enough = *command.enough;
+  if (command.path && command.dynamic) {
+    throw InputError({.field = "--path",
+                      .problem = "not together with --dynamic: paths are planned among objects "
+                                 "that stand still"});
+  }
   if (!command.path) options.paths.reset();
   if (command.path) {
     if (!options.paths) options.paths.emplace();

@@ -78,10 +78,18 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
   }
   const int closes = static_cast<int>(motion.frames.size());
   const DofValues* held = arm_line.empty() ? nullptr : &arm_line.back();
+  // An object that gave way moves while the hand closes; between its two poses, evenly.
+  const Eigen::Quaterniond turned(trial.X_OC.value_or(Pose::Identity()).linear());
   const ClosingPath closing = closing_path(scene.scene.hand, line.hand_joints, trial.joints);
   for (std::size_t i = 0; i < closing.times.size(); ++i) {
-    add(seconds + closing.times[i], trial.X_OH, closing.postures[i], held);
+    add(seconds + closing.times[i], line.X_OH_to, closing.postures[i], held);
+    if (!trial.X_OC) continue;
+    const double part = closing.times.back() > 0.0 ? closing.times[i] / closing.times.back() : 1.0;
+    motion.frames.back().X_OC =
+        pose_from(Eigen::Quaterniond::Identity().slerp(part, turned).toRotationMatrix(),
+                  part * trial.X_OC->translation());
   }
+  motion.is_simulated = trial.X_OC.has_value();
   motion.segments = {{"approach", 0, closes},
                      {"close", closes, static_cast<int>(motion.frames.size()) - 1}};
   return motion;
@@ -93,6 +101,7 @@ GraspMotion thinned(const GraspMotion& motion, int most) {
   const auto count = static_cast<int>(motion.frames.size());
   const int step = std::max(1, (count + most - 1) / most);
   GraspMotion few;
+  few.is_simulated = motion.is_simulated;
   for (const TrajectorySegment& segment : motion.segments) {
     if (few.frames.empty())
       few.frames.push_back(motion.frames[static_cast<std::size_t>(segment.first)]);

@@ -9,6 +9,12 @@
 
 namespace prehend {
 
+// A force on the object, in the frame O.
+struct MotionForce {
+  Vector3 p_O = Vector3::Zero();
+  Vector3 force_O = Vector3::Zero();  // [N]
+};
+
 // The hand, and the arm if there is one, at one moment.
 struct MotionFrame {
   double time = 0.0;                    // s
@@ -17,6 +23,7 @@ struct MotionFrame {
   std::vector<double> arm_joints = {};  // of the whole platform; empty without an arm
   // The object C as the hand carries it, in the frame O in which it stood before.
   Pose X_OC = Pose::Identity();
+  std::vector<MotionForce> forces = {};  // of a simulation
 };
 
 // Between two frames joint values (and, without an arm, the hand's position) are interpolated
@@ -25,6 +32,9 @@ struct GraspMotion {
   std::vector<MotionFrame> frames;          // at least one
   std::vector<TrajectorySegment> segments;  // "approach", "close"; with a path also those before
                                             // and after
+  // The object and the hand's base move freely, as the frames say. Else the hand keeps its rotation
+  // on the way to the object, which stands until it is grasped and is then carried.
+  bool is_simulated = false;
   // Index of the frame in which the object is grasped: the end of "close", the last one where there
   // is no such segment. From there on the hand carries the object.
   std::size_t grasp() const;

@@ -96,7 +96,7 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["weakest_wrench"] =
       to_array(std::vector<double>(trial.epsilon.weakest.begin(), trial.epsilon.weakest.end()));
   fields["X_OH"] = to_array(trial.X_OH);
-  fields["X_WH"] = to_array(Pose(scene.scene.object.X_WO * trial.X_OH));
+  fields["X_WH"] = to_array(Pose(scene.scene.object.X_WO * hand_in_scene(trial)));
   fields["approach"] = to_array(candidate.approach_O);
   fields["travel"] = trial.travel;
   fields["back_offs"] = trial.back_offs;

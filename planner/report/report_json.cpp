@@ -54,6 +54,7 @@ Json palette_json() {
           {"center", look_json(palette::kCenterOfMass)},
           {"wrench_space", look_json(palette::kWrenchSpace)},
           {"epsilon_ball", look_json(palette::kEpsilonBall)},
+          {"force", look_json(palette::kForce)},
           {"contribution", look_json(palette::kContribution)},
           {"axes", axes},
           {"outcomes", outcomes}};
@@ -170,9 +171,30 @@ Json contact_json(const ReportContact& contact) {
   return json;
 }
 
+Json forces_json(const std::vector<MotionForce>& forces) {
+  Json json = Json::array();
+  for (const MotionForce& force : forces) {
+    for (const double x : force.p_O) json.push_back(rounded(x));
+    for (const double x : force.force_O) json.push_back(rounded(x, 1e3));
+  }
+  return json;
+}
+
+void add_free_poses(const GraspMotion& motion, Json& json) {
+  for (const char* name : {"objects", "hands", "forces"}) json[name] = Json::array();
+  for (const MotionFrame& frame : motion.frames) {
+    json["objects"].push_back(rounded(frame.X_OC));
+    json["hands"].push_back(rounded(frame.X_OH));
+    json["forces"].push_back(forces_json(frame.forces));
+  }
+}
+
 // On an arm a row has the joints of the whole platform, from which the page computes the hand's
 // pose. Without an arm it has the hand's position and joints; the hand's rotation is the same in
 // all frames and given once, by X_OH.
+//
+// Where the object moves freely, "objects" and "hands" have the pose of each in O at each row, and
+// "forces" those on the object: position and force, six numbers each.
 Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
   const GraspMotion motion = thinned(whole, static_cast<int>(most_frames));
   Json rows = Json::array();
@@ -191,12 +213,14 @@ Json motion_json(const GraspMotion& whole, std::size_t most_frames) {
   for (const TrajectorySegment& s : motion.segments) {
     segments.push_back({{"name", s.name}, {"first", s.first}, {"last", s.last}});
   }
-  return {{"on_arm", on_arm},
-          {"X_OH", rounded(motion.frames[motion.grasp()].X_OH)},
-          {"grasp", motion.grasp()},
-          {"times", times},
-          {"rows", rows},
-          {"segments", segments}};
+  Json json{{"on_arm", on_arm},
+            {"X_OH", rounded(motion.frames[motion.grasp()].X_OH)},
+            {"grasp", motion.grasp()},
+            {"times", times},
+            {"rows", rows},
+            {"segments", segments}};
+  if (motion.is_simulated) add_free_poses(motion, json);
+  return json;
 }
 
 Json interval_json(const Interval& interval) {
@@ -221,6 +245,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   json["motion"] = grasp.motion ? motion_json(*grasp.motion, most_frames) : Json();
   json["side"] = grasp.side ? rounded(*grasp.side) : Json();
   if (grasp.shake) json["shake"] = shake_to_json(*grasp.shake);
+  if (!grasp.happened.empty()) json["happened"] = grasp.happened;
   json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
   return json;
 }

@@ -62,28 +62,28 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
   return bodies;
 }
 
-DrawnBody contact_body(const CompiledScene& scene, const Contact& point) {
+DrawnBody contact_body(const CompiledScene& scene, const Pose& X_WC, const Contact& point) {
   // The cone of a frictionless contact has no width and would be invisible.
   const double slope = std::max(0.05, point.friction);
   // All cones are equally long along their sides, however wide they are.
   const double length = kConeLength * object_radius(scene) / std::sqrt(1.0 + slope * slope);
-  return {cone_mesh(point.position, point.normal, slope, length), scene.scene.object.X_WO,
-          palette::kContact, "contact"};
+  return {cone_mesh(point.position, point.normal, slope, length), X_WC, palette::kContact,
+          "contact"};
 }
 
 // Two arrows from the torque origin (the centre of mass), for force and torque. Torques of a wrench
 // are scaled to forces, so the lengths of both can be compared: they are in proportion to the two
 // parts, and the root of the sum of their squares is kArrowLength times the radius.
-std::vector<DrawnBody> weakest_bodies(const CompiledScene& scene, const Wrench& wrench) {
+std::vector<DrawnBody> weakest_bodies(const CompiledScene& scene, const Pose& X_WC,
+                                      const Wrench& wrench) {
   if (wrench.isZero(0.0)) return {};
   const double radius = object_radius(scene);
-  const Pose& X_WO = scene.scene.object.X_WO;
   const Vector3& origin = scene.wrench_frame.torque_origin;
   const Vector3 force = wrench.head<3>() / wrench.norm() * kArrowLength * radius;
   const Vector3 torque = wrench.tail<3>() / wrench.norm() * kArrowLength * radius;
-  return {{arrow_mesh(origin, origin + force, kForceRadius * radius), X_WO, palette::kWeakest,
+  return {{arrow_mesh(origin, origin + force, kForceRadius * radius), X_WC, palette::kWeakest,
            "weakest force"},
-          {arrow_mesh(origin, origin + torque, kTorqueRadius * radius), X_WO, palette::kWeakest,
+          {arrow_mesh(origin, origin + torque, kTorqueRadius * radius), X_WC, palette::kWeakest,
            "weakest torque"}};
 }
 
@@ -113,13 +113,13 @@ std::vector<DrawnBody> GraspBodies::grasp_and_arm() const {
 GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
   const GraspableBody& object = scene.scene.object;
   GraspBodies bodies;
-  bodies.object = {SharedMesh::borrowed(object.mesh), object.X_WO * grasp.X_OC, palette::kObject,
-                   object.name};
+  const Pose X_WC = object.X_WO * grasp.X_OC;
+  bodies.object = {SharedMesh::borrowed(object.mesh), X_WC, palette::kObject, object.name};
   bodies.hand = hand_bodies(scene, grasp);
   for (const GraspContact& contact : grasp.contacts) {
-    bodies.contacts.push_back(contact_body(scene, contact.point));
+    bodies.contacts.push_back(contact_body(scene, X_WC, contact.point));
   }
-  bodies.weakest = weakest_bodies(scene, grasp.weakest);
+  bodies.weakest = weakest_bodies(scene, X_WC, grasp.weakest);
   for (const StaticBody& body : scene.scene.obstacles) {
     bodies.obstacles.push_back(
         {SharedMesh::borrowed(body.mesh), body.X_WB, palette::kObstacle, body.name});

@@ -28,6 +28,7 @@ inline constexpr Color kObstacle{0.72, 0.72, 0.72, 0.25};
 inline constexpr Color kPrimitive{0.16, 0.55, 0.55, 0.30};
 inline constexpr Color kContact{0.88, 0.13, 0.12, 1.0};
 inline constexpr Color kWeakest{0.50, 0.16, 0.75, 1.0};
+inline constexpr Color kForce = from_hex(0x1f8a70);      // of a contact in a simulation
 inline constexpr Color kPointedAt = from_hex(0xffb300);  // the contact that a reader points at
 inline constexpr Color kCenterOfMass = from_hex(0x111111);
 inline constexpr std::array<Color, 3> kAxes = {from_hex(0xc62828), from_hex(0x2e7d32),
@@ -46,7 +47,7 @@ inline constexpr Color kContribution{0.88, 0.13, 0.12, 0.75};  // of one contact
 inline constexpr Color kText{0.15, 0.15, 0.18, 1.0};
 
 // How a candidate ended: green for what holds, warm colours and grey where the hand fails,
-// blue and teal where the arm does.
+// blue and teal where the arm does, purple where the object gets away.
 constexpr Color of(Outcome outcome) {
   switch (outcome) {
     case Outcome::stable:
@@ -63,6 +64,16 @@ constexpr Color of(Outcome outcome) {
       return from_hex(0x3f7fd6);
     case Outcome::arm_blocked:
       return from_hex(0x1d3f80);
+    case Outcome::pushed_away:
+      return from_hex(0xb5548c);
+    case Outcome::toppled:
+      return from_hex(0x9a4fb0);
+    case Outcome::squeezed_out:
+      return from_hex(0xd6336c);
+    case Outcome::dropped:
+      return from_hex(0x7a2f57);
+    case Outcome::not_simulated:
+      return from_hex(0x555555);
     case Outcome::no_path:
       return from_hex(0x14909c);
   }

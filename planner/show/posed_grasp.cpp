@@ -5,7 +5,9 @@ namespace prehend {
 PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,
                        const std::string& title) {
   const Trial& trial = grasp.trial;
-  PosedGrasp posed{trial.X_OH, trial.joints, trial.contacts, trial.epsilon.weakest, title};
+  PosedGrasp posed{hand_in_scene(trial), trial.joints, trial.contacts, trial.epsilon.weakest,
+                   title};
+  posed.X_OC = trial.X_OC.value_or(Pose::Identity());
   if (scene.arm && !trial.arm_dofs.empty()) {
     posed.arm_joints = arm_joints(*scene.arm, trial.arm_dofs, trial.joints);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "sim/base/index.h"
 
@@ -171,13 +172,24 @@ class PairSearch {
 
 }  // namespace
 
+// Either body may be the one that moves against the other. Of the smaller one the turn carries the
+// points less far: seen from a cup that turns, the ends of its table move by more than the cup does
+// seen from the table.
 double moved_since(const PairMemory& pair, const Solids& solids) {
   const Solid& a = solids.at(pair.a);
   const Solid& b = solids.at(pair.b);
-  const Pose X_AB = a.X_WS.inverse() * b.X_WS;
-  const Vector3& center = b.shape->mesh.ball_center();
-  const double turned = (X_AB.linear() - pair.X_AB.linear()).norm();  // sqrt(2) times the chord
-  return (X_AB * center - pair.X_AB * center).norm() + turned * b.shape->mesh.ball_radius();
+  Pose now = a.X_WS.inverse() * b.X_WS;
+  Pose then = pair.X_AB;
+  const bool a_is_small = a.shape->mesh.ball_radius() < b.shape->mesh.ball_radius();
+  const ProximityMesh& small = (a_is_small ? a : b).shape->mesh;
+  if (a_is_small) {
+    now = now.inverse();
+    then = then.inverse();
+  }
+  // Of a turn by t the norm of the difference is 2 sqrt(2) sin(t / 2), and the chord 2 sin(t / 2).
+  const double chord = (now.linear() - then.linear()).norm() / std::numbers::sqrt2;
+  return (now * small.ball_center() - then * small.ball_center()).norm() +
+         chord * small.ball_radius();
 }
 
 double find_near(const Solids& solids, const Solids* speeds, const World& world, double time,

@@ -16,7 +16,7 @@ double find_near(const Solids& solids, const Solids* speeds, const World& world,
 // to be free.
 bool may_have_met(const Solids& after, const ContactMemory& memory);
 
-// The most that a point of b has moved against a since the pair was last looked at [m].
+// The most by which the gap of a pair may have changed since it was last looked at [m].
 double moved_since(const PairMemory& pair, const Solids& solids);
 
 }  // namespace prehend

@@ -4,19 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/control/quintic_step.h"
+
 namespace prehend {
 namespace {
-
-// From 0 at 0 to 1 at 1, velocity and acceleration 0 at both.
-double smooth_step(double s) {
-  s = std::clamp(s, 0.0, 1.0);
-  return s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
-}
 
 // The part of the amplitude at a time.
 double swell(const ProtocolPhase& phase, double time) {
   const double ramp = std::min(0.25 * phase.duration, 0.5 / std::max(phase.frequency, 1e-9));
-  return std::min(smooth_step(time / ramp), smooth_step((phase.duration - time) / ramp));
+  return std::min(quintic_step(time / ramp), quintic_step((phase.duration - time) / ramp));
 }
 
 }  // namespace
@@ -25,8 +21,11 @@ Pose base_pose(const ProtocolPhase& phase, const BaseStart& start, double time) 
   Pose X_WH = start.X_WH;
   const double angle = 2.0 * std::numbers::pi * phase.frequency * time;
   switch (phase.kind) {
+    case PhaseKind::approach:
+      X_WH.translation() += start.distance * quintic_step(time / phase.duration) * start.axis_W;
+      break;
     case PhaseKind::lift:
-      X_WH.translation().z() += start.height * smooth_step(time / phase.duration);
+      X_WH.translation().z() += start.height * quintic_step(time / phase.duration);
       break;
     case PhaseKind::circle:
       X_WH.translation() +=

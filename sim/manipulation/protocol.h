@@ -14,24 +14,25 @@ namespace prehend {
 
 // What happens during a phase. Motions are of the hand's base; axes are given in ProtocolFrame.
 enum class PhaseKind {
-  settle,  // nothing moves but the object, until it rests or the time is over
-  close,   // the hand closes until its drives are at their effort limits
-  hold,    // the hand stands still; `acceleration` is that of gravity or of a pull
-  lift,    // the hand rises by `height`, from rest to rest
+  settle,    // nothing moves but the object, until it rests or the time is over
+  approach,  // the hand moves straight along its approach by `distance`, from rest to rest
+  close,     // the hand closes until its drives are at their effort limits
+  hold,      // the hand stands still; `acceleration` is that of gravity or of a pull
+  lift,      // the hand rises by `height`, from rest to rest
   circle,  // the hand moves on a horizontal circle of `amplitude` [m], `frequency` rounds a second
   swing,   // the hand moves along `axis` by +-`amplitude` [m], sinusoidal
   turn,    // the hand turns about `axis` through its origin by +-`amplitude` [rad], sinusoidal
   open,    // the hand opens to its preshape
 };
 
-inline constexpr std::array<PhaseKind, 8> kPhaseKinds = {
-    PhaseKind::settle, PhaseKind::close, PhaseKind::hold, PhaseKind::lift,
-    PhaseKind::circle, PhaseKind::swing, PhaseKind::turn, PhaseKind::open};
+inline constexpr std::array<PhaseKind, 9> kPhaseKinds = {
+    PhaseKind::settle, PhaseKind::approach, PhaseKind::close, PhaseKind::hold, PhaseKind::lift,
+    PhaseKind::circle, PhaseKind::swing,    PhaseKind::turn,  PhaseKind::open};
 
 // The name in files: the same word as the enumerator.
 constexpr std::string_view phase_kind_name(PhaseKind kind) {
   constexpr std::array<std::string_view, kPhaseKinds.size()> kNames = {
-      "settle", "close", "hold", "lift", "circle", "swing", "turn", "open"};
+      "settle", "approach", "close", "hold", "lift", "circle", "swing", "turn", "open"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 
@@ -77,6 +78,7 @@ struct ProtocolPhase {
   double amplitude = 0.0;                      // m or rad
   double frequency = 0.0;                      // Hz
   double height = 0.0;                         // of a lift [m]
+  double distance = 0.0;                       // of an approach [m]
   double height_in_edges = 0.0;  // at least so many of the object's longest edges, if that is more
   PhaseLimits fails = {};
 };

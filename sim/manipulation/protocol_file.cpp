@@ -49,6 +49,10 @@ void read_motion(FieldReader& fields, ProtocolPhase& phase) {
     positive(fields, "height", phase.height);
     not_negative(fields, "height_in_edges", phase.height_in_edges);
   }
+  if (phase.kind == PhaseKind::approach) {
+    fields.needs("distance");
+    positive(fields, "distance", phase.distance);
+  }
   if (!repeats) return;
   for (const char* name : {"amplitude", "frequency"}) fields.needs(name);
   positive(fields, "amplitude", phase.amplitude);

@@ -3,18 +3,10 @@
 #include "sim/trial/self_centering.h"
 
 namespace prehend {
-namespace {
-
-// Sets contacts, quality and outcome of a hand that has closed. A lower bound of epsilon above 0
-// proves force closure.
-void judge(const CompiledScene& scene, const TrialOptions& options, GraspWorkspace& workspace,
-           Trial& trial) {
+// A lower bound of epsilon above 0 proves force closure.
+void judge_contacts(const CompiledScene& scene, const TrialOptions& options,
+                    GraspWorkspace& workspace, Trial& trial) {
   trial.epsilon = {};
-  trial.contacts.clear();
-  if (trial.blocked) {
-    trial.outcome = Outcome::hand_blocked;
-    return;
-  }
   grasp_contacts(scene, trial.X_OH, trial.joints, options, workspace.contacts, trial.contacts);
   if (trial.contacts.empty()) {
     trial.outcome = Outcome::no_contact;
@@ -26,8 +18,6 @@ void judge(const CompiledScene& scene, const TrialOptions& options, GraspWorkspa
                              {}, workspace.epsilon);
   trial.outcome = trial.epsilon.lower > 0.0 ? Outcome::stable : Outcome::not_force_closure;
 }
-
-}  // namespace
 
 // Closing proves that the hand touches without penetrating. Centring then moves the hand as a
 // whole, without a proof, so that collisions have to be looked for; without centring there can be
@@ -44,7 +34,13 @@ void grasp_at(const CompiledScene& scene, const ClosingStart& start, const Trial
   trial.dofs = closed.dofs;
   trial.joints = closed.joints;
   context.cancellation.check();
-  judge(scene, options, workspace, trial);
+  if (!trial.blocked) {
+    judge_contacts(scene, options, workspace, trial);
+    return;
+  }
+  trial.epsilon = {};
+  trial.contacts.clear();
+  trial.outcome = Outcome::hand_blocked;
 }
 
 }  // namespace prehend

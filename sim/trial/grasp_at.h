@@ -30,4 +30,9 @@ struct GraspWorkspace {
 void grasp_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
               GraspWorkspace& workspace, Trial& trial, const RunContext& context = {});
 
+// Finds the contacts of the hand as the trial has it, and sets contacts, epsilon and outcome:
+// no_contact, not_force_closure or stable.
+void judge_contacts(const CompiledScene& scene, const TrialOptions& options,
+                    GraspWorkspace& workspace, Trial& trial);
+
 }  // namespace prehend

@@ -14,16 +14,23 @@ enum class Outcome {
   approach_blocked,   // an obstacle stops the hand before it touches the object
   unreachable,        // inverse kinematics finds no posture of the arm along the whole approach
   arm_blocked,        // such postures exist, but the arm collides in them
-  no_path,  // no collision-free path of the arm from its start to the pre-grasp was found;
-            // set by the planner, never by a trial
+  // Of trials whose hand closes in time (FormationOptions::dynamic):
+  pushed_away,    // the hand pushed the object out of its reach
+  toppled,        // it pushed the object over
+  squeezed_out,   // the object slipped out of the closing hand
+  dropped,        // the object fell out of the hand that had lifted it
+  not_simulated,  // a step of the simulation failed
+  no_path,        // no collision-free path of the arm from its start to the pre-grasp was found;
+                  // set by the planner, never by a trial
 };
 
 // All outcomes, in the order of the enumeration.
-inline constexpr std::array<Outcome, 8> kOutcomes = {
-    Outcome::stable,           Outcome::not_force_closure,
-    Outcome::no_contact,       Outcome::hand_blocked,
-    Outcome::approach_blocked, Outcome::unreachable,
-    Outcome::arm_blocked,      Outcome::no_path};
+inline constexpr std::array<Outcome, 13> kOutcomes = {
+    Outcome::stable,       Outcome::not_force_closure, Outcome::no_contact,
+    Outcome::hand_blocked, Outcome::approach_blocked,  Outcome::unreachable,
+    Outcome::arm_blocked,  Outcome::pushed_away,       Outcome::toppled,
+    Outcome::squeezed_out, Outcome::dropped,           Outcome::not_simulated,
+    Outcome::no_path};
 
 // Whether the hand was stopped on its way to the object, before arm and fingers were asked.
 constexpr bool is_blocked(Outcome outcome) {
@@ -32,15 +39,16 @@ constexpr bool is_blocked(Outcome outcome) {
 
 // The name in files and tables: the same word as the enumerator.
 constexpr std::string_view outcome_name(Outcome outcome) {
-  constexpr std::array<std::string_view, 8> kNames = {
-      "stable",           "not_force_closure", "no_contact",  "hand_blocked",
-      "approach_blocked", "unreachable",       "arm_blocked", "no_path"};
+  constexpr std::array<std::string_view, kOutcomes.size()> kNames = {
+      "stable",      "not_force_closure", "no_contact",  "hand_blocked", "approach_blocked",
+      "unreachable", "arm_blocked",       "pushed_away", "toppled",      "squeezed_out",
+      "dropped",     "not_simulated",     "no_path"};
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
 // What the outcome means, as a clause for reports.
 constexpr std::string_view outcome_meaning(Outcome outcome) {
-  constexpr std::array<std::string_view, 8> kMeanings = {
+  constexpr std::array<std::string_view, kOutcomes.size()> kMeanings = {
       "the contacts can resist a disturbance in any direction",
       "the hand touches the object, but some disturbance moves it freely",
       "the hand closed without touching the object",
@@ -48,6 +56,11 @@ constexpr std::string_view outcome_meaning(Outcome outcome) {
       "an obstacle stops the hand before it reaches the object",
       "no posture of the arm brings the hand there",
       "the arm collides on the way along the approach",
+      "the closing hand pushes the object out of its reach",
+      "the closing hand pushes the object over",
+      "the object slips out of the closing hand",
+      "the object falls out of the hand that has lifted it",
+      "the simulation of the closing hand could not go on",
       "the arm finds no way to where the approach starts"};
   return kMeanings[static_cast<std::size_t>(outcome)];
 }

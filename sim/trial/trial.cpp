@@ -6,6 +6,7 @@
 
 #include "sim/base/index.h"
 #include "sim/trial/approach.h"
+#include "sim/trial/form_at.h"
 #include "sim/trial/grasp_at.h"
 #include "sim/trial/settle.h"
 
@@ -172,7 +173,7 @@ class TrialRun {
   bool arm_follows(Trial& trial) {
     const Timer timer(seconds_.reach);
     followed_travel_ = trial.travel;
-    followed_X_OH_ = trial.X_OH;
+    followed_X_OH_ = hand_in_scene(trial);
     const Reach reach =
         find_reach(*scene_.arm, approach_line(scene_, candidate_, trial), options_.reach, context_);
     trial.arm_line = reach.line;
@@ -190,8 +191,8 @@ class TrialRun {
   // grasp that the arm cannot reach gets the arm's outcome. A grasp that does not hold keeps its
   // own outcome; where the arm cannot reach it, it only has no postures.
   void follow_to_the_grasp(Trial& trial) {
-    const bool same =
-        trial.travel == followed_travel_ && trial.X_OH.matrix() == followed_X_OH_.matrix();
+    const bool same = trial.travel == followed_travel_ &&
+                      hand_in_scene(trial).matrix() == followed_X_OH_.matrix();
     if (same) return;
     if (trial.outcome == Outcome::stable) {
       arm_follows(trial);
@@ -213,6 +214,10 @@ class TrialRun {
     for (double& clearance : start_.object_clearance) {
       clearance = std::max(0.0, clearance - (buffers_.reached.travel - travel));
     }
+    if (options_.formation.dynamic) {
+      form_at(scene_, start_, options_, buffers_.grasping, trial, context_);
+      return;
+    }
     grasp_at(scene_, start_, options_, buffers_.grasping, trial, context_);
     settle(scene_, options_, buffers_.settling, buffers_.grasping, trial, context_);
   }
@@ -231,6 +236,10 @@ class TrialRun {
 
 }  // namespace
 
+Pose hand_in_scene(const Trial& trial) {
+  return trial.X_OC ? *trial.X_OC * trial.X_OH : trial.X_OH;
+}
+
 Blame blame(const CompiledScene& scene, const Trial& trial) {
   if (trial.arm_pair) {
     return {first_name(*scene.arm, *trial.arm_pair), second_name(*scene.arm, *trial.arm_pair)};
@@ -242,7 +251,8 @@ Blame blame(const CompiledScene& scene, const Trial& trial) {
 // The hand moved back by the travel: from there the approach leads straight to X_OH. For a hand
 // that centring has moved sideways the whole line is moved with it.
 HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial) {
-  HandLine line{translation(-trial.travel * candidate.approach_O) * trial.X_OH, trial.X_OH, {}};
+  const Pose X_OH = hand_in_scene(trial);
+  HandLine line{translation(-trial.travel * candidate.approach_O) * X_OH, X_OH, {}};
   set_start_joints(scene, candidate, line.hand_joints);
   return line;
 }

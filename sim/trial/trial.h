@@ -55,8 +55,11 @@ struct Trial {
   double travel = 0.0;              // length of the approach from the pre-grasp to X_OH [m]
   int back_offs = 0;                // how often the hand backed off before this grasp
   double turned = 0.0;              // angle by which the object turned in the hand (settle.h) [rad]
-  std::vector<double> dofs;         // final values of the hand's degrees of freedom [rad or m]
-  std::vector<double> joints;       // final values of the hand's joints [rad or m]
+  // Of a hand that closed in time: where the object C then is, in the frame O in which it stood.
+  // X_OH and the contacts are relative to C. None: it stands where it stood.
+  std::optional<Pose> X_OC;
+  std::vector<double> dofs;    // final values of the hand's degrees of freedom [rad or m]
+  std::vector<double> joints;  // final values of the hand's joints [rad or m]
   // With an arm that reached: its postures along the approach, from the pre-grasp to the grasp, the
   // hand at X_OH in the last one. Values of all degrees of freedom of the platform; those of the
   // hand are not used, it keeps its starting joints along the approach. Empty otherwise.
@@ -66,6 +69,9 @@ struct Trial {
   EpsilonBracket epsilon;
   TrialSeconds seconds;  // the only part that is not the same in every run
 };
+
+// The pose of the hand's base in the grasp of `trial`, in the frame O in which the object stood.
+Pose hand_in_scene(const Trial& trial);
 
 // Names of the two bodies whose collision ended a trial; empty where none did.
 struct Blame {

@@ -3,6 +3,7 @@
 
 #include "sim/base/settings.h"
 #include "sim/contact/surface_contact.h"
+#include "sim/formation/form_grasp.h"
 #include "sim/reach/reach.h"
 
 namespace prehend {
@@ -88,6 +89,7 @@ struct TrialOptions {
   // touching where it is: the motion may then end short of a contact, but never in a penetration.
   int max_gap_queries = 400;
   GapTrackerOptions gaps;
+  FormationOptions formation;  // whether the hand closes in time, and how
 
   // Largest gap that counts as touching [m]. The 10 % above contact_gap make the last step end:
   // steps of (gap - contact_gap) approach contact_gap without reaching it.
@@ -97,7 +99,7 @@ struct TrialOptions {
 template <SettingsOf<TrialOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [contact, contact_gap, obstacle_clearance, back_off_step, back_off_tries, soft_fingers,
-         settle, cone_edges, reach, max_gap_queries, gaps] = options;
+         settle, cone_edges, reach, max_gap_queries, gaps, formation] = options;
   visit("contact", contact);
   visit("contact_gap", contact_gap, kAbove0);
   visit("obstacle_clearance", obstacle_clearance, kAtLeast0);
@@ -109,6 +111,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("reach", reach);
   visit("max_gap_queries", max_gap_queries, kAtLeast1);
   visit("gaps", gaps);
+  visit("formation", formation);
 }
 
 }  // namespace prehend

@@ -33,6 +33,11 @@ OUTCOMES = (
     "approach_blocked",
     "unreachable",
     "arm_blocked",
+    "pushed_away",
+    "toppled",
+    "squeezed_out",
+    "dropped",
+    "not_simulated",
     "no_path",
 )
 

@@ -31,6 +31,11 @@ function legendRows() {
         [looks.weakest.color], 'weakest',
         'the disturbance that the grasp resists least: the arrow is its force, the ring its torque'
       ],
+      ...(data.grasps.some((grasp) => grasp.motion && grasp.motion.forces) ? [[
+        [looks.force.color], 'force',
+        'on the object in a contact; the longer the larger, its tip is where it acts'
+      ]] :
+                                                                             []),
       [[looks.center.color], 'centre of mass', 'torques are taken about it'],
       [looks.axes, 'frames', 'x, y and z axes of the object and of the hand'],
       [

@@ -7,6 +7,7 @@ const layerNames = {
   obstacles: 'obstacles',
   primitive: 'primitive',
   contacts: 'contacts',
+  forces: 'forces',
   weakest: 'weakest',
   center: 'centre of mass',
   frames: 'frames',
@@ -44,6 +45,8 @@ class Page {
   }
 
   summary() {
+    const {happened} = data.grasps[0] || {};
+    if (happened) return happened[happened.length - 1];
     const best = bestGrasp();
     const tried = data.candidates.in_all;
     if (best >= 0) {
@@ -86,6 +89,7 @@ class Page {
       frames: palette.axes[0],
       candidates: palette.outcomes.not_force_closure,
       contacts: palette.contact.color,
+      forces: palette.force.color,
       hand: palette.hard.color,
       obstacles: palette.obstacle.color
     };
@@ -131,6 +135,7 @@ class Page {
     this.list.select(i);
     showNumbers(grasp, i);
     showShake(grasp);
+    showHappenings(grasp);
     showContacts(grasp, (contact) => this.light(contact));
     if (!this.view) return;
     this.view.show(grasp);

@@ -4,6 +4,8 @@ function lookOfLink(link) {
   return link.material === 'rubber' ? data.palette.rubber : data.palette.hard;
 }
 
+const forceMaterial = new THREE.MeshPhongMaterial({color: data.palette.force.color});
+
 class SceneView {
   constructor(canvas) {
     this.canvas = canvas;
@@ -82,6 +84,9 @@ class SceneView {
     this.handAxes.visible = false;
     this.hand.root.add(this.handAxes);
     this.layer('hand', this.scene, this.hand.root);
+    if (data.grasps.some((grasp) => grasp.motion && grasp.motion.forces)) {
+      this.layer('forces', this.scene).applyMatrix(X_WO);
+    }
     if (arm) {
       this.arm = new RobotModel(arm, () => data.palette.arm);
       this.arm.setBase(matrixOf(arm.X));
@@ -131,33 +136,63 @@ class SceneView {
       this.hand.root.visible = motion !== null;
       const row = motion ? motionRow(motion, time) : null;
       if (this.arm) this.arm.setJoints(motion && motion.on_arm ? row : data.scene.arm.start);
-      if (row) this.poseHand(motion, row);
+      if (row) this.poseHand(motion, row, time);
       this.poseObject(motion, time);
+      if (this.layers.forces) this.showForces(motion, time);
     }
     this.ask();
   }
 
-  poseHand(motion, row) {
+  poseHand(motion, row, time) {
     if (motion.on_arm) {
       const first = data.scene.arm.first_hand_joint;
       this.scene.updateMatrixWorld(true);
       this.hand.setBase(this.handMount.matrixWorld);
       this.hand.setJoints(row.slice(first));
     } else {
-      const X_OH = matrixOf([...row.slice(0, 3), ...motion.X_OH.slice(3)]);
+      const X_OH = motion.hands ? poseAt(motion.times, motion.hands, time) :
+                                  matrixOf([...row.slice(0, 3), ...motion.X_OH.slice(3)]);
       this.hand.setBase(X_WO.clone().multiply(X_OH));
       this.hand.setJoints(row.slice(3));
     }
   }
 
-  // Where it stands, or in the hand as it was grasped.
+  // Where it stands, or as a simulation says, or in the hand as it was grasped.
   poseObject(motion, time) {
     const X = X_WO.clone();
-    if (motion && motion.on_arm && time > motion.times[motion.grasp]) {
+    if (motion && motion.objects) {
+      X.multiply(poseAt(motion.times, motion.objects, time));
+      // Contacts and the weakest disturbance are those of the grasp, not of the way there.
+      const held = time >= motion.times[motion.grasp];
+      for (const name of ['contacts', 'weakest']) {
+        this.layers[name].children.forEach((mark) => {
+          mark.visible = held;
+        });
+      }
+    } else if (motion && motion.on_arm && time > motion.times[motion.grasp]) {
       const X_HO = new THREE.Matrix4().getInverse(matrixOf(motion.X_OH));
       X.copy(this.handMount.matrixWorld).multiply(X_HO);
     }
     X.decompose(this.objectFrame.position, this.objectFrame.quaternion, this.objectFrame.scale);
+  }
+
+  // The forces on the object in the last step before the time, the largest of the motion as long as
+  // the object's radius.
+  showForces(motion, time) {
+    const group = this.layers.forces;
+    group.traverse((node) => {
+      if (node.geometry) node.geometry.dispose();
+    });
+    group.remove(...group.children);
+    if (!motion || !motion.forces) return;
+    const numbers = motion.forces[rowBefore(motion.times, time)];
+    const scale = 1.2 * radius / largestForce(motion);
+    for (let i = 0; i + 5 < numbers.length; i += 6) {
+      const force = vectorOf(numbers.slice(i + 3)).multiplyScalar(scale);
+      const along = force.clone().setLength(Math.max(force.length(), 0.15 * radius));
+      const from = vectorOf(numbers.slice(i)).sub(along);  // its tip is where it acts
+      group.add(arrow(from, along, 0.02 * radius, forceMaterial));
+    }
   }
 
   // Highlights the contact with this index; -1 for none.
@@ -332,4 +367,27 @@ function motionRow(motion, time) {
   const span = times[i] - times[i - 1];
   const part = span > 0 ? (time - times[i - 1]) / span : 1;
   return rows[i].map((value, k) => rows[i - 1][k] + part * (value - rows[i - 1][k]));
+}
+
+function rowBefore(times, time) {
+  const next = times.findIndex((t) => t > time);
+  return next < 0 ? times.length - 1 : Math.max(0, next - 1);
+}
+
+function poseAt(times, poses, time) {
+  const i = rowBefore(times, time);
+  const next = Math.min(i + 1, times.length - 1);
+  const span = times[next] - times[i];
+  return matrixBetween(poses[i], poses[next], span > 0 ? (time - times[i]) / span : 0);
+}
+
+// Of all forces on the object in a motion [N].
+function largestForce(motion) {
+  let largest = 1e-9;
+  for (const numbers of motion.forces) {
+    for (let i = 0; i + 5 < numbers.length; i += 6) {
+      largest = Math.max(largest, vectorOf(numbers.slice(i + 3)).length());
+    }
+  }
+  return largest;
 }

@@ -39,7 +39,7 @@ function shareWords(grasp) {
 function verdict(grasp, i) {
   const best = bestGrasp();
   const holds = grasp.force_closure ? 'stable' : 'not_force_closure';
-  const color = data.palette.outcomes[grasp.outcome || holds];
+  const color = data.palette.outcomes[grasp.outcome] || data.palette.outcomes[holds];
   const name = grasp.outcome || (grasp.force_closure ? 'force closure' : 'no force closure');
   const known = data.outcomes.find((outcome) => outcome.name === grasp.outcome);
   const line = element(

@@ -54,8 +54,8 @@ TEST(ProtocolFile, WhatIsWrongIsNamed) {
   EXPECT_EQ(refusal(with_phase(R"({"kind": "hold", "duration": 0})")),
             "p.json: tests[0].phases[0].duration: must be above 0 (0)");
   EXPECT_EQ(refusal(with_phase(R"({"kind": "jump", "duration": 1})")),
-            "p.json: tests[0].phases[0].kind: must be one of settle, close, hold, lift, circle, "
-            "swing, turn, open (\"jump\")");
+            "p.json: tests[0].phases[0].kind: must be one of settle, approach, close, hold, lift, "
+            "circle, swing, turn, open (\"jump\")");
   EXPECT_EQ(refusal(with_phase(R"({"kind": "swing", "duration": 1, "amplitude": 1})")),
             "p.json: tests[0].phases[0].frequency: missing field");
   EXPECT_EQ(refusal(R"({"name": "p", "step": 10, "tests": []})"),

@@ -1,0 +1,15 @@
+// Closes the hand once in time, on an object that gives way, and judges the grasp that forms.
+#pragma once
+
+#include "sim/trial/grasp_at.h"
+
+namespace prehend {
+
+// As grasp_at, by simulation (form_grasp): the object has its weight, its support and its friction,
+// and the hand presses with its efforts. Sets X_OC besides. Where the object is not in the hand at
+// the end, the outcome says what became of it, and there are no contacts. Contacts and quality of
+// one that the hand drops while it rises are those of before. Throws Cancelled.
+void form_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
+             GraspWorkspace& workspace, Trial& trial, const RunContext& context = {});
+
+}  // namespace prehend
