@@ -67,7 +67,7 @@ struct SimulateCommand {
   std::string hand;                     // of a scene; empty: its own
   std::string protocol;                 // name or file; empty: the hand closes
   std::string test;                     // of the protocol; empty: the first
-  double seconds = 4.0;                 // for which the hand closes, without a protocol
+  double seconds = 5.0;                 // for which the hand closes, without a protocol
   std::optional<double> step;           // s; empty: the protocol's
   double every = 0.01;                  // s between recorded states
   std::vector<std::string> quantities;  // of states.csv; "all": all; empty: no such file

@@ -50,22 +50,28 @@ class FormationRun {
     return result.time;
   }
 
-  // Until everything rests, the object has left the hand for good, or the time is over. False where
-  // a step failed.
+  bool is_lost() const {
+    // One finger may push it to another, out of touch with both: it is then on its way for less
+    // than this [s].
+    constexpr double kOnItsWay = 0.3;
+    return watch_.alone_for(formation_.seconds) > kOnItsWay;
+  }
+
+  // Until everything rests, the object is lost, or the time is over. False where a step failed.
   bool wait(double seconds) {
     Resting resting;
     for (double time = 0.0; time < seconds - 1e-9;) {
       const double done = step(seconds - time);
       if (done == 0.0) return false;
       time += done;
-      if (resting.look(world_, hand_, done) || watch_.has_left()) break;
+      if (resting.look(world_, hand_, done) || is_lost()) break;
     }
     return true;
   }
 
   bool close() {
     set_hand_drives(closing_drives(*robot().model, hand_), hand_, robot());
-    return wait(options_.close) && !watch_.has_left();
+    return wait(options_.close) && !is_lost();
   }
 
   void lift() {

@@ -24,6 +24,14 @@ std::vector<Press> presses_on_object(const World& world) {
   return presses;
 }
 
+// Also of contacts that bear nothing: an object without weight that is pushed along at a constant
+// speed presses on nothing.
+bool is_near_hand(const World& world, const WorldHand& hand) {
+  return std::any_of(world.contacts.begin(), world.contacts.end(), [&](const WorldContact& c) {
+    return (c.a == kObjectSolid && hand.has(c.b)) || (c.b == kObjectSolid && hand.has(c.a));
+  });
+}
+
 bool grips(const std::vector<Press>& presses, const WorldHand& hand, double opposed) {
   for (std::size_t i = 0; i < presses.size(); ++i) {
     if (!hand.has(presses[i].by)) continue;
@@ -79,6 +87,8 @@ void ObjectWatch::look(const World& world, double time) {
   if (touches_) {
     last_link_ = name_of(world, first->by);
     note(ObjectEventKind::touched, time, last_link_);
+  }
+  if (is_near_hand(world, hand_)) {
     alone_since_.reset();
     // Back in the hand.
     std::erase_if(events_,
@@ -101,6 +111,11 @@ void ObjectWatch::look(const World& world, double time) {
     note(ObjectEventKind::left, *alone_since_, last_link_);
   }
   if (rise < -options_.fell) note(ObjectEventKind::fell, time);
+}
+
+double ObjectWatch::alone_for(double time) const {
+  const bool counts = alone_since_ && happened(ObjectEventKind::touched);
+  return counts ? time - *alone_since_ : 0.0;
 }
 
 ObjectEnd ObjectWatch::end() const {

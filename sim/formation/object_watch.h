@@ -83,7 +83,7 @@ struct ObjectWatchOptions {
   double tilted = 0.79;
   double sank = 2e-3;
   double fell = 0.02;  // and as fallen from this way down on [m]
-  // No link of the hand touches it for so long: it has left the hand [s].
+  // No link of the hand is near it (as contacts are found) for so long: it has left the hand [s].
   double left = 0.05;
 };
 
@@ -97,7 +97,9 @@ class ObjectWatch {
   void look(const World& world, double time);
 
   const std::vector<ObjectEvent>& events() const { return events_; }
-  bool has_left() const { return happened(ObjectEventKind::left) && !touches_; }
+  bool has_left() const { return happened(ObjectEventKind::left); }
+  // For how long no link of the hand has been near it, 0 before it was touched [s].
+  double alone_for(double time) const;
   ObjectEnd end() const;
 
  private:
