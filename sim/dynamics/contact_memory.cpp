@@ -14,11 +14,6 @@ HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
   return {.p_A = contact.position, .p_B = X_BA * on_b, .normal_A = contact.normal};
 }
 
-// How far two contacts are from being the same.
-double difference(const HeldContact& a, const HeldContact& b, double arm) {
-  return (a.p_A - b.p_A).norm() + arm * (a.normal_A - b.normal_A).norm();
-}
-
 // The nearest contact first, then again and again the one that differs most from all that are
 // chosen. `contacts` are sorted by gap, so that the nearest of several equal ones is chosen.
 std::vector<HeldContact> spread(const std::vector<HeldContact>& contacts,
@@ -60,6 +55,10 @@ void take_over(const std::vector<HeldContact>& before, double arm,
 }
 
 }  // namespace
+
+double difference(const HeldContact& a, const HeldContact& b, double arm) {
+  return (a.p_A - b.p_A).norm() + arm * (a.normal_A - b.normal_A).norm();
+}
 
 void stick_here(const Pose& X_AB, HeldContact& contact) {
   const double gap = contact.normal_A.dot(contact.p_A - X_AB * contact.p_B);

@@ -30,6 +30,9 @@ struct HeldContact {
       false;  // in the last step; else it sticks where p_A and p_B were opposite each other
 };
 
+// How far two contacts of a pair are from being the same: in place, and in normal times `arm` [m].
+double difference(const HeldContact& a, const HeldContact& b, double arm);
+
 // Sticks, or slides, from where the solids are now: p_B becomes the point of b opposite to p_A.
 void stick_here(const Pose& X_AB, HeldContact& contact);
 
@@ -40,6 +43,7 @@ struct PairMemory {
   Pose X_AB = Pose::Identity();  // when it was looked at
   double at_least = 0.0;  // the gap was at least this [m]; where contacts are held, of all others
   std::vector<HeldContact> contacts = {};
+  double gap = 0.0;  // where contacts are held: that of the surfaces was at least this [m]
   // The surfaces cross by a little: contacts cannot be found, and those held push them apart.
   bool crosses = false;
 };

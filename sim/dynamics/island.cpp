@@ -113,11 +113,12 @@ class IslandStep {
     return motion_.first[static_cast<std::size_t>(place - island_.movers.begin())];
   }
 
-  // How fast the contact may close, or has to open: an impact gives back a part of its velocity, by
-  // Newton's law.
+  // How fast the contact may close, or has to open: an impact of a link gives back a part of its
+  // velocity, by Newton's law. Those of bodies are over (impacts.h).
   double approach_of(const Solid& a, const Solid& b, const PlacedContact& at) const {
     const double closing = at.directions[0].dot(b.velocity_at(at.p_W) - a.velocity_at(at.p_W));
-    const double restitution = std::max(a.restitution, b.restitution);
+    const bool of_robot = a.id.robot >= 0 || b.id.robot >= 0;
+    const double restitution = of_robot ? std::max(a.restitution, b.restitution) : 0.0;
     const double room = (at.gap - options_.rest_gap) / time_;
     if (restitution > 0.0 && closing > options_.slowest_bounce && closing > room) {
       return -restitution * closing;

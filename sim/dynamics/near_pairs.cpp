@@ -130,6 +130,7 @@ class PairSearch {
   void touch(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, const Gap& gap,
              double range, PairMemory& pair) {
     pair.crosses = gap.upper == 0.0;
+    pair.gap = gap.lower;
     if (!pair.crosses) {
       search_contacts(a, b, X_AB, range, options_.contacts, workspace_, pair);
       if (pair.contacts.empty()) pair.contacts = {nearest_contact(a, b, X_AB, gap.pair)};

@@ -22,6 +22,9 @@ void require_body(const WorldBody& body) {
   }
   const std::string defect = inertia_defect(body.inertial.inertia);
   if (!defect.empty()) throw InputError({.field = body.name, .problem = defect});
+  if (!(body.inertial.inertia.determinant() > 0.0)) {
+    throw InputError({.field = body.name, .problem = "needs an inertia about every axis to move"});
+  }
   if (!(body.restitution >= 0.0 && body.restitution <= 1.0)) {
     throw InputError({.field = body.name,
                       .problem = "restitution must be from 0 to 1",
@@ -36,12 +39,25 @@ void require_drive(const WorldRobot& robot, const Drive& drive) {
   if (drive.dof < 0 || drive.dof >= robot.model->dofs()) {
     fail("has no degree of freedom for a drive", drive.dof);
   }
+  if (!std::isfinite(drive.stiffness) || !std::isfinite(drive.damping)) {
+    fail("a drive's gains must be finite", drive.stiffness);
+  }
   if (!(drive.stiffness >= 0.0)) fail("a drive's stiffness must not be negative", drive.stiffness);
   if (!(drive.damping >= 0.0)) fail("a drive's damping must not be negative", drive.damping);
   if (!(drive.max_effort >= 0.0)) fail("a drive's effort must not be negative", drive.max_effort);
   if (!std::isfinite(drive.target) || !std::isfinite(drive.target_rate)) {
     fail("a drive's target must be finite", drive.target);
   }
+}
+
+void require_robot(const WorldRobot& robot) {
+  const bool is_finite = robot.X_WB.matrix().allFinite() && robot.base_angular.allFinite() &&
+                         robot.base_linear.allFinite() && robot.x.allFinite() &&
+                         robot.rate.allFinite() && robot.effort.allFinite();
+  if (!is_finite) {
+    throw InputError({.field = robot.name, .problem = "has a motion or effort that is not finite"});
+  }
+  for (const Drive& drive : robot.drives) require_drive(robot, drive);
 }
 
 std::string name_of(const World& world, const SolidId& id) {
@@ -62,9 +78,7 @@ void require_world(const World& world, const StepOptions& options) {
     throw InputError({.field = "gravity", .problem = "must be finite"});
   }
   for (const WorldBody& body : world.bodies) require_body(body);
-  for (const WorldRobot& robot : world.robots) {
-    for (const Drive& drive : robot.drives) require_drive(robot, drive);
-  }
+  for (const WorldRobot& robot : world.robots) require_robot(robot);
   const Solids solids(world);
   ContactMemory memory;
   find_near(solids, nullptr, world, options.step, options, memory);

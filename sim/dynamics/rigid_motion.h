@@ -24,9 +24,10 @@ Matrix3 inertia_in_world(const Inertial& inertial, const Pose& X_WB);
 Pose carried(const Inertial& inertial, const RigidMotion& motion, double time);
 
 // The mean angular velocity of a body that turns freely for `time`: with it, carried() keeps the
-// angular momentum exactly and the energy to second order, with an error that does not grow (the
-// implicit midpoint rule on rotations; Hairer, Lubich and Wanner 2006, Geometric Numerical
-// Integration, section IV.8). `momentum`: about the centre of mass, world axes [N m s].
+// angular momentum exactly and the energy to second order, with an error that does not grow: turns
+// about the principal axes one after the other, in parts of the step that turn little each (a
+// symplectic splitting; Hairer, Lubich and Wanner 2006, Geometric Numerical Integration, section
+// VII.5). `momentum`: about the centre of mass, world axes [N m s]. `time` > 0.
 Vector3 free_angular_velocity(const Inertial& inertial, const Pose& X_WB, const Vector3& momentum,
                               double time);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/index.h"
-#include "sim/base/input_error.h"
+#include "sim/dynamics/crossings.h"
 #include "sim/dynamics/impacts.h"
 #include "sim/dynamics/island.h"
 #include "sim/dynamics/joint_conditions.h"
@@ -50,12 +50,12 @@ void move_body(const Eigen::Ref<const Vector6>& velocity, double time, WorldBody
   const Vector3 before = inertia * body.motion.angular;
   const Vector3 free = free_angular_velocity(body.inertial, body.motion.X_WB, before, time);
   const Vector3 turning = velocity.head<3>();
-  const Vector3 pushed = inertia * (turning - free);
+  const Vector3 momentum = before + inertia * (turning - free);
   body.motion.angular = turning;
   body.motion.linear = velocity.tail<3>();
   body.motion.X_WB = carried(body.inertial, body.motion, time);
   const Matrix3 inertia_after = inertia_in_world(body.inertial, body.motion.X_WB);
-  body.motion.angular = inertia_after.ldlt().solve(before + pushed);
+  body.motion.angular = inertia_after.ldlt().solve(momentum);
 }
 
 void move_base(double time, WorldRobot& robot) {
@@ -76,31 +76,20 @@ class WorldStep {
   StepResult run() {
     result_.time = find_near(solids_, nullptr, world_, options_.step, options_, world_.memory);
     if (result_.time < options_.step) ++result_.shortened;
-    if (resolve_impacts(world_, result_.time, options_)) {
-      solids_ = Solids(world_);
-      for (std::size_t i = 0; i < world_.bodies.size(); ++i)
-        hit_.bodies[i] = world_.bodies[i].motion;
-    }
-    for (bool looked_again = false; result_.time >= options_.shortest * options_.step;) {
+    bounce();
+    while (result_.time >= options_.shortest * options_.step) {
       solve();
       if (!all_finite()) return ended(StepOutcome::not_finite);
       move();
       const Solids after(world_);
       const bool met = may_have_met(after, world_.memory);
-      if (!met && !crosses(after)) return finished(after);
-      if (!met && looked_again && accepts_crossings(after)) return finished(after);
+      const std::vector<Crossing> crossings =
+          met ? std::vector<Crossing>{} : crossings_of(world_.memory, solids_, after, options_);
+      if (!met && crossings.empty()) return finished(after);
+      if (!met && looked_again_ && accepts(crossings, after)) return finished(after);
       set_motions(hit_, world_);
-      ++result_.shortened;
-      // What the step sets in motion may need more room than what moved before: once, contacts are
-      // looked for with the new speeds. After that only a shorter step helps.
-      const double shorter = 0.5 * result_.time;
-      if (!looked_again) {
-        result_.time = std::min(result_.time, find_near(solids_, &after, world_, result_.time,
-                                                        options_, world_.memory));
-        looked_again = true;
-      } else {
-        result_.time = shorter;
-      }
+      if (!met && keep_apart(crossings)) continue;
+      shorten(after);
     }
     return ended(StepOutcome::blocked);
   }
@@ -111,6 +100,12 @@ class WorldStep {
     result_.outcome = outcome;
     result_.time = 0.0;
     return result_;
+  }
+
+  void bounce() {
+    if (!resolve_impacts(world_, result_.time, options_)) return;
+    solids_ = Solids(world_);
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) hit_.bodies[i] = world_.bodies[i].motion;
   }
 
   bool rests(const Island& island) const {
@@ -161,46 +156,48 @@ class WorldStep {
     }
   }
 
-  // Whether the surfaces of a pair that was in contact cross now, which they did not before. While
-  // what is known of their contacts still holds and keeps them apart, they do not.
-  bool crosses(const PairMemory& pair, const Solids& after) const {
-    constexpr double kEnough = 0.2;  // of the gap at rest
-    if (pair.contacts.empty() || pair.crosses) return false;
-    const Solid& a = after.at(pair.a);
-    const Solid& b = after.at(pair.b);
-    const bool holds = moved_since(pair, after) <= options_.contacts.refresh;
-    if (holds && smallest_gap(pair, a, b) > kEnough * options_.rest_gap) return false;
-    return surfaces_cross(a.shape->mesh, b.shape->mesh, a.X_WS.inverse() * b.X_WS);
-  }
-
-  bool crosses(const Solids& after) const {
-    return std::any_of(world_.memory.pairs.begin(), world_.memory.pairs.end(),
-                       [&](const PairMemory& pair) { return crosses(pair, after); });
-  }
-
-  // Where a feature is in the way that no contact stands for, shorter steps do not help: once
-  // surfaces cannot cross by more than `shallow` in the step, they may, and are pushed apart.
-  bool accepts_crossings(const Solids& after) {
-    std::vector<PairMemory*> crossing;
-    for (PairMemory& pair : world_.memory.pairs) {
-      if (!crosses(pair, after)) continue;
-      const Solid& a = after.at(pair.a);
-      const Solid& b = after.at(pair.b);
-      if (result_.time * closing_speed(a, b) > options_.shallow) return false;
-      crossing.push_back(&pair);
+  // Where features crossed that no contact stands for, contacts are added that do: whether there
+  // are any.
+  bool keep_apart(const std::vector<Crossing>& crossings) {
+    constexpr int kMostRounds = 8;
+    if (rounds_ == kMostRounds) return false;
+    bool added = false;
+    for (const Crossing& crossing : crossings) {
+      PairMemory& pair = world_.memory.pairs[crossing.pair];
+      added = add_contacts(crossing, solids_, options_.contacts, pair) || added;
     }
-    for (PairMemory* pair : crossing) pair->crosses = true;
-    result_.crossings += static_cast<int>(crossing.size());
+    if (!added) return false;
+    ++rounds_;
+    bounce();
     return true;
   }
 
-  static double smallest_gap(const PairMemory& pair, const Solid& a, const Solid& b) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const HeldContact& contact : pair.contacts) {
-      const Vector3 between = a.X_WS * contact.p_A - b.X_WS * contact.p_B;
-      least = std::min(least, (a.X_WS.linear() * contact.normal_A).dot(between));
+  // What the step sets in motion may need more room than what moved before: once, contacts are
+  // looked for with the new speeds. After that only a shorter step helps.
+  void shorten(const Solids& after) {
+    ++result_.shortened;
+    if (looked_again_) {
+      result_.time *= 0.5;
+    } else {
+      result_.time = std::min(
+          result_.time, find_near(solids_, &after, world_, result_.time, options_, world_.memory));
+      looked_again_ = true;
     }
-    return least;
+    rounds_ = 0;
+  }
+
+  // Where shorter steps do not help: once surfaces cannot cross by more than `shallow` in the step,
+  // they may, and are pushed apart.
+  bool accepts(const std::vector<Crossing>& crossings, const Solids& after) {
+    for (const Crossing& crossing : crossings) {
+      const PairMemory& pair = world_.memory.pairs[crossing.pair];
+      if (pair.crosses) return false;
+      const double speed = closing_speed(after.at(pair.a), after.at(pair.b));
+      if (result_.time * speed > options_.shallow) return false;
+    }
+    for (const Crossing& crossing : crossings) world_.memory.pairs[crossing.pair].crosses = true;
+    result_.crossings += static_cast<int>(crossings.size());
+    return true;
   }
 
   StepResult finished(const Solids& after) {
@@ -283,6 +280,8 @@ class WorldStep {
   Motions hit_;    // with the velocities after impacts
   Solids solids_;  // before the step, after impacts
   StepResult result_;
+  bool looked_again_ = false;    // for contacts, with the speeds after a first try
+  int rounds_ = 0;               // in which contacts were added, of this length of the step
   std::vector<Island> islands_;  // those that move
   std::vector<IslandMotion> motions_;
 };

@@ -1,6 +1,8 @@
 // What the program says to a caller's mistake: one line that names file, field and value, status 2,
 // and nothing in --out.
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +102,69 @@ INSTANTIATE_TEST_SUITE_P(
                 R"({"scene": "mug", "grasps": []})", "none to draw"},
         Mistake{"InspectNothing", "inspect FOLDER/none.stl", "", "none.stl"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
+
+// A protocol with some fields, and one phase that would be fine.
+std::string protocol_with(const std::string& fields) {
+  return R"({"name": "p", )" + fields +
+         R"(, "tests": [{"name": "t", "phases": [{"kind": "hold", "duration": 1}]}]})";
+}
+
+// A robot of one joint, with fields of its link and of its joint.
+std::string robot_with(const std::string& of_link, const std::string& of_joint) {
+  return R"({"name": "lever", "units": {"length": "m", "angle": "rad", "angular_velocity": "rad/s"},
+    "base": {"name": "foot", "material": "metal",
+             "geometry": [{"shape": "box", "size": [0.1, 0.1, 0.1]}]},
+    "chains": [{"name": "arm",
+      "joints": [{"name": "hinge", "type": "revolute", "theta": 0, "d": 0, "a": 0, "alpha": 0,
+                  "limits": [-1, 1])" +
+         of_joint + R"(}],
+      "links": [{"name": "rod", "joint": "hinge", "material": "metal",
+                 "geometry": [{"shape": "box", "size": [0.1, 0.1, 0.1]}])" +
+         of_link + R"(}]}],
+    "dofs": [{"name": "turn", "drives": [{"joint": "hinge"}], "closing_velocity": 0}]})";
+}
+
+struct BadMotion {
+  const char* name;
+  std::string words;
+  std::string file;
+  const char* complaint;
+};
+
+// What would be moved: masses, inertias, efforts, and how grasps are shaken.
+TEST(BadMotions, OneLineAndNothingWritten) {
+  const std::string shake = "plan mug --shake FOLDER/in.json --out FOLDER/out";
+  const std::string scene = "plan FOLDER/in.json --out FOLDER/out";
+  const std::string robot = "inspect FOLDER/in.json";
+  const std::string mass = R"(, "mass": 1, "center_of_mass": [0, 0, 0], "inertia": )";
+  for (const BadMotion& bad : std::vector<BadMotion>{
+           {"unknown field", shake, protocol_with(R"("wobble": 1)"), "wobble: unknown field"},
+           {"step of 10 s", shake, protocol_with(R"("step": 10)"), "step: must be at most 0.1 s"},
+           {"step of 0 s", shake, protocol_with(R"("step": 0)"), "step: must be above 0"},
+           {"no mass", shake, protocol_with(R"("object": {"mass": 0})"), "object.mass"},
+           {"negative mass", shake, protocol_with(R"("object": {"mass": -1})"), "object.mass"},
+           {"negative friction", shake, protocol_with(R"("friction": -1)"), "friction"},
+           {"unknown protocol", "plan mug --shake earthquake --out FOLDER/out", "", "earthquake"},
+           {"scene's mass", scene, R"({"object": {"generate": "mug", "mass": -1}})", "object.mass"},
+           {"scene's no mass", scene, R"({"object": {"generate": "mug", "mass": 0}})",
+            "object.mass"},
+           {"link's mass", robot, robot_with(R"(, "mass": -1)", ""), "mass: must be positive"},
+           {"link's no mass", robot, robot_with(R"(, "mass": 0)", ""), "mass: must be positive"},
+           {"inertia of no body", robot, robot_with(mass + "[[1, 0, 0], [0, 1, 0], [0, 0, 3]]", ""),
+            "inertia"},
+           {"negative inertia", robot, robot_with(mass + "[[-1, 0, 0], [0, 1, 0], [0, 0, 1]]", ""),
+            "inertia"},
+           {"negative effort", robot, robot_with("", R"(, "effort": -1)"), "effort"},
+           {"negative joint friction", robot, robot_with("", R"(, "friction": {"viscous": -1})"),
+            "friction.viscous"},
+       }) {
+    SCOPED_TRACE(bad.name);
+    const std::filesystem::path folder = fresh_folder("bad_motion");
+    std::ofstream(folder / "in.json") << bad.file;
+    expect_refused(run_program(with_folder(bad.words, folder)), bad.complaint);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  }
+}
 
 TEST(BadOutput, AFolderThatCannotBeMadeIsNamed) {
   const std::filesystem::path folder = fresh_folder("bad_out");

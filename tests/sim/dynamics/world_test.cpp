@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -124,7 +125,23 @@ TEST(World, WhatCannotBeSteppedIsRefused) {
   require_world(world);
   world.bodies[1].inertial.mass = -1.0;
   EXPECT_EQ(test::refusal_of([&] { require_world(world); }).field(), "box");
-  EXPECT_EQ(test::refusal_of([&] { require_world(world, {.step = 10.0}); }).field(), "step");
+  for (const double step : {10.0, 0.0, -1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(test::refusal_of([&] { require_world(world, {.step = step}); }).field(), "step");
+  }
+  const WorldBody good = box("box", {0.1, 0.1, 0.1}, 1.0, {0.0, 0.0, 0.2});
+  const auto refuses = [&](const auto& change) {
+    world.bodies[1] = good;
+    require_world(world);
+    change(world.bodies[1]);
+    EXPECT_EQ(test::refusal_of([&] { require_world(world); }).field(), "box");
+  };
+  refuses([](WorldBody& body) { body.inertial.mass = 0.0; });
+  refuses([](WorldBody& body) { body.inertial.mass = std::numeric_limits<double>::infinity(); });
+  // No body has a moment larger than the sum of the other two, nor is one without extent turned.
+  refuses([](WorldBody& body) { body.inertial.inertia = Vector3(1.0, 1.0, 3.0).asDiagonal(); });
+  refuses([](WorldBody& body) { body.inertial.inertia = Vector3(1.0, 1.0, 0.0).asDiagonal(); });
+  refuses([](WorldBody& body) { body.restitution = 1.5; });
+  refuses([](WorldBody& body) { body.motion.linear.x() = std::nan(""); });
 }
 
 }  // namespace
