@@ -4,6 +4,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/dynamics/scene_world.h"
 
 namespace prehend {
 namespace {
@@ -25,12 +26,14 @@ Inertial object_inertial(const GraspableBody& object, const ProtocolObject& aske
 
 void set_laws(const CompiledScene& scene, const RobotModel& hand, const Protocol& protocol,
               ContactLaws& laws) {
-  laws.friction = scene.scene.friction;
-  laws.compliant_depths = scene.scene.compliant_depths;
+  laws = laws_of(scene.scene);
   laws.torsion = protocol.torsion;
   if (!protocol.friction) return;
   for (const Material material : hand.materials) {
     laws.friction.set(material, scene.scene.object.material, *protocol.friction);
+    if (laws.kinetic) {
+      laws.kinetic->set(material, scene.scene.object.material, *protocol.friction);
+    }
   }
 }
 
@@ -52,6 +55,7 @@ World make_grasp_world(const CompiledScene& scene, const std::shared_ptr<const R
   WorldBody body{object.name, scene.object(), object.material};
   body.inertial = object_inertial(object, protocol.object);
   body.motion.X_WB = object.X_WO;
+  body.restitution = object.restitution;
   world.bodies.push_back(std::move(body));
   if (protocol.on_support) {
     for (std::size_t i = 0; i < scene.scene.obstacles.size(); ++i) {
@@ -59,6 +63,7 @@ World make_grasp_world(const CompiledScene& scene, const std::shared_ptr<const R
       WorldBody fixed{obstacle.name, scene.obstacles()[i], obstacle.material};
       fixed.is_fixed = true;
       fixed.motion.X_WB = obstacle.X_WB;
+      fixed.restitution = obstacle.restitution;
       world.bodies.push_back(std::move(fixed));
     }
   }
