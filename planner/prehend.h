@@ -70,8 +70,10 @@
 //   shake.h               one grasp under a protocol, and what became of it
 //   protocol_file.h       protocols from files and from the library
 //   world.h               bodies and robots that move, step by step
+//   scene_bodies.h        a scene's bodies in a world, and how they touch
 //   controller.h          what drives a robot: a function from its state to efforts
 //   joint_controllers.h   PD, gravity compensation and computed torque
+//   stated_gains.h        gains, efforts and set points as a robot's file states them
 //   wrist_impedance.h     an arm whose wrist gives way like a spring
 //   joint_motion.h        what a controller follows: a trajectory, or one posture
 //   run_controlled.h      a world run with controllers, and how that ended
@@ -113,9 +115,11 @@
 #include "sim/control/joint_controllers.h"
 #include "sim/control/joint_motion.h"
 #include "sim/control/run_controlled.h"
+#include "sim/control/stated_gains.h"
 #include "sim/control/time_path.h"
 #include "sim/control/trajectory.h"
 #include "sim/control/wrist_impedance.h"
+#include "sim/dynamics/scene_bodies.h"
 #include "sim/dynamics/world.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/make_mesh.h"

@@ -175,20 +175,24 @@ void MjcfWriter::write_joint(std::size_t j) {
   const Joint& joint = hand_.joints[j];
   const bool slides = joint.type == JointType::prismatic;
   const Pose X_AJ = joint.X_JA.inverse();
-  xml_.element(
-      "joint",
-      {{"name", joint.name},
-       {"type", slides ? "slide" : "hinge"},
-       {"pos", vector_text(Vector3(slides ? Vector3::Zero() : Vector3(X_AJ.translation())))},
-       {"axis", vector_text(Vector3(X_AJ.linear() * joint.axis))},
-       {"limited", "true"},
-       {"range", numbers_text({joint.lower, std::max(joint.upper, joint.lower + 1e-9)})},
-       {"solreflimit", contact_time()},
-       {"ref", number_text(grasp_.closed_joints[j])},
-       {"damping", number_text(damping(j))},
-       {"frictionloss", number_text(joint.friction.coulomb)},
-       {"armature", number_text(std::max(slides ? options_.slide_inertia : options_.turn_inertia,
-                                         damping(j) * options_.drive_time))}});
+  XmlAttributes attributes = {
+      {"name", joint.name},
+      {"type", slides ? "slide" : "hinge"},
+      {"pos", vector_text(Vector3(slides ? Vector3::Zero() : Vector3(X_AJ.translation())))},
+      {"axis", vector_text(Vector3(X_AJ.linear() * joint.axis))},
+      {"limited", "true"},
+      {"range", numbers_text({joint.lower, std::max(joint.upper, joint.lower + 1e-9)})},
+      {"solreflimit", contact_time()},
+      {"ref", number_text(grasp_.closed_joints[j])},
+      {"damping", number_text(damping(j))},
+      {"frictionloss", number_text(joint.friction.coulomb)},
+      {"armature", number_text(std::max(slides ? options_.slide_inertia : options_.turn_inertia,
+                                        damping(j) * options_.drive_time))}};
+  if (joint.spring.stiffness > 0.0) {
+    attributes.emplace_back("stiffness", number_text(joint.spring.stiffness));
+    attributes.emplace_back("springref", number_text(joint.spring.rest));
+  }
+  xml_.element("joint", attributes);
   joint_order_.push_back(j);
 }
 

@@ -15,11 +15,14 @@
 namespace prehend {
 namespace {
 
-// What the file says of the joint's drive and friction; no line where it says nothing.
+// What the file says of the joint's drive, friction and spring; no line where it says nothing.
 void print_drive(const Joint& joint) {
   const bool turns = joint.type == JointType::revolute;
   const JointFriction& friction = joint.friction;
-  if (joint.max_effort == 0.0 && friction.coulomb == 0.0 && friction.viscous == 0.0) return;
+  const bool springs = joint.spring.stiffness > 0.0;
+  if (joint.max_effort == 0.0 && friction.coulomb == 0.0 && friction.viscous == 0.0 && !springs) {
+    return;
+  }
   const char* separator = "";
   std::printf("%29s", "");
   if (joint.max_effort > 0.0) {
@@ -33,6 +36,29 @@ void print_drive(const Joint& joint) {
   if (friction.viscous > 0.0) {
     std::printf("%sviscous friction %.4g %s", separator, friction.viscous,
                 turns ? "N m s/rad" : "N s/m");
+    separator = ", ";
+  }
+  if (springs) {
+    std::printf("%sspring %.4g %s about %.4g", separator, joint.spring.stiffness,
+                turns ? "N m/rad" : "N/m", joint.spring.rest);
+  }
+  std::printf("\n");
+}
+
+// The gains that the file states; no line where it states none.
+void print_gains(const Robot& robot, std::size_t dof) {
+  const DegreeOfFreedom& motion = robot.dofs[dof];
+  if (!motion.stiffness && !motion.damping) return;
+  const bool turns = std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) {
+    return joint.dof == static_cast<int>(dof) && joint.type == JointType::revolute;
+  });
+  std::printf("%29sgains:", "");
+  if (motion.stiffness) {
+    std::printf(" stiffness %.4g %s%s", *motion.stiffness, turns ? "N m/rad" : "N/m",
+                motion.damping ? "," : "");
+  }
+  if (motion.damping) {
+    std::printf(" damping %.4g %s", *motion.damping, turns ? "N m s/rad" : "N s/m");
   }
   std::printf("\n");
 }
@@ -47,9 +73,11 @@ void print_parts(const Robot& robot) {
                 robot.dofs[static_cast<std::size_t>(joint.dof)].name.c_str(), joint.ratio);
     print_drive(joint);
   }
-  for (const DegreeOfFreedom& dof : robot.dofs) {
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    const DegreeOfFreedom& dof = robot.dofs[d];
     std::printf("  dof   %-20s from %9.4f to %9.4f, closes at %g\n", dof.name.c_str(), dof.lower,
                 dof.upper, dof.closing_velocity);
+    print_gains(robot, d);
   }
   for (const Link& link : robot.links) {
     const Vector3 size = kMillimetres * bounds(link.mesh).size();

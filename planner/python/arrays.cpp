@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
+
+#include "sim/geometry/make_mesh.h"
 
 namespace prehend::python {
 namespace {
@@ -94,6 +97,11 @@ TriangleMesh mesh_of(const Doubles& vertices, const Integers& faces) {
     mesh.triangles.push_back({row[0], row[1], row[2]});
   }
   return mesh;
+}
+
+TriangleMesh cleaned_mesh(const Doubles& vertices, const Integers& faces) {
+  TriangleMesh raw = mesh_of(vertices, faces);
+  return make_mesh(std::move(raw.vertices), std::move(raw.triangles));
 }
 
 Doubles to_array(const Pose& pose) {

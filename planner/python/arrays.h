@@ -29,6 +29,9 @@ std::vector<double> numbers_of(const Doubles& array);                  // N
 Eigen::MatrixXd matrix_of(const Doubles& array);                       // rows x columns
 TriangleMesh mesh_of(const Doubles& vertices, const Integers& faces);  // V x 3, F x 3
 
+// The same as the contents of a mesh file: equal vertices are joined and triangles turned outward.
+TriangleMesh cleaned_mesh(const Doubles& vertices, const Integers& faces);
+
 Doubles to_array(const Pose& pose);                    // 4 x 4
 Doubles to_array(const std::vector<Pose>& poses);      // N x 4 x 4
 Doubles to_array(const Vector3& vector);               // 3

@@ -7,7 +7,6 @@
 #include "planner/python/scene_handle.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
-#include "sim/geometry/make_mesh.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/mesh_repair.h"
 #include "sim/mesh_files/mesh_file.h"
@@ -21,13 +20,6 @@ namespace {
 
 py::tuple mesh_tuple(const TriangleMesh& mesh) {
   return py::make_tuple(to_array(mesh.vertices), to_array(mesh.triangles));
-}
-
-// Arrays are treated as the contents of a mesh file: equal vertices are joined and triangles turned
-// outward.
-TriangleMesh cleaned(const Doubles& vertices, const Integers& faces) {
-  TriangleMesh raw = mesh_of(vertices, faces);
-  return make_mesh(std::move(raw.vertices), std::move(raw.triangles));
 }
 
 py::tuple load_mesh_in_python(const std::string& file, const std::string& unit) {
@@ -49,7 +41,7 @@ SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
                                  const std::string& material, double mass, bool repair) {
   require(mass > 0.0,
           {.field = "mass", .problem = "must be positive", .value = std::to_string(mass)});
-  TriangleMesh mesh = cleaned(vertices, faces);
+  TriangleMesh mesh = cleaned_mesh(vertices, faces);
   std::vector<std::string> notes;
   if (repair) {
     MeshRepair repaired = repair_mesh(mesh);
@@ -67,7 +59,8 @@ SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
 void add_obstacle_in_python(SceneHandle& self, const std::string& name, const Doubles& vertices,
                             const Integers& faces, const Doubles& X_WB,
                             const std::string& material) {
-  add_obstacle(self.scene, name, cleaned(vertices, faces), pose_of(X_WB), material_named(material));
+  add_obstacle(self.scene, name, cleaned_mesh(vertices, faces), pose_of(X_WB),
+               material_named(material));
   self.origin = {};
 }
 
@@ -180,8 +173,10 @@ void bind_scene_class(py::module_& core) {
              self.origin = {};
            })
       .def("set_friction",
-           [](SceneHandle& self, const std::string& a, const std::string& b, double friction) {
+           [](SceneHandle& self, const std::string& a, const std::string& b, double friction,
+              std::optional<double> kinetic) {
              self.scene.friction.set(material_named(a), material_named(b), friction);
+             self.scene.kinetic_friction.set(material_named(a), material_named(b), kinetic);
              self.origin = {};
            })
       .def("friction",

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/input_error.h"
+#include "sim/dynamics/joint_springs.h"
 
 namespace prehend {
 namespace {
@@ -18,7 +19,7 @@ double angular(double frequency) {
   return 2.0 * std::acos(-1.0) * frequency;
 }
 
-void require_gains(const RobotModel& model, const std::string& name, const Eigen::VectorXd& gains) {
+void require_gain(const RobotModel& model, const std::string& name, const Eigen::VectorXd& gains) {
   if (gains.size() != model.dofs()) {
     throw InputError({model.robot.name, name, "must have a number for each degree of freedom",
                       std::to_string(gains.size())});
@@ -38,14 +39,19 @@ RobotSurroundings surroundings(const ControlState& state) {
   return around;
 }
 
-// The efforts of the degrees of freedom that give its coordinates the accelerations.
+// The efforts of the degrees of freedom that give its coordinates the accelerations. Springs act in
+// a step as they are at its end.
 Eigen::VectorXd efforts_for(const ControlState& state, const Eigen::VectorXd& rate,
                             const Eigen::VectorXd& acceleration) {
   const WorldRobot& robot = state.robot;
   const RobotModel& model = *robot.model;
+  const Eigen::VectorXd q = joints_of(robot);
+  const Eigen::VectorXd next =
+      q + state.step * (model.joints_of * (rate + state.step * acceleration));
   const Eigen::VectorXd joints =
-      model.dynamics.inverse(joints_of(robot), model.joints_of * rate,
-                             model.joints_of * acceleration, surroundings(state));
+      model.dynamics.inverse(q, model.joints_of * rate, model.joints_of * acceleration,
+                             surroundings(state)) -
+      spring_efforts(model.robot, next);
   const Eigen::VectorXd efforts =
       model.joints_of.transpose() * joints + model.drive_inertia.cwiseProduct(acceleration);
   return efforts.head(model.dofs());
@@ -53,18 +59,26 @@ Eigen::VectorXd efforts_for(const ControlState& state, const Eigen::VectorXd& ra
 
 }  // namespace
 
-PdGains critically_damped(const WorldRobot& robot, double frequency) {
+void require_gains(const RobotModel& model, const PdGains& gains) {
+  require_gain(model, "stiffness", gains.stiffness);
+  require_gain(model, "damping", gains.damping);
+}
+
+Eigen::VectorXd moved_inertias(const WorldRobot& robot) {
   const RobotModel& model = *robot.model;
-  const double omega = angular(frequency);
   const Eigen::MatrixXd mass =
       model.joints_of.transpose() * model.dynamics.mass_matrix(joints_of(robot)) * model.joints_of;
-  const Eigen::VectorXd inertia = (mass.diagonal() + model.drive_inertia).head(model.dofs());
+  return (mass.diagonal() + model.drive_inertia).head(model.dofs());
+}
+
+PdGains critically_damped(const WorldRobot& robot, double frequency) {
+  const double omega = angular(frequency);
+  const Eigen::VectorXd inertia = moved_inertias(robot);
   return {omega * omega * inertia, 2.0 * omega * inertia};
 }
 
 Controller pd_controller(const RobotModel& model, const PdGains& gains, JointMotion motion) {
-  require_gains(model, "stiffness", gains.stiffness);
-  require_gains(model, "damping", gains.damping);
+  require_gains(model, gains);
   return [gains, motion = std::move(motion)](const ControlState& state) -> Eigen::VectorXd {
     const Eigen::Index dofs = state.robot.model->dofs();
     const Eigen::VectorXd wanted = motion(state.time);

@@ -13,6 +13,14 @@ struct PdGains {
   Eigen::VectorXd damping;    // N m s/rad or N s/m
 };
 
+// Throws InputError for negative gains and another number of them than the robot has degrees of
+// freedom.
+void require_gains(const RobotModel& model, const PdGains& gains);
+
+// The inertia that each degree of freedom moves in the robot's posture, the others held still
+// [kg m^2 or kg].
+Eigen::VectorXd moved_inertias(const WorldRobot& robot);
+
 // Gains with which each degree of freedom, the others held still, settles without overshoot at the
 // frequency [Hz], for the inertia that it moves in the robot's posture. Throws InputError for a
 // frequency that is not above 0.
@@ -28,14 +36,15 @@ PdGains critically_damped(const WorldRobot& robot, double frequency);
 // of freedom.
 Controller pd_controller(const RobotModel& model, const PdGains& gains, JointMotion motion);
 
-// The efforts that hold the robot where it is against gravity, whatever its velocity.
+// The efforts that hold the robot where it is against gravity and the springs of its joints,
+// whatever its velocity.
 Controller gravity_compensation();
 
 // Feed-forward by recursive Newton-Euler: the efforts that give the robot the accelerations of the
 // motion and, where it has left the motion, those of a critically damped return at `frequency` [Hz]
 // (computed torque). The motion is differenced over the steps in which the world moves, so that a
-// robot on the motion stays on it. Friction in joints is not compensated. Throws InputError for a
-// frequency that is not above 0.
+// robot on the motion stays on it. Springs of joints are compensated, friction in them is not.
+// Throws InputError for a frequency that is not above 0.
 Controller computed_torque(JointMotion motion, double frequency);
 
 }  // namespace prehend

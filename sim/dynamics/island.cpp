@@ -6,6 +6,7 @@
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 #include "sim/dynamics/joint_conditions.h"
+#include "sim/dynamics/joint_springs.h"
 #include "sim/dynamics/placed_contact.h"
 
 namespace prehend {
@@ -78,7 +79,8 @@ class IslandStep {
     if (!robot.is_balanced)
       push -= C.transpose() * model.dynamics.bias(q, C * robot.rate, around(robot));
     if (robot.effort.size() > 0) push.head(model.dofs()) += robot.effort;
-    const Eigen::VectorXd momentum = mass * robot.rate + time_ * push;
+    Eigen::VectorXd momentum = mass * robot.rate + time_ * push;
+    if (!robot.is_balanced) add_springs(model, q, time_, mass, momentum);
     for (std::size_t j = 0; j < model.robot.joints.size(); ++j) {
       const double viscous = model.robot.joints[j].friction.viscous;
       if (viscous == 0.0) continue;

@@ -14,6 +14,11 @@ void require_body(const WorldBody& body) {
       !body.motion.angular.allFinite() || !body.force_W.allFinite()) {
     throw InputError({.field = body.name, .problem = "has a motion or force that is not finite"});
   }
+  if (!(body.restitution >= 0.0 && body.restitution <= 1.0)) {
+    throw InputError({.field = body.name,
+                      .problem = "restitution must be from 0 to 1",
+                      .value = std::to_string(body.restitution)});
+  }
   if (body.is_fixed) return;
   if (!(body.inertial.mass > 0.0) || !std::isfinite(body.inertial.mass)) {
     throw InputError({.field = body.name,
@@ -24,11 +29,6 @@ void require_body(const WorldBody& body) {
   if (!defect.empty()) throw InputError({.field = body.name, .problem = defect});
   if (!(body.inertial.inertia.determinant() > 0.0)) {
     throw InputError({.field = body.name, .problem = "needs an inertia about every axis to move"});
-  }
-  if (!(body.restitution >= 0.0 && body.restitution <= 1.0)) {
-    throw InputError({.field = body.name,
-                      .problem = "restitution must be from 0 to 1",
-                      .value = std::to_string(body.restitution)});
   }
 }
 

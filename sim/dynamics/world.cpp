@@ -8,6 +8,7 @@
 #include "sim/dynamics/impacts.h"
 #include "sim/dynamics/island.h"
 #include "sim/dynamics/joint_conditions.h"
+#include "sim/dynamics/joint_springs.h"
 #include "sim/dynamics/near_pairs.h"
 #include "sim/dynamics/solids.h"
 
@@ -315,7 +316,8 @@ double energy_of(const World& world) {
   for (const WorldRobot& robot : world.robots) {
     const RobotModel& model = *robot.model;
     sum += model.dynamics.kinetic_energy(joints_of(robot), model.joints_of * robot.rate) +
-           0.5 * robot.rate.dot(model.drive_inertia.cwiseProduct(robot.rate));
+           0.5 * robot.rate.dot(model.drive_inertia.cwiseProduct(robot.rate)) +
+           spring_energy(model.robot, joints_of(robot));
     const RobotState state = state_of(robot);
     for (const Link& link : model.robot.links) {
       if (link.joint < 0) continue;

@@ -65,8 +65,8 @@ struct WorldRobot {
   Eigen::VectorXd effort =
       {};  // on each degree of freedom besides the drives, empty: none [N m or N]
   std::vector<Drive> drives = {};
-  // Efforts that hold the robot against gravity and the motion of its own links act on it, as a
-  // good controller's feed-forward would.
+  // Efforts that hold the robot against gravity, the springs of its joints and the motion of its
+  // own links act on it, as a good controller's feed-forward would.
   bool is_balanced = false;
   // The last step's, of the base and of the impulses in joints: only steps use them.
   Vector3 last_base_angular = Vector3::Zero();
@@ -172,7 +172,7 @@ void require_world(const World& world, const StepOptions& options = {});
 StepResult step_world(World& world, const StepOptions& options = {});
 
 // Kinetic and potential energy of all bodies and robots that move, gravity's from the world's
-// origin; bases of robots count as at rest [J].
+// origin, and that of springs in joints; bases of robots count as at rest [J].
 double energy_of(const World& world);
 
 }  // namespace prehend

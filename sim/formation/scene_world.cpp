@@ -2,6 +2,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/dynamics/scene_bodies.h"
 #include "sim/dynamics/solids.h"
 #include "sim/formation/hand_drives.h"
 
@@ -18,6 +19,7 @@ WorldBody object_body(const CompiledScene& scene) {
   WorldBody body{object.name, scene.object(), object.material};
   body.inertial = {object.mass, object.center_of_mass, object.inertia};
   body.motion.X_WB = object.X_WO;
+  body.restitution = object.restitution;
   return body;
 }
 
@@ -40,8 +42,7 @@ std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene,
 
 World make_scene_world(const CompiledScene& scene, bool obstacles) {
   World world;
-  world.laws.friction = scene.scene.friction;
-  world.laws.compliant_depths = scene.scene.compliant_depths;
+  world.laws = laws_of(scene.scene);
   world.bodies.push_back(object_body(scene));
   if (!obstacles) return world;
   for (std::size_t i = 0; i < scene.scene.obstacles.size(); ++i) {
@@ -49,6 +50,7 @@ World make_scene_world(const CompiledScene& scene, bool obstacles) {
     WorldBody fixed{obstacle.name, scene.obstacles()[i], obstacle.material};
     fixed.is_fixed = true;
     fixed.motion.X_WB = obstacle.X_WB;
+    fixed.restitution = obstacle.restitution;
     world.bodies.push_back(std::move(fixed));
   }
   return world;

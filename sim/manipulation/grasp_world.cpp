@@ -33,6 +33,9 @@ void follow_protocol(const CompiledScene& scene, const RobotModel& robot, const 
   if (!protocol.friction) return;
   for (const Material material : robot.materials) {
     world.laws.friction.set(material, scene.scene.object.material, *protocol.friction);
+    if (world.laws.kinetic) {
+      world.laws.kinetic->set(material, scene.scene.object.material, *protocol.friction);
+    }
   }
 }
 

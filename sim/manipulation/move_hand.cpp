@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/index.h"
-#include "sim/control/joint_controllers.h"
+#include "sim/control/stated_gains.h"
 
 namespace prehend {
 namespace {
@@ -25,7 +25,7 @@ void move_base(const Pose& to, double step, WorldRobot& robot) {
 std::vector<Drive> arm_drives(const WorldRobot& robot, const WorldHand& hand,
                               const ArmDriveOptions& options) {
   const RobotModel& model = *robot.model;
-  const PdGains gains = critically_damped(robot, options.frequency);
+  const PdGains gains = stated_gains(robot, options.frequency);
   std::vector<Drive> drives;
   for (int d = 0; d < static_cast<int>(model.dofs()); ++d) {
     if (is_of_hand(d, hand)) continue;

@@ -22,6 +22,12 @@ struct JointFriction {
   double viscous = 0.0;  // >= 0 [N m s/rad, prismatic: N s/m]
 };
 
+// A spring that pulls a joint with stiffness * (rest - value).
+struct JointSpring {
+  double stiffness = 0.0;  // >= 0, 0: none [N m/rad, prismatic: N/m]
+  double rest = 0.0;       // the joint's value at which it is relaxed, any [rad or m]
+};
+
 // One axis of motion. With the frames P (after the parent joint, or the robot's base), J (the joint
 // frame, fixed in P) and A (after the joint):
 //
@@ -47,6 +53,7 @@ struct Joint {
   int chain = 0;            // the chain that it is part of
   double max_effort = 0.0;  // largest torque or force of its drive, 0: not said [N m or N]
   JointFriction friction = {};
+  JointSpring spring = {};
 };
 
 // The closed-form inverse kinematics that applies to a chain.
@@ -92,6 +99,9 @@ struct DegreeOfFreedom {
   // Of a breakaway or by_finger coupling: the torque or force of a joint (at a ratio of 1) from
   // which on its clutch slips; 0: not said [N m or N].
   double breakaway_effort = 0.0;
+  // Gains of the PD controller that holds it (stated_gains.h), both >= 0; empty: not said.
+  std::optional<double> stiffness = std::nullopt;  // N m/rad or N/m
+  std::optional<double> damping = std::nullopt;    // N m s/rad or N s/m
 };
 
 // Whether a value is inside the limits of its degree of freedom, to 1e-9 rad or m: a limit itself

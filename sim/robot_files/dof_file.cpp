@@ -17,6 +17,12 @@ double read_positive(const JsonField& field) {
   return value;
 }
 
+double read_gain(const JsonField& field) {
+  const double value = field.number();
+  if (value < 0.0) field.fail("must not be negative");
+  return value;
+}
+
 // What one finger gives up the other must be able to take, so that the hand may shift between them.
 bool can_center(const std::vector<const Joint*>& fingers) {
   if (fingers.size() != 2 || fingers[0]->parent != fingers[1]->parent) return false;
@@ -74,6 +80,8 @@ void read_motion(const JsonField& field, const FileUnits& units, int dof, Robot&
   if (field.has("breakaway_effort")) {
     motion.breakaway_effort = read_positive(field["breakaway_effort"]);
   }
+  if (field.has("stiffness")) motion.stiffness = read_gain(field["stiffness"]);
+  if (field.has("damping")) motion.damping = read_gain(field["damping"]);
 }
 
 }  // namespace prehend

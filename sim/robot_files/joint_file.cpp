@@ -42,9 +42,17 @@ void place_by_axis(const JsonField& field, const FileUnits& units, Joint& joint)
 
 }  // namespace
 
+JointSpring read_spring(const JsonField& field, JointType type, const FileUnits& units) {
+  field.allow_only({"stiffness", "rest"});
+  JointSpring spring;
+  spring.stiffness = read_not_negative(field["stiffness"]);
+  spring.rest = field.number_or("rest", 0.0) * unit_of(type, units);
+  return spring;
+}
+
 Joint read_joint(const JsonField& field, const FileUnits& units) {
   field.allow_only({"name", "type", "theta", "d", "a", "alpha", "origin", "axis", "zero", "after",
-                    "limits", "effort", "friction"});
+                    "limits", "effort", "friction", "spring"});
   Joint joint{.name = field["name"].text(), .type = read_type(field["type"])};
   if (field.has("axis") || field.has("origin")) {
     place_by_axis(field, units, joint);
@@ -68,6 +76,7 @@ Joint read_joint(const JsonField& field, const FileUnits& units) {
     if (!(joint.max_effort > 0.0)) field["effort"].fail("must be positive");
   }
   if (field.has("friction")) joint.friction = read_friction(field["friction"]);
+  if (field.has("spring")) joint.spring = read_spring(field["spring"], joint.type, units);
   return joint;
 }
 

@@ -43,6 +43,7 @@ struct TreeJoint {
   double max_velocity = 0.0;      // rad/s or m/s
   double max_acceleration = 0.0;  // rad/s^2 or m/s^2
   JointFriction friction = {};
+  JointSpring spring = {};
   std::optional<double> initial = {};  // inside the limits; empty: 0, or the limit nearest to it
   std::optional<Mimic> mimic = {};
   std::string place = {};  // in the file, for messages: "line 12, <joint>"

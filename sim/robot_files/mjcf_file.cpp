@@ -254,6 +254,11 @@ TreeJoint MjcfReader::read_joint(const XmlElement& element, const std::string& n
     return at ? std::max(0.0, at->number(attribute)) : 0.0;
   };
   joint.friction = {.coulomb = positive("frictionloss"), .viscous = positive("damping")};
+  joint.spring.stiffness = positive("stiffness");
+  if (const auto at = defaults_.saying("springref", element, childclass)) {
+    const bool slides = joint.type == TreeJointType::prismatic;
+    joint.spring.rest = at->number("springref") * (slides ? 1.0 : defaults_.angle_unit());
+  }
   read_range(element, childclass, joint);
   if (const auto at = defaults_.saying("ref", element, childclass)) {
     // The value in which the file shows the body.

@@ -181,7 +181,7 @@ void RobotReader::add_joint(const JsonField& field, int parent, const Pose& X_PC
 
 void RobotReader::read_dof(const JsonField& field) {
   field.allow_only({"name", "drives", "initial", "closing_velocity", "coupling", "breakaway_effort",
-                    "velocity", "acceleration"});
+                    "velocity", "acceleration", "stiffness", "damping"});
   require_new_name(field["name"], robot_.dofs);
   const int dof = static_cast<int>(robot_.dofs.size());
   robot_.dofs.push_back({.name = field["name"].text()});

@@ -8,10 +8,13 @@
 
 namespace prehend {
 
-// A joint written with theta, d, a, alpha or with an origin and an axis; limits, effort, friction.
-// X_PJ is the pose in the frame in which the file gives the joint. What drives the joint, its
-// parent and its chain are left as they are.
+// A joint written with theta, d, a, alpha or with an origin and an axis; limits, effort, friction,
+// spring. X_PJ is the pose in the frame in which the file gives the joint. What drives the joint,
+// its parent and its chain are left as they are.
 Joint read_joint(const JsonField& field, const FileUnits& units);
+
+// The spring of a joint of that type.
+JointSpring read_spring(const JsonField& field, JointType type, const FileUnits& units);
 
 // Name, material, geometry and mass of a link that follows `joint` (-1: the base). Which fields
 // there may be is the caller's to check. Refused are an unknown material, a geometry without a
@@ -22,9 +25,9 @@ Link read_link(const JsonField& field, const FileUnits& units, const NamedGeomet
 // The hand of a robot whose joints and degrees of freedom have been read already.
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot);
 
-// Initial value, closing velocity, largest velocity and acceleration, and coupling of a degree of
-// freedom of `robot`, whose joints and limits have been read already. What the field does not say
-// stays as it is.
+// Initial value, closing velocity, largest velocity and acceleration, coupling and gains of a
+// degree of freedom of `robot`, whose joints and limits have been read already. What the field does
+// not say stays as it is.
 void read_motion(const JsonField& field, const FileUnits& units, int dof, Robot& robot);
 
 // The factor from the file's unit to SI for values of a degree of freedom: of angles or of lengths,

@@ -40,7 +40,7 @@ void read_exempt_links(const JsonField& field, JointTree& tree) {
 
 void read_motion_of(const JsonField& field, const FileUnits& units, Platform& platform) {
   field.allow_only({"name", "initial", "closing_velocity", "velocity", "acceleration", "coupling",
-                    "breakaway_effort"});
+                    "breakaway_effort", "stiffness", "damping"});
   for (MountedRobot& mounted : platform.robots) {
     for (std::size_t d = 0; d < mounted.robot.dofs.size(); ++d) {
       if (mounted.robot.dofs[d].name != field["name"].text()) continue;
@@ -51,11 +51,23 @@ void read_motion_of(const JsonField& field, const FileUnits& units, Platform& pl
   field["name"].fail("no degree of freedom of this name");
 }
 
+void read_spring_of(const JsonField& field, const std::string& name, const FileUnits& units,
+                    Platform& platform) {
+  for (MountedRobot& mounted : platform.robots) {
+    for (Joint& joint : mounted.robot.joints) {
+      if (joint.name != name) continue;
+      joint.spring = read_spring(field, joint.type, units);
+      return;
+    }
+  }
+  field.fail("no joint is called " + name);
+}
+
 }  // namespace
 
 RobotSidecar::RobotSidecar(const std::filesystem::path& file) : file_(file) {
-  file_.root().allow_only(
-      {"units", "packages", "srdf", "materials", "hand_root", "dofs", "hand", "exempt_collisions"});
+  file_.root().allow_only({"units", "packages", "srdf", "materials", "hand_root", "dofs", "springs",
+                           "hand", "exempt_collisions"});
 }
 
 std::filesystem::path RobotSidecar::path_beside(const std::filesystem::path& robot_file) {
@@ -93,6 +105,11 @@ void RobotSidecar::complete(Platform& platform) const {
   const FileUnits units = read_units(root);
   if (root.has("dofs")) {
     for (const JsonField& field : root["dofs"].items()) read_motion_of(field, units, platform);
+  }
+  if (root.has("springs")) {
+    for (const std::string& name : root["springs"].keys()) {
+      read_spring_of(root["springs"][name], name, units, platform);
+    }
   }
   if (root.has("hand")) {
     Robot& robot = platform.robots.back().robot;

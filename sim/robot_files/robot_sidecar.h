@@ -32,7 +32,7 @@ class RobotSidecar {
   // Empty: not said.
   std::optional<std::string> hand_root() const;
 
-  // Motion of the degrees of freedom, and the hand: that of the last robot.
+  // Motion of the degrees of freedom, springs, and the hand: that of the last robot.
   void complete(Platform& platform) const;
 
  private:

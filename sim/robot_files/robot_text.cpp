@@ -66,6 +66,7 @@ Json joint_json(const Joint& joint) {
   if (joint.max_effort > 0.0) json["effort"] = joint.max_effort;
   if (joint.friction.coulomb > 0.0) json["friction"]["coulomb"] = joint.friction.coulomb;
   if (joint.friction.viscous > 0.0) json["friction"]["viscous"] = joint.friction.viscous;
+  if (joint.spring.stiffness > 0.0) json["spring"] = spring_json(joint.spring);
   return json;
 }
 
@@ -124,7 +125,13 @@ Json motion_json(const DegreeOfFreedom& dof) {
   if (dof.coupling == Coupling::by_finger) json["coupling"] = "by_finger";
   if (dof.coupling == Coupling::self_centering) json["coupling"] = "self_centering";
   if (dof.breakaway_effort > 0.0) json["breakaway_effort"] = dof.breakaway_effort;
+  if (dof.stiffness) json["stiffness"] = *dof.stiffness;
+  if (dof.damping) json["damping"] = *dof.damping;
   return json;
+}
+
+Json spring_json(const JointSpring& spring) {
+  return {{"stiffness", spring.stiffness}, {"rest", spring.rest}};
 }
 
 Json hand_json(const Robot& robot) {

@@ -112,7 +112,8 @@ void TreeRobot::add_joint(int joint, int parent) {
        .parent = parent,
        .chain = static_cast<int>(robot_.chains.size()),
        .max_effort = source.max_effort,
-       .friction = source.friction});
+       .friction = source.friction,
+       .spring = source.spring});
   joint_source_.push_back(joint);
   place_[index(source.child)] = {static_cast<int>(robot_.joints.size()) - 1, Pose::Identity()};
 }

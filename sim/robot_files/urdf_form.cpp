@@ -31,6 +31,9 @@ void change_variable(Robot& robot, int dof, double ratio, double offset) {
   motion.closing_velocity *= ratio;
   motion.max_velocity *= std::abs(ratio);
   motion.max_acceleration *= std::abs(ratio);
+  // Efforts of the new variable are 1 / ratio times those of the old one.
+  if (motion.stiffness) *motion.stiffness /= ratio * ratio;
+  if (motion.damping) *motion.damping /= ratio * ratio;
   for (Joint& joint : robot.joints) {
     if (joint.dof != dof) continue;
     joint.ratio /= ratio;

@@ -219,6 +219,9 @@ std::string UrdfWriter::sidecar() const {
       of_dof.update(motion_json(dof));
       json["dofs"].push_back(of_dof);
     }
+    for (const Joint& joint : robot.joints) {
+      if (joint.spring.stiffness > 0.0) json["springs"][joint.name] = spring_json(joint.spring);
+    }
     for (const auto& [a, b] : robot.exempt_pairs) {
       json["exempt_collisions"].push_back({robot.links[index(a)].name, robot.links[index(b)].name});
     }

@@ -12,6 +12,14 @@ namespace {
 
 std::size_t index(Material material) { return static_cast<std::size_t>(material); }
 
+void require_friction(Material a, Material b, double friction) {
+  if (friction >= 0.0 && friction <= kLargestFriction) return;
+  throw InputError({.field = "friction",
+                    .problem = "must be from 0 to 1e6 between " + std::string(material_name(a)) +
+                               " and " + std::string(material_name(b)),
+                    .value = std::to_string(friction)});
+}
+
 }  // namespace
 
 // Rows and columns are in the order of Material: glass, metal, plastic, wood, rubber.
@@ -25,14 +33,36 @@ FrictionTable::FrictionTable()
 double FrictionTable::between(Material a, Material b) const { return values_[index(a)][index(b)]; }
 
 void FrictionTable::set(Material a, Material b, double friction) {
-  if (!(friction >= 0.0 && friction <= kLargestFriction)) {
-    throw InputError({.field = "friction",
-                      .problem = "must be from 0 to 1e6 between " + std::string(material_name(a)) +
-                                 " and " + std::string(material_name(b)),
-                      .value = std::to_string(friction)});
-  }
+  require_friction(a, b, friction);
   values_[index(a)][index(b)] = friction;
   values_[index(b)][index(a)] = friction;
+}
+
+std::optional<double> KineticFriction::between(Material a, Material b) const {
+  return values_[index(a)][index(b)];
+}
+
+void KineticFriction::set(Material a, Material b, std::optional<double> friction) {
+  if (friction) require_friction(a, b, *friction);
+  values_[index(a)][index(b)] = friction;
+  values_[index(b)][index(a)] = friction;
+}
+
+bool KineticFriction::empty() const {
+  return std::all_of(values_.begin(), values_.end(), [](const auto& row) {
+    return std::none_of(row.begin(), row.end(),
+                        [](const auto& value) { return value.has_value(); });
+  });
+}
+
+FrictionTable sliding_friction(const FrictionTable& statics, const KineticFriction& kinetic) {
+  FrictionTable table = statics;
+  for (const Material a : kMaterials) {
+    for (const Material b : kMaterials) {
+      if (const std::optional<double> own = kinetic.between(a, b)) table.set(a, b, *own);
+    }
+  }
+  return table;
 }
 
 double CompliantDepths::of(Material material) const { return values_[index(material)]; }

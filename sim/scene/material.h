@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "sim/base/material.h"
 
@@ -20,6 +21,24 @@ class FrictionTable {
  private:
   std::array<std::array<double, 5>, 5> values_;
 };
+
+// Friction coefficients of surfaces that slide, of those pairs of materials that have one of their
+// own; others slide as they stick.
+class KineticFriction {
+ public:
+  std::optional<double> between(Material a, Material b) const;
+  // Throws InputError unless `friction` is finite and >= 0. Without a number the pair has none of
+  // its own from then on.
+  void set(Material a, Material b, std::optional<double> friction);
+  // Whether no pair has one.
+  bool empty() const;
+
+ private:
+  std::array<std::array<std::optional<double>, 5>, 5> values_;
+};
+
+// The friction of surfaces that slide: the kinetic coefficients, else the static ones.
+FrictionTable sliding_friction(const FrictionTable& statics, const KineticFriction& kinetic);
 
 // How far the surface of a material gives way where a finger presses, 0 for hard materials, which
 // touch at points. Rubber: 1 mm, the Hertzian indentation of a pad of 2 MPa that is pressed with 20

@@ -45,6 +45,7 @@ struct StaticBody {
   Pose X_WB = Pose::Identity();
   Material material = Material::wood;
   ShapeSource source = {};
+  double restitution = 0.0;  // 0 to 1: of the velocity of an impact; of a pair, the larger counts
 };
 
 // The body to grasp.
@@ -58,6 +59,7 @@ struct GraspableBody {
   Matrix3 inertia = Matrix3::Zero();         // about the centre of mass, axes of O [kg m^2]
   MassSource mass_source = MassSource::signed_volume;
   ShapeSource source = {};
+  double restitution = 0.0;  // as of a StaticBody
 };
 
 // The platform that carries the hand to the object: an arm, perhaps on a mobile base.
@@ -77,7 +79,8 @@ struct Scene {
   std::string hand_source;  // a name of the library, or an absolute path; empty: the carrier's own
   std::optional<Carrier> carrier;  // without one the hand flies free
   std::vector<StaticBody> obstacles;
-  FrictionTable friction;
+  FrictionTable friction;  // static
+  KineticFriction kinetic_friction = {};
   CompliantDepths compliant_depths;
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
   // What was assumed about the scene and its object, left out or repaired, for people: one line

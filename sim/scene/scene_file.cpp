@@ -46,6 +46,12 @@ double read_positive(const JsonField& body, const char* key, double otherwise) {
   return value;
 }
 
+double read_restitution(const JsonField& body) {
+  const double restitution = body.number_or("restitution", 0.0);
+  if (!(restitution >= 0.0 && restitution <= 1.0)) body["restitution"].fail("must be from 0 to 1");
+  return restitution;
+}
+
 TriangleMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit) {
   TriangleMesh mesh = load_mesh(file, {.metres_per_unit = metres_per_unit}).mesh;
   orient_outward(mesh);
@@ -128,7 +134,7 @@ TriangleMesh read_object_mesh(const JsonField& field, bool repair, ShapeBudget& 
 GraspableBody read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
                           std::vector<std::string>& notes) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
-                    "center_of_mass", "pose", "primitives", "repair"});
+                    "center_of_mass", "pose", "primitives", "repair", "restitution"});
   const bool repair = read_repair(field, source);
   TriangleMesh mesh = read_object_mesh(field, repair, budget, notes);
   const std::string name = field.text_or("name", "object");
@@ -144,34 +150,48 @@ GraspableBody read_object(const JsonField& field, const SceneSource& source, Sha
     }
   }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
+  body.restitution = read_restitution(field);
   body.source = read_source(field);
   if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = repair;
   return body;
 }
 
 StaticBody read_obstacle(const JsonField& field, ShapeBudget& budget) {
-  field.allow_only(
-      {"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose"});
+  field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose",
+                    "restitution"});
   StaticBody body{field["name"].text(),
                   read_body_mesh(field, budget),
                   Pose::Identity(),
                   read_material(field, Material::wood),
                   {}};
   if (field.has("pose")) body.X_WB = read_pose(field["pose"]);
+  body.restitution = read_restitution(field);
   body.source = read_source(field);
   return body;
 }
 
-void read_friction(const JsonField& list, FrictionTable& table) {
+// What an entry says of a pair replaces what earlier ones did.
+void read_friction(const JsonField& list, Scene& scene) {
   for (const JsonField& field : list.items()) {
-    field.allow_only({"between", "static"});
+    field.allow_only({"between", "static", "kinetic"});
     const std::vector<JsonField> pair = field["between"].items();
     if (pair.size() != 2) field["between"].fail("must name two materials");
     const auto material = [](const JsonField& name) {
       return made_of(name, [&] { return material_named(name.text()); });
     };
-    const JsonField friction = field["static"];
-    made_of(friction, [&] { table.set(material(pair[0]), material(pair[1]), friction.number()); });
+    const Material a = material(pair[0]);
+    const Material b = material(pair[1]);
+    scene.kinetic_friction.set(a, b, std::nullopt);
+    if (!field.has("kinetic") || field.has("static")) {
+      const JsonField friction = field["static"];
+      made_of(friction, [&] { scene.friction.set(a, b, friction.number()); });
+    }
+    if (!field.has("kinetic")) continue;
+    const JsonField kinetic = field["kinetic"];
+    made_of(kinetic, [&] { scene.kinetic_friction.set(a, b, kinetic.number()); });
+    if (kinetic.number() > scene.friction.between(a, b)) {
+      kinetic.fail("must be at most the static coefficient of the pair");
+    }
   }
 }
 
@@ -297,7 +317,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
       scene.obstacles.push_back(read_obstacle(field, budget));
     }
   }
-  if (root.has("friction")) read_friction(root["friction"], scene.friction);
+  if (root.has("friction")) read_friction(root["friction"], scene);
   if (root.has("compliant_depths"))
     read_compliant_depths(root["compliant_depths"], scene.compliant_depths);
   return scene;

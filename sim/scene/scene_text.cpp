@@ -56,6 +56,7 @@ Json body_json(const Body& body, const Pose& X_WB) {
   json.update(std::visit(ShapeFields{body.mesh}, body.source));
   json["material"] = material_name(body.material);
   json["pose"] = pose_to_json(X_WB);
+  if (body.restitution > 0.0) json["restitution"] = body.restitution;
   return json;
 }
 
@@ -99,15 +100,17 @@ Json carrier_json(const Scene& scene) {
 }
 
 // Only what differs from the table that everybody has.
-Json friction_json(const FrictionTable& table) {
+Json friction_json(const Scene& scene) {
   const FrictionTable standard;
   Json json = Json::array();
   for (std::size_t a = 0; a < kMaterials.size(); ++a) {
     for (std::size_t b = a; b < kMaterials.size(); ++b) {
-      const double friction = table.between(kMaterials[a], kMaterials[b]);
-      if (friction == standard.between(kMaterials[a], kMaterials[b])) continue;
+      const double friction = scene.friction.between(kMaterials[a], kMaterials[b]);
+      const auto kinetic = scene.kinetic_friction.between(kMaterials[a], kMaterials[b]);
+      if (friction == standard.between(kMaterials[a], kMaterials[b]) && !kinetic) continue;
       json.push_back({{"between", {material_name(kMaterials[a]), material_name(kMaterials[b])}},
                       {"static", friction}});
+      if (kinetic) json.back()["kinetic"] = *kinetic;
     }
   }
   return json;
@@ -139,7 +142,7 @@ std::string scene_text(const Scene& scene) {
   for (const StaticBody& body : scene.obstacles) {
     json["obstacles"].push_back(body_json(body, body.X_WB));
   }
-  if (const Json friction = friction_json(scene.friction); !friction.empty()) {
+  if (const Json friction = friction_json(scene); !friction.empty()) {
     json["friction"] = friction;
   }
   if (const Json depths = compliant_json(scene.compliant_depths); !depths.empty()) {

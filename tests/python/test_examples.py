@@ -57,6 +57,13 @@ class Examples(unittest.TestCase):
         self.assertIn("alone: True", text)
         self.assertIn("balanced", text)
 
+    def test_own_controller(self):
+        text, _ = self.example("own_controller.py")
+        errors = [float(number) for number in re.findall(r"([\d.]+) rad", text)]
+        self.assertEqual(len(errors), 3)
+        self.assertGreater(errors[0], 2 * errors[1])
+        self.assertLess(errors[2], 1e-3)
+
     def test_epsilon_over_friction(self):
         try:
             import matplotlib  # noqa: F401

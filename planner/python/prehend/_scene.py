@@ -104,9 +104,12 @@ class Scene:
         """Puts the object elsewhere in the world: (4, 4)."""
         self._core.set_pose(as_pose(X_WO, "X_WO"))
 
-    def set_friction(self, a: str, b: str, friction: float) -> None:
-        """Sets the static friction coefficient (>= 0) between two materials."""
-        self._core.set_friction(a, b, friction)
+    def set_friction(
+        self, a: str, b: str, friction: float, kinetic: Optional[float] = None
+    ) -> None:
+        """Sets the static friction coefficient (>= 0) between two materials, and that of surfaces that
+        slide; None: the same."""
+        self._core.set_friction(a, b, friction, kinetic)
 
     def friction(self, a: str, b: str) -> float:
         """The static friction coefficient between two materials."""

@@ -103,6 +103,28 @@ TEST_F(Arm, StandsStillWhereItsWeightIsCompensated) {
   EXPECT_LT((world.robots[0].x - before).norm(), 1e-9);
 }
 
+// Springs in its joints are part of what is compensated: the arm stands, and moves, as without
+// them.
+TEST_F(Arm, SpringsOfJointsAreCompensated) {
+  Robot robot = find_robot("ur5e");
+  for (std::size_t j = 0; j < 3; ++j) {
+    robot.joints[j].spring = {.stiffness = 50.0, .rest = 0.3};
+    robot.joints[j].max_effort = 0.0;  // not said: none is too much
+  }
+  World world;
+  world.robots.push_back(
+      make_world_robot("arm", std::make_shared<const RobotModel>(make_robot_model(robot)),
+                       Pose::Identity(), bent()));
+  World standing = world;
+  const Eigen::VectorXd before = standing.robots[0].x;
+  EXPECT_EQ(run_controlled(standing, {{0, gravity_compensation()}}).outcome,
+            ControlOutcome::finished);
+  EXPECT_LT((standing.robots[0].x - before).norm(), 1e-9);
+  const JointMotion motion = turned_by(0.8, world);
+  // What is asked for a whole step also acts in those that the world makes shorter.
+  EXPECT_LT(farthest(world, computed_torque(motion, 3.0), motion), 1e-3);
+}
+
 // The wrist comes to rest where its springs balance a force: here what a sideways part of gravity,
 // of which the controller does not know, does to the links.
 TEST_F(Arm, AWristOnSpringsGivesWayByForceOverStiffness) {

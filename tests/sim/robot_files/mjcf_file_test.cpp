@@ -42,8 +42,10 @@ std::vector<Pose> poses(const Robot& robot, const std::vector<double>& dofs) {
 
 TEST(MjcfFile, BodiesBecomeLinksInTheFrameOfTheBase) {
   const Robot robot = robot_of(on_palm(
-      std::string("<body name=\"tip\" pos=\"0.1 0 0\" euler=\"0 0 90\"><joint name=\"j\" "
-                  "axis=\"0 0 2\" range=\"-90 90\" damping=\"0.2\" frictionloss=\"0.1\"/>") +
+      std::string(
+          "<body name=\"tip\" pos=\"0.1 0 0\" euler=\"0 0 90\"><joint name=\"j\" "
+          "axis=\"0 0 2\" range=\"-90 90\" damping=\"0.2\" frictionloss=\"0.1\" stiffness=\"4\" "
+          "springref=\"-90\"/>") +
       kTip + "</body>"));
   EXPECT_EQ(robot.name, "made");
   ASSERT_EQ(robot.links.size(), 2U);
@@ -52,6 +54,8 @@ TEST(MjcfFile, BodiesBecomeLinksInTheFrameOfTheBase) {
   EXPECT_NEAR(robot.joints[0].upper, kRightAngle, kExact);
   EXPECT_EQ(robot.joints[0].friction.viscous, 0.2);
   EXPECT_EQ(robot.joints[0].friction.coulomb, 0.1);
+  EXPECT_EQ(robot.joints[0].spring.stiffness, 4.0);
+  EXPECT_NEAR(robot.joints[0].spring.rest, -kRightAngle, kExact);
   const Pose X = poses(robot, {0.3})[1];
   EXPECT_LT((X.translation() - Vector3(0.1, 0.0, 0.0)).norm(), kExact);
   const Matrix3 wanted = Eigen::AngleAxisd(kRightAngle + 0.3, Vector3::UnitZ()).toRotationMatrix();

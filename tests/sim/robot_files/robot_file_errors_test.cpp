@@ -31,10 +31,10 @@ std::vector<BadField> bad_fields() {
        R"(hand, exempt_collisions ("red"))"},
       {"UnknownJointField", "/chains/0/joints/1/thetta", "3",
        "chains[0].joints[1].thetta: unknown field, known here are name, type, theta, d, a, alpha, "
-       "origin, axis, zero, after, limits, effort, friction (3)"},
+       "origin, axis, zero, after, limits, effort, friction, spring (3)"},
       {"UnknownDofField", "/dofs/0/speed", "1",
        "dofs[0].speed: unknown field, known here are name, drives, initial, closing_velocity, "
-       "coupling, breakaway_effort, velocity, acceleration (1)"},
+       "coupling, breakaway_effort, velocity, acceleration, stiffness, damping (1)"},
       {"UnknownLengthUnit", "/units/length", R"("furlong")", "units.length: "},
       {"UnknownAngleUnit", "/units/angle", R"("grad")",
        R"(units.angle: unknown unit, known are rad and deg ("grad"))"},
@@ -80,6 +80,18 @@ std::vector<BadField> bad_fields() {
        "dofs[0].coupling: needs two prismatic joints on one parent that slide in opposite "
        "directions "
        R"(("self_centering"))"},
+      {"NegativeStiffness", "/dofs/1/stiffness", "-1",
+       "dofs[1].stiffness: must not be negative (-1)"},
+      {"NegativeDamping", "/dofs/0/damping", "-0.5",
+       "dofs[0].damping: must not be negative (-0.5)"},
+      {"TextForStiffness", "/dofs/0/stiffness", R"("high")",
+       R"(dofs[0].stiffness: must be a number ("high"))"},
+      {"NegativeSpring", "/chains/0/joints/1/spring", R"({"stiffness": -2})",
+       "chains[0].joints[1].spring.stiffness: must not be negative (-2)"},
+      {"SpringWithoutStiffness", "/chains/0/joints/1/spring", R"({"rest": 2})",
+       "chains[0].joints[1].spring.stiffness: missing field"},
+      {"UnknownSpringField", "/chains/0/joints/1/spring", R"({"stiffness": 2, "length": 1})",
+       "chains[0].joints[1].spring.length: unknown field, known here are stiffness, rest (1)"},
       {"LinkWithoutGeometry", "/base/geometry", "[]",
        "base.geometry: a link needs at least one triangle ([])"},
       {"UnknownGeometryName", "/base/geometry", R"("bat")",

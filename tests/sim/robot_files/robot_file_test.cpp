@@ -52,6 +52,26 @@ TEST(RobotFile, AngularVelocityMayHaveItsOwnUnit) {
   EXPECT_EQ(load_robot_json(json).dofs[0].closing_velocity, 1.5);
 }
 
+// Gains are in SI units whatever the units of the file, and so is the stiffness of springs; their
+// rest is a value of the joint.
+TEST(RobotFile, ReadsGainsAndSprings) {
+  nlohmann::json json = small_robot();
+  json["dofs"][0]["stiffness"] = 20;
+  json["dofs"][1]["damping"] = 3;
+  json["chains"][0]["joints"][0]["spring"] = {{"stiffness", 2}, {"rest", 90}};
+  json["chains"][1]["joints"][0]["spring"] = {{"stiffness", 400}, {"rest", -5}};
+  const Robot robot = load_robot_json(json);
+  EXPECT_EQ(robot.dofs[0].stiffness, 20.0);
+  EXPECT_FALSE(robot.dofs[0].damping);
+  EXPECT_FALSE(robot.dofs[1].stiffness);
+  EXPECT_EQ(robot.dofs[1].damping, 3.0);
+  EXPECT_EQ(robot.joints[0].spring.stiffness, 2.0);
+  EXPECT_NEAR(robot.joints[0].spring.rest, 90.0 * test::kDegree, kUnitRounding);
+  EXPECT_EQ(robot.joints[1].spring.stiffness, 0.0);
+  EXPECT_EQ(robot.joints[2].spring.stiffness, 400.0);
+  EXPECT_NEAR(robot.joints[2].spring.rest, -0.005, kUnitRounding);
+}
+
 TEST(RobotFile, JoinsChainsJointsAndLinks) {
   const Robot robot = load_robot_json(small_robot());
   ASSERT_EQ(robot.chains.size(), 2U);

@@ -31,6 +31,16 @@ TEST(RobotText, AHandWithoutPreshapesReadsBackAsTheSame) {
   test::expect_same_robot(load_robot(file), robot);
 }
 
+TEST(RobotText, GainsAndSpringsReadBackAsTheSame) {
+  Robot robot = find_robot("barrett");
+  robot.dofs[0].stiffness = 0.0;
+  robot.dofs[1].stiffness = 12.5;
+  robot.dofs[1].damping = 0.25;
+  robot.joints[1].spring = {.stiffness = 3.5, .rest = -0.2};
+  const std::filesystem::path file = write_text(test_folder() / "robot.json", robot_text(robot));
+  test::expect_same_robot(load_robot(file), robot);
+}
+
 TEST(RobotText, PlatformsReadBackAsTheSame) {
   for (const std::string& name : library_platform_names()) {
     const std::filesystem::path folder = test_folder();

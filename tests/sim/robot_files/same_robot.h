@@ -34,6 +34,8 @@ inline void expect_same_joint(const Joint& a, const Joint& b) {
   EXPECT_EQ(a.max_effort, b.max_effort) << a.name;
   EXPECT_EQ(a.friction.coulomb, b.friction.coulomb) << a.name;
   EXPECT_EQ(a.friction.viscous, b.friction.viscous) << a.name;
+  EXPECT_EQ(a.spring.stiffness, b.spring.stiffness) << a.name;
+  EXPECT_EQ(a.spring.rest, b.spring.rest) << a.name;
 }
 
 inline void expect_same_dof(const DegreeOfFreedom& a, const DegreeOfFreedom& b) {
@@ -45,6 +47,9 @@ inline void expect_same_dof(const DegreeOfFreedom& a, const DegreeOfFreedom& b) 
   EXPECT_EQ(a.max_velocity, b.max_velocity) << a.name;
   EXPECT_EQ(a.max_acceleration, b.max_acceleration) << a.name;
   EXPECT_EQ(a.coupling, b.coupling) << a.name;
+  EXPECT_EQ(a.breakaway_effort, b.breakaway_effort) << a.name;
+  EXPECT_EQ(a.stiffness, b.stiffness) << a.name;
+  EXPECT_EQ(a.damping, b.damping) << a.name;
 }
 
 inline void expect_same_link(const Link& a, const Link& b) {

@@ -147,6 +147,28 @@ TEST(UrdfText, ArmsKeepTheirClosedForm) {
   }
 }
 
+// A degree of freedom that becomes the value of a joint at the ratio r has 1 / r^2 of its gains:
+// the same efforts on the joint.
+TEST(UrdfText, KeepsGainsAndSprings) {
+  Platform platform = find_platform("barrett");
+  Robot& robot = platform.robots[0].robot;
+  robot.joints[1].spring = {.stiffness = 3.5, .rest = -0.2};
+  robot.dofs[1].stiffness = 8.0;
+  robot.dofs[1].damping = 0.5;
+  const int dof = robot.dofs.size() > 1 ? 1 : 0;
+  for (Joint& joint : robot.joints) {
+    if (joint.dof == dof) joint.ratio *= 2.0;
+  }
+  const Robot again = written_and_read(platform).robots[0].robot;
+  const Joint& sprung = joint_called(again, robot.joints[1].name);
+  EXPECT_EQ(sprung.spring.stiffness, 3.5);
+  EXPECT_EQ(sprung.spring.rest, -0.2);
+  EXPECT_EQ(again.dofs[1].stiffness, 2.0);
+  EXPECT_EQ(again.dofs[1].damping, 0.125);
+  EXPECT_EQ(again.dofs[0].stiffness, robot.dofs[0].stiffness);
+  EXPECT_FALSE(again.dofs[0].damping);
+}
+
 TEST(UrdfText, DegreesOfFreedomBecomeJointValues) {
   Robot robot = find_robot("parallel_jaw");
   for (Joint& joint : robot.joints) {

@@ -48,6 +48,32 @@ TEST(SceneFile, FrictionOfAPairIsOverridden) {
   EXPECT_DOUBLE_EQ(scene.friction.between(Material::plastic, Material::plastic), 0.3);
 }
 
+TEST(SceneFile, KineticFrictionIsReadBesideTheStatic) {
+  const Scene scene = load_scene(write(std::string("{") + kBall + R"(, "friction": [
+      {"between": ["wood", "plastic"], "static": 0.7, "kinetic": 0.5},
+      {"between": ["glass", "glass"], "kinetic": 0.1},
+      {"between": ["wood", "wood"], "static": 0.6, "kinetic": 0.2},
+      {"between": ["wood", "wood"], "static": 0.5}]})"));
+  EXPECT_EQ(scene.kinetic_friction.between(Material::plastic, Material::wood), 0.5);
+  EXPECT_EQ(scene.kinetic_friction.between(Material::glass, Material::glass), 0.1);
+  EXPECT_FALSE(scene.kinetic_friction.between(Material::wood, Material::wood));
+  EXPECT_FALSE(scene.kinetic_friction.empty());
+  EXPECT_EQ(scene.friction.between(Material::glass, Material::glass), 0.2);
+  const FrictionTable sliding = sliding_friction(scene.friction, scene.kinetic_friction);
+  EXPECT_EQ(sliding.between(Material::wood, Material::plastic), 0.5);
+  EXPECT_EQ(sliding.between(Material::wood, Material::wood), 0.5);
+}
+
+TEST(SceneFile, BodiesMayBounce) {
+  const Scene scene = load_scene(write(R"({"object": {"generate": "ball", "triangles": 300,
+      "restitution": 0.8}, "obstacles": [
+      {"name": "table", "restitution": 0.3, "geometry": [{"shape": "box", "size": [1, 1, 0.1]}]},
+      {"name": "wall", "geometry": [{"shape": "box", "size": [1, 1, 0.1]}]}]})"));
+  EXPECT_EQ(scene.object.restitution, 0.8);
+  EXPECT_EQ(scene.obstacles[0].restitution, 0.3);
+  EXPECT_EQ(scene.obstacles[1].restitution, 0.0);
+}
+
 TEST(SceneFile, PrimitivesAndObstaclesAreRead) {
   const Scene scene = load_scene(write(R"({"object": {"generate": "ball", "triangles": 300,
       "primitives": [{"shape": "sphere", "radius": 0.03, "pose": {"position": [0, 0, 0.03]}}]},
@@ -94,6 +120,20 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"NegativeFriction", R"({"object": {"generate": "mug"},
             "friction": [{"between": ["wood", "wood"], "static": -0.1}]})",
                  "-0.1"},
+        BadScene{"NegativeKineticFriction", R"({"object": {"generate": "mug"},
+            "friction": [{"between": ["wood", "wood"], "static": 0.1, "kinetic": -0.1}]})",
+                 "friction[0].kinetic: must be from 0 to 1e6 between wood and wood (-0.1"},
+        BadScene{"KineticAboveStatic", R"({"object": {"generate": "mug"},
+            "friction": [{"between": ["wood", "wood"], "static": 0.1, "kinetic": 0.3}]})",
+                 "friction[0].kinetic: must be at most the static coefficient of the pair (0.3)"},
+        BadScene{"NoCoefficient", R"({"object": {"generate": "mug"},
+            "friction": [{"between": ["wood", "wood"]}]})",
+                 "friction[0].static: missing field"},
+        BadScene{"BouncesHigher", R"({"object": {"generate": "mug", "restitution": 1.5}})",
+                 "object.restitution: must be from 0 to 1 (1.5)"},
+        BadScene{"NegativeRestitution", R"({"object": {"generate": "mug"}, "obstacles": [
+            {"name": "mat", "generate": "box", "restitution": -0.1}]})",
+                 "obstacles[0].restitution: must be from 0 to 1 (-0.1)"},
         BadScene{"ThreeMaterials", R"({"object": {"generate": "mug"},
             "friction": [{"between": ["wood", "wood", "wood"], "static": 0.1}]})",
                  "two materials"},

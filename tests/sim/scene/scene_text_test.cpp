@@ -37,14 +37,17 @@ void expect_same_scene(const Scene& a, const Scene& b) {
   expect_same_body(a.object, a.object.X_WO, b.object, b.object.X_WO);
   EXPECT_EQ(a.object.mass, b.object.mass);
   EXPECT_EQ(a.object.center_of_mass, b.object.center_of_mass);
+  EXPECT_EQ(a.object.restitution, b.object.restitution);
   ASSERT_EQ(a.obstacles.size(), b.obstacles.size());
   for (std::size_t i = 0; i < a.obstacles.size(); ++i) {
     expect_same_body(a.obstacles[i], a.obstacles[i].X_WB, b.obstacles[i], b.obstacles[i].X_WB);
+    EXPECT_EQ(a.obstacles[i].restitution, b.obstacles[i].restitution);
   }
   for (const Material one : kMaterials) {
     EXPECT_EQ(a.compliant_depths.of(one), b.compliant_depths.of(one));
     for (const Material other : kMaterials) {
       EXPECT_EQ(a.friction.between(one, other), b.friction.between(one, other));
+      EXPECT_EQ(a.kinetic_friction.between(one, other), b.kinetic_friction.between(one, other));
     }
   }
   EXPECT_EQ(a.hand.name, b.hand.name);
@@ -86,6 +89,10 @@ TEST(SceneText, KeepsWhatAProgramChanged) {
       "board", make_box({0.3, 0.2, 0.01}, 2), translation({1.0, 2.0, 0.3}), Material::metal, {}};
   scene.obstacles.push_back(board);
   scene.friction.set(Material::metal, Material::glass, 0.123);
+  scene.kinetic_friction.set(Material::metal, Material::glass, 0.1);
+  scene.kinetic_friction.set(Material::wood, Material::wood, 0.25);
+  scene.object.restitution = 0.6;
+  scene.obstacles[0].restitution = 0.4;
   scene.compliant_depths.set(Material::wood, 2e-4);
   scene.carrier->start[0] += 0.1;
   scene.primitives = {{Cylinder{0.04, 0.1}, translation({0.0, 0.0, 0.05})}};
@@ -93,6 +100,13 @@ TEST(SceneText, KeepsWhatAProgramChanged) {
   expect_same_scene(scene, again);
   ASSERT_EQ(again.primitives.size(), 1U);
   EXPECT_EQ(std::get<Cylinder>(again.primitives[0].shape).radius, 0.04);
+}
+
+TEST(SceneText, SaysNothingOfWhatASceneDoesNotHave) {
+  const std::string text = scene_text(
+      load_scene(std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug.json"));
+  EXPECT_EQ(text.find("kinetic"), std::string::npos);
+  EXPECT_EQ(text.find("restitution"), std::string::npos);
 }
 
 TEST(SceneText, KeepsPrimitivesOfEveryShape) {
