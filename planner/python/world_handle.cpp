@@ -39,6 +39,8 @@ Stepping::Stepping(WorldHandle& handle) : handle_(handle) {
   no_gil_.emplace();
 }
 
+// Taking the GIL throws nothing.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 Stepping::~Stepping() {
   no_gil_.reset();
   handle_.is_stepping_ = false;

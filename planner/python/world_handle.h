@@ -43,7 +43,7 @@ class WorldHandle {
 class Stepping {
  public:
   explicit Stepping(WorldHandle& handle);
-  ~Stepping();
+  ~Stepping();  // NOLINT(bugprone-exception-escape)
   Stepping(const Stepping&) = delete;
   Stepping& operator=(const Stepping&) = delete;
 

@@ -45,6 +45,18 @@ TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   EXPECT_NE(flat.find("from the surface, the mesh encloses nothing\n"), std::string::npos) << flat;
 }
 
+TEST(Inspect, PrintsGainsAndSpringsOfARobot) {
+  const std::string sprung = inspected(std::filesystem::path(PREHEND_SOURCE_DIR) / "tests" /
+                                       "corpus" / "robot" / "good_sprung.json");
+  EXPECT_NE(sprung.find(" spring 200 N/m about 0.07\n"), std::string::npos) << sprung;
+  EXPECT_NE(sprung.find(" gains: stiffness 4000 N/m, damping 12.5 N s/m\n"), std::string::npos)
+      << sprung;
+  const std::string jaws = inspected(std::filesystem::path(PREHEND_SOURCE_DIR) / "tests" /
+                                     "corpus" / "robot" / "good_jaws.json");
+  EXPECT_EQ(jaws.find("spring"), std::string::npos) << jaws;
+  EXPECT_EQ(jaws.find("gains"), std::string::npos) << jaws;
+}
+
 // The surface of a cube is its primitive.
 TEST(Inspect, SaysHowFarTheSurfaceIsFromThePrimitives) {
   const std::filesystem::path cube = cube_without("inspect_distances", 0);
