@@ -52,7 +52,7 @@ Pose apart(const Pose& X_AB, const Vector3& normal_A, double distance) {
 }
 
 // Of a pair whose surfaces cross: they may by as much as they are apart at rest, along some normal
-// of their contacts.
+// of their contacts. Those that were deeper in each other from the start are on their way out.
 std::optional<Crossing> deeper(const PairMemory& pair, std::size_t place, const Solids& before,
                                const Solids& after, const StepOptions& options) {
   const ProximityMesh& a = after.at(pair.a).shape->mesh;
@@ -73,9 +73,11 @@ std::optional<Crossing> deeper(const PairMemory& pair, std::size_t place, const 
   for (const Vector3& normal : normals) {
     if (!surfaces_cross(a, b, apart(to, normal, most))) return {};
   }
-  if (normals.empty()) return Crossing{place, relative(pair, before), to};
-  return Crossing{place, apart(relative(pair, before), normals.front(), most),
-                  apart(to, normals.front(), most)};
+  if (normals.empty()) return {};
+  const Crossing crossing{place, apart(relative(pair, before), normals.front(), most),
+                          apart(to, normals.front(), most)};
+  if (surfaces_cross(a, b, crossing.X_AB_from)) return {};
+  return crossing;
 }
 
 }  // namespace
@@ -111,7 +113,8 @@ bool add_contacts(const Crossing& crossing, const Solids& before,
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& p, const auto& q) { return p.first < q.first; });
   int added = 0;
-  for (const auto& [distance, contact] : found) {
+  for (const auto& one : found) {
+    const HeldContact& contact = one.second;
     const bool is_known =
         std::any_of(pair.contacts.begin(), pair.contacts.end(), [&](const HeldContact& known) {
           return difference(known, contact, options.arm) < kSame * options.apart;

@@ -48,7 +48,7 @@ inline TriangleMesh random_shape(Random& random) {
   }
 }
 
-inline WorldBody random_body(Random& random, const std::string& name, TriangleMesh mesh) {
+inline WorldBody random_body(Random& random, const std::string& name, const TriangleMesh& mesh) {
   WorldBody body{name, make_collision_body(name, mesh, true)};
   body.inertial = inertial_of_density(mesh, std::exp(random.uniform(std::log(200.0), 9.0)));
   return body;
@@ -119,9 +119,9 @@ class RandomWorld {
         fixed_body("ground", make_box({2.0, 2.0, 0.05}), translation({0.0, 0.0, -0.025})));
   }
 
-  void add(TriangleMesh mesh, const Pose& X_WC, const Vector3& linear, const Vector3& angular) {
-    WorldBody body =
-        random_body(random_, "body" + std::to_string(world_.bodies.size()), std::move(mesh));
+  void add(const TriangleMesh& mesh, const Pose& X_WC, const Vector3& linear,
+           const Vector3& angular) {
+    WorldBody body = random_body(random_, "body" + std::to_string(world_.bodies.size()), mesh);
     body.motion.X_WB = X_WC * translation(-body.inertial.center_of_mass);
     body.motion.linear = linear;
     body.motion.angular = angular;
@@ -201,12 +201,12 @@ class RandomWorld {
     const int count = random_.integer(1, 4);
     for (int i = 0; i < count; ++i) {
       const double size = random_.uniform(0.01, 0.04);
-      TriangleMesh mesh = random_.index(2) == 0
-                              ? make_box({size, random_.uniform(0.005, 0.02), 0.015})
-                              : make_sphere(0.5 * size, random_.integer(0, 2));
+      const TriangleMesh mesh = random_.index(2) == 0
+                                    ? make_box({size, random_.uniform(0.005, 0.02), 0.015})
+                                    : make_sphere(0.5 * size, random_.integer(0, 2));
       const Vector3 place(random_.uniform(-0.02, 0.02), random_.uniform(-0.02, 0.02),
                           0.25 + 0.1 * i);
-      add(std::move(mesh), pose_from(random_.rotation(), place),
+      add(mesh, pose_from(random_.rotation(), place),
           Vector3(0.0, 0.0, -random_.uniform(0.0, 10.0)), random_.in_box(20.0));
     }
   }

@@ -59,6 +59,7 @@ struct Examined {
   std::vector<std::uint64_t> seeds;
 };
 
+// NOLINTNEXTLINE(readability-identifier-naming): GoogleTest asks for this name
 void PrintTo(const Examined& examined, std::ostream* stream) { *stream << examined.name; }
 
 class ExaminedWorlds : public ::testing::TestWithParam<Examined> {};
