@@ -67,6 +67,11 @@
 //   input_error.h         what is thrown for a caller's mistake
 // Things that move
 //   shake_grasps.h        the grasps of a plan are closed, lifted and shaken
+//   form_grasp.h          a hand that closes in time, on an object that gives way
+//   object_watch.h        what becomes of the object
+//   simulate.h            a scene simulated and recorded
+//   simulation_file.h     its states as files
+//   simulation_report.h   its report
 //   shake.h               one grasp under a protocol, and what became of it
 //   protocol_file.h       protocols from files and from the library
 //   world.h               bodies and robots that move, step by step
@@ -84,6 +89,7 @@
 #include "planner/exports/export_files.h"
 #include "planner/files/contacts_file.h"
 #include "planner/files/grasps_file.h"
+#include "planner/files/simulation_file.h"
 #include "planner/path/check_path.h"
 #include "planner/path/grasp_motion.h"
 #include "planner/path/grasp_path.h"
@@ -94,6 +100,7 @@
 #include "planner/report/contacts_report.h"
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
+#include "planner/report/simulation_report.h"
 #include "planner/search/accuracy.h"
 #include "planner/search/advice.h"
 #include "planner/search/grasp_words.h"
@@ -121,6 +128,8 @@
 #include "sim/control/wrist_impedance.h"
 #include "sim/dynamics/scene_bodies.h"
 #include "sim/dynamics/world.h"
+#include "sim/formation/form_grasp.h"
+#include "sim/formation/object_watch.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/make_mesh.h"
 #include "sim/geometry/mass_properties.h"
@@ -132,6 +141,7 @@
 #include "sim/hand/posture_survey.h"
 #include "sim/manipulation/protocol_file.h"
 #include "sim/manipulation/shake.h"
+#include "sim/manipulation/simulate.h"
 #include "sim/mesh_files/mesh_file.h"
 #include "sim/quality/quality.h"
 #include "sim/reach/cartesian_line.h"

@@ -124,6 +124,19 @@ void bind_trial_options(py::module_& core) {
       .number("most_pairs", &GapTrackerOptions::most_pairs, "No list longer than this is kept.")
       .number("looseness", &GapTrackerOptions::looseness,
               "Part by which a query may be off that only says how far to go; in [0, 1).");
+  OptionsClass<FormationOptions>(core, "FormationOptions",
+                                 "A hand that closes in time, on an object that gives way.")
+      .field("dynamic", &FormationOptions::dynamic,
+             "Whether it does; else the object stands still.")
+      .number("gravity", &FormationOptions::gravity,
+              "Where the scene has obstacles to stand on; else there is none [m/s^2].")
+      .number("settle", &FormationOptions::settle,
+              "Longest time in which the object comes to rest at first [s].")
+      .number("close", &FormationOptions::close, "Longest time in which the hand closes [s].")
+      .number("lift", &FormationOptions::lift,
+              "The closed hand rises by this, where the object stands on something [m].")
+      .number("lift_time", &FormationOptions::lift_time, "In this time [s].")
+      .number("step", &FormationOptions::step, "Of the simulation [s].");
   OptionsClass<TrialOptions>(core, "TrialOptions",
                              "The one dial between speed and accuracy of a trial.")
       .field("contact", &TrialOptions::contact, "ContactOptions.")
@@ -143,7 +156,8 @@ void bind_trial_options(py::module_& core) {
       .field("reach", &TrialOptions::reach, "ReachOptions, for scenes with an arm.")
       .number("max_gap_queries", &TrialOptions::max_gap_queries,
               "A pair of bodies is asked for its gap at most this often in one motion.")
-      .field("gaps", &TrialOptions::gaps, "GapTrackerOptions.");
+      .field("gaps", &TrialOptions::gaps, "GapTrackerOptions.")
+      .field("formation", &TrialOptions::formation, "FormationOptions.");
 }
 
 void bind_path_options(py::module_& core) {

@@ -224,6 +224,29 @@ class GapTrackerOptions:
     def __copy__(self) -> GapTrackerOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> GapTrackerOptions: ...
 
+class FormationOptions:
+    _fields: Tuple[str, ...]
+    dynamic: bool
+    gravity: float
+    settle: float
+    close: float
+    lift: float
+    lift_time: float
+    step: float
+    def __init__(
+        self,
+        *,
+        dynamic: bool = ...,
+        gravity: float = ...,
+        settle: float = ...,
+        close: float = ...,
+        lift: float = ...,
+        lift_time: float = ...,
+        step: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> FormationOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> FormationOptions: ...
+
 class TrialOptions:
     _fields: Tuple[str, ...]
     contact: ContactOptions
@@ -237,6 +260,7 @@ class TrialOptions:
     reach: ReachOptions
     max_gap_queries: int
     gaps: GapTrackerOptions
+    formation: FormationOptions
     def __init__(
         self,
         *,
@@ -251,6 +275,7 @@ class TrialOptions:
         reach: ReachOptions = ...,
         max_gap_queries: int = ...,
         gaps: GapTrackerOptions = ...,
+        formation: FormationOptions = ...,
     ) -> None: ...
     def __copy__(self) -> TrialOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> TrialOptions: ...
