@@ -1,5 +1,6 @@
 #include "benchmarks/shake/on_table.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "sim/base/input_error.h"
@@ -11,7 +12,7 @@ namespace prehend::bench {
 namespace {
 
 constexpr double kDrop = 1e-3;       // that the object is let fall [m]
-constexpr double kClear = 1e-4;      // by which it is kept clear of the plate in the end [m]
+constexpr double kClear = 1e-4;      // between its lowest point and the plate in the end [m]
 constexpr double kThickness = 0.05;  // of the plate [m]
 constexpr double kMargin = 0.3;      // of the plate around the object [m]
 constexpr double kPatience = 10.0;   // s
@@ -60,7 +61,10 @@ void put_on_table(Scene& scene) {
     if (step > 0.0 && time < kPatience) continue;
     throw InputError({.field = scene.object.name, .problem = "does not come to rest on a table"});
   }
-  scene.object.X_WO = translation({0.0, 0.0, kClear}) * world.bodies[0].motion.X_WB;
+  scene.object.X_WO = world.bodies[0].motion.X_WB;
+  // Surfaces at rest may cross by a little, which scenes must not.
+  const double up = z + kClear - lowest_of(scene.object);
+  scene.object.X_WO = translation({0.0, 0.0, up}) * scene.object.X_WO;
   const StaticBody plate = plate_at(z, scene.object);
   add_obstacle(scene, plate.name, plate.mesh, plate.X_WB, plate.material);
 }
