@@ -1,22 +1,26 @@
 // How long steps of moving bodies take:
 //
-//   dynamics [--boxes N]
+//   dynamics [--boxes N] [--plot FILE.svg]
 //
 // A hand that holds an object above a table, step by step, and boxes that fall into a heap, up to N
-// of them (1000), with the exponent of their time.
+// of them (1000), with the exponent of their time and a plot.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "benchmarks/report/line_plot.h"
 #include "benchmarks/report/power_law.h"
 #include "benchmarks/support/percentile.h"
+#include "benchmarks/support/resources.h"
 #include "planner/search/plan.h"
 #include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
 #include "sim/base/random.h"
 #include "sim/dynamics/rigid_motion.h"
 #include "sim/dynamics/world.h"
@@ -28,6 +32,7 @@
 namespace prehend::bench {
 namespace {
 
+// Of a processor, so that what else runs on the machine counts little.
 struct StepTimes {
   std::vector<double> milliseconds;
   std::vector<double> contacts;
@@ -40,9 +45,9 @@ double mean(const std::vector<double>& values) {
 StepTimes run_steps(World& world, int steps) {
   StepTimes times;
   for (int i = 0; i < steps; ++i) {
-    const auto start = benchmark::Clock::now();
+    const double start = benchmark::processor_seconds();
     const StepResult result = step_world(world);
-    times.milliseconds.push_back(benchmark::milliseconds_since(start));
+    times.milliseconds.push_back(1e3 * (benchmark::processor_seconds() - start));
     times.contacts.push_back(static_cast<double>(world.contacts.size()));
     if (result.outcome == StepOutcome::blocked) break;
   }
@@ -99,32 +104,69 @@ World heap(int boxes) {
   return world;
 }
 
-void time_heaps(int most) {
+void write_plot(const Line& line, const std::filesystem::path& file) {
+  LinePlot plot;
+  plot.title = "Boxes that fall into a heap";
+  plot.x_label = "boxes";
+  plot.y_label = "processor time of a step [ms]";
+  plot.x_scale = Scale::logarithmic;
+  plot.y_scale = Scale::logarithmic;
+  plot.lines = {line};
+  write_file(file, line_plot_svg(plot));
+}
+
+// The time of a step of heaps, the mean over all steps from the first fall to rest, with their
+// median as the lower end of the spread and the 95 % as the upper. The plot is written anew after
+// each heap, since the largest take minutes.
+void time_heaps(int most, const std::filesystem::path& plot) {
+  Line line{"heap of boxes, mean of 320 steps", {}, {}};
   std::vector<DataPoint> points;
-  for (int boxes = 8; boxes <= most; boxes *= 5) {
+  for (const int boxes : {8, 27, 64, 125, 216, 512, 1000}) {
+    if (boxes > most) break;
     World world = heap(boxes);
     const StepTimes times = run_steps(world, 320);
     print_times("heap of " + std::to_string(boxes), times);
-    points.push_back({static_cast<double>(boxes), mean(times.milliseconds)});
+    const double average = mean(times.milliseconds);
+    line.points.push_back({static_cast<double>(boxes), average,
+                           std::min(average, benchmark::percentile(times.milliseconds, 0.5)),
+                           std::max(average, benchmark::percentile(times.milliseconds, 0.95))});
+    points.push_back({static_cast<double>(boxes), average});
+    line.fit = fit_power_law(points);
+    if (!plot.empty()) write_plot(line, plot);
   }
-  if (const std::optional<PowerLaw> law = fit_power_law(points)) {
+  if (line.fit) {
     std::printf("mean time of a step of a heap: boxes to the power of %.2f (r^2 %.3f)\n",
-                law->exponent, law->r_squared);
+                line.fit->exponent, line.fit->r_squared);
   }
 }
 
-int run(const std::vector<std::string>& words) {
-  int most = 1000;
+struct Arguments {
+  int boxes = 1000;
+  std::filesystem::path plot;  // empty: none
+};
+
+Arguments read_arguments(const std::vector<std::string>& words) {
+  Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] != "--boxes" || i + 1 == words.size()) {
+    const bool is_option = words[i] == "--boxes" || words[i] == "--plot";
+    if (!is_option || i + 1 == words.size()) {
       throw InputError({.field = words[i], .problem = "is no option, or needs a value"});
     }
-    most = std::stoi(words[++i]);
+    if (words[i] == "--boxes") {
+      arguments.boxes = std::stoi(words[++i]);
+    } else {
+      arguments.plot = words[++i];
+    }
   }
+  return arguments;
+}
+
+int run(const std::vector<std::string>& words) {
+  const Arguments arguments = read_arguments(words);
   std::printf("%-28s %6s %8s %9s %9s %9s\n", "world", "steps", "contacts", "median ms", "95 %",
               "most");
   time_grasp("mug_on_table");
-  time_heaps(most);
+  time_heaps(arguments.boxes, arguments.plot);
   return 0;
 }
 

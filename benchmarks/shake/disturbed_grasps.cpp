@@ -3,15 +3,22 @@
 //
 //   disturbed_grasps [--each N] [--protocol NAME]... FOLDER
 //
-// FOLDER holds grasps/dexycb_franka_*.json and ycb/*.obj; every N-th grasp is taken (4).
+// FOLDER holds grasps/dexycb_franka_*.json and ycb/*.obj; every N-th grasp is taken (4). For each
+// protocol a table by disturbance: how many hold by force closure, the median of epsilon over all,
+// how many survive, how many of those in force closure, and how well epsilon tells survivors from
+// others: the probability that of one of each the survivor has the larger epsilon (AUC), among all
+// and among those in force closure.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "benchmarks/support/percentile.h"
 #include "planner/search/shake_grasps.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -32,7 +39,7 @@ struct Disturbance {
 
 std::vector<Disturbance> disturbances() {
   constexpr double kDegree = 3.14159265358979323846 / 180.0;
-  return {{"none"},
+  return {{"0"},
           {"5 mm", 0.005},
           {"10 mm", 0.010},
           {"20 mm", 0.020},
@@ -71,11 +78,11 @@ CompiledScene franka_at(const std::filesystem::path& folder, const std::string& 
   return compile(std::move(scene));
 }
 
-// What became of the grasps of one disturbance.
+// What became of the grasps of one disturbance. Where the hand did not close on the object, a grasp
+// has no quality and does not survive.
 struct Tally {
   int tried = 0;
-  int closed = 0;        // the fingers closed on the object
-  int force_closed = 0;  // and hold by force closure
+  int force_closed = 0;
   int survived = 0;
   int survived_force_closed = 0;
   std::vector<double> surviving;  // epsilon, 0 without force closure
@@ -84,46 +91,81 @@ struct Tally {
   void add(const ScoredGrasp& grasp) {
     ++tried;
     const bool survives = grasp.shake && grasp.shake->holds();
-    if (grasp.shake) {
-      ++closed;
-      (survives ? surviving : failing).push_back(grasp.trial.epsilon.lower);
-    }
-    if (survives) ++survived;
-    if (grasp.trial.outcome == Outcome::stable) {
-      ++force_closed;
-      if (survives) ++survived_force_closed;
-    }
+    const bool closed = grasp.trial.outcome == Outcome::stable;
+    (survives ? surviving : failing).push_back(closed ? grasp.trial.epsilon.lower : 0.0);
+    survived += survives ? 1 : 0;
+    force_closed += closed ? 1 : 0;
+    survived_force_closed += survives && closed ? 1 : 0;
   }
 
-  // The probability that of a survivor and another the survivor has the larger epsilon.
-  double ranked_right() const {
-    double right = 0.0;
-    for (const double a : surviving) {
-      for (const double b : failing) right += a > b ? 1.0 : a == b ? 0.5 : 0.0;
-    }
-    const auto pairs = static_cast<double>(surviving.size() * failing.size());
-    return pairs > 0.0 ? right / pairs : 0.0;
+  void add(const Tally& other) {
+    tried += other.tried;
+    force_closed += other.force_closed;
+    survived += other.survived;
+    survived_force_closed += other.survived_force_closed;
+    surviving.insert(surviving.end(), other.surviving.begin(), other.surviving.end());
+    failing.insert(failing.end(), other.failing.begin(), other.failing.end());
   }
 
-  double mean_epsilon() const {
-    double sum = 0.0;
-    for (const double value : surviving) sum += value;
-    for (const double value : failing) sum += value;
-    return closed > 0 ? sum / closed : 0.0;
+  double median_epsilon() const {
+    std::vector<double> all = surviving;
+    all.insert(all.end(), failing.begin(), failing.end());
+    return benchmark::percentile(std::move(all), 0.5);
   }
 };
 
-double percent(int part, int whole) { return whole > 0 ? 100.0 * part / whole : 0.0; }
+// The probability that of a survivor and another the survivor has the larger epsilon (AUC); none
+// where one of the two is missing.
+std::optional<double> ranked_right(const std::vector<double>& surviving,
+                                   const std::vector<double>& failing) {
+  double right = 0.0;
+  for (const double a : surviving) {
+    for (const double b : failing) right += a > b ? 1.0 : a == b ? 0.5 : 0.0;
+  }
+  if (surviving.empty() || failing.empty()) return std::nullopt;
+  return right / static_cast<double>(surviving.size() * failing.size());
+}
 
-void print_row(const std::string& protocol, const std::string& name, const Tally& tally) {
-  std::printf(
-      "%-18s %-8s %6d %6.0f %% %6.0f %% %8.3f %6.0f %% %9.0f %% %11.0f %% %8.2f\n",
-      protocol.c_str(), name.c_str(), tally.tried, percent(tally.closed, tally.tried),
-      percent(tally.force_closed, tally.tried), tally.mean_epsilon(),
-      percent(tally.survived, tally.tried),
-      percent(tally.survived_force_closed, tally.force_closed),
-      percent(tally.survived - tally.survived_force_closed, tally.closed - tally.force_closed),
-      tally.ranked_right());
+// The same among grasps in force closure only.
+std::optional<double> ranked_right_of_closed(const Tally& tally) {
+  const auto closed = [](std::vector<double> values) {
+    std::erase(values, 0.0);
+    return values;
+  };
+  return ranked_right(closed(tally.surviving), closed(tally.failing));
+}
+
+std::string percent_text(int part, int whole) {
+  if (whole == 0) return "-";
+  return std::to_string(std::lround(100.0 * part / whole)) + " %";
+}
+
+std::string share_text(const std::optional<double>& share) {
+  if (!share) return "-";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", *share);
+  return text.data();
+}
+
+void print_row(const std::string& name, const Tally& tally) {
+  std::printf("%-8s %6d %14s %15.3f %9s %13s %8s %13s\n", name.c_str(), tally.tried,
+              percent_text(tally.force_closed, tally.tried).c_str(), tally.median_epsilon(),
+              percent_text(tally.survived, tally.tried).c_str(),
+              percent_text(tally.survived_force_closed, tally.force_closed).c_str(),
+              share_text(ranked_right(tally.surviving, tally.failing)).c_str(),
+              share_text(ranked_right_of_closed(tally)).c_str());
+}
+
+void print_table(const std::string& protocol, const std::vector<Disturbance>& disturbances,
+                 const std::vector<Tally>& tallies) {
+  std::printf("\n%s\n%-8s %6s %14s %15s %9s %13s %8s %13s\n", protocol.c_str(), "off by", "tried",
+              "force closure", "median epsilon", "survive", "of f.c.", "AUC", "AUC in f.c.");
+  Tally all;
+  for (std::size_t d = 0; d < disturbances.size(); ++d) {
+    print_row(disturbances[d].name, tallies[d]);
+    all.add(tallies[d]);
+  }
+  print_row("all", all);
   std::fflush(stdout);
 }
 
@@ -189,12 +231,8 @@ int run(const std::vector<std::string>& words) {
       }
     }
   }
-  std::printf("%-18s %-8s %6s %8s %8s %8s %8s %11s %13s %8s\n", "protocol", "off by", "tried",
-              "closed", "f.c.", "epsilon", "survive", "of f.c.", "of no f.c.", "ranked");
   for (std::size_t p = 0; p < arguments.protocols.size(); ++p) {
-    for (std::size_t d = 0; d < all.size(); ++d) {
-      print_row(arguments.protocols[p], all[d].name, tallies[p][d]);
-    }
+    print_table(arguments.protocols[p], all, tallies[p]);
   }
   return 0;
 }

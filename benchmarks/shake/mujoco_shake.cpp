@@ -16,7 +16,8 @@ constexpr double kRestTime = 0.1;
 
 class ShakeRun {
  public:
-  ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject);
+  ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject,
+           const StartOptions& start);
 
   ShakeResult run();
 
@@ -34,13 +35,15 @@ class ShakeRun {
   double steps_ = 0.0;
 };
 
-ShakeRun::ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject)
+ShakeRun::ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject,
+                   const StartOptions& start)
     : protocol_(protocol), subject_(subject), world_(mjcf) {
   if (protocol.object.mass) world_.set_object_mass(*protocol.object.mass);
   if (protocol.object.density) world_.set_object_mass(*protocol.object.density * subject.volume);
   if (protocol.friction) world_.set_friction(*protocol.friction);
   if (protocol.torsion) world_.set_torsion(*protocol.torsion);
-  world_.start();
+  world_.set_locks(subject.locks);
+  world_.start(start);
   R_WO_ = world_.object().linear();
 }
 
@@ -116,6 +119,7 @@ ShakeResult ShakeRun::run() {
     }
   }
   result.steps = steps_;
+  result.opened = world_.opened();
   return result;
 }
 
@@ -131,8 +135,8 @@ ShakeSubject subject_of(const CompiledScene& scene) {
 }
 
 ShakeResult shake_in_mujoco(const std::string& mjcf, const Protocol& protocol,
-                            const ShakeSubject& subject) {
-  return ShakeRun(mjcf, protocol, subject).run();
+                            const ShakeSubject& subject, const StartOptions& start) {
+  return ShakeRun(mjcf, protocol, subject, start).run();
 }
 
 }  // namespace prehend::bench

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "benchmarks/shake/mujoco_world.h"
 #include "benchmarks/shake/shake_result.h"
 #include "sim/scene/compiled_scene.h"
 
@@ -13,6 +15,7 @@ struct ShakeSubject {
   Matrix3 R_HG = Matrix3::Identity();  // the axes of ProtocolFrame::hand in the hand's base frame
   double volume = 0.0;                 // of the object [m^3]
   double longest_edge = 0.0;           // of the object's bounds [m]
+  std::vector<JointLock> locks = {};   // of the hand
 };
 
 ShakeSubject subject_of(const CompiledScene& scene);
@@ -21,6 +24,6 @@ ShakeSubject subject_of(const CompiledScene& scene);
 // contacts are made for. On a support the model must have the scene's obstacles, else none. Throws
 // InputError for a model that MuJoCo refuses.
 ShakeResult shake_in_mujoco(const std::string& mjcf, const Protocol& protocol,
-                            const ShakeSubject& subject);
+                            const ShakeSubject& subject, const StartOptions& start = {});
 
 }  // namespace prehend::bench

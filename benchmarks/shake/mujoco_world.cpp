@@ -20,6 +20,9 @@ constexpr double kBaseInertia = 1e2;
 // The steps in which the hand is opened at the start, parts of the way to the preshape.
 constexpr double kOpeningStep = 1.0 / 400.0;
 
+// Part of the motion against a gear that it takes away at once (solimp), at most 0.9999.
+constexpr double kGearImpedance = 0.9999;
+
 void ignore_warning(const char* /*text*/) {}
 
 mjModel* load_model(const std::string& mjcf) {
@@ -61,6 +64,12 @@ struct MujocoWorld::Data {
 
   enum class Drive { still, closing, opening };
 
+  struct Lock {
+    int joint = 0;
+    double closing = 1.0;
+    std::array<mjtNum, 2> range = {};  // of the joint as the model has it
+  };
+
   Model model;
   State state;
   State kept;
@@ -71,6 +80,8 @@ struct MujocoWorld::Data {
   int pregrasp_key = -1;
   Drive drive = Drive::still;
   std::vector<double> start_joints;  // qpos
+  double start_opened = 0.0;
+  std::vector<Lock> locks;
   Pose X_WH = Pose::Identity();
   Twist velocity;
   Pose kept_X_WH = Pose::Identity();
@@ -88,6 +99,8 @@ struct MujocoWorld::Data {
   void put_base(const Pose& pose, const Twist& twist) const;
   void put_joints(double opened) const;
   void drive_joints() const;
+  void unlock() const;
+  void follow_locked() const;
 };
 
 MujocoWorld::Data::Twist MujocoWorld::Data::twist_between(const Pose& from, const Pose& to,
@@ -181,6 +194,26 @@ void MujocoWorld::Data::drive_joints() const {
   }
 }
 
+void MujocoWorld::Data::unlock() const {
+  for (const Lock& lock : locks) {
+    std::copy(lock.range.begin(), lock.range.end(), model->jnt_range + 2 * lock.joint);
+  }
+}
+
+// The limits behind locked joints come after them.
+void MujocoWorld::Data::follow_locked() const {
+  if (drive != Drive::closing) return;
+  for (const Lock& lock : locks) {
+    const mjtNum q = state->qpos[model->jnt_qposadr[lock.joint]];
+    mjtNum* range = model->jnt_range + 2 * lock.joint;
+    if (lock.closing > 0.0) {
+      range[0] = std::clamp(q, range[0], range[1]);
+    } else {
+      range[1] = std::clamp(q, range[0], range[1]);
+    }
+  }
+}
+
 MujocoWorld::MujocoWorld(const std::string& mjcf) : data_(std::make_unique<Data>()) {
   data_->model = Data::Model(load_model(mjcf));
   data_->state = Data::State(mj_makeData(data_->model.get()));
@@ -203,7 +236,11 @@ double MujocoWorld::object_mass() const { return data_->model->body_mass[data_->
 void MujocoWorld::set_friction(double friction) {
   mjModel& model = *data_->model;
   for (int g = 0; g < model.ngeom; ++g) {
-    if (data_->of_hand(g)) model.geom_friction[3 * g] = friction;
+    if (!data_->of_hand(g)) continue;
+    // A soft contact bears spin with a lever arm of its own.
+    const double before = model.geom_friction[3 * g];
+    if (before > 0.0) model.geom_friction[3 * g + 1] *= friction / before;
+    model.geom_friction[3 * g] = friction;
   }
 }
 
@@ -213,6 +250,19 @@ void MujocoWorld::set_torsion(double torsion) {
     if (!data_->of_hand(g)) continue;
     model.geom_friction[3 * g + 1] = torsion;
     model.geom_condim[g] = torsion > 0.0 ? 4 : 3;
+  }
+}
+
+void MujocoWorld::set_locks(const std::vector<JointLock>& locks) {
+  const mjModel* model = data_->model.get();
+  for (const JointLock& lock : locks) {
+    const int joint = mj_name2id(model, mjOBJ_JOINT, lock.joint.c_str());
+    if (joint < 0) throw InputError({.problem = "no joint of this name", .value = lock.joint});
+    const mjtNum* range = model->jnt_range + 2 * joint;
+    data_->locks.push_back({joint, lock.closing, {range[0], range[1]}});
+    // A gear is stiffer than MuJoCo's limits are unless they are told so.
+    data_->model->jnt_solimp[mjNIMP * joint] = kGearImpedance;
+    data_->model->jnt_solimp[mjNIMP * joint + 1] = kGearImpedance;
   }
 }
 
@@ -236,6 +286,8 @@ void MujocoWorld::start(const StartOptions& options) {
     }
   }
   data_->put_joints(opened);
+  data_->start_opened = opened;
+  data_->unlock();
   data_->start_joints.assign(state->qpos, state->qpos + model->nq);
   mj_forward(model, state);
   data_->X_WH = pose_of(state->xpos + 3 * data_->base, state->xquat + 4 * data_->base);
@@ -244,7 +296,10 @@ void MujocoWorld::start(const StartOptions& options) {
 }
 
 void MujocoWorld::close() { data_->drive = Data::Drive::closing; }
-void MujocoWorld::open() { data_->drive = Data::Drive::opening; }
+void MujocoWorld::open() {
+  data_->drive = Data::Drive::opening;
+  data_->unlock();
+}
 
 void MujocoWorld::set_gravity(const Vector3& gravity_W) {
   std::copy(gravity_W.begin(), gravity_W.end(), data_->model->opt.gravity);
@@ -279,6 +334,7 @@ void MujocoWorld::step_to(const Pose& X_WH) {
   std::copy(force.begin(), force.end(), state->xfrc_applied + 6 * data_->base);
   std::copy(torque.begin(), torque.end(), state->xfrc_applied + 6 * data_->base + 3);
   mj_step(model, state);
+  data_->follow_locked();
   data_->X_WH = X_WH;
   data_->velocity = next;
 }
@@ -317,6 +373,8 @@ bool MujocoWorld::in_contact() const {
 
 double MujocoWorld::overlap() const { return data_->overlap(); }
 
+double MujocoWorld::opened() const { return data_->start_opened; }
+
 bool MujocoWorld::is_unstable() const {
   // With too many contacts some would be left out.
   for (const int warning :
@@ -344,6 +402,8 @@ void MujocoWorld::go_back() {
   data_->X_WH = data_->kept_X_WH;
   data_->velocity = data_->kept_velocity;
   data_->drive = data_->kept_drive;
+  data_->unlock();
+  data_->follow_locked();
 }
 
 double drift_as_loaded(const std::string& mjcf, double seconds) {

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/base/pose.h"
 
@@ -13,6 +14,12 @@ struct StartOptions {
   // at most by this part of the way to its preshape.
   double overlap = 2e-5;
   double most_opened = 0.25;
+};
+
+// A joint that a gear keeps from being pushed back while its drive closes it.
+struct JointLock {
+  std::string joint;
+  double closing = 1.0;  // the sign of its velocity when it closes
 };
 
 // A model of `--export mjcf` that is stepped. The base of the hand goes where it is told, as if
@@ -29,6 +36,9 @@ class MujocoWorld {
   void set_object_mass(double mass);   // kg; the inertia changes with it
   void set_friction(double friction);  // between hand and object
   void set_torsion(double torsion);    // of the hand's contacts [m]
+  // Joints that only go on in the direction in which they close, from close() until open(): MuJoCo
+  // has no such gear, but a limit that follows the joint is one.
+  void set_locks(const std::vector<JointLock>& locks);
   double object_mass() const;
 
   // The grasp. Where pieces of hand and object overlap, because they reach a little out of the real
@@ -45,13 +55,14 @@ class MujocoWorld {
   // One step, at the end of which the base is at X_WH.
   void step_to(const Pose& X_WH);
 
-  Pose base() const;                         // of the hand, in the world
-  Pose object() const;                       // in the world
-  Vector3 center_of_mass() const;            // of the object, in the world
-  double object_speed() const;               // of its centre of mass [m/s]
-  bool in_contact() const;                   // a link pressed on the object in the last step
-  double overlap() const;                    // the deepest of hand and object in the last step [m]
-  bool is_unstable() const;                  // since start()
+  Pose base() const;               // of the hand, in the world
+  Pose object() const;             // in the world
+  Vector3 center_of_mass() const;  // of the object, in the world
+  double object_speed() const;     // of its centre of mass [m/s]
+  bool in_contact() const;         // a link pressed on the object in the last step
+  double overlap() const;          // the deepest of hand and object in the last step [m]
+  double opened() const;     // part of the way to the preshape by which start() opened the hand
+  bool is_unstable() const;  // since start()
   Pose body(const std::string& name) const;  // in the world, after start() and before steps
 
   // Keeps the state, and goes back to it as often as wanted.

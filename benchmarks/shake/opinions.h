@@ -5,10 +5,34 @@
 #include <string>
 #include <vector>
 
+#include "benchmarks/shake/mujoco_world.h"
 #include "benchmarks/shake/shake_cases.h"
 #include "sim/manipulation/protocol.h"
 
 namespace prehend::bench {
+
+// What can be changed in our simulator.
+struct OwnRun {
+  double step = 1.0;     // times that of the protocol
+  bool locks = true;     // gears behind clutches keep fingers from being pushed back
+  bool clutches = true;  // else the joints of fingers that break away move as one from the grasp on
+  double opened = 0.0;   // the hand starts a part of the way from the grasp to its preshape
+};
+
+// What can be changed in MuJoCo's.
+struct MujocoRun {
+  double step = 1.0;  // times that of exported models, and so the time in which contacts push
+  // Fingers that break away have their clutches and gears; else, as in exported models, their
+  // joints move as one from the grasp on.
+  bool clutches = false;
+  StartOptions start = {};
+};
+
+// Throws InputError for a world that cannot be stepped.
+ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol,
+                       const OwnRun& run = {});
+ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol,
+                      const MujocoRun& run = {});
 
 struct Opinion {
   std::string name;

@@ -1,17 +1,17 @@
 // How many of the best grasps survive the protocols of shaking, and in whose opinion:
 //
-//   shake [--grasps N] [--trials N] [--protocol NAME]... SCENE[:HAND]...
+//   shake [--grasps N] [--trials N] [--protocol NAME]... [--no-causes] SCENE[:HAND]...
 //
-// A scene is a name of the library, a scene or mesh file, or a generated object ("bowl").
-#include <algorithm>
+// A scene is a name of the library, a scene or mesh file, or a generated object ("bowl"). For
+// protocols on a support, objects without obstacles are put on a table. Each grasp on which the
+// simulators do not agree has a line that names the cause (disagreements.h).
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
-#include "benchmarks/shake/opinions.h"
 #include "benchmarks/shake/shake_cases.h"
-#include "benchmarks/support/percentile.h"
+#include "benchmarks/shake/shake_table.h"
 #include "sim/base/input_error.h"
 #include "sim/manipulation/protocol_file.h"
 
@@ -21,6 +21,7 @@ namespace {
 struct Arguments {
   int grasps = 10;
   int trials = 1000;
+  bool explain = true;
   std::vector<std::string> protocols;
   std::vector<std::string> cases;
 };
@@ -36,6 +37,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       arguments.grasps = std::stoi(value());
     else if (words[i] == "--trials")
       arguments.trials = std::stoi(value());
+    else if (words[i] == "--no-causes")
+      arguments.explain = false;
     else if (words[i] == "--protocol")
       arguments.protocols.push_back(value());
     else
@@ -49,76 +52,39 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   return arguments;
 }
 
-// On how many grasps all opinions agree, and the ranks of the others.
-void print_agreement(const ShakeCase& shaken, const std::vector<std::vector<bool>>& held) {
-  int agreed = 0;
-  std::string others;
-  for (std::size_t g = 0; g < shaken.grasps.size(); ++g) {
-    const bool agrees = std::all_of(held.begin(), held.end(), [&](const std::vector<bool>& by) {
-      return by[g] == held.front()[g];
-    });
-    if (agrees) {
-      ++agreed;
-    } else {
-      others.append(" ").append(std::to_string(shaken.grasps[g].rank));
-    }
+// The protocols of one kind, on the support or not: each kind has grasps of its own.
+void add_case(const std::string& name, const Arguments& arguments,
+              const std::vector<Protocol>& protocols, bool on_support, ShakeTable& table) {
+  std::vector<Protocol> of_kind;
+  for (const Protocol& protocol : protocols) {
+    if (protocol.on_support == on_support) of_kind.push_back(protocol);
   }
-  std::printf("   agree on %d%s%s", agreed, others.empty() ? "" : ", not on", others.c_str());
-}
-
-// One line: of each opinion the share that survives, the time of a grasp, and why others failed.
-void print_row(const ShakeCase& shaken, const Protocol& protocol) {
-  std::printf("%-22s %-18s %6zu", shaken.name.c_str(), protocol.name.c_str(), shaken.grasps.size());
-  std::vector<std::vector<bool>> held;  // by opinion and grasp
-  for (const Opinion& opinion : opinions()) {
-    const auto start = benchmark::Clock::now();
-    held.emplace_back();
-    int survived = 0;
-    double steps = 0.0;
-    std::vector<int> failures(kPhaseFailures.size(), 0);
-    for (const ShakenGrasp& grasp : shaken.grasps) {
-      const ShakeResult result = opinion.shake(shaken, grasp, protocol);
-      survived += result.survived() ? 1 : 0;
-      held.back().push_back(result.survived());
-      steps += result.steps;
-      for (const ShakeTestResult& test : failed_tests(result)) {
-        ++failures[static_cast<std::size_t>(test.phases.back().failure)];
-      }
-    }
-    const double seconds = 1e-3 * benchmark::milliseconds_since(start);
-    const auto count = static_cast<double>(shaken.grasps.size());
-    std::printf("   %5.0f %% %7.2f s %6.0f us", 100.0 * survived / count, seconds / count,
-                1e6 * seconds / steps);
-    for (const PhaseFailure failure : kPhaseFailures) {
-      const int times = failures[static_cast<std::size_t>(failure)];
-      if (times == 0) continue;
-      std::printf(" %s %d", std::string(phase_failure_name(failure)).c_str(), times);
-    }
+  if (of_kind.empty()) return;
+  const ShakeCase shaken = shake_case(name, arguments.trials, arguments.grasps, on_support);
+  if (shaken.grasps.empty()) std::printf("%-28s no grasp\n", name.c_str());
+  for (const Protocol& protocol : of_kind) {
+    if (!shaken.grasps.empty()) table.add(shaken, protocol);
   }
-  print_agreement(shaken, held);
-  std::printf("\n");
-  std::fflush(stdout);
 }
 
 int run(const std::vector<std::string>& words) {
   const Arguments arguments = read_arguments(words);
-  std::printf("%-22s %-18s %6s", "object:hand", "protocol", "grasps");
-  for (const Opinion& opinion : opinions()) {
-    std::printf("   %-7s s/grasp   a step  tests that failed", opinion.name.c_str());
+  std::vector<Protocol> protocols;
+  for (const std::string& name : arguments.protocols) {
+    protocols.push_back(read_protocol(find_protocol(name)));
   }
-  std::printf("\n");
+  ShakeTable table(arguments.explain);
+  ShakeTable::print_head();
   for (const std::string& name : arguments.cases) {
-    const ShakeCase shaken = shake_case(name, arguments.trials, arguments.grasps);
-    if (shaken.grasps.empty()) {
-      std::printf("%-22s no grasp\n", name.c_str());
-      continue;
-    }
-    for (const std::string& protocol_name : arguments.protocols) {
-      const Protocol protocol = read_protocol(find_protocol(protocol_name));
-      if (protocol.on_support && shaken.scene.scene.obstacles.empty()) continue;
-      print_row(shaken, protocol);
+    for (const bool on_support : {false, true}) {
+      try {
+        add_case(name, arguments, protocols, on_support, table);
+      } catch (const InputError& error) {  // the others are worth their time all the same
+        std::printf("%-28s left out: %s\n", name.c_str(), error.what());
+      }
     }
   }
+  table.print_sums();
   return 0;
 }
 

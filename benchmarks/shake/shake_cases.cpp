@@ -1,7 +1,9 @@
 #include "benchmarks/shake/shake_cases.h"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "benchmarks/shake/on_table.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
@@ -24,12 +26,16 @@ Scene scene_of(const std::string& name, const std::string& hand) {
 
 }  // namespace
 
-ShakeCase shake_case(const std::string& name, int trials, int most) {
+ShakeCase shake_case(const std::string& name, int trials, int most, bool on_support) {
   const std::size_t colon = name.find(':');
   const std::string hand = colon == std::string::npos ? "" : name.substr(colon + 1);
   ShakeCase shaken;
-  shaken.name = name;
-  shaken.scene = compile(scene_of(name.substr(0, colon), hand));
+  const bool is_file = name.find('/') != std::string::npos;
+  shaken.name = is_file ? std::filesystem::path(name.substr(0, colon)).stem().string() : name;
+  if (is_file && !hand.empty()) shaken.name += ":" + hand;
+  Scene scene = scene_of(name.substr(0, colon), hand);
+  if (on_support && scene.obstacles.empty()) put_on_table(scene);
+  shaken.scene = compile(std::move(scene));
   PlanOptions options;
   options.search.trials = trials;
   options.rank.top = most;

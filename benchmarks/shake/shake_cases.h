@@ -23,8 +23,9 @@ struct ShakeCase {
 };
 
 // SCENE[:HAND]: a scene of the library, a scene or mesh file, or a generated object; with at most
-// so many of the best grasps of a plan. Throws InputError.
-ShakeCase shake_case(const std::string& name, int trials, int most);
+// so many of the best grasps of a plan. `on_support`: an object without obstacles is put on a table
+// first. Throws InputError.
+ShakeCase shake_case(const std::string& name, int trials, int most, bool on_support = false);
 
 // The tests that failed, of which the preparation is one.
 std::vector<ShakeTestResult> failed_tests(const ShakeResult& result);

@@ -65,6 +65,7 @@ struct ShakeResult {
   ShakeTestResult prepare;
   std::vector<ShakeTestResult> tests;  // none where the preparation failed
   double steps = 0.0;                  // of all phases together
+  double opened = 0.0;  // part of the way to its preshape by which the hand was opened at the start
 
   bool survived() const {
     return prepare.survived() && !tests.empty() &&

@@ -1,6 +1,7 @@
 #include "planner/exports/hand_drives.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -28,6 +29,44 @@ double effort_without(const Robot& hand, int joint, const HandDriveOptions& opti
   return hand.joints[index(joint)].type == JointType::prismatic ? options.force : options.torque;
 }
 
+const Clutch* clutch_of(const std::vector<Clutch>& clutches, int joint) {
+  const auto found = std::find_if(clutches.begin(), clutches.end(), [&](const Clutch& clutch) {
+    return clutch.joints == std::vector<int>{joint};
+  });
+  return found == clutches.end() ? nullptr : &*found;
+}
+
+bool has_clutches(const Robot& hand, int dof, const std::vector<Clutch>& clutches) {
+  return hand.dofs[index(dof)].coupling == Coupling::breakaway &&
+         std::any_of(clutches.begin(), clutches.end(),
+                     [&](const Clutch& clutch) { return clutch.dof == dof; });
+}
+
+// The joints of a degree of freedom that breaks away. What its joints bear in all is what its drive
+// makes, at the joint that leads the others.
+void add_breakaway(const Robot& hand, const std::vector<int>& joints,
+                   const HandDriveOptions& options, HandDrives& found) {
+  const int leader = *std::find_if(joints.begin(), joints.end(), [&](int joint) {
+    return clutch_of(options.clutches, joint) == nullptr;
+  });
+  const Joint& leads = hand.joints[index(leader)];
+  double effort = 0.0;
+  for (const int joint : joints) {
+    const Joint& at = hand.joints[index(joint)];
+    effort += std::abs(at.ratio) * at.max_effort;
+    if (joint == leader) continue;
+    const HandCoupling coupling{joint, leader, at.ratio / leads.ratio};
+    if (const Clutch* clutch = clutch_of(options.clutches, joint)) {
+      found.clutches.push_back({coupling, clutch->effort / std::abs(at.ratio)});
+    } else {
+      found.couplings.push_back(coupling);
+    }
+  }
+  effort = effort > 0.0 ? effort / std::abs(leads.ratio) : effort_without(hand, leader, options);
+  const double way = hand.dofs[index(leads.dof)].closing_velocity * leads.ratio;
+  found.drives.push_back({leader, effort, std::copysign(effort, way)});
+}
+
 }  // namespace
 
 HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options) {
@@ -35,11 +74,16 @@ HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options) {
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const int dof = hand.joints[j].dof;
     const int joint = static_cast<int>(j);
-    const bool one = moves_as_one(hand.dofs[index(dof)].coupling);
+    const bool one =
+        moves_as_one(hand.dofs[index(dof)].coupling) || has_clutches(hand, dof, options.clutches);
     sets[{dof, one ? -1 : first_joint_of(hand, joint)}].push_back(joint);
   }
   HandDrives found;
   for (const auto& [key, joints] : sets) {
+    if (has_clutches(hand, key.first, options.clutches)) {
+      add_breakaway(hand, joints, options, found);
+      continue;
+    }
     const auto stated = [&](int joint) { return hand.joints[index(joint)].max_effort > 0.0; };
     const auto first = std::find_if(joints.begin(), joints.end(), stated);
     const int leader = first == joints.end() ? joints.front() : *first;
@@ -58,6 +102,8 @@ HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options) {
   const auto by_joint = [](const auto& a, const auto& b) { return a.joint < b.joint; };
   std::sort(found.drives.begin(), found.drives.end(), by_joint);
   std::sort(found.couplings.begin(), found.couplings.end(), by_joint);
+  std::sort(found.clutches.begin(), found.clutches.end(),
+            [](const auto& a, const auto& b) { return a.follows.joint < b.follows.joint; });
   return found;
 }
 

@@ -6,10 +6,12 @@
 #include <set>
 #include <utility>
 
+#include "planner/exports/mjcf_drives.h"
 #include "planner/exports/mjcf_geoms.h"
 #include "planner/exports/number_text.h"
 #include "planner/exports/xml_text.h"
 #include "sim/base/index.h"
+#include "sim/dynamics/placed_contact.h"
 
 namespace prehend {
 namespace {
@@ -18,9 +20,6 @@ namespace {
 // of 1 mm of that mass [kg, kg m^2].
 constexpr double kFrameMass = 1e-6;
 constexpr double kFrameInertia = 1e-12;
-// A joint that holds its value gives way by so much at its full effort.
-constexpr double kHoldingSlide = 5e-4;  // m
-constexpr double kHoldingTurn = 0.02;   // rad
 
 class MjcfWriter {
  public:
@@ -50,11 +49,11 @@ class MjcfWriter {
   void write_inertial(const Inertial& inertial);
   void write_contact();
   void write_equality();
-  void write_actuators();
   void write_keyframes();
   void write_key(const std::string& name, const Pose& X_WH, const std::vector<double>& joints,
                  double closing);
   double friction(const std::string& material, Material other) const;
+  double torsion(const std::string& material) const;
   double damping(std::size_t j) const;
   std::string contact_time() const { return number_text(options_.contact_time) + " 1.0"; }
 
@@ -129,6 +128,14 @@ double MjcfWriter::friction(const std::string& material, Material other) const {
   return scene_.scene.friction.between(material_named(material), other);
 }
 
+// What a soft link bears as torque about the normal of a contact with the object, over the normal
+// force [m].
+double MjcfWriter::torsion(const std::string& material) const {
+  const Material object = scene_.scene.object.material;
+  return friction(material, object) *
+         soft_arm(scene_.scene.compliant_depths.between(material_named(material), object));
+}
+
 void MjcfWriter::write_inertial(const Inertial& inertial) {
   if (!(inertial.mass > 0.0)) {
     xml_.element("inertial", {{"pos", "0.0 0.0 0.0"},
@@ -153,21 +160,23 @@ Inertial inertial_of_link(const Link& link) {
 void MjcfWriter::write_link(std::size_t link, const std::string& color) {
   write_inertial(inertial_of_link(hand_.links[link]));
   write_geoms(xml_, link_geoms_[link],
-              friction(hand_.links[link].material, scene_.scene.object.material), color);
+              {friction(hand_.links[link].material, scene_.scene.object.material),
+               torsion(hand_.links[link].material)},
+              color);
 }
 
 // The drive's speed without a load is where damping takes all its effort.
 double MjcfWriter::damping(std::size_t j) const {
   const Joint& joint = hand_.joints[j];
-  if (joint.friction.viscous > 0.0) return joint.friction.viscous;
   double speed = hand_.dofs[index(joint.dof)].max_velocity * std::abs(joint.ratio);
   if (!(speed > 0.0)) {
     speed = joint.type == JointType::prismatic ? options_.slide_speed : options_.turn_speed;
   }
   for (const HandDrive& drive : drives_.drives) {
-    if (drive.joint == static_cast<int>(j)) return drive.effort / speed;
+    if (drive.joint != static_cast<int>(j)) continue;
+    return std::max(joint.friction.viscous, drive.effort / speed);
   }
-  return 0.0;
+  return joint.friction.viscous;
 }
 
 // The body's frame is the one after the joint, at the value of the grasp (`ref`).
@@ -234,7 +243,7 @@ void MjcfWriter::write_object() {
                      {"quat", quaternion_text(object.X_WO)}});
   xml_.element("freejoint", {});
   write_inertial({object.mass, object.center_of_mass, object.inertia});
-  write_geoms(xml_, object_geoms_, -1.0, "0.85 0.72 0.5 1.0");
+  write_geoms(xml_, object_geoms_, {}, "0.85 0.72 0.5 1.0");
   xml_.close();
 }
 
@@ -245,7 +254,7 @@ void MjcfWriter::write_obstacles() {
                        {"pos", vector_text(Vector3(body.X_WB.translation()))},
                        {"quat", quaternion_text(body.X_WB)}});
     write_geoms(xml_, obstacle_geoms_[o],
-                scene_.scene.friction.between(body.material, scene_.scene.object.material),
+                {scene_.scene.friction.between(body.material, scene_.scene.object.material)},
                 "0.6 0.6 0.6 1.0");
     xml_.close();
   }
@@ -306,37 +315,11 @@ void MjcfWriter::write_contact() {
   xml_.close();
 }
 
-// Couplings are of the ways from the grasp on, which is what MuJoCo's are as well.
 void MjcfWriter::write_equality() {
   xml_.open("equality");
   xml_.element("weld",
                {{"name", target_name_}, {"body1", target_name_}, {"body2", link_names_.front()}});
-  for (const HandCoupling& coupling : drives_.couplings) {
-    xml_.element("joint", {{"joint1", hand_.joints[index(coupling.joint)].name},
-                           {"joint2", hand_.joints[index(coupling.leader)].name},
-                           {"polycoef", numbers_text({0.0, coupling.ratio, 0.0, 0.0, 0.0})}});
-  }
-  xml_.close();
-}
-
-void MjcfWriter::write_actuators() {
-  xml_.open("actuator");
-  for (const HandDrive& drive : drives_.drives) {
-    const Joint& joint = hand_.joints[index(drive.joint)];
-    const std::string range = numbers_text({-drive.effort, drive.effort});
-    XmlAttributes attributes = {{"name", joint.name},
-                                {"joint", joint.name},
-                                {"forcelimited", "true"},
-                                {"forcerange", range}};
-    if (drive.closing != 0.0) {
-      attributes.insert(attributes.end(), {{"ctrllimited", "true"}, {"ctrlrange", range}});
-      xml_.element("motor", attributes);
-      continue;
-    }
-    const double yields = joint.type == JointType::prismatic ? kHoldingSlide : kHoldingTurn;
-    attributes.emplace_back("kp", number_text(drive.effort / yields));
-    xml_.element("position", attributes);
-  }
+  write_couplings(xml_, hand_, drives_);
   xml_.close();
 }
 
@@ -386,7 +369,8 @@ std::string MjcfWriter::write() {
   write_world();
   write_contact();
   write_equality();
-  write_actuators();
+  write_clutches(xml_, hand_, drives_, contact_time());
+  write_actuators(xml_, hand_, drives_);
   write_keyframes();
   xml_.close();
   return xml_.text();

@@ -54,7 +54,7 @@ std::vector<MjcfGeom> write_meshes(XmlText& xml, const std::string& body,
   return geoms;
 }
 
-void write_geoms(XmlText& xml, const std::vector<MjcfGeom>& geoms, double friction,
+void write_geoms(XmlText& xml, const std::vector<MjcfGeom>& geoms, const MjcfFriction& friction,
                  const std::string& color) {
   for (const MjcfGeom& geom : geoms) {
     XmlAttributes attributes = {{"name", geom.name}};
@@ -67,10 +67,13 @@ void write_geoms(XmlText& xml, const std::vector<MjcfGeom>& geoms, double fricti
     } else {
       attributes.insert(attributes.end(), {{"type", "mesh"}, {"mesh", geom.mesh}});
     }
-    if (friction >= 0.0) {
-      attributes.insert(attributes.end(),
-                        {{"priority", "1"}, {"friction", numbers_text({friction, 0.0, 0.0})}});
+    if (friction.coefficient >= 0.0) {
+      attributes.insert(
+          attributes.end(),
+          {{"priority", "1"},
+           {"friction", numbers_text({friction.coefficient, friction.torsion, 0.0})}});
     }
+    if (friction.torsion > 0.0) attributes.emplace_back("condim", "4");
     attributes.emplace_back("rgba", color);
     xml.element("geom", attributes);
   }

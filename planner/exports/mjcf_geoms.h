@@ -34,9 +34,14 @@ struct MjcfGeom {
 std::vector<MjcfGeom> write_meshes(XmlText& xml, const std::string& body,
                                    const std::vector<TriangleMesh>& pieces);
 
+struct MjcfFriction {
+  double coefficient = -1.0;  // negative: none of its own
+  double torsion = 0.0;       // largest torque about the normal over the normal force [m]
+};
+
 // Writes the elements <geom>. MuJoCo takes friction from the geom of higher priority: those with a
-// coefficient have it, a negative one is none.
-void write_geoms(XmlText& xml, const std::vector<MjcfGeom>& geoms, double friction,
+// coefficient have it.
+void write_geoms(XmlText& xml, const std::vector<MjcfGeom>& geoms, const MjcfFriction& friction,
                  const std::string& color);
 
 // Writes elements <pair> with this coefficient for all pairs of geoms.

@@ -9,13 +9,11 @@ namespace {
 // stated (material.h) [m].
 constexpr double kPadRadius = 0.03;
 
-// The lever arm with which friction resists spin on a contact of Hertz: of its pressure over a disc
-// of radius sqrt(R d), 3 pi / 16 of that (Johnson 1985, Contact Mechanics, sections 4.2 and 7.4).
+}  // namespace
+
 double soft_arm(double depth) {
   return 3.0 * std::acos(-1.0) / 16.0 * std::sqrt(kPadRadius * depth);
 }
-
-}  // namespace
 
 PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b) {
   const Vector3 on_a = a.X_WS * contact.p_A;

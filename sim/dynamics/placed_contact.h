@@ -21,7 +21,12 @@ PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b)
 double friction_of(const ContactLaws& laws, const HeldContact& contact, const Solid& a,
                    const Solid& b);
 
-// The lever arm with which friction resists spin [m]; 0: it does not.
+// The lever arm with which friction resists spin on a surface that yields so far: of the pressure
+// of a contact of Hertz over a disc of radius sqrt(R d), 3 pi / 16 of that (Johnson 1985, Contact
+// Mechanics, sections 4.2 and 7.4) [m].
+double soft_arm(double depth);
+
+// The lever arm with which friction resists spin at a contact [m]; 0: it does not.
 double arm_of(const ContactLaws& laws, const Solid& a, const Solid& b, double friction);
 
 }  // namespace prehend

@@ -135,6 +135,25 @@ TEST(MujocoShake, ALiftCarriesTheObjectAlongAndOpeningDropsIt) {
   EXPECT_FALSE(phases[2].measure.in_contact);
 }
 
+// A push of 50 N along the closing axis is more than the 20 N of a finger, whose gear holds it.
+TEST(MujocoShake, AGearKeepsAFingerFromBeingPushedBack) {
+  const Held held = held_by("parallel_jaw", 0.05);
+  Protocol push = hanging(0.2, 0.5);
+  push.gravity.setZero();
+  push.tests = {{"push", {{.kind = PhaseKind::hold, .duration = 1.0, .pull = {250.0, 0.0, 0.0}}}}};
+  ShakeSubject subject = subject_of(held.scene);
+  const auto moved = [&] {
+    return shake_in_mujoco(held.model, push, subject).tests.at(0).phases.at(0).measure.moved;
+  };
+  EXPECT_GT(moved(), 5e-3);
+  for (const Joint& joint : held.scene.scene.hand.joints) {
+    subject.locks.push_back({joint.name, -1.0});
+  }
+  EXPECT_LT(moved(), 1e-3);
+  subject.locks.push_back({"no_such_joint", 1.0});
+  EXPECT_THROW(moved(), InputError);
+}
+
 TEST(MujocoShake, TheSameRunGivesTheSameNumbers) {
   const Held held = held_by("parallel_jaw", 0.05);
   const ShakeSubject subject = subject_of(held.scene);

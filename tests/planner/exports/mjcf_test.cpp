@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/exports/export_files.h"
+#include "sim/dynamics/placed_contact.h"
 #include "sim/robot_files/joint_tree.h"
 #include "sim/robot_files/mjcf_file.h"
 #include "tests/support/held_cube.h"
@@ -130,6 +131,47 @@ TEST(Mjcf, DrivesAndCouplingsAreThoseOfTheHand) {
   EXPECT_EQ(holding, 2U);
   EXPECT_EQ(drives.drives.size(), 5U);
   EXPECT_EQ(drives.couplings.size(), 4U);
+}
+
+// With clutches the drive of a finger is at its last joint, with the effort through that ratio, and
+// the first joint follows it up to the clutch's effort.
+TEST(Mjcf, ClutchesAreDryFrictionBetweenJoints) {
+  const CompiledScene scene = test::compiled(find_robot("barrett"), make_box({0.03, 0.04, 0.05}));
+  const Robot& hand = scene.scene.hand;
+  MjcfOptions options;
+  options.drives.clutches = make_robot_model(hand).clutches;
+  const HandDrives drives = hand_drives(hand, options.drives);
+  EXPECT_EQ(drives.couplings.size(), 1U);  // the spread
+  ASSERT_EQ(drives.clutches.size(), 3U);
+  for (const HandClutch& clutch : drives.clutches) {
+    EXPECT_NEAR(clutch.follows.ratio, 3.0, 1e-12);
+    EXPECT_EQ(clutch.effort, 0.5);
+  }
+  EXPECT_NEAR(drives.drives.back().effort, 15.0, 1e-9);  // 5 N m of the thumb
+  const std::string text =
+      mjcf_text(scene, mjcf_shapes(scene, kCoarse), half_closed(scene), options);
+  EXPECT_NE(text.find("<fixed name=\"thumb_proximal/clutch\" frictionloss=\"0.5\""),
+            std::string::npos);
+}
+
+// Rubber pads resist spin (soft_arm); hard links do not.
+TEST(Mjcf, SoftPadsResistSpin) {
+  const CompiledScene scene =
+      test::compiled(find_robot("franka_hand"), make_box({0.03, 0.04, 0.05}));
+  const XmlFile file("x.xml", mjcf_text(scene, mjcf_shapes(scene, kCoarse), half_closed(scene)));
+  std::map<std::string, double> torsion;
+  const std::function<void(const XmlElement&)> visit = [&](const XmlElement& body) {
+    for (const XmlElement& geom : body.children("geom")) {
+      if (!geom.has("friction")) continue;
+      torsion[geom.text("name")] = geom.numbers("friction").at(1);
+      EXPECT_EQ(geom.has("condim"), geom.numbers("friction").at(1) > 0.0);
+    }
+    for (const XmlElement& child : body.children("body")) visit(child);
+  };
+  visit(file.root()["worldbody"]);
+  const double friction = scene.scene.friction.between(Material::rubber, Material::plastic);
+  EXPECT_NEAR(torsion.at("left_pad/0"), friction * soft_arm(1e-3), 1e-12);
+  EXPECT_EQ(torsion.at("left_finger/0"), 0.0);
 }
 
 // Friction of the hand's geoms is that of the scene's table, which has the object's material.
