@@ -191,6 +191,7 @@ const std::vector<std::pair<std::string, Color>> kLooks = {
     {"center", palette::kCenterOfMass},
     {"wrench_space", palette::kWrenchSpace},
     {"epsilon_ball", palette::kEpsilonBall},
+    {"force", palette::kForce},
     {"contribution", palette::kContribution}};
 
 TEST(ReportJson, ColoursAndOpacitiesAreThoseOfPictures) {

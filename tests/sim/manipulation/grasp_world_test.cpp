@@ -22,7 +22,7 @@ World world_of_grasp(Scene scene, const Protocol& protocol) {
   GraspPosture posture;
   posture.X_OH = translation({0.0, 0.0, 1.0});
   posture.dofs = initial_dofs(ready.scene.hand);
-  return make_grasp_world(ready, hand_model(ready), posture, protocol);
+  return make_grasp_world(ready, hand_model(ready), posture, protocol).world;
 }
 
 TEST(GraspWorld, TakesKineticFrictionAndRestitutionFromTheScene) {
@@ -35,7 +35,7 @@ TEST(GraspWorld, TakesKineticFrictionAndRestitutionFromTheScene) {
   protocol.on_support = true;
   const World world = world_of_grasp(scene, protocol);
   ASSERT_EQ(world.bodies.size(), 2U);
-  EXPECT_EQ(world.bodies[kHeldObject].restitution, 0.7);
+  EXPECT_EQ(world.bodies[kObjectBody].restitution, 0.7);
   EXPECT_EQ(world.bodies[1].restitution, 0.2);
   ASSERT_TRUE(world.laws.kinetic);
   EXPECT_EQ(world.laws.friction.between(Material::wood, Material::plastic), 0.5);
