@@ -24,6 +24,7 @@
 #include "sim/base/random.h"
 #include "sim/dynamics/rigid_motion.h"
 #include "sim/dynamics/world.h"
+#include "sim/formation/hand_drives.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/protocol_file.h"

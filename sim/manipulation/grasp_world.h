@@ -27,8 +27,8 @@ struct GraspWorld {
 
 // The world of a grasp under a protocol, before anything moves: the object with the mass that the
 // protocol or the scene says, the scene's obstacles where the protocol wants a support, the hand
-// (a hand_model) with its drives at rest. The protocol's friction, static and kinetic, and torsion hold
-// between hand and object. Throws InputError for an object without a positive mass.
+// (a hand_model) with its drives at rest. The protocol's friction, static and kinetic, and torsion
+// hold between hand and object. Throws InputError for an object without a positive mass.
 GraspWorld make_grasp_world(const CompiledScene& scene,
                             const std::shared_ptr<const RobotModel>& hand,
                             const GraspPosture& grasp, const Protocol& protocol);
