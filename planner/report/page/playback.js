@@ -54,7 +54,7 @@ class Playback {
 
   segment(time) {
     const {times, segments} = this.motion();
-    if (time === this.graspTime()) return 'grasp';
+    if (time === this.graspTime() && !this.motion().objects) return 'grasp';
     const current = segments.find((s) => time <= times[s.last]);
     return current ? current.name : '';
   }
