@@ -14,6 +14,7 @@
 #include "planner/search/shake_grasps.h"
 #include "sim/base/output_file.h"
 #include "sim/json/json_field.h"
+#include "sim/manipulation/grasp_world.h"
 
 namespace prehend {
 
@@ -54,6 +55,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   Stopwatch watch;
   const Given given = read_given(command);
   const LoadedScene& loaded = given.loaded;
+  if (protocol) require_support(loaded.scene, *protocol);
   watch.lap(Stage::load);
 
   ProgressBar bar(command.common.progress);

@@ -19,6 +19,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
+#include "sim/manipulation/grasp_world.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 
@@ -85,6 +86,7 @@ class PlanProgram {
     print_notes(loaded);
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
+    if (protocol) require_support(scene, *protocol);
     watch_.lap(Stage::compile);
     const RunRecord record{scene_reference(command_.scene), unit, command_.hand,
                            options_of(command_, scene.scene.object.mesh), command_.repair};

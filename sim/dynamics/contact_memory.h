@@ -2,6 +2,7 @@
 // far enough to change them.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -46,6 +47,8 @@ struct PairMemory {
   double gap = 0.0;  // where contacts are held: that of the surfaces was at least this [m]
   // The surfaces cross by a little: contacts cannot be found, and those held push them apart.
   bool crosses = false;
+  // WarmStart::stiffness of the last step.
+  double stiffness = std::numeric_limits<double>::infinity();
 };
 
 // In ascending order of the pairs.

@@ -100,6 +100,7 @@ struct ContactSolution {
   std::vector<Eigen::Vector4d> impulses;  // of each contact, in the order of its rows; unused: 0
   bool corrected = true;                  // the corrections of contacts are met
   double violation = 0.0;                 // of the law, relative as in the options
+  double stiffness = std::numeric_limits<double>::infinity();  // for the next warm start
   int newton_steps = 0;
   int pivots = 0;
 };
@@ -108,6 +109,9 @@ struct ContactSolution {
 struct WarmStart {
   Eigen::VectorXd velocity = {};
   std::vector<Eigen::Vector4d> impulses = {};
+  // How stiff contacts may be from which cones began to converge at once. Contacts that jam have
+  // to begin softer than others, step after step.
+  double stiffness = std::numeric_limits<double>::infinity();
 };
 
 // Solves the problem as the options say: with all corrections, or where that has no solution, as

@@ -132,11 +132,19 @@ class IslandStep {
   // it would in steps that are shortened.
   double opening_of(const PlacedContact& at, bool crosses) const {
     constexpr double kOpening = 0.1;
-    const double missing = options_.rest_gap - (crosses ? std::min(at.gap, 0.0) : at.gap);
-    return -kOpening * std::max(missing, 0.0) / options_.step;
+    const double gap = crosses ? std::min(at.gap, 0.0) : at.gap;
+    const double missing = std::max(options_.rest_gap - gap, 0.0);
+    // Nearly closed, it has to open faster than edges that slide and turn close it in each step.
+    constexpr double kNearlyClosed = 0.2;  // of the gap at rest
+    constexpr double kFastest = 10.0;
+    const double hurry =
+        gap > 0.0 ? std::clamp(kNearlyClosed * options_.rest_gap / gap, 1.0, kFastest) : kFastest;
+    return -std::min(hurry * kOpening / options_.step, 1.0 / time_) * missing;
   }
 
   void add_pair(const PairMemory& pair) {
+    constexpr double kStiffer = 1.5;  // tried again after softer contacts were needed
+    warm_.stiffness = std::min(warm_.stiffness, kStiffer * pair.stiffness);
     const Solid& a = solids_.at(pair.a);
     const Solid& b = solids_.at(pair.b);
     for (const HeldContact& held : pair.contacts) {

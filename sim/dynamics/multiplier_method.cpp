@@ -65,9 +65,9 @@ bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, V
   VectorXd residual;
   VectorXd next;
   NewtonMatrix matrix;
+  smoothed.linearise_coupled(at, residual, matrix);
   for (int step = 0; step < kSteps; ++step) {
     ++steps;
-    smoothed.linearise_coupled(at, residual, matrix);
     const VectorXd d = -matrix.solve(residual);
     if (!d.allFinite()) return false;
     next = at + d;
@@ -76,14 +76,17 @@ bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, V
       return true;
     }
     const double size = residual.norm();
-    double length = 1.0;
-    smoothed.residual_coupled(next, residual);
-    while (!(residual.norm() < size) && length > kShortest) {
-      length *= 0.5;
-      next = at + length * d;
-      smoothed.residual_coupled(next, residual);
+    smoothed.linearise_coupled(next, residual, matrix);
+    if (!(residual.norm() < size)) {
+      double length = 1.0;
+      while (!(residual.norm() < size) && length > kShortest) {
+        length *= 0.5;
+        next = at + length * d;
+        smoothed.residual_coupled(next, residual);
+      }
+      if (!(residual.norm() < size)) return false;
+      smoothed.linearise_coupled(next, residual, matrix);
     }
-    if (!(residual.norm() < size)) return false;
     at = next;
   }
   return false;
@@ -132,34 +135,36 @@ class MultiplierRounds {
         velocity_(warm.velocity.size() > 0 ? warm.velocity : problem.free),
         lifts_(VectorXd::Zero(static_cast<Index>(problem.contacts.size()))),
         scale_(velocity_scale(problem, problem.free)),
-        stiffness_(warm.impulses.empty() ? kFirstStiffness : kStiffness) {
+        is_cold_(warm.impulses.empty()),
+        stiffness_(is_cold_ ? kFirstStiffness
+                            : std::clamp(warm.stiffness, kFirstStiffness, kStiffness)) {
     for (std::size_t i = 0; i < warm.impulses.size(); ++i) {
       smoothed_.set_centre(i,
                            warm.impulses[i].head(problem.contacts[i].blocks.front().rows.rows()));
     }
     impulses_.resize(problem.contacts.size());
-    is_near_ = !warm.impulses.empty();
+    is_near_ = !is_cold_;
   }
 
   ContactSolution run() {
     // Rounds without much progress, of a solution that will do and of one that will not.
     constexpr int kPatience = 2;
     constexpr int kMostPatience = 8;
-    int stalled = 0;
     ContactSolution best;
     best.violation = std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.max_rounds; ++round) {
       move();
+      if (round == 0 && !is_cold_) best.stiffness = stiffness_;
       update_multipliers();
       const double found = violation();
       if (!std::isfinite(found)) break;
-      stalled = found < 0.5 * best.violation ? 0 : stalled + 1;
+      stalled_ = found < 0.5 * best.violation ? 0 : stalled_ + 1;
       if (found < best.violation) keep(found, best);
       // Where impulses may be shared in many ways, rounding and slow shifts between these are all
       // that is left to gain.
       if (found <= options_.tolerance) break;
-      if (stalled >= (found <= options_.acceptable ? kPatience : kMostPatience)) break;
-      adapt_stiffness(stalled > 0);
+      if (stalled_ >= (found <= options_.acceptable ? kPatience : kMostPatience)) break;
+      adapt_stiffness();
       update_lifts();
     }
     if (impulses_at_best_.empty()) keep(best.violation, best);
@@ -171,12 +176,12 @@ class MultiplierRounds {
   }
 
  private:
-  void adapt_stiffness(bool stalls) {
+  void adapt_stiffness() {
     if (!coupled_) {
-      stiffness_ = std::max(stiffness_ / kStiffer, kFirstStiffness);
+      soften();
     } else {
-      stiffness_ =
-          std::min(kStiffer * stiffness_, stalls ? kJammed : std::max(kStiffness, stiffness_));
+      stiffness_ = std::min(kStiffer * stiffness_,
+                            stalled_ > 0 ? kJammed : std::max(kStiffness, stiffness_));
     }
   }
 
@@ -186,17 +191,31 @@ class MultiplierRounds {
     impulses_at_best_ = impulses_;
   }
 
-  // Velocities at the multipliers as they are. Where the coupled form has no solution near where
-  // the search is, the convex one with the lifts of the round before leads there.
+  // Velocities at the multipliers as they are. Stiff contacts may keep Newton's steps for the
+  // coupled form from converging, where softer ones do not. Where these do not either, or rounds
+  // bring no progress, the convex form with the lifts of the round before leads there: it always
+  // has a solution, but takes many steps.
   void move() {
-    smoothed_.set_stiffness(stiffness_);
-    coupled_ = is_near_ && solve_coupled(smoothed_, scale_, steps_, velocity_);
+    constexpr int kLeastStalls = 2;
+    coupled_ = is_near_ && moves_coupled();
+    while (!coupled_ && is_near_ && stalled_ < kLeastStalls && stiffness_ > kFirstStiffness) {
+      soften();
+      coupled_ = moves_coupled();
+    }
     if (!coupled_) {
+      smoothed_.set_stiffness(stiffness_);
       steps_ += minimise(smoothed_, options_.max_newton, scale_, velocity_);
-      coupled_ = solve_coupled(smoothed_, scale_, steps_, velocity_);
+      coupled_ = moves_coupled();
     }
     is_near_ = coupled_;
   }
+
+  bool moves_coupled() {
+    smoothed_.set_stiffness(stiffness_);
+    return solve_coupled(smoothed_, scale_, steps_, velocity_);
+  }
+
+  void soften() { stiffness_ = std::max(stiffness_ / kStiffer, kFirstStiffness); }
 
   void update_multipliers() {
     for (std::size_t i = 0; i < impulses_.size(); ++i) {
@@ -232,9 +251,11 @@ class MultiplierRounds {
   VectorXd velocity_;
   VectorXd lifts_;
   double scale_;  // of the velocities that occur
+  bool is_cold_;  // no impulses were known
   double stiffness_;
   bool is_near_ = false;  // the velocities are probably near a solution of the coupled form
   bool coupled_ = false;  // the last round solved the coupled form
+  int stalled_ = 0;       // rounds without much progress
   int steps_ = 0;
   Extrapolation extrapolation_;
 };

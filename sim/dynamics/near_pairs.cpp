@@ -129,39 +129,56 @@ class PairSearch {
  private:
   void touch(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, const Gap& gap,
              double range, PairMemory& pair) {
+    // Nearer than this [m], the nearest points do not tell in which direction they have to part.
+    constexpr double kNearest = 1e-7;
     pair.crosses = gap.upper == 0.0;
     pair.gap = gap.lower;
-    if (!pair.crosses) {
-      search_contacts(a, b, X_AB, range, options_.contacts, workspace_, pair);
-      if (pair.contacts.empty()) pair.contacts = {nearest_contact(a, b, X_AB, gap.pair)};
+    if (gap.upper > kNearest) {
+      search(a, b, X_AB, gap, range, pair);
       return;
     }
     if (pair.contacts.empty()) {
       if (const auto contact = crossing_contact(a, b, X_AB)) pair.contacts = {*contact};
     }
-    touch_apart(a, b, X_AB, range, pair);
+    if (!touch_apart(a, b, X_AB, range, pair) && !pair.crosses) {
+      search(a, b, X_AB, gap, range, pair);
+    }
     pair.X_AB = X_AB;
     pair.at_least = range;
   }
 
+  // Contacts, of which one is as near as the gap: between edges that lie nearly along each other
+  // none may be found there.
+  void search(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, const Gap& gap,
+              double range, PairMemory& pair) {
+    search_contacts(a, b, X_AB, range, options_.contacts, workspace_, pair);
+    const double near = std::max(2.0 * gap.upper, 0.1 * options_.rest_gap);
+    const bool has_nearest =
+        std::any_of(pair.contacts.begin(), pair.contacts.end(), [&](const HeldContact& contact) {
+          return contact.normal_A.dot(contact.p_A - X_AB * contact.p_B) <= near;
+        });
+    if (!has_nearest) pair.contacts.push_back(nearest_contact(a, b, X_AB, gap.pair));
+  }
+
   // Contacts of surfaces that cross: those that they have once they are moved apart along the
-  // contacts held so far, which are kept where that does not help.
-  void touch_apart(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
+  // contacts held so far. Where that does not help these are kept: false.
+  bool touch_apart(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
                    PairMemory& pair) {
     Vector3 normal = Vector3::Zero();
     for (const HeldContact& contact : pair.contacts) normal += contact.normal_A;
     constexpr double kOpposed = 0.3;  // of their number: contacts on two sides have no way apart
-    if (normal.norm() < kOpposed * static_cast<double>(pair.contacts.size()) + 1e-9) return;
-    for (const double part : {0.5, 2.0, 8.0}) {
+    if (normal.norm() < kOpposed * static_cast<double>(pair.contacts.size()) + 1e-9) return false;
+    for (const double part : {0.5, 2.0, 8.0, 32.0}) {
       const double apart = part * options_.rest_gap;
       Pose X_AB_apart = X_AB;
       X_AB_apart.translation() -= apart * normal.normalized();
-      if (surfaces_cross(a, b, X_AB_apart)) continue;
-      const PairMemory before = pair;
-      search_contacts(a, b, X_AB_apart, range + apart, options_.contacts, workspace_, pair);
-      if (pair.contacts.empty()) pair.contacts = before.contacts;
-      return;
+      const Gap gap =
+          find_gap(a, b, X_AB_apart, {.cap = 2.0 * apart, .relative_error = 0.1, .hint = {}});
+      if (gap.upper == 0.0) continue;
+      search(a, b, X_AB_apart, gap, range + apart, pair);
+      return true;
     }
+    return false;
   }
 
   const Solids& solids_;

@@ -222,6 +222,7 @@ class WorldStep {
     std::size_t contact = 0;
     for (const std::size_t p : island.pairs) {
       PairMemory& pair = world_.memory.pairs[p];
+      pair.stiffness = motion.solution.stiffness;
       const Pose X_AB = after.at(pair.a).X_WS.inverse() * after.at(pair.b).X_WS;
       for (HeldContact& held : pair.contacts) {
         held.impulse = motion.solution.impulses[condition++] / result_.time;

@@ -25,8 +25,17 @@ GraspPosture posture_of(const Trial& trial) {
   return {trial.X_OH, trial.dofs, trial.joints, trial.X_OC.value_or(Pose::Identity())};
 }
 
+void require_support(const CompiledScene& scene, const Protocol& protocol) {
+  if (!protocol.on_support || scene.has_obstacles()) return;
+  throw InputError({.field = "on_support",
+                    .problem = "protocol " + protocol.name +
+                               " begins with an object on a support; " +
+                               "the scene has nothing that could bear " + scene.scene.object.name});
+}
+
 void follow_protocol(const CompiledScene& scene, const RobotModel& robot, const Protocol& protocol,
                      World& world) {
+  require_support(scene, protocol);
   world.gravity = protocol.gravity;
   set_mass(scene.scene.object, protocol.object, world.bodies[index(kObjectBody)].inertial);
   world.laws.torsion = protocol.torsion;

@@ -20,6 +20,9 @@ struct GraspPosture {
 };
 GraspPosture posture_of(const Trial& trial);
 
+// Throws InputError where the protocol begins with an object on a support and the scene has none.
+void require_support(const CompiledScene& scene, const Protocol& protocol);
+
 struct GraspWorld {
   World world;
   WorldHand hand;
@@ -28,14 +31,15 @@ struct GraspWorld {
 // The world of a grasp under a protocol, before anything moves: the object with the mass that the
 // protocol or the scene says, the scene's obstacles where the protocol wants a support, the hand
 // (a hand_model) with its drives at rest. The protocol's friction, static and kinetic, and torsion
-// hold between hand and object. Throws InputError for an object without a positive mass.
+// hold between hand and object. Throws InputError for an object without a positive mass, and as
+// require_support.
 GraspWorld make_grasp_world(const CompiledScene& scene,
                             const std::shared_ptr<const RobotModel>& hand,
                             const GraspPosture& grasp, const Protocol& protocol);
 
 // What a protocol says of a scene's world instead of the scene: gravity, the object's mass,
 // friction and torsion between the object and the links of a robot model. Throws InputError for an
-// object without a positive mass.
+// object without a positive mass, and as require_support.
 void follow_protocol(const CompiledScene& scene, const RobotModel& robot, const Protocol& protocol,
                      World& world);
 

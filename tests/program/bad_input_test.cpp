@@ -144,6 +144,8 @@ TEST(BadMotions, OneLineAndNothingWritten) {
            {"no mass", shake, protocol_with(R"("object": {"mass": 0})"), "object.mass"},
            {"negative mass", shake, protocol_with(R"("object": {"mass": -1})"), "object.mass"},
            {"negative friction", shake, protocol_with(R"("friction": -1)"), "friction"},
+           {"protocol without its support", "plan mug --shake simready --out FOLDER/out", "",
+            "the scene has nothing that could bear mug"},
            {"unknown protocol", "plan mug --shake earthquake --out FOLDER/out", "", "earthquake"},
            {"scene's mass", scene, R"({"object": {"generate": "mug", "mass": -1}})", "object.mass"},
            {"scene's no mass", scene, R"({"object": {"generate": "mug", "mass": 0}})",

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -82,12 +84,19 @@ INSTANTIATE_TEST_SUITE_P(
                     Examined{test::WorldKind::bowl, "bowl", {3001, 3002, 3003, 3107, 3151}}),
     [](const auto& examined) { return std::string(examined.param.name); });
 
-// Hands that close on a body which flies at them.
+// Hands that close on a body which flies at them. The seeds above 4 once failed: edges that slid
+// fast along the hand used up their gap, and then no contact was found between them.
 TEST(ExaminedHands, ClosingHandsDoNotPenetrate) {
-  for (const char* name : {"barrett", "parallel_jaw", "franka_hand", "robotiq_3f", "allegro"}) {
+  const std::vector<std::pair<std::string, std::vector<std::uint64_t>>> hands = {
+      {"barrett", {1, 2, 3, 4}},
+      {"parallel_jaw", {1, 2, 3, 4}},
+      {"franka_hand", {1, 2, 3, 4, 50, 61, 94}},
+      {"robotiq_3f", {1, 2, 3, 4}},
+      {"allegro", {1, 2, 3, 4}}};
+  for (const auto& [name, seeds] : hands) {
     const auto model = std::make_shared<const RobotModel>(make_robot_model(find_robot(name)));
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      SCOPED_TRACE(std::string(name) + " " + std::to_string(seed));
+    for (const std::uint64_t seed : seeds) {
+      SCOPED_TRACE(name + " " + std::to_string(seed));
       test::RandomWorld made(test::WorldKind::hand, seed);
       if (!made.put_in_hand(model)) continue;
       examine(std::move(made.world()), 0.5);

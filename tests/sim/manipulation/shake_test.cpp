@@ -15,10 +15,15 @@ class HeldCube : public ::testing::Test {
  protected:
   static constexpr double kEdge = 0.04;
 
-  static CompiledScene scene_of(double mass) {
+  static CompiledScene scene_of(double mass, bool on_post = false) {
     Scene scene = make_scene(
         make_graspable("cube", make_box(Vector3::Constant(kEdge)), Material::plastic, mass),
         "parallel_jaw");
+    if (on_post) {
+      StaticBody post{.name = "post", .mesh = make_box({0.02, 0.02, 0.1})};  // between the pads
+      post.X_WB = translation({0.0, 0.0, -0.5 * (kEdge + 0.1) - 1e-4});
+      scene.obstacles.push_back(std::move(post));
+    }
     return compile(std::move(scene));
   }
 
@@ -73,17 +78,29 @@ TEST_F(HeldCube, HangsWhereFrictionBearsItsWeightAndFallsWhereItDoesNot) {
 
 // But the one that pulls until the grasp gives way.
 TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
-  const CompiledScene scene = scene_of(0.1);
-  const Trial trial = closed(scene);
-  const auto hand = hand_model(scene);
+  const CompiledScene floats = scene_of(0.1);
+  const CompiledScene stands = scene_of(0.1, true);
+  const Trial trial = closed(floats);
+  const auto hand = hand_model(floats);
   for (const std::string& name : library_protocol_names()) {
     const Protocol protocol = read_protocol(find_protocol(name));
+    const CompiledScene& scene = protocol.on_support ? stands : floats;
     const ShakeReport report = shake_grasp(scene, hand, posture_of(trial), protocol);
     EXPECT_EQ(report.holds(), name != "strength") << name;
     EXPECT_EQ(report.largest_pull().has_value(), name == "strength") << name;
     EXPECT_EQ(report.count(), static_cast<int>(protocol.tests.size()));
     EXPECT_EQ(report.effort.crossings, 0) << name;
   }
+}
+
+TEST_F(HeldCube, DoesNotStandOnNothing) {
+  const CompiledScene scene = scene_of(0.1);
+  const GraspPosture grasp = posture_of(closed(scene));
+  Protocol protocol = hanging(1.0, 1.0);
+  protocol.on_support = true;
+  const InputError refusal =
+      test::refusal_of([&] { shake_grasp(scene, hand_model(scene), grasp, protocol); });
+  EXPECT_EQ(refusal.field(), "on_support");
 }
 
 // Two pads bear a pull of a = 2 mu N / m between them. What grows beyond by k a second accelerates
