@@ -68,7 +68,7 @@ std::string name_of(const World& world, const SolidId& id) {
 
 }  // namespace
 
-void require_world(const World& world, const StepOptions& options) {
+void require_quantities(const World& world, const StepOptions& options) {
   if (!(options.step > 0.0 && options.step <= 0.1)) {
     throw InputError({.field = "step",
                       .problem = "must be above 0 and at most 0.1 s",
@@ -79,16 +79,29 @@ void require_world(const World& world, const StepOptions& options) {
   }
   for (const WorldBody& body : world.bodies) require_body(body);
   for (const WorldRobot& robot : world.robots) require_robot(robot);
+}
+
+std::optional<std::pair<std::string, std::string>> overlap_in(const World& world,
+                                                              const StepOptions& options) {
   const Solids solids(world);
   ContactMemory memory;
   find_near(solids, nullptr, world, options.step, options, memory);
   for (const PairMemory& pair : memory.pairs) {
     const Solid& a = solids.at(pair.a);
     const Solid& b = solids.at(pair.b);
-    if (!bodies_overlap(*a.shape, *b.shape, a.X_WS.inverse() * b.X_WS)) continue;
-    throw InputError({.field = name_of(world, pair.a),
-                      .problem = "overlaps " + name_of(world, pair.b) + " at the start"});
+    if (bodies_overlap(*a.shape, *b.shape, a.X_WS.inverse() * b.X_WS)) {
+      return std::pair(name_of(world, pair.a), name_of(world, pair.b));
+    }
   }
+  return std::nullopt;
+}
+
+void require_world(const World& world, const StepOptions& options) {
+  require_quantities(world, options);
+  const auto overlap = overlap_in(world, options);
+  if (!overlap) return;
+  throw InputError(
+      {.field = overlap->first, .problem = "overlaps " + overlap->second + " at the start"});
 }
 
 }  // namespace prehend

@@ -14,6 +14,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "sim/dynamics/contact_memory.h"
@@ -163,9 +164,16 @@ struct StepResult {
   double violation = 0.0;  // of the law of contact, relative (ContactSolution)
 };
 
+// The names of two solids that overlap where they are, if any do.
+std::optional<std::pair<std::string, std::string>> overlap_in(const World& world,
+                                                              const StepOptions& options = {});
+
 // Throws InputError for a world that cannot be stepped: a body that moves without a positive mass
 // or with an inertia that no body has, a drive with negative gains or effort, numbers that are not
-// finite, options out of range, surfaces that cross at the start (both names).
+// finite, options out of range.
+void require_quantities(const World& world, const StepOptions& options = {});
+
+// The same, and for solids that overlap.
 void require_world(const World& world, const StepOptions& options = {});
 
 // Moves the world on by at most options.step. The same world gives the same bytes.

@@ -107,7 +107,16 @@ Formation form_grasp(const CompiledScene& scene, const std::shared_ptr<const Rob
   const WorldHand place = add_hand(world, scene, hand, start.X_WH, start.dofs, start.joints);
   StepOptions step;
   step.step = options.step;
-  require_world(world, step);
+  require_quantities(world, step);
+  if (overlap_in(world, step)) {
+    Formation formation;
+    formation.X_WO = scene.scene.object.X_WO;
+    formation.X_WH = start.X_WH;
+    formation.dofs = start.dofs;
+    formation.joints = hand_joints(world, place);
+    formation.last = StepOutcome::blocked;
+    return formation;
+  }
   return FormationRun(std::move(world), place, options, context).run();
 }
 

@@ -60,8 +60,8 @@ struct Formation {
 
 // Closes the hand (a hand_model of the scene) on the object: waits until that rests, closes until
 // everything rests, and rises. The base stands still while the hand closes: what carries it is
-// stiff. The same start gives the same bytes. Throws InputError for an object without a mass and
-// bodies that overlap at the start, and Cancelled.
+// stiff. Where solids overlap at the start nothing moves, and `last` is `blocked`. The same start
+// gives the same bytes. Throws InputError for an object without a mass, and Cancelled.
 Formation form_grasp(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                      const FormationStart& start, const FormationOptions& options,
                      const RunContext& context = {});

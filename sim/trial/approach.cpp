@@ -48,6 +48,22 @@ const ApproachPair* enclosed_at_start(const CompiledScene& scene, const Approach
   return nullptr;
 }
 
+// A pair that crosses at the start and was not looked at before another one was found to touch
+// there, null: none.
+const ApproachPair* crosses_at_start(const CompiledScene& scene, const ApproachMotion& motion,
+                                     const std::vector<Pose>& X_HL,
+                                     const ReusedList<ApproachPair>& pairs) {
+  for (const ApproachPair& pair : pairs) {
+    if (pair.tracker.queries() > 0) continue;
+    const Pose X_OL = motion.at(0.0) * X_HL[index(pair.link)];
+    if (surfaces_cross(scene.body(pair.body).mesh, scene.links[index(pair.link)].mesh,
+                       scene.pose_in(pair.body, X_OL))) {
+      return &pair;
+    }
+  }
+  return nullptr;
+}
+
 // How the approach ends with this gap of a pair. A hand that starts near a body but apart from it
 // touches it; only an overlap is an error of the start.
 ApproachEnd end_at(const ApproachPair& pair, const Gap& gap) {
@@ -117,6 +133,10 @@ void approach(const CompiledScene& scene, const std::vector<double>& joints,
       result.touch = {next.link, next.body};
       result.travel = travel;
       next.safe_until = travel;
+      if (const ApproachPair* other = crosses_at_start(scene, motion, X_HL, all)) {
+        result.end = ApproachEnd::starts_in_collision;
+        result.touch = {other->link, other->body};
+      }
       break;
     }
     next.safe_until = travel + safe_step(gap, options);

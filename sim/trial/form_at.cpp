@@ -31,6 +31,15 @@ bool failed(const Formation& formation) {
 
 void form_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
              GraspWorkspace& workspace, Trial& trial, const RunContext& context) {
+  const std::vector<double> joints =
+      start.joints.empty() ? joint_values(scene.scene.hand, start.dofs) : start.joints;
+  trial.contacts.clear();
+  trial.epsilon = {};
+  trial.blocked = hand_collision(scene, start.X_OH, joints, workspace.collision);
+  if (trial.blocked) {
+    trial.outcome = Outcome::hand_blocked;
+    return;
+  }
   const Pose& X_WO = scene.scene.object.X_WO;
   const FormationStart from{X_WO * start.X_OH, start.dofs, start.joints};
   const Formation formation =
@@ -39,9 +48,6 @@ void form_at(const CompiledScene& scene, const ClosingStart& start, const TrialO
   trial.X_OH = formation.X_WO.inverse() * formation.X_WH;
   trial.dofs = formation.dofs;
   trial.joints = formation.joints;
-  trial.blocked.reset();
-  trial.contacts.clear();
-  trial.epsilon = {};
   const std::optional<Outcome> lost = lost_as(formation.end);
   if (failed(formation)) {
     trial.outcome = Outcome::not_simulated;

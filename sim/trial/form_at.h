@@ -6,9 +6,11 @@
 namespace prehend {
 
 // As grasp_at, by simulation (form_grasp): the object has its weight, its support and its friction,
-// and the hand presses with its efforts. Sets X_OC besides. Where the object is not in the hand at
-// the end, the outcome says what became of it, and there are no contacts. Contacts and quality of
-// one that the hand drops while it rises are those of before. Throws Cancelled.
+// and the hand presses with its efforts. Sets X_OC besides. A hand that overlaps something before
+// it closes is hand_blocked; one whose links overlap each other is not_simulated. Where the object
+// is not in the hand at the end, the outcome says what became of it, and there are no contacts.
+// Contacts and quality of one that the hand drops while it rises are those of before. Throws
+// Cancelled.
 void form_at(const CompiledScene& scene, const ClosingStart& start, const TrialOptions& options,
              GraspWorkspace& workspace, Trial& trial, const RunContext& context = {});
 

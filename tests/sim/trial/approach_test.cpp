@@ -144,6 +144,24 @@ TEST(Approach, SeesAnObstacleInsideALinkAndTheHandInsideAnObstacle) {
   EXPECT_EQ(end_with(tray, {0.0, 0.0, 0.33}).end, ApproachEnd::stand_off);
 }
 
+// The palm touches, which would end the approach, and the fingers are in the box.
+TEST(Approach, SeesFingersInTheObjectThatThePalmTouches) {
+  const Robot hand = find_robot("barrett");
+  const CompiledScene scene = compiled(hand, make_box({0.06, 0.06, 0.1}));
+  const ApproachMotion down = from_above(hand, 0.3, -0.05);
+  const ApproachResult open = approach_open(scene, down);
+  ASSERT_EQ(open.end, ApproachEnd::touched_object);
+  ASSERT_EQ(hand.links[index(open.touch->link)].name, "palm");
+  ApproachMotion there = down;
+  there.X_OH_end = down.at(open.travel);
+  there.distance = 0.0;
+  EXPECT_EQ(approach_open(scene, there).end, ApproachEnd::touched_object);
+  const std::vector<double> closed = joint_values(hand, {0.0, 1.8, 1.8, 1.8});
+  const ApproachResult result = approach(scene, closed, there, test::kDefaultTrial);
+  EXPECT_EQ(result.end, ApproachEnd::starts_in_collision);
+  EXPECT_NE(hand.links[index(result.touch->link)].name, "palm");
+}
+
 TEST(Approach, AVertexOfNoTriangleIsNotPartOfALink) {
   Robot hand = find_robot("parallel_jaw_wide");
   const double in_object = -0.5;

@@ -1,0 +1,364 @@
+#include "planner/main/command_line.h"
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "sim/base/input_error.h"
+
+namespace prehend {
+namespace {
+
+void add_limits(CLI::App& command, Limits& limits) {
+  command.add_option("--budget", limits.budget,
+                     "time after which to stop and keep what there is: 500ms, 2s, 1.5min");
+  command.add_option("--memory-limit", limits.memory, "MB of memory to use at most, 0: no limit")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+}
+
+// Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds.
+double seconds_of(const std::string& words) {
+  const std::array<std::pair<std::string_view, double>, 5> units = {
+      {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
+  const std::string_view rest(end, static_cast<std::size_t>(words.data() + words.size() - end));
+  for (const auto& [unit, seconds] : units) {
+    const bool sound = error == std::errc() && rest == unit && number > 0.0;
+    if (sound && number * seconds <= 1e9) return number * seconds;
+  }
+  throw InputError({.field = "--budget",
+                    .problem = "must be a time above 0 such as 500ms, 2s or 1.5min",
+                    .value = words});
+}
+
+// CLI11 takes "-1" for the largest number, and numbers beyond it for that as well.
+std::string complaint_about_seed(const std::string& word) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
+  const bool whole = error == std::errc() && end == word.data() + word.size();
+  return whole ? "" : "must be a whole number from 0 to 18446744073709551615 (" + word + ")";
+}
+
+void add_common(CLI::App& command, CommonOptions& common) {
+  command.add_option("--threads", common.threads, "threads to use, 0: all processors")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.add_option("--seed", common.seed, "seed of everything random")
+      ->check(complaint_about_seed)
+      ->capture_default_str();
+  command.add_option("--out", common.out, "folder to write to")->capture_default_str();
+  command.add_flag("--progress", common.progress, "say on stderr how far the run is, in lines");
+}
+
+void add_shake(CLI::App& command, std::string& protocol) {
+  command.add_option("--shake", protocol,
+                     "close, lift and shake each grasp: a protocol's name or file");
+}
+
+void add_dynamic(CLI::App& command, bool& dynamic) {
+  command.add_flag("--dynamic", dynamic,
+                   "simulate how each hand closes: the object has weight and gives way");
+}
+
+void add_no_report(CLI::App& command, bool& no_report) {
+  command.add_flag("--no-report", no_report, "do without report.html");
+}
+
+void add_accuracy(CLI::App& command, CommonOptions& common) {
+  command
+      .add_option("--accuracy", common.accuracy,
+                  "draft, standard or fine, or a file of settings (docs/accuracy-file.md)")
+      ->capture_default_str();
+}
+
+void add_contacts(CLI::App& command, CommonOptions& common) {
+  command
+      .add_option_function<std::string>(
+          "--contacts",
+          [&common](const std::string& kind) { common.hard_contacts = kind == "hard"; },
+          "of rubber: soft fingers that pass on torque, or hard points")
+      ->check(CLI::IsMember({"soft", "hard"}))
+      ->default_str("soft");
+}
+
+void add_mesh_words(CLI::App& command, std::string& unit, bool& repair) {
+  command.add_option("--unit", unit,
+                     "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
+  command.add_flag("!--no-repair", repair, "take the surface of a mesh file as it is");
+}
+
+void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
+                     bool& repair) {
+  command.add_option("--scene", scene, "scene or mesh file, in place of the one the file names");
+  command.add_option("--hand", hand, "robot of the library or robot file, in place of the file's");
+  add_mesh_words(command, unit, repair);
+}
+
+void add_packages(CLI::App& command, std::vector<std::string>& packages) {
+  command.add_option("--package", packages,
+                     "NAME=FOLDER: where a package is that a URDF file names; may be repeated");
+}
+
+void add_foreign(CLI::App& command, std::vector<std::string>& packages,
+                 std::filesystem::path& srdf) {
+  add_packages(command, packages);
+  command.add_option("--srdf", srdf, "SRDF file of a URDF file, in place of the one beside it");
+}
+
+// CLI11 says of an unknown command only that one is required.
+void check_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string known;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) {
+    if (command->get_name() == argv[1]) return;
+    known += (known.empty() ? "" : ", ") + command->get_name();
+  }
+  throw InputError({.problem = "unknown command, known are " + known, .value = argv[1]});
+}
+
+}  // namespace
+
+// The commands, their words, and what to call once they are parsed.
+struct CommandLine::Words {
+  CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
+  PlanCommand plan;
+  EvaluateCommand evaluate;
+  SimulateCommand simulate;
+  RenderCommand render;
+  InspectCommand inspect;
+  QualityCommand quality;
+  ConvertCommand convert;
+  Limits limits;
+  // Set while the command line is parsed and called after it, outside of CLI11.
+  std::function<int(Interrupts&)> chosen;
+
+  Words() {
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "prehend " PREHEND_VERSION);
+    add_plan();
+    add_evaluate();
+    add_simulate();
+    add_render();
+    add_inspect();
+    add_quality();
+    add_convert();
+  }
+
+  void add_plan() {
+    CLI::App& command = *app.add_subcommand("plan", "plan grasps of an object and rank them");
+    command.add_option("scene", plan.scene, "scene name, scene file or mesh file")
+        ->capture_default_str();
+    command.add_option("--hand", plan.hand, "robot of the library or robot file");
+    add_mesh_words(command, plan.unit, plan.repair);
+    command.add_option("--top", plan.top, "grasps to return")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
+    command
+        .add_option("--trials", plan.trials, "candidates to try at most, 800 for accuracy standard")
+        ->check(CLI::Range(1, 1000000));
+    command.add_option("--enough", plan.enough, "grasps that hold after which the search ends")
+        ->check(CLI::Range(1, 1000000));
+    command.add_option("--primitive-tolerance", plan.primitive_tolerance,
+                       "how far the object's surface may be from its primitives, in mm");
+    command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");
+    command.add_option("--path-planner", plan.path_planner, "how ways are searched for")
+        ->check(CLI::IsMember({"rrt_connect", "roadmap", "rrt_star"}))
+        ->capture_default_str();
+    command
+        .add_option("--export", plan.exports,
+                    "more files, with commas: csv, isaac, moveit, gltf, mjcf")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf", "mjcf"}));
+    add_shake(command, plan.shake);
+    command
+        .add_option_function<std::string>(
+            "--rank", [this](const std::string& by) { plan.rank_by_shake = by == "shake"; },
+            "what comes first: larger epsilon, or more survived of the tests of --shake")
+        ->check(CLI::IsMember({"epsilon", "shake"}));
+    add_dynamic(command, plan.dynamic);
+    add_packages(command, plan.packages);
+    add_common(command, plan.common);
+    add_accuracy(command, plan.common);
+    add_contacts(command, plan.common);
+    add_no_report(command, plan.common.no_report);
+    add_limits(command, limits);
+    command.callback(
+        [this] { chosen = [this](Interrupts& interrupts) { return run_plan(plan, interrupts); }; });
+  }
+
+  void add_evaluate() {
+    CLI::App& command = *app.add_subcommand("evaluate", "simulate and score given grasps");
+    command.add_option("grasps", evaluate.grasps, "grasp file (docs/grasps-file.md)")->required();
+    add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit, evaluate.repair);
+    evaluate.common.out = "out/evaluate";
+    command
+        .add_option("--volumes", evaluate.volumes,
+                    "for how many grasps the volume is computed, much slower than the rest")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    add_shake(command, evaluate.shake);
+    add_dynamic(command, evaluate.dynamic);
+    add_common(command, evaluate.common);
+    add_accuracy(command, evaluate.common);
+    add_contacts(command, evaluate.common);
+    add_no_report(command, evaluate.common.no_report);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_evaluate(evaluate, interrupts); };
+    });
+  }
+
+  void add_simulate() {
+    CLI::App& command = *app.add_subcommand("simulate", "simulate what a hand does to an object");
+    command.add_option("scene", simulate.scene, "scene name, scene file or grasp file")->required();
+    command.add_option("--grasp", simulate.grasp, "number of the grasp of a grasp file")
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
+    command.add_option("--hand", simulate.hand, "robot of the library or robot file");
+    command.add_option("--protocol", simulate.protocol,
+                       "what the hand does, by a protocol's name or file; without it, it closes");
+    command.add_option("--test", simulate.test, "test of the protocol; without it the first");
+    command
+        .add_option("--seconds", simulate.seconds, "for how long a hand without protocol closes")
+        ->check(CLI::Range(1e-3, 1000.0))
+        ->capture_default_str();
+    command.add_option("--step", simulate.step, "longest step of the simulation, in s")
+        ->check(CLI::Range(1e-6, 0.1));
+    command.add_option("--every", simulate.every, "time between two recorded states, in s")
+        ->check(CLI::Range(1e-6, 1000.0))
+        ->capture_default_str();
+    command
+        .add_option("--csv", simulate.quantities,
+                    "write states.csv: quantities by name, with commas, or all")
+        ->delimiter(',');
+    command.add_option("--frames", simulate.frames, "pictures of moments to draw (PNG)")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    simulate.common.out = "out/simulate";
+    add_packages(command, simulate.packages);
+    add_common(command, simulate.common);
+    add_no_report(command, simulate.common.no_report);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_simulate(simulate, interrupts); };
+    });
+  }
+
+  void add_render() {
+    CLI::App& command = *app.add_subcommand("render", "draw grasps of a grasp file (PNG)");
+    command.add_option("grasps", render.grasps, "grasp file")->required();
+    command.add_option("--grasp", render.grasp, "number of the one to draw, 0: all")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command
+        .add_option("--frames", render.frames,
+                    "pictures of its approach (for all: of the first), 0: none")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
+    add_scene_words(command, render.scene, render.hand, render.unit, render.repair);
+    render.common.out = "out/render";
+    command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_render(render, interrupts); };
+    });
+  }
+
+  void add_inspect() {
+    CLI::App& command =
+        *app.add_subcommand("inspect", "say what prehend sees in a mesh, robot or scene");
+    command.add_option("file", inspect.file, "mesh, robot or scene file, or a library name")
+        ->required();
+    add_mesh_words(command, inspect.unit, inspect.repair);
+    command.add_option("--primitive-tolerance", inspect.primitive_tolerance,
+                       "how far the object's surface may be from its primitives, in mm");
+    command.add_option("--save", inspect.save, "of a scene: write it to this file");
+    command.add_option("--picture", inspect.picture, "of a robot: draw it in this file (PNG)");
+    add_foreign(command, inspect.packages, inspect.srdf);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_inspect(inspect, interrupts); };
+    });
+  }
+
+  void add_convert() {
+    CLI::App& command = *app.add_subcommand("convert", "write a robot or a mesh in another format");
+    command.add_option("source", convert.source, "robot or mesh file, or a robot of the library")
+        ->required();
+    command
+        .add_option("target", convert.target,
+                    "file to write: .json or .urdf for a robot, .obj .stl .ply .off for a mesh")
+        ->required();
+    command.add_option("--unit", convert.unit, "unit of a mesh file that is read: m, cm, mm, in")
+        ->capture_default_str();
+    add_foreign(command, convert.packages, convert.srdf);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_convert(convert, interrupts); };
+    });
+  }
+
+  void add_quality() {
+    CLI::App& command = *app.add_subcommand("quality", "judge contacts without a scene (JSON)");
+    command.add_option("contacts", quality.contacts, "contacts file (docs/contacts-file.md)")
+        ->required();
+    command.add_option("--space", quality.space, "what is unit: sum of forces, or each")
+        ->check(CLI::IsMember({"L1", "Linf"}))
+        ->capture_default_str();
+    command.add_option("--cone", quality.cone, "friction cones: pyramid:EDGES or exact")
+        ->capture_default_str();
+    command.add_option("--force", quality.force, "unit forces: at_most or exactly")
+        ->check(CLI::IsMember({"at_most", "exactly"}));
+    command.add_option("--measures", quality.measures, "more measures by name, with commas");
+    command.add_option("--project", quality.project,
+                       "write a section: force, torque, or three like tx=0,ty=0,fz=0.5");
+    command.add_option("--out", quality.out, "folder to write to")->capture_default_str();
+    command.add_option("--seed", quality.seed, "seed of the robust measures")
+        ->check(complaint_about_seed)
+        ->capture_default_str();
+    add_no_report(command, quality.no_report);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_quality(quality, interrupts); };
+    });
+  }
+};
+
+CommandLine::CommandLine() : words_(std::make_unique<Words>()) {}
+CommandLine::~CommandLine() = default;
+
+bool CommandLine::read(int argc, char** argv) {
+  check_command(words_->app, argc, argv);
+  try {
+    words_->app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    // --help and --version are reported as errors with the exit code 0.
+    if (error.get_exit_code() != 0) {
+      throw InputError(std::string(error.what()) + " (see --help)");
+    }
+    words_->app.exit(error);
+    return false;
+  }
+  return true;
+}
+
+const Limits& CommandLine::limits() const { return words_->limits; }
+
+void CommandLine::limit_time(Interrupts& interrupts) {
+  if (words_->limits.budget.empty()) return;
+  const double seconds = seconds_of(words_->limits.budget);
+  words_->plan.common.deadline = Deadline::in(seconds);
+  words_->evaluate.common.deadline = words_->plan.common.deadline;
+  interrupts.limit_time(seconds);
+}
+
+int CommandLine::run(Interrupts& interrupts) const { return words_->chosen(interrupts); }
+
+}  // namespace prehend
