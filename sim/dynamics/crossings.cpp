@@ -51,8 +51,13 @@ Pose apart(const Pose& X_AB, const Vector3& normal_A, double distance) {
   return X;
 }
 
-// The normals of a pair's contacts: first their mean, where they have one.
-std::vector<Vector3> ways_apart(const PairMemory& pair) {
+// Of a pair whose surfaces cross: they may by as much as they are apart at rest, along some normal
+// of their contacts. Those that were deeper in each other from the start are on their way out.
+std::optional<Crossing> deeper(const PairMemory& pair, std::size_t place, const Solids& before,
+                               const Solids& after, const StepOptions& options) {
+  const ProximityMesh& a = after.at(pair.a).shape->mesh;
+  const ProximityMesh& b = after.at(pair.b).shape->mesh;
+  const Pose to = relative(pair, after);
   std::vector<Vector3> normals(1, Vector3::Zero());
   for (const HeldContact& contact : pair.contacts) {
     normals.front() += contact.normal_A;
@@ -64,34 +69,15 @@ std::vector<Vector3> ways_apart(const PairMemory& pair) {
   } else {
     normals.erase(normals.begin());
   }
-  return normals;
-}
-
-// Of a pair whose surfaces cross: they may by as much as they are apart at rest, along some normal
-// of their contacts. Those that were deeper in each other from the start are on their way out, and
-// get no deeper.
-std::optional<Crossing> deeper(const PairMemory& pair, std::size_t place, const Solids& before,
-                               const Solids& after, const StepOptions& options) {
-  constexpr double kDeepest = 0.1;  // [m]
-  const ProximityMesh& a = after.at(pair.a).shape->mesh;
-  const ProximityMesh& b = after.at(pair.b).shape->mesh;
-  const Pose from = relative(pair, before);
-  const Pose to = relative(pair, after);
-  const std::vector<Vector3> normals = ways_apart(pair);
-  const auto freed_by = [&](const Pose& X_AB, double distance) {
-    return std::find_if(normals.begin(), normals.end(), [&](const Vector3& normal) {
-      return !surfaces_cross(a, b, apart(X_AB, normal, distance));
-    });
-  };
-  double most = options.rest_gap;
-  if (freed_by(to, most) != normals.end()) return {};
-  auto way = freed_by(from, most);
-  while (way == normals.end() && most < kDeepest) {
-    most *= 2.0;
-    way = freed_by(from, most);
+  const double most = options.rest_gap;
+  for (const Vector3& normal : normals) {
+    if (!surfaces_cross(a, b, apart(to, normal, most))) return {};
   }
-  if (way == normals.end() || freed_by(to, most) != normals.end()) return {};
-  return Crossing{place, apart(from, *way, most), apart(to, *way, most)};
+  if (normals.empty()) return {};
+  const Crossing crossing{place, apart(relative(pair, before), normals.front(), most),
+                          apart(to, normals.front(), most)};
+  if (surfaces_cross(a, b, crossing.X_AB_from)) return {};
+  return crossing;
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 
 // Rounds after which impacts that go on are left to the step: with a restitution below 1 they die
 // out, and each round takes one body farther.
-constexpr int kMostRounds = 200;
+constexpr int kMostPasses = 200;
 
 // The impacts of one island at one instant.
 class IslandImpact {
@@ -121,7 +121,7 @@ bool resolve_impacts(World& world, double time, const StepOptions& options) {
                                    [](const WorldBody& body) { return body.restitution > 0.0; });
   if (!bounces) return false;
   bool any = false;
-  for (int round = 0; round < kMostRounds; ++round) {
+  for (int round = 0; round < kMostPasses; ++round) {
     const Solids solids(world);
     bool hit = false;
     for (const Island& island : islands_of(solids, world.memory)) {

@@ -142,11 +142,25 @@ class IslandStep {
     return -std::min(hurry * kOpening / options_.step, 1.0 / time_) * missing;
   }
 
+  // A base that turns carries what its hand holds along an arc, and bodies move straight within a
+  // step, which would press them into the fingers outside: what is missing of the velocity at which
+  // the place of the body's centre moves from its start on the arc to its end.
+  Vector3 turning_of(const Solid& link, const Solid& body) const {
+    if (link.id.robot < 0 || body.id.robot >= 0) return Vector3::Zero();
+    const WorldBody& held = world_.bodies[index(body.id.index)];
+    if (held.is_fixed) return Vector3::Zero();
+    const WorldRobot& robot = world_.robots[index(link.id.robot)];
+    const Vector3 center = center_in_world(held.inertial, held.motion.X_WB);
+    const Vector3& turning = robot.base_angular;
+    return 0.5 * time_ * turning.cross(turning.cross(center - robot.X_WB.translation()));
+  }
+
   void add_pair(const PairMemory& pair) {
     constexpr double kStiffer = 1.5;  // tried again after softer contacts were needed
     warm_.stiffness = std::min(warm_.stiffness, kStiffer * pair.stiffness);
     const Solid& a = solids_.at(pair.a);
     const Solid& b = solids_.at(pair.b);
+    const Vector3 turning = turning_of(a, b) - turning_of(b, a);
     for (const HeldContact& held : pair.contacts) {
       const PlacedContact at = placed(held, a, b);
       ContactCondition condition;
@@ -163,6 +177,7 @@ class IslandStep {
         const int first = solid->mover >= 0 ? first_of(solid->mover) : -1;
         solids_.add_rows(*solid, first, at.p_W, at.directions, arm, sign, condition);
       }
+      for (int k = 0; k < 3; ++k) condition.offset[k] += at.directions[index(k)].dot(turning);
       motion_.contacts.push_back({.a = pair.a,
                                   .b = pair.b,
                                   .position_W = at.p_W,

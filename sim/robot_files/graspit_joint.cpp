@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <utility>
 
@@ -17,13 +16,12 @@
 namespace prehend {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 // Forces are written in 1e-6 N, torques in 1e-6 N mm.
 constexpr double kGraspitForce = 1e-6;
 constexpr double kGraspitTorque = 1e-9;
 
 double unit_of_value(JointType type) {
-  return type == JointType::revolute ? kDegree : kGraspitLength;
+  return type == JointType::revolute ? kGraspitAngle : kGraspitLength;
 }
 
 double unit_of_effort(JointType type) {
@@ -140,10 +138,10 @@ Joint read_graspit_joint(const XmlElement& element, int dofs, std::vector<std::s
                                                     "draggerScale"};
   note_unknown(element, kKnown, notes);
   return denavit_hartenberg(std::move(joint),
-                            {.theta = kDegree * theta.constant,
+                            {.theta = kGraspitAngle * theta.constant,
                              .d = kGraspitLength * d.constant,
                              .a = kGraspitLength * element["a"].content_number(),
-                             .alpha = kDegree * element["alpha"].content_number()});
+                             .alpha = kGraspitAngle * element["alpha"].content_number()});
 }
 
 void read_graspit_dof(const XmlElement& element, int d, Robot& robot) {

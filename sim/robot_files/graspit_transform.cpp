@@ -1,7 +1,6 @@
 #include "sim/robot_files/graspit_transform.h"
 
 #include <cmath>
-#include <numbers>
 #include <sstream>
 
 namespace prehend {
@@ -9,7 +8,6 @@ namespace {
 
 // Matrices are typed with few digits: how far one may be from a rotation.
 constexpr double kTypedRotation = 0.01;
-constexpr double kGraspitDegree = std::numbers::pi / 180.0;
 
 Pose turn(const XmlElement& step) {
   std::istringstream words(step.content());
@@ -23,7 +21,7 @@ Pose turn(const XmlElement& step) {
   const auto which = std::string("xyzXYZ").find(axis);
   if (which == std::string::npos) step.fail("the axis must be x, y or z", axis);
   const double degrees = step.number_in(angle, "the angle");
-  return Pose(Eigen::AngleAxisd(degrees * kGraspitDegree,
+  return Pose(Eigen::AngleAxisd(degrees * kGraspitAngle,
                                 Vector3::Unit(static_cast<Eigen::Index>(which % 3))));
 }
 

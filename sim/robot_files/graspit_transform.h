@@ -1,12 +1,16 @@
 // Poses in GraspIt! files.
 #pragma once
 
+#include <numbers>
+
 #include "sim/xml/xml_file.h"
 
 namespace prehend {
 
 // Metres per unit of length in GraspIt! files.
 inline constexpr double kGraspitLength = 1e-3;
+// Radians per unit of angle.
+inline constexpr double kGraspitAngle = std::numbers::pi / 180.0;
 
 // The pose that an element <transform> states: its steps <translation> (x y z [mm]), <rotation>
 // (angle [deg] and x, y or z), <rotationMatrix> (nine numbers, column by column) and

@@ -10,7 +10,7 @@
 namespace prehend {
 namespace {
 
-std::size_t index(Material material) { return static_cast<std::size_t>(material); }
+std::size_t place_of(Material material) { return static_cast<std::size_t>(material); }
 
 void require_friction(Material a, Material b, double friction) {
   if (friction >= 0.0 && friction <= kLargestFriction) return;
@@ -30,22 +30,24 @@ FrictionTable::FrictionTable()
                {0.3, 0.3, 0.4, 0.4, 1.0},
                {1.0, 1.0, 1.0, 1.0, 2.0}}} {}
 
-double FrictionTable::between(Material a, Material b) const { return values_[index(a)][index(b)]; }
+double FrictionTable::between(Material a, Material b) const {
+  return values_[place_of(a)][place_of(b)];
+}
 
 void FrictionTable::set(Material a, Material b, double friction) {
   require_friction(a, b, friction);
-  values_[index(a)][index(b)] = friction;
-  values_[index(b)][index(a)] = friction;
+  values_[place_of(a)][place_of(b)] = friction;
+  values_[place_of(b)][place_of(a)] = friction;
 }
 
 std::optional<double> KineticFriction::between(Material a, Material b) const {
-  return values_[index(a)][index(b)];
+  return values_[place_of(a)][place_of(b)];
 }
 
 void KineticFriction::set(Material a, Material b, std::optional<double> friction) {
   if (friction) require_friction(a, b, *friction);
-  values_[index(a)][index(b)] = friction;
-  values_[index(b)][index(a)] = friction;
+  values_[place_of(a)][place_of(b)] = friction;
+  values_[place_of(b)][place_of(a)] = friction;
 }
 
 bool KineticFriction::empty() const {
@@ -65,7 +67,7 @@ FrictionTable sliding_friction(const FrictionTable& statics, const KineticFricti
   return table;
 }
 
-double CompliantDepths::of(Material material) const { return values_[index(material)]; }
+double CompliantDepths::of(Material material) const { return values_[place_of(material)]; }
 
 void CompliantDepths::set(Material material, double depth) {
   if (!std::isfinite(depth) || depth < 0.0) {
@@ -74,7 +76,7 @@ void CompliantDepths::set(Material material, double depth) {
          .problem = "must be finite and not negative for " + std::string(material_name(material)),
          .value = std::to_string(depth)});
   }
-  values_[index(material)] = depth;
+  values_[place_of(material)] = depth;
 }
 
 double CompliantDepths::between(Material a, Material b) const { return std::max(of(a), of(b)); }

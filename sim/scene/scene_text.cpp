@@ -32,7 +32,7 @@ bool can_be_named(const std::string& path) {
 }
 
 // The fields of a body that say where its surface comes from.
-struct ShapeFields {
+struct ShapeSourceFields {
   const TriangleMesh& mesh;
 
   Json operator()(std::monostate /*none*/) const { return {{"geometry", triangles_json(mesh)}}; }
@@ -53,7 +53,7 @@ struct ShapeFields {
 template <typename Body>
 Json body_json(const Body& body, const Pose& X_WB) {
   Json json{{"name", body.name}};
-  json.update(std::visit(ShapeFields{body.mesh}, body.source));
+  json.update(std::visit(ShapeSourceFields{body.mesh}, body.source));
   json["material"] = material_name(body.material);
   json["pose"] = pose_to_json(X_WB);
   if (body.restitution > 0.0) json["restitution"] = body.restitution;

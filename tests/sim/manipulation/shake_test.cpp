@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/formation/hand_drives.h"
 #include "sim/geometry/basic_shapes.h"
+#include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/protocol_file.h"
 #include "sim/scene/make_scene.h"
 #include "tests/support/refusal_of.h"
@@ -91,6 +93,25 @@ TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
     EXPECT_EQ(report.count(), static_cast<int>(protocol.tests.size()));
     EXPECT_EQ(report.effort.crossings, 0) << name;
   }
+}
+
+// Bodies move straight within a step, and the hand on an arc.
+TEST_F(HeldCube, StaysWhereItIsInAHandThatTurns) {
+  const CompiledScene scene = scene_of(0.1);
+  GraspWorld grasped =
+      make_grasp_world(scene, hand_model(scene), posture_of(closed(scene)), hanging(0.5, 1.0));
+  World& world = grasped.world;
+  WorldRobot& robot = world.robots.front();
+  set_hand_drives(closing_drives(*robot.model, grasped.hand), grasped.hand, robot);
+  const auto step = [&](int steps) {
+    for (int i = 0; i < steps; ++i) ASSERT_EQ(step_world(world).outcome, StepOutcome::moved);
+  };
+  const auto in_hand = [&] { return Pose(robot.X_WB.inverse() * world.bodies[0].motion.X_WB); };
+  step(200);
+  const Pose before = in_hand();
+  robot.base_angular = {3.0, 0.0, 0.0};  // about the axis on which the pads close
+  step(400);
+  EXPECT_LT((in_hand().translation() - before.translation()).norm(), 1e-6);
 }
 
 TEST_F(HeldCube, DoesNotStandOnNothing) {
