@@ -25,12 +25,12 @@ std::vector<Drive> closing_drives(const RobotModel& model, const WorldHand& hand
 
 std::vector<Drive> opening_drives(const RobotModel& model, const WorldHand& hand,
                                   const Eigen::VectorXd& now, const std::vector<double>& open) {
-  constexpr double kThere = 1e-3;  // [rad or m]
+  constexpr double kSlowing = 0.02;  // before the end, so that it is not overshot [s]
   std::vector<Drive> drives = closing_drives(model, hand);
   for (Drive& drive : drives) {
     const double way = open[index(drive.dof - hand.first_dof)] - now[drive.dof];
     const double speed = std::abs(drive.target_rate);
-    drive.target_rate = std::abs(way) > kThere ? std::copysign(speed, way) : 0.0;
+    drive.target_rate = std::clamp(way / kSlowing, -speed, speed);
   }
   return drives;
 }
