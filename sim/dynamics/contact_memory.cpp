@@ -14,23 +14,29 @@ HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
   return {.p_A = contact.position, .p_B = X_BA * on_b, .normal_A = contact.normal};
 }
 
-// The nearest contact first, then again and again the one that differs most from all that are
-// chosen. `contacts` are sorted by gap, so that the nearest of several equal ones is chosen.
-std::vector<HeldContact> spread(const std::vector<HeldContact>& contacts,
+// The nearest contact first, then again and again the one that a body which tilts on those chosen
+// meets first: far from them, and with little more of a gap than the nearest. On an even face that
+// is the one farthest from all. `found` are sorted by gap.
+std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const Pose& X_BA,
                                 const ContactSearchOptions& options) {
+  constexpr double kEven = 2e-5;  // gaps that differ by less count as equal [m]
+  std::vector<HeldContact> contacts;
+  for (const SurfaceContact& contact : found) contacts.push_back(held(contact, X_BA));
   std::vector<HeldContact> chosen;
   if (contacts.empty()) return chosen;
   std::vector<double> distance(contacts.size(), std::numeric_limits<double>::infinity());
   std::size_t next = 0;
   while (static_cast<int>(chosen.size()) < options.most) {
     chosen.push_back(contacts[next]);
-    std::size_t farthest = 0;
+    double best = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       distance[i] = std::min(distance[i], difference(contacts[i], chosen.back(), options.arm));
-      if (distance[i] > distance[farthest]) farthest = i;
+      const double reached = distance[i] / (found[i].gap - found.front().gap + kEven);
+      if (distance[i] < options.apart || reached <= best) continue;
+      best = reached;
+      next = i;
     }
-    if (distance[farthest] < options.apart) break;
-    next = farthest;
+    if (best == 0.0) break;
   }
   return chosen;
 }
@@ -66,20 +72,17 @@ void stick_here(const Pose& X_AB, HeldContact& contact) {
 }
 
 void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
-                     const ContactSearchOptions& options, RegionWorkspace& workspace,
+                     const ContactSearchOptions& options, ContactWorkspace& workspace,
                      PairMemory& memory) {
   ContactOptions contact_options;
   contact_options.threshold = range;
   // Corners of a face that is not parallel are contacts as well: it may turn onto them in the step.
   contact_options.evenness = range;
   std::vector<SurfaceContact> found;
-  find_contacts(a, b, X_AB, contact_options, workspace, found);
+  find_contact_points(a, b, X_AB, contact_options, workspace, found);
   std::stable_sort(found.begin(), found.end(),
                    [](const SurfaceContact& p, const SurfaceContact& q) { return p.gap < q.gap; });
-  std::vector<HeldContact> contacts;
-  const Pose X_BA = X_AB.inverse();
-  for (const SurfaceContact& contact : found) contacts.push_back(held(contact, X_BA));
-  std::vector<HeldContact> chosen = spread(contacts, options);
+  std::vector<HeldContact> chosen = spread(found, X_AB.inverse(), options);
   take_over(memory.contacts, options.arm, chosen);
   memory.contacts = std::move(chosen);
   memory.X_AB = X_AB;

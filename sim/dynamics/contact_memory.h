@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/contact/contact_region.h"
+#include "sim/contact/surface_contact.h"
 
 namespace prehend {
 
@@ -62,7 +62,7 @@ struct ContactSearchOptions {
   double range = 2e-4;
   // Contacts are searched again after points moved against each other by this [m].
   double refresh = 1e-4;
-  // Most contacts of a pair (>= 4): the nearest, and those farthest from each other.
+  // Most contacts of a pair (>= 4): the nearest, and those that it meets first when it tilts.
   int most = 8;
   // Contacts that differ by less than this count once: in place, and in normal times `arm` [m].
   double apart = 1e-3;
@@ -73,7 +73,7 @@ struct ContactSearchOptions {
 // them. X_AB: pose of b's frame in a's. Impulses are taken over from those held before at the same
 // places.
 void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
-                     const ContactSearchOptions& options, RegionWorkspace& workspace,
+                     const ContactSearchOptions& options, ContactWorkspace& workspace,
                      PairMemory& memory);
 
 // A contact at the nearest points of a pair of triangles (of find_gap) that do not meet: for

@@ -185,7 +185,7 @@ class PairSearch {
   const StepOptions& options_;
   double time_;
   double gain_;
-  RegionWorkspace workspace_;
+  ContactWorkspace workspace_;
 };
 
 }  // namespace

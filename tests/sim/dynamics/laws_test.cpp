@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/random.h"
 #include "sim/dynamics/island.h"
 #include "sim/dynamics/world.h"
 #include "sim/robot_files/robot_file.h"
@@ -116,6 +117,24 @@ TEST(Laws, ASymmetricTopPrecesses) {
   const double angle = 0.5 * momentum.norm() / top.inertial.inertia(0, 0);
   const Vector3 expected = Eigen::AngleAxisd(angle, momentum.normalized()) * axis;
   EXPECT_LT((top.motion.X_WB.linear().col(2) - expected).norm(), 1e-9);
+}
+
+// Domes of small height, with bumps: the lowest places are inside of others that are as near as
+// contacts are. Their bottoms once rocked for ever from one choice of contacts to the next.
+TEST(Laws, WhatStandsOnAnUnevenBottomComesToRest) {
+  constexpr double kEdge = 0.1;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    Random random(seed);
+    TriangleMesh mesh = make_box(Vector3::Constant(kEdge), 12);
+    for (Vector3& p : mesh.vertices) {
+      if (p.z() > -0.5 * kEdge + 1e-9) continue;
+      const double dome = 3e-4 * p.head<2>().squaredNorm() / (kEdge * kEdge);
+      p.z() += dome + random.uniform(0.0, 5e-5);
+    }
+    World world = on_plate({test::body_of("box", mesh, 1.0, {0.0, 0.0, 0.5 * kEdge + 1e-3})}, 0.5);
+    ASSERT_EQ(test::run(world, 2.5), StepOutcome::moved);
+    EXPECT_TRUE(world.bodies[1].asleep) << seed;
+  }
 }
 
 // Bodies that do not touch are solved apart; what rests sleeps until it is hit.
