@@ -20,6 +20,9 @@ HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
 std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const Pose& X_BA,
                                 const ContactSearchOptions& options) {
   constexpr double kEven = 2e-5;  // gaps that differ by less count as equal [m]
+  // Farther away, distance counts less: what stands on two places tilts about the line between
+  // them, and meets next what is beside that line.
+  constexpr double kFar = 5e-3;  // [m]
   std::vector<HeldContact> contacts;
   for (const SurfaceContact& contact : found) contacts.push_back(held(contact, X_BA));
   std::vector<HeldContact> chosen;
@@ -31,7 +34,8 @@ std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const 
     double best = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       distance[i] = std::min(distance[i], difference(contacts[i], chosen.back(), options.arm));
-      const double reached = distance[i] / (found[i].gap - found.front().gap + kEven);
+      const double lever = distance[i] / (1.0 + distance[i] / kFar);
+      const double reached = lever / (found[i].gap - found.front().gap + kEven);
       if (distance[i] < options.apart || reached <= best) continue;
       best = reached;
       next = i;
