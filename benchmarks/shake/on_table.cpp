@@ -16,8 +16,6 @@ constexpr double kClear = 1e-4;      // between its lowest point and the plate i
 constexpr double kThickness = 0.05;  // of the plate [m]
 constexpr double kMargin = 0.3;      // of the plate around the object [m]
 constexpr double kPatience = 10.0;   // s
-// Of its velocity that the object keeps in a step: what is round below rocks for long.
-constexpr double kKept = 0.98;
 
 double lowest_of(const GraspableBody& object) {
   double lowest = std::numeric_limits<double>::infinity();
@@ -59,8 +57,6 @@ void put_on_table(Scene& scene) {
   World world = world_of(scene, plate_at(z, scene.object));
   for (double time = 0.0; !world.bodies[0].asleep;) {
     const double step = step_world(world).time;
-    world.bodies[0].motion.linear *= kKept;
-    world.bodies[0].motion.angular *= kKept;
     time += step;
     if (step > 0.0 && time < kPatience) continue;
     throw InputError({.field = scene.object.name, .problem = "does not come to rest on a table"});

@@ -34,7 +34,7 @@ constexpr std::uint64_t kMostCopied = 100'000'000;
 // GLB: a header (magic, version, total length), a JSON chunk and an optional binary chunk. A chunk
 // is its length, its type and its data, padded to a multiple of 4 bytes, JSON with spaces.
 constexpr std::size_t kGltfHeader = 12;
-constexpr std::size_t kChunkGltfHeader = 8;
+constexpr std::size_t kGltfChunkHeader = 8;
 constexpr std::uint32_t kJson = 0x4E4F534A;
 constexpr std::uint32_t kBinary = 0x004E4942;
 
@@ -48,7 +48,7 @@ std::string glb_of(std::string json, const std::string& data) {
   json.resize((json.size() + 3) / 4 * 4, ' ');
   std::string result = "glTF";
   append_word(result, 2);
-  append_word(result, kGltfHeader + 2 * kChunkGltfHeader + json.size() + data.size());
+  append_word(result, kGltfHeader + 2 * kGltfChunkHeader + json.size() + data.size());
   append_word(result, json.size());
   append_word(result, kJson);
   result += json;
@@ -341,24 +341,24 @@ std::string checked_gltf(std::string_view bytes, const std::filesystem::path& fo
 }
 
 std::string checked_glb(std::string_view bytes, const std::filesystem::path& folder) {
-  if (bytes.size() < kGltfHeader + kChunkGltfHeader || bytes.substr(0, 4) != "glTF") {
+  if (bytes.size() < kGltfHeader + kGltfChunkHeader || bytes.substr(0, 4) != "glTF") {
     throw InputError("no GLB header");
   }
   if (word_at(bytes, 4) != 2) {
     throw InputError({.problem = "not GLB version 2", .value = std::to_string(word_at(bytes, 4))});
   }
   const std::size_t json_bytes = word_at(bytes, kGltfHeader);
-  const std::size_t json_end = kGltfHeader + kChunkGltfHeader + json_bytes;
+  const std::size_t json_end = kGltfHeader + kGltfChunkHeader + json_bytes;
   if (word_at(bytes, kGltfHeader + 4) != kJson || json_end > bytes.size()) {
     throw InputError("the GLB ends inside its JSON");
   }
   std::string_view data;
-  if (bytes.size() >= json_end + kChunkGltfHeader && word_at(bytes, json_end + 4) == kBinary) {
-    data = bytes.substr(json_end + kChunkGltfHeader);
+  if (bytes.size() >= json_end + kGltfChunkHeader && word_at(bytes, json_end + 4) == kBinary) {
+    data = bytes.substr(json_end + kGltfChunkHeader);
     if (word_at(bytes, json_end) > data.size()) throw InputError("the GLB ends inside its data");
     data = data.substr(0, word_at(bytes, json_end));
   }
-  return reduced(bytes.substr(kGltfHeader + kChunkGltfHeader, json_bytes), data, folder);
+  return reduced(bytes.substr(kGltfHeader + kGltfChunkHeader, json_bytes), data, folder);
 }
 
 }  // namespace prehend

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "sim/geometry/basic_shapes.h"
-#include "tests/support/refusal_of.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
