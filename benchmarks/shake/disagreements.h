@@ -24,14 +24,16 @@ struct Counterfactual {
 std::optional<std::string> first_cause(const std::vector<Counterfactual>& changes, bool ours,
                                        bool theirs);
 
-// The changes that are tried on a grasp, in this order:
+// The changes that are tried on a grasp, in this order.
 //
-//   clutches       ours with fingers whose joints move as one, as in MuJoCo's, where they break
-//   away start          ours closes from where MuJoCo's does, whose convex pieces overlap in the
-//   grasp pieces         ours grasps MuJoCo's convex pieces, from there their step     MuJoCo with
-//   a quarter of the step, and contacts that are stiffer accordingly our step       ours with a
-//   quarter of the step friction 10 %  the grasp is at its limit: so much less friction loses it,
-//   or more holds it friction 25 % clutches       MuJoCo's with the clutches and gears of ours
+// - clutches: ours with fingers whose joints move as one, as in MuJoCo's, where they break away.
+// - start: ours closes from where MuJoCo's does, whose convex pieces overlap in the grasp.
+// - pieces: ours grasps MuJoCo's convex pieces, from there.
+// - their step: MuJoCo with a quarter of the step, and contacts that are stiffer accordingly.
+// - our step: ours with a quarter of the step.
+// - friction 10 %, friction 25 %: the grasp is at its limit: so much less friction loses it, or
+//   more holds it.
+// - clutches: MuJoCo's with the clutches and gears of ours.
 //
 // They refer to all arguments.
 std::vector<Counterfactual> counterfactuals(const ShakeCase& shaken, const ShakenGrasp& grasp,
