@@ -20,7 +20,7 @@ using test::urdf;
 using test::urdf_joint;
 using test::write_text;
 
-constexpr double kExact = 1e-12;
+constexpr double kRounding = 1e-12;
 
 // A palm with two fingers, one of which mimics the other, and a frame without geometry.
 std::string gripper() {
@@ -63,8 +63,8 @@ TEST(UrdfFile, FixedJointsMoveWhatHangsOnThem) {
   link_poses(robot, joint_values(robot, {0.03}), X_BL);
   const Vector3 left = X_BL[1].translation();
   const Vector3 right = X_BL[2].translation();
-  EXPECT_LT((left - Vector3(-0.03, 0.1, 0.5)).norm(), kExact);
-  EXPECT_LT((right - Vector3(0.03, 0.1, 0.5)).norm(), kExact);
+  EXPECT_LT((left - Vector3(-0.03, 0.1, 0.5)).norm(), kRounding);
+  EXPECT_LT((right - Vector3(0.03, 0.1, 0.5)).norm(), kRounding);
 }
 
 TEST(UrdfFile, MimicsOfMimicsComposeAndNarrowLimits) {
@@ -83,12 +83,12 @@ TEST(UrdfFile, MimicsOfMimicsComposeAndNarrowLimits) {
   ASSERT_EQ(robot.dofs.size(), 1U);
   EXPECT_EQ(robot.dofs[0].name, "a");
   // c = -2 (0.5 a + 0.25) + 0.5 = -a, so that -1 <= -a <= 2 as well as -1 <= a <= 2.
-  EXPECT_NEAR(robot.dofs[0].lower, -1.0, kExact);
-  EXPECT_NEAR(robot.dofs[0].upper, 1.0, kExact);
+  EXPECT_NEAR(robot.dofs[0].lower, -1.0, kRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, 1.0, kRounding);
   for (const Joint& joint : robot.joints) {
     const double value = joint.ratio * 0.8 + joint.offset;
     const double wanted = joint.name == "a" ? 0.8 : joint.name == "b" ? 0.65 : -0.8;
-    EXPECT_NEAR(value, wanted, kExact) << joint.name;
+    EXPECT_NEAR(value, wanted, kRounding) << joint.name;
   }
 }
 
@@ -132,7 +132,7 @@ TEST(UrdfFile, ShapesHaveTheirSizes) {
   };
   const double pi = std::numbers::pi;
   const Inertial box = volume_of("<box size=\"0.1 0.2 0.3\"/>");
-  EXPECT_NEAR(box.mass, 0.006, kExact);
+  EXPECT_NEAR(box.mass, 0.006, kRounding);
   EXPECT_LT((box.center_of_mass - Vector3(1.0, 2.0, 3.0)).norm(), 1e-9);
   // Polyhedra with corners on the surface: a few percent less than the solid.
   EXPECT_NEAR(volume_of("<sphere radius=\"0.5\"/>").mass / (pi / 6.0), 0.97, 0.03);
@@ -151,9 +151,9 @@ TEST(UrdfFile, AnglesTurnAboutFixedAxes) {
           .robot;
   const double c = std::cos(-0.4);
   const Matrix3 R = robot.joints[0].X_PJ.linear();
-  EXPECT_NEAR(R(2, 0), -std::sin(-0.4), kExact);
-  EXPECT_NEAR(R(2, 1), c * std::sin(0.3), kExact);
-  EXPECT_NEAR(R(1, 0), c * std::sin(0.5), kExact);
+  EXPECT_NEAR(R(2, 0), -std::sin(-0.4), kRounding);
+  EXPECT_NEAR(R(2, 1), c * std::sin(0.3), kRounding);
+  EXPECT_NEAR(R(1, 0), c * std::sin(0.5), kRounding);
 }
 
 TEST(UrdfFile, MeshesAreScaledAndFoundInPackages) {
@@ -217,9 +217,9 @@ TEST(UrdfFile, InertiaIsGivenInTheFrameOfTheLink) {
   const Robot robot = base("ixx=\"1\" iyy=\"2\" izz=\"2.5\" ixy=\"0\" ixz=\"0\" iyz=\"0\"");
   const Inertial& inertial = robot.links[0].inertial;
   EXPECT_EQ(inertial.mass, 2.0);
-  EXPECT_LT((inertial.center_of_mass - Vector3(0.1, 0.0, 0.0)).norm(), kExact);
-  EXPECT_NEAR(inertial.inertia(0, 0), 2.0, kExact);
-  EXPECT_NEAR(inertial.inertia(1, 1), 1.0, kExact);
+  EXPECT_LT((inertial.center_of_mass - Vector3(0.1, 0.0, 0.0)).norm(), kRounding);
+  EXPECT_NEAR(inertial.inertia(0, 0), 2.0, kRounding);
+  EXPECT_NEAR(inertial.inertia(1, 1), 1.0, kRounding);
   EXPECT_EQ(robot.links[1].inertial.mass, 0.0);
   // No body has these moments: those of the box of 2 kg take their place, 2/12 (1 + 1).
   const Robot other = base("ixx=\"1\" iyy=\"1\" izz=\"9\"");
