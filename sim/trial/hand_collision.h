@@ -20,11 +20,18 @@ struct HandCollisionWorkspace {
   NearBodies near;
 };
 
+// Which bodies the hand is looked for in.
+enum class Among { all, object, obstacles };
+
 // The first link, in the order of the hand's links, that overlaps the object or an obstacle with
 // the hand's base at X_OH and its joints at `joints` [rad or m]; nothing where no link does.
 // Collisions between links of the hand are not checked.
 std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
                                           const std::vector<double>& joints,
                                           HandCollisionWorkspace& workspace);
+
+// The same with given poses of the links relative to the base, among some of the bodies.
+std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
+                                          const RobotPoses& poses, Among among, NearBodies& near);
 
 }  // namespace prehend

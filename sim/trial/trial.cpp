@@ -7,6 +7,7 @@
 #include "sim/base/index.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/form_at.h"
+#include "sim/trial/give_way.h"
 #include "sim/trial/grasp_at.h"
 #include "sim/trial/settle.h"
 
@@ -16,6 +17,7 @@ struct TrialWorkspace::Buffers {
   std::vector<double> start_joints;
   ApproachWorkspace approaching;
   ApproachResult reached;
+  GiveWayWorkspace giving_way;
   ClosingStart start;
   GraspWorkspace grasping;
   SettleWorkspace settling;
@@ -76,8 +78,9 @@ class Timer {
 class TrialRun {
  public:
   TrialRun(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
-           TrialWorkspace::Buffers& buffers, const RunContext& context)
+           bool asks_arm, TrialWorkspace::Buffers& buffers, const RunContext& context)
       : scene_(scene),
+        asks_arm_(asks_arm && scene.arm),
         candidate_(candidate),
         options_(options),
         context_(context),
@@ -106,6 +109,7 @@ class TrialRun {
   void try_it(Trial& trial) {
     move_to_object();
     const ApproachResult& reached = buffers_.reached;
+    if (reached.end == ApproachEnd::starts_in_collision && give_way_at_start()) move_to_object();
     place_hand(reached.travel, trial);
     if (reached.end == ApproachEnd::starts_in_collision) {
       trial.outcome = Outcome::hand_blocked;
@@ -117,27 +121,59 @@ class TrialRun {
     }
   }
 
+  // Moves the whole approach by what takes the hand out of what it overlaps at the start. Returns
+  // whether it overlaps that little.
+  bool give_way_at_start() {
+    const Timer timer(seconds_.approach);
+    const std::optional<Vector3> move = give_way(scene_, motion_.at(0.0), buffers_.start_joints,
+                                                 options_.give_way, buffers_.giving_way, context_);
+    if (!move) return false;
+    shift(*move);
+    return true;
+  }
+
   // The hand at this travel of its approach, open.
   void place_hand(double travel, Trial& trial) const {
     trial.X_OH = motion_.at(travel);
     trial.travel = travel;
+    trial.gave_way = gave_way_;
     trial.dofs = start_.dofs;
     trial.joints = buffers_.start_joints;
   }
 
   // What lies on a table, or stands in front of a wall, can often be grasped only with the fingers
-  // next to the table: as far as the hand comes may be far enough. If not, the obstacle is why.
+  // next to the table: as far as the hand comes may be far enough. If not, the obstacle is why. A
+  // hand that starts at the obstacle moves away from it.
   void close_before_obstacle(Trial& trial) {
-    const ApproachResult& reached = buffers_.reached;
-    const double travel = reached.travel - options_.obstacle_clearance;
-    if (travel > 0.0) {
+    const double missing = options_.obstacle_clearance - buffers_.reached.travel;
+    if (missing > 0.0) start_farther_back(missing);
+    const double travel = buffers_.reached.travel - options_.obstacle_clearance;
+    if (travel >= 0.0) {
       close_from(travel, trial);
       if (trial.outcome == Outcome::stable) return;
     }
     clear(trial);
-    place_hand(reached.travel, trial);
+    place_hand(buffers_.reached.travel, trial);
     trial.outcome = Outcome::approach_blocked;
-    trial.blocked = reached.touch;
+    trial.blocked = buffers_.reached.touch;
+  }
+
+  // Moves the start of the approach back, if the hand is free there and an obstacle may move it by
+  // that much.
+  void start_farther_back(double by) {
+    const Vector3 move = -by * candidate_.approach_O;
+    if ((gave_way_ + move).norm() > options_.give_way.obstacle) return;
+    if (hand_collision(scene_, translation(move) * motion_.at(0.0), buffers_.start_joints,
+                       buffers_.grasping.collision)) {
+      return;
+    }
+    shift(move);
+    buffers_.reached.travel += by;
+  }
+
+  void shift(const Vector3& move) {
+    gave_way_ += move;
+    motion_.X_OH_end = translation(move) * motion_.X_OH_end;
   }
 
   // Closes the hand at `travel`, and farther back where that does not hold.
@@ -145,7 +181,7 @@ class TrialRun {
     place_hand(travel, trial);
     // The arm is asked once the hand's own way is known to be free, which costs far less than the
     // inverse kinematics of a pose that the arm does not reach, and before the hand closes.
-    if (scene_.arm && !arm_follows(trial)) return;
+    if (asks_arm_ && !arm_follows(trial)) return;
     close_at(travel, trial);
     // A hand that went as far as it could may close beyond the widest part of the object, or touch
     // it with the palm only. Closing a little farther out often holds what the first try did not.
@@ -159,7 +195,7 @@ class TrialRun {
       again.back_offs = back;
       if (again.outcome == Outcome::stable) trial = again;
     }
-    if (scene_.arm) follow_to_the_grasp(trial);
+    if (asks_arm_) follow_to_the_grasp(trial);
   }
 
   void move_to_object() {
@@ -223,12 +259,14 @@ class TrialRun {
   }
 
   const CompiledScene& scene_;
+  bool asks_arm_;
   const Candidate& candidate_;
   const TrialOptions& options_;
   const RunContext& context_;
   ApproachMotion motion_;
   TrialWorkspace::Buffers& buffers_;
   ClosingStart& start_;
+  Vector3 gave_way_ = Vector3::Zero();
   double followed_travel_ = 0.0;  // of the line that the arm was last asked to follow
   Pose followed_X_OH_ = Pose::Identity();
   TrialSeconds seconds_;
@@ -267,7 +305,13 @@ Trial run_trial(const CompiledScene& scene, const Candidate& candidate, const Tr
 
 void run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
                TrialWorkspace& workspace, Trial& trial, const RunContext& context) {
-  TrialRun(scene, candidate, options, workspace.buffers(), context).run(trial);
+  TrialRun(scene, candidate, options, true, workspace.buffers(), context).run(trial);
+}
+
+void run_hand_trial(const CompiledScene& scene, const Candidate& candidate,
+                    const TrialOptions& options, TrialWorkspace& workspace, Trial& trial,
+                    const RunContext& context) {
+  TrialRun(scene, candidate, options, false, workspace.buffers(), context).run(trial);
 }
 
 }  // namespace prehend

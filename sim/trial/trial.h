@@ -53,8 +53,11 @@ struct Trial {
   std::optional<ArmPair> arm_pair;  // the colliding pair, for arm_blocked
   Pose X_OH = Pose::Identity();     // of the hand's base in the grasp, or where the trial ended
   double travel = 0.0;              // length of the approach from the pre-grasp to X_OH [m]
-  int back_offs = 0;                // how often the hand backed off before this grasp
-  double turned = 0.0;              // angle by which the object turned in the hand (settle.h) [rad]
+  // By how much the hand was moved before it approached, in the object's frame, because it began in
+  // an overlap small enough to be an error (give_way.h); X_OH contains it [m].
+  Vector3 gave_way = Vector3::Zero();
+  int back_offs = 0;    // how often the hand backed off before this grasp
+  double turned = 0.0;  // angle by which the object turned in the hand (settle.h) [rad]
   // Of a hand that closed in time: where the object C then is, in the frame O in which it stood.
   // X_OH and the contacts are relative to C. None: it stands where it stood.
   std::optional<Pose> X_OC;
@@ -119,6 +122,11 @@ class TrialWorkspace {
 // Cancelled, `trial` means nothing. The context has no default, since making one allocates.
 void run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
                TrialWorkspace& workspace, Trial& trial, const RunContext& context);
+
+// The same without asking the arm, where there is one, whether it follows.
+void run_hand_trial(const CompiledScene& scene, const Candidate& candidate,
+                    const TrialOptions& options, TrialWorkspace& workspace, Trial& trial,
+                    const RunContext& context);
 
 // All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
 // ordered by link: hard point contacts with friction, then, for compliant links and with

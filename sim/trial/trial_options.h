@@ -5,6 +5,7 @@
 #include "sim/contact/surface_contact.h"
 #include "sim/formation/form_grasp.h"
 #include "sim/reach/reach.h"
+#include "sim/trial/give_way.h"
 
 namespace prehend {
 
@@ -71,6 +72,7 @@ struct TrialOptions {
   // Motions end at one gap instead of anywhere below the threshold so that the contacts found do
   // not depend on the steps by which they were reached.
   double contact_gap = 5e-5;
+  GiveWayOptions give_way;
   // A hand that an obstacle stops on its approach, such as the table on which the object lies,
   // moves back by this and closes there [m].
   double obstacle_clearance = 1e-3;
@@ -98,10 +100,11 @@ struct TrialOptions {
 
 template <SettingsOf<TrialOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [contact, contact_gap, obstacle_clearance, back_off_step, back_off_tries, soft_fingers,
-         settle, cone_edges, reach, max_gap_queries, gaps, formation] = options;
+  auto& [contact, contact_gap, give_way, obstacle_clearance, back_off_step, back_off_tries,
+         soft_fingers, settle, cone_edges, reach, max_gap_queries, gaps, formation] = options;
   visit("contact", contact);
   visit("contact_gap", contact_gap, kAbove0);
+  visit("give_way", give_way);
   visit("obstacle_clearance", obstacle_clearance, kAtLeast0);
   visit("back_off_step", back_off_step, kAbove0);
   visit("back_off_tries", back_off_tries, kAtLeast0);

@@ -1,0 +1,136 @@
+#include "sim/trial/disturbed_trials.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/quality/wrench_space.h"
+#include "sim/trial/hold_weight.h"
+
+namespace prehend {
+namespace {
+
+// The approach is repeated from so far before the grasp: farther away the disturbed object is not
+// met either [m].
+constexpr double kRepeatedApproach = 0.05;
+
+// The motion that led to `trial`, as it was commanded: what the hand did besides, stopping at what
+// it touched and giving way, it will do again. A hand that had backed off is sent to where it
+// ended.
+Candidate repeated(const Candidate& candidate, const Trial& trial) {
+  Candidate again = candidate;
+  const double end = trial.back_offs > 0 ? trial.travel : candidate.approach_distance;
+  const double left = candidate.approach_distance - end;
+  again.X_OH = translation(-left * candidate.approach_O) * candidate.X_OH;
+  again.approach_distance = end - std::max(0.0, trial.travel - kRepeatedApproach);
+  return again;
+}
+
+class DisturbedTrials {
+ public:
+  DisturbedTrials(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                  const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context)
+      : scene_(scene),
+        candidate_(repeated(candidate, trial)),
+        options_(options),
+        workspace_(workspace),
+        context_(context) {
+    options_.back_off_tries = 0;
+  }
+
+  const Trial& run(const Pose& X_OC) {
+    const Pose X_CO = X_OC.inverse();
+    Candidate disturbed = candidate_;
+    disturbed.X_OH = X_CO * candidate_.X_OH;
+    disturbed.approach_O = X_CO.linear() * candidate_.approach_O;
+    run_hand_trial(scene_, disturbed, options_, workspace_, trial_, context_);
+    return trial_;
+  }
+
+  bool holds(const Disturbance& disturbance) {
+    const Trial& trial = run(disturbance.X_OC);
+    return !trial.contacts.empty() &&
+           bears_weight(scene_, trial, disturbance.friction, disturbance.center_of_mass_O);
+  }
+
+  // With friction as disturbed.
+  double epsilon(double friction) const {
+    if (trial_.contacts.empty()) return 0.0;
+    std::vector<Contact> contacts = contacts_of(trial_.contacts);
+    for (Contact& contact : contacts) contact.friction *= friction;
+    return grasp_epsilon(contacts, scene_.wrench_frame, {.edges = options_.cone_edges}).lower;
+  }
+
+  // The last of kSpareSteps up to which the object may be off in this direction.
+  double spare(const Vector3& direction_O) {
+    double held = 0.0;
+    for (std::size_t i = 1; i < kSpareSteps.size(); ++i) {
+      Disturbance off;
+      off.X_OC = translation(kSpareSteps[i] * direction_O);
+      if (!holds(off)) break;
+      held = kSpareSteps[i];
+    }
+    return held;
+  }
+
+  Outcome outcome() const { return trial_.outcome; }
+  const Pose& X_OH() const { return candidate_.X_OH; }
+
+ private:
+  const CompiledScene& scene_;
+  Candidate candidate_;
+  TrialOptions options_;
+  TrialWorkspace& workspace_;
+  const RunContext& context_;
+  Trial trial_;
+};
+
+void find_spare(DisturbedTrials& trials, Robustness& robustness) {
+  robustness.spare = kSpareSteps.back();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double way : {1.0, -1.0}) {
+      const Vector3 direction_O = way * trials.X_OH().linear().col(axis);
+      const double spare = trials.spare(direction_O);
+      if (spare >= robustness.spare) continue;
+      robustness.spare = spare;
+      robustness.weakest_O = direction_O;
+    }
+  }
+}
+
+}  // namespace
+
+Interval held_interval(int held, int samples) {
+  if (samples == 0) return {0.0, 1.0};
+  constexpr double kQuantile = 1.6448536269514722;  // of the normal distribution, at 95 %
+  const double n = samples;
+  const double p = held / n;
+  const double z2 = kQuantile * kQuantile;
+  const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
+  const double half =
+      kQuantile / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
+  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
+}
+
+Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                         const TrialOptions& options, const std::vector<Disturbance>& disturbances,
+                         TrialWorkspace& workspace, const RunContext& context) {
+  DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
+  Robustness robustness;
+  std::vector<double> epsilons;
+  for (const Disturbance& disturbance : disturbances) {
+    context.cancellation.check();
+    robustness.held += trials.holds(disturbance) ? 1 : 0;
+    ++robustness.outcomes[static_cast<std::size_t>(trials.outcome())];
+    epsilons.push_back(trials.epsilon(disturbance.friction));
+    robustness.epsilon_mean += epsilons.back();
+  }
+  robustness.samples = static_cast<int>(epsilons.size());
+  if (epsilons.empty()) return robustness;
+  robustness.epsilon_mean /= static_cast<double>(epsilons.size());
+  std::sort(epsilons.begin(), epsilons.end());
+  robustness.epsilon_low = epsilons[epsilons.size() / 10];
+  find_spare(trials, robustness);
+  return robustness;
+}
+
+}  // namespace prehend

@@ -1,0 +1,51 @@
+// How a grasp fares when the object is not quite where it was thought to be: the same motion of the
+// hand, tried on disturbed poses.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/base/run_context.h"
+#include "sim/quality/interval.h"
+#include "sim/trial/trial.h"
+#include "sim/trial/uncertainty.h"
+
+namespace prehend {
+
+// What disturbed trials of one grasp showed.
+struct Robustness {
+  int samples = 0;
+  // In so many of them the hand closed on the object and holds its weight as it lies in the scene
+  // (bears_weight), with the disturbed friction and centre of mass.
+  int held = 0;
+  // Of the lower bound of epsilon, 0 where a sample is not in force closure: the mean, and the
+  // largest value that at most a tenth of the samples are below.
+  double epsilon_mean = 0.0;
+  double epsilon_low = 0.0;
+  std::array<int, kOutcomes.size()> outcomes{};  // of the samples
+  // How far the object may be off, alone, along each axis of the hand's base, both ways, before the
+  // hand no longer holds it: at least this far [m], of the distances kSpareSteps. The direction is
+  // that in which the object is off, object's frame.
+  double spare = 0.0;
+  Vector3 weakest_O = Vector3::Zero();
+
+  // Share of the samples that held.
+  double probability() const { return samples > 0 ? static_cast<double>(held) / samples : 0.0; }
+};
+
+// Distances by which the object is moved to find Robustness::spare [m].
+inline constexpr std::array<double, 5> kSpareSteps = {0.0, 1e-3, 2.5e-3, 5e-3, 1e-2};
+
+// The interval that contains the true share with a probability of 90 %, of `held` out of `samples`
+// (Wilson 1927).
+Interval held_interval(int held, int samples);
+
+// Repeats the last part of the motion of `trial`, which `candidate` led to, for each disturbance:
+// the hand comes along the same line, stops where it touches the object, at the latest at the end
+// of that line, and closes. It does not back off, and an arm is not asked: it would do the same
+// motion. `trial` must have closed (contacts). Throws Cancelled.
+Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                         const TrialOptions& options, const std::vector<Disturbance>& disturbances,
+                         TrialWorkspace& workspace, const RunContext& context = {});
+
+}  // namespace prehend

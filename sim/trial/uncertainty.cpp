@@ -1,0 +1,85 @@
+#include "sim/trial/uncertainty.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "sim/base/random.h"
+
+namespace prehend {
+namespace {
+
+// Numbers for one disturbance: three errors of position, three of attitude, one of friction, three
+// of the centre of mass.
+constexpr std::size_t kDimensions = 10;
+using Numbers = std::array<double, kDimensions>;
+
+// Points of the unit cube, evenly spread.
+class EvenPoints {
+ public:
+  explicit EvenPoints(std::uint64_t seed) {
+    // The only positive root of x^(d + 1) = x + 1.
+    double root = 1.0;
+    for (int i = 0; i < 64; ++i) root = std::pow(1.0 + root, 1.0 / (kDimensions + 1.0));
+    Random random(seed);
+    for (std::size_t d = 0; d < kDimensions; ++d) {
+      step_[d] = std::pow(root, -static_cast<double>(d + 1));
+      at_[d] = random.uniform();
+    }
+  }
+
+  Numbers next() {
+    for (std::size_t d = 0; d < kDimensions; ++d) at_[d] = std::fmod(at_[d] + step_[d], 1.0);
+    return at_;
+  }
+
+ private:
+  Numbers step_{};
+  Numbers at_{};
+};
+
+// Two neighbours at a time.
+Numbers normal(const Numbers& even) {
+  Numbers numbers{};
+  for (std::size_t d = 0; d < kDimensions; d += 2) {
+    const double radius = std::sqrt(-2.0 * std::log(1.0 - even[d]));
+    const double angle = 2.0 * std::numbers::pi * even[d + 1];
+    numbers[d] = radius * std::cos(angle);
+    numbers[d + 1] = radius * std::sin(angle);
+  }
+  return numbers;
+}
+
+// A turn by a rotation vector [rad].
+Matrix3 turn_by(const Vector3& vector) {
+  const double angle = vector.norm();
+  if (angle == 0.0) return Matrix3::Identity();
+  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
+}
+
+}  // namespace
+
+std::vector<Disturbance> disturbances(const CompiledScene& scene, const UncertaintyOptions& options,
+                                      std::uint64_t seed) {
+  const Matrix3 R_OW = scene.scene.object.X_WO.linear().transpose();
+  const Vector3& center_O = scene.wrench_frame.torque_origin;
+  const double across = std::hypot(options.across, options.hand);
+  const double along = std::hypot(options.along, options.hand);
+  const double angle = std::hypot(options.angle, options.hand_angle);
+  const double shift = options.center_of_mass / scene.wrench_frame.torque_scale;
+  EvenPoints points(seed);
+  std::vector<Disturbance> all;
+  for (int i = 0; i < options.samples; ++i) {
+    const Numbers n = normal(points.next());
+    const Vector3 moved_O = R_OW * Vector3(across * n[0], across * n[1], along * n[2]);
+    const Matrix3 turn = turn_by(angle * Vector3(n[4], n[5], n[6]));
+    Disturbance disturbance;
+    disturbance.X_OC = pose_from(turn, center_O - turn * center_O + moved_O);
+    disturbance.friction = std::exp(options.friction * n[3]);
+    disturbance.center_of_mass_O = shift * Vector3(n[7], n[8], n[9]);
+    all.push_back(disturbance);
+  }
+  return all;
+}
+
+}  // namespace prehend

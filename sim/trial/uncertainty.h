@@ -1,0 +1,60 @@
+// What is not known exactly when a grasp is carried out, as random errors that are the same for all
+// grasps.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/base/pose.h"
+#include "sim/base/settings.h"
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend {
+
+// Standard deviations of the errors, which are normally distributed and independent. The defaults
+// are those of an object that a depth camera sees and of a calibrated arm.
+struct UncertaintyOptions {
+  int samples = 16;       // disturbed trials of a grasp (>= 1)
+  double across = 5e-3;   // of the object, along each horizontal axis of the world [m]
+  double along = 5e-3;    // of the object, along gravity [m]
+  double angle = 0.0524;  // of the object, about each axis through its centre of mass: 3 deg [rad]
+  double hand = 1e-3;     // of the hand, along each axis [m]
+  double hand_angle = 5e-3;  // of the hand, about each axis [rad]
+  double friction = 0.25;    // of the logarithm of each friction coefficient
+  // Of the centre of mass, along each axis, as a part of the object's largest distance from it.
+  double center_of_mass = 0.05;
+};
+
+template <SettingsOf<UncertaintyOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [samples, across, along, angle, hand, hand_angle, friction, center_of_mass] = options;
+  visit("samples", samples, kAtLeast1);
+  visit("across", across, kAtLeast0);
+  visit("along", along, kAtLeast0);
+  visit("angle", angle, kAtLeast0);
+  visit("hand", hand, kAtLeast0);
+  visit("hand_angle", hand_angle, kAtLeast0);
+  visit("friction", friction, kAtLeast0);
+  visit("center_of_mass", center_of_mass, kAtLeast0);
+}
+
+// One set of errors.
+struct Disturbance {
+  // The object is seen at O and is at C, in the frame O: the hand, which goes where it would for an
+  // object at O, is at X_OC.inverse() * X_OH relative to it.
+  Pose X_OC = Pose::Identity();
+  double friction = 1.0;                       // factor of all coefficients
+  Vector3 center_of_mass_O = Vector3::Zero();  // shift of it [m]
+};
+
+// options.samples disturbances of the scene's object. They are quasi-random: spread more evenly
+// than random ones, so that fewer are enough. The first n of them do not depend on how many are
+// asked for. Errors of the hand are counted as those of the object, which is the same for their
+// relative pose up to the small lever of turns. Source of the sequence: an additive recurrence with
+// the powers of the generalised golden ratio (Roberts, "The unreasonable effectiveness of
+// quasirandom sequences", 2018), shifted by the seed, mapped to the normal distribution by Box and
+// Muller 1958.
+std::vector<Disturbance> disturbances(const CompiledScene& scene, const UncertaintyOptions& options,
+                                      std::uint64_t seed);
+
+}  // namespace prehend
