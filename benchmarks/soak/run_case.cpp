@@ -158,9 +158,10 @@ class CaseRun {
       const auto which = static_cast<std::size_t>(again.back()->candidate);
       candidates.push_back(searched.proposed.at(which).candidate);
     }
-    const PlanResult evaluated =
-        evaluate(*scene_, candidates, {.seed = made_.options.seed, .trial = made_.options.trial},
-                 {.threads = 2});
+    EvaluateOptions options;
+    options.seed = made_.options.seed;
+    options.trial = made_.options.trial;
+    const PlanResult evaluated = evaluate(*scene_, candidates, options, {.threads = 2});
     for (std::size_t i = 0; i < again.size(); ++i) {
       const Trial& trial = evaluated.grasps.at(i).trial;
       const std::string name = "candidate " + std::to_string(again[i]->candidate);

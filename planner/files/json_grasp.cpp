@@ -54,6 +54,7 @@ void approach_fields(auto& fields, auto& grasp) {
   fields.require("distance", grasp.candidate.approach_distance >= 0.0, "must not be negative");
   fields("travel", grasp.trial.travel);
   fields.require("travel", grasp.trial.travel >= 0.0, "must not be negative");
+  fields("gave_way", grasp.trial.gave_way);
   fields("back_offs", grasp.trial.back_offs);
   fields("turned", grasp.trial.turned);
 }
@@ -208,6 +209,50 @@ void shake_field(auto& fields, auto& grasp) {
   fields.derived("shake", [&] { return shake_to_json(*grasp.shake); });
 }
 
+// No number is infinite in JSON: null stands for it.
+Json burden_to_json(const Burden& burden) {
+  const auto finite = [](double number) { return std::isfinite(number) ? Json(number) : Json(); };
+  return {{"down", {burden.down_O.x(), burden.down_O.y(), burden.down_O.z()}},
+          {"squeeze", finite(burden.sum_of_normals)},
+          {"largest_normal", finite(burden.largest_normal)},
+          {"strength", finite(burden.strength)}};
+}
+
+// Written for information: what is read is computed again.
+void holding_field(auto& fields, auto& grasp) {
+  if (!kReads<decltype(fields)> && !grasp.holding) return;
+  fields.derived("weight", [&] {
+    return Json{{"holds", grasp.holding->holds()},
+                {"given", burden_to_json(grasp.holding->given)},
+                {"worst", burden_to_json(grasp.holding->worst)}};
+  });
+}
+
+Json robustness_to_json(const Robustness& robustness) {
+  const Interval interval = held_interval(robustness.held, robustness.samples);
+  Json outcomes = Json::object();
+  for (const Outcome outcome : kOutcomes) {
+    const int count = robustness.outcomes[static_cast<std::size_t>(outcome)];
+    if (count > 0) outcomes[outcome_name(outcome)] = count;
+  }
+  const Vector3& weakest = robustness.weakest_O;
+  return {{"samples", robustness.samples},
+          {"held", robustness.held},
+          {"probability", robustness.probability()},
+          {"interval", {interval.lower, interval.upper}},
+          {"epsilon_mean", robustness.epsilon_mean},
+          {"epsilon_low", robustness.epsilon_low},
+          {"outcomes", outcomes},
+          {"spare", robustness.spare},
+          {"weakest", {weakest.x(), weakest.y(), weakest.z()}}};
+}
+
+// Written for information, as the weight.
+void robustness_field(auto& fields, auto& grasp) {
+  if (!kReads<decltype(fields)> && !grasp.robustness) return;
+  fields.derived("robustness", [&] { return robustness_to_json(*grasp.robustness); });
+}
+
 void outcome_fields(auto& fields, auto& grasp) {
   auto& trial = grasp.trial;
   double epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
@@ -215,6 +260,8 @@ void outcome_fields(auto& fields, auto& grasp) {
   fields("epsilon", epsilon);
   fields("volume", grasp.volume);
   nearby_field(fields, grasp);
+  holding_field(fields, grasp);
+  robustness_field(fields, grasp);
   fields.derived("force_closure", [&] { return trial.outcome == Outcome::stable; });
   if constexpr (kReads<decltype(fields)>) {
     trial.epsilon.lower = epsilon;

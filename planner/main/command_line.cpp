@@ -58,6 +58,11 @@ void add_common(CLI::App& command, CommonOptions& common) {
   command.add_flag("--progress", common.progress, "say on stderr how far the run is, in lines");
 }
 
+void add_uncertainty(CLI::App& command, bool& uncertainty) {
+  command.add_flag("--uncertainty", uncertainty,
+                   "try each grasp again with errors of pose, friction and centre of mass");
+}
+
 void add_shake(CLI::App& command, std::string& protocol) {
   command.add_option("--shake", protocol,
                      "close, lift and shake each grasp: a protocol's name or file");
@@ -179,10 +184,12 @@ struct CommandLine::Words {
         ->check(CLI::IsMember({"json", "csv", "isaac", "moveit", "gltf", "mjcf"}));
     add_shake(command, plan.shake);
     command
-        .add_option_function<std::string>(
-            "--rank", [this](const std::string& by) { plan.rank_by_shake = by == "shake"; },
-            "what comes first: larger epsilon, or more survived of the tests of --shake")
-        ->check(CLI::IsMember({"epsilon", "shake"}));
+        .add_option("--rank", plan.rank,
+                    "what comes first: larger epsilon, more survived of the tests of --shake, or "
+                    "more held of the trials of --uncertainty")
+        ->check(CLI::IsMember({"epsilon", "shake", "probability"}))
+        ->capture_default_str();
+    add_uncertainty(command, plan.uncertainty);
     add_dynamic(command, plan.dynamic);
     add_packages(command, plan.packages);
     add_common(command, plan.common);
@@ -201,10 +208,13 @@ struct CommandLine::Words {
     evaluate.common.out = "out/evaluate";
     command
         .add_option("--volumes", evaluate.volumes,
-                    "for how many grasps the volume is computed, much slower than the rest")
+                    "for how many grasps the volume and the weight that they hold are computed, "
+                    "much slower "
+                    "than the rest")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     add_shake(command, evaluate.shake);
+    add_uncertainty(command, evaluate.uncertainty);
     add_dynamic(command, evaluate.dynamic);
     add_common(command, evaluate.common);
     add_accuracy(command, evaluate.common);

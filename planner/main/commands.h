@@ -41,9 +41,10 @@ struct PlanCommand {
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::vector<std::string> exports;           // formats besides grasps.json
   std::string shake;                          // protocol: name or file; empty: none
-  bool rank_by_shake = false;
-  bool dynamic = false;               // hands close in time, on an object that gives way
-  std::vector<std::string> packages;  // of a hand or platform: NAME=FOLDER
+  bool uncertainty = false;                   // grasps are tried again on disturbed poses
+  std::string rank = "epsilon";               // or "shake" or "probability"
+  bool dynamic = false;                       // hands close in time, on an object that gives way
+  std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
   CommonOptions common;
 };
 
@@ -55,6 +56,7 @@ struct EvaluateCommand {
   std::string unit;
   bool repair = true;
   std::string shake;                    // protocol: name or file; empty: none
+  bool uncertainty = false;             // grasps are tried again on disturbed poses
   bool dynamic = false;                 // hands close in time, on an object that gives way
   std::size_t volumes = kMostDetailed;  // of so many grasps: those that the report shows in detail
   CommonOptions common;

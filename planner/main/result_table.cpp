@@ -1,7 +1,9 @@
 #include "planner/main/result_table.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
+#include <vector>
 
 #include "planner/search/grasp_words.h"
 #include "sim/base/formatted.h"
@@ -12,6 +14,21 @@ namespace {
 // "-" where it was not computed.
 std::string volume_words(const ScoredGrasp& grasp) {
   return grasp.volume ? formatted("%.3g", *grasp.volume) : "-";
+}
+
+// "3.2/1.1": how many times the weight the hand holds, as the object lies and at worst; "-" where
+// it was not computed.
+std::string weight_words(const ScoredGrasp& grasp) {
+  if (!grasp.holding) return "-";
+  return strength_words(grasp.holding->given) + "/" + strength_words(grasp.holding->worst);
+}
+
+// "14 of 16" disturbed trials held, and how far the object may be off; a column only where there
+// are any.
+std::string held_words(const ScoredGrasp& grasp) {
+  if (!grasp.robustness) return "-";
+  return formatted("%d of %d, %.3g mm", grasp.robustness->held, grasp.robustness->samples,
+                   1e3 * grasp.robustness->spare);
 }
 
 // "5 of 6" tests survived, "-" of a grasp that was not shaken; a column only where there are any.
@@ -25,41 +42,60 @@ std::string shake_words(const ScoredGrasp& grasp) {
   return words + formatted(", %s%.3g m/s2", least, *pull);
 }
 
-// The width of the column: of its title and its longest words.
-std::size_t shake_width(const PlanResult& result) {
-  std::size_t width = std::string_view("shaken").size();
-  for (const ScoredGrasp& grasp : result.grasps) {
-    width = std::max(width, shake_words(grasp).size());
+// A column that is there only where a grasp has something in it.
+struct OptionalColumn {
+  std::string_view title;
+  std::string (*words)(const ScoredGrasp&);
+  bool (*has)(const ScoredGrasp&);
+};
+
+constexpr std::array<OptionalColumn, 2> kOptionalColumns = {
+    {{"held, spare", held_words,
+      [](const ScoredGrasp& grasp) { return grasp.robustness.has_value(); }},
+     {"shaken", shake_words, [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); }}}};
+
+std::string padded(std::string words, std::size_t width) {
+  words.resize(width + 2, ' ');
+  return words;
+}
+
+// The titles and, for each grasp, the words of the optional columns, each as wide as its longest.
+struct OptionalCells {
+  std::string titles;
+  std::vector<std::string> rows;
+};
+
+OptionalCells optional_cells(const std::vector<ScoredGrasp>& grasps) {
+  OptionalCells cells{"", std::vector<std::string>(grasps.size())};
+  for (const OptionalColumn& column : kOptionalColumns) {
+    if (std::none_of(grasps.begin(), grasps.end(), column.has)) continue;
+    std::size_t width = column.title.size();
+    for (const ScoredGrasp& grasp : grasps) width = std::max(width, column.words(grasp).size());
+    cells.titles += padded(std::string(column.title), width);
+    for (std::size_t i = 0; i < grasps.size(); ++i) {
+      cells.rows[i] += padded(column.words(grasps[i]), width);
+    }
   }
-  return width;
-}
-
-std::string shake_column(const std::string& words, std::size_t width) {
-  return words + std::string(width + 2 - words.size(), ' ');
-}
-
-bool any_shaken(const PlanResult& result) {
-  return std::any_of(result.grasps.begin(), result.grasps.end(),
-                     [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); });
+  return cells;
 }
 
 }  // namespace
 
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows) {
-  const bool shaken = any_shaken(result);
-  const std::size_t width = shake_width(result);
-  std::string text = formatted("%4s  %8s  %9s  %8s  %-17s  %-16s  %s%s\n", "rank", "epsilon",
-                               "volume", "contacts", "outcome", "preshape",
-                               shaken ? shake_column("shaken", width).c_str() : "", "primitive");
+  const OptionalCells optional = optional_cells(result.grasps);
+  std::string text = formatted("%4s  %8s  %9s  %9s  %8s  %-17s  %-16s  %s%s\n", "rank", "epsilon",
+                               "volume", "x weight", "contacts", "outcome", "preshape",
+                               optional.titles.c_str(), "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
     const std::string volume = volume_words(grasp);
+    const std::string weight = weight_words(grasp);
     const std::string preshape = preshape_name(scene, grasp.candidate);
-    text += formatted("%4zu  %8.4f  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
-                      grasp.trial.epsilon.lower, volume.c_str(), grasp.trial.contacts.size(),
+    text += formatted("%4zu  %8.4f  %9s  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
+                      grasp.trial.epsilon.lower, volume.c_str(), weight.c_str(),
+                      grasp.trial.contacts.size(),
                       std::string(outcome_name(grasp.trial.outcome)).c_str(),
-                      preshape.empty() ? "-" : preshape.c_str(),
-                      shaken ? shake_column(shake_words(grasp), width).c_str() : "",
+                      preshape.empty() ? "-" : preshape.c_str(), optional.rows[i].c_str(),
                       origin_words(grasp, result).c_str());
   }
   return text;

@@ -61,7 +61,10 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   ProgressBar bar(command.common.progress);
   EvaluateOptions options;
   options.seed = command.common.seed;
-  options.trial = read_accuracy(command.common.accuracy).trial;
+  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  options.trial = accuracy.trial;
+  options.robustness = command.uncertainty || accuracy.robustness;
+  options.uncertainty = accuracy.uncertainty;
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
   if (command.dynamic) options.trial.formation.dynamic = true;
   options.volumes = command.volumes;
@@ -84,6 +87,8 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   RunRecord record = loaded.record;
   record.options.seed = command.common.seed;
   record.options.trial = options.trial;
+  record.options.robustness = options.robustness;
+  record.options.uncertainty = options.uncertainty;
   std::string report;
   if (!command.common.no_report) {
     report = report_html(plan_report(loaded.scene, result, record, {}, {command.common.threads}));

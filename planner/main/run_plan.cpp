@@ -12,6 +12,7 @@
 #include "planner/main/result_table.h"
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
+#include "planner/search/disturb_grasps.h"
 #include "planner/search/shake_grasps.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
@@ -68,6 +69,11 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();
   }
   if (!command.common.no_report) options.sections = kMostDetailed;
+  if (command.rank == "probability" && !command.uncertainty) {
+    throw InputError(
+        {.field = "--rank", .problem = "needs the trials of --uncertainty", .value = command.rank});
+  }
+  if (command.uncertainty) options.robustness = true;
   return options;
 }
 
@@ -132,6 +138,7 @@ class PlanProgram {
       result.status = PlanStatus::out_of_time;
     }
     watch_.add(result.times);
+    if (command_.rank == "probability") rank_by_probability(result);
     return result;
   }
 
@@ -142,7 +149,7 @@ class PlanProgram {
         scene, *protocol,
         {command_.common.threads, interrupts_.cancellation(), {}, command_.common.deadline},
         result);
-    if (command_.rank_by_shake) rank_by_shake(result);
+    if (command_.rank == "shake") rank_by_shake(result);
     watch_.lap(Stage::shake);
   }
 

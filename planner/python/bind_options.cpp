@@ -137,11 +137,31 @@ void bind_trial_options(py::module_& core) {
               "The closed hand rises by this, where the object stands on something [m].")
       .number("lift_time", &FormationOptions::lift_time, "In this time [s].")
       .number("step", &FormationOptions::step, "Of the simulation [s].");
+  OptionsClass<GiveWayOptions>(
+      core, "GiveWayOptions",
+      "Overlaps at the start that are resolved instead of ending the trial.")
+      .number("object", &GiveWayOptions::object, "Of hand and object, up to this [m].")
+      .number("obstacle", &GiveWayOptions::obstacle, "Of hand and obstacles [m].");
+  OptionsClass<UncertaintyOptions>(
+      core, "UncertaintyOptions",
+      "Standard deviations of what is not known when a grasp is carried out.")
+      .number("samples", &UncertaintyOptions::samples, "Disturbed trials of a grasp (>= 1).")
+      .number("across", &UncertaintyOptions::across,
+              "Of the object, along each horizontal axis [m].")
+      .number("along", &UncertaintyOptions::along, "Of the object, along gravity [m].")
+      .number("angle", &UncertaintyOptions::angle, "Of the object, about each axis [rad].")
+      .number("hand", &UncertaintyOptions::hand, "Of the hand, along each axis [m].")
+      .number("hand_angle", &UncertaintyOptions::hand_angle, "Of the hand, about each axis [rad].")
+      .number("friction", &UncertaintyOptions::friction,
+              "Of the logarithm of each friction coefficient.")
+      .number("center_of_mass", &UncertaintyOptions::center_of_mass,
+              "Of the centre of mass, along each axis, as a part of the object's size.");
   OptionsClass<TrialOptions>(core, "TrialOptions",
                              "The one dial between speed and accuracy of a trial.")
       .field("contact", &TrialOptions::contact, "ContactOptions.")
       .number("contact_gap", &TrialOptions::contact_gap,
               "Motions end at this gap; below 0.9 contact.threshold [m].")
+      .field("give_way", &TrialOptions::give_way, "GiveWayOptions.")
       .number("obstacle_clearance", &TrialOptions::obstacle_clearance,
               "A hand that an obstacle stops goes back by this and closes there [m].")
       .number("back_off_step", &TrialOptions::back_off_step,
@@ -248,14 +268,21 @@ void bind_options(py::module_& core) {
       .field("paths", &PlanOptions::paths,
              "GraspPathOptions: paths for the grasps that are returned, those without one are left "
              "out; needs an arm. None: no paths.")
+      .field("robustness", &PlanOptions::robustness,
+             "Whether the returned grasps are tried again with errors of pose, friction and centre "
+             "of mass.")
+      .field("uncertainty", &PlanOptions::uncertainty, "UncertaintyOptions: how large these are.")
       .field("volumes", &PlanOptions::volumes,
-             "Whether the volume and epsilon_nearby of the grasps are computed; else nan and None.")
+             "Whether the volume, epsilon_nearby and holding of the grasps are computed; else nan "
+             "and None.")
       .number("sections", &PlanOptions::sections, kAtLeast0,
               "So many of the grasps get sections of their wrench space, for the report.");
   core.def("plan_options", &read_accuracy);
   OptionsClass<EvaluateOptions>(core, "EvaluateOptions", "All that an evaluation depends on.")
       .number("seed", &EvaluateOptions::seed, kAtLeast0, "As in PlanOptions.")
       .field("trial", &EvaluateOptions::trial, "TrialOptions.")
+      .field("robustness", &EvaluateOptions::robustness, "As in PlanOptions.")
+      .field("uncertainty", &EvaluateOptions::uncertainty, "As in PlanOptions.")
       .number("volumes", &EvaluateOptions::volumes, kAtLeast0,
               "So many of the grasps, the first ones, get a volume, which takes about 50 times as "
               "long as the trial itself; nan for the others.")

@@ -99,6 +99,7 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["X_WH"] = to_array(Pose(scene.scene.object.X_WO * hand_in_scene(trial)));
   fields["approach"] = to_array(candidate.approach_O);
   fields["travel"] = trial.travel;
+  fields["gave_way"] = to_array(trial.gave_way);
   fields["back_offs"] = trial.back_offs;
   fields["turned"] = trial.turned;
   fields["preshape"] = name_or_none(preshape_name(scene, candidate));
@@ -108,6 +109,41 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["contacts"] = contacts_dict(scene, trial.contacts);
   fields["blocked_link"] = name_or_none(why.link);
   fields["blocked_by"] = name_or_none(why.by);
+  return fields;
+}
+
+py::dict burden_dict(const Burden& burden) {
+  py::dict fields;
+  fields["down"] = to_array(burden.down_O);
+  fields["sum_of_normals"] = burden.sum_of_normals;
+  fields["largest_normal"] = burden.largest_normal;
+  fields["strength"] = burden.strength;
+  return fields;
+}
+
+py::dict holding_dict(const Holding& holding) {
+  py::dict fields;
+  fields["given"] = burden_dict(holding.given);
+  fields["worst"] = burden_dict(holding.worst);
+  return fields;
+}
+
+py::dict robustness_dict(const Robustness& robustness) {
+  const Interval interval = held_interval(robustness.held, robustness.samples);
+  py::dict outcomes;
+  for (const Outcome outcome : kOutcomes) {
+    const int count = robustness.outcomes[static_cast<std::size_t>(outcome)];
+    if (count > 0) outcomes[py::str(text(outcome_name(outcome)))] = count;
+  }
+  py::dict fields;
+  fields["samples"] = robustness.samples;
+  fields["held"] = robustness.held;
+  fields["interval"] = py::make_tuple(interval.lower, interval.upper);
+  fields["epsilon_mean"] = robustness.epsilon_mean;
+  fields["epsilon_low"] = robustness.epsilon_low;
+  fields["outcomes"] = outcomes;
+  fields["spare"] = robustness.spare;
+  fields["weakest"] = to_array(robustness.weakest_O);
   return fields;
 }
 
@@ -124,6 +160,9 @@ py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
       scored.epsilon_nearby
           ? py::object(py::make_tuple(scored.epsilon_nearby->lower, scored.epsilon_nearby->upper))
           : py::none();
+  fields["holding"] = scored.holding ? py::object(holding_dict(*scored.holding)) : py::none();
+  fields["robustness"] =
+      scored.robustness ? py::object(robustness_dict(*scored.robustness)) : py::none();
   fields["primitive"] = scored.primitive;
   fields["rule"] = scored.rule;
   fields["refinement"] =

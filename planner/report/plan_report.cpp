@@ -45,6 +45,8 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.force_closure = trial.outcome == Outcome::stable;
   grasp.epsilon = trial.epsilon;
   if (scored.volume) grasp.volume = Interval{*scored.volume, *scored.volume};
+  grasp.holding = scored.holding;
+  grasp.robustness = scored.robustness;
   grasp.origin = origin_words(scored, result);
   grasp.preshape = preshape_name(scene, scored.candidate);
   grasp.blame = words_of(blame(scene, trial));

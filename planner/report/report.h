@@ -12,6 +12,8 @@
 #include "sim/manipulation/shake.h"
 #include "sim/quality/interval.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/disturbed_trials.h"
+#include "sim/trial/hold_weight.h"
 
 namespace prehend {
 
@@ -29,6 +31,8 @@ struct ReportGrasp {
   EpsilonBracket epsilon;
   // Bounds of the volume of the wrench space; nothing where it was not computed.
   std::optional<Interval> volume;
+  std::optional<Holding> holding = {};        // empty where it was not computed
+  std::optional<Robustness> robustness = {};  // empty where it was not asked for
   std::string origin = {};    // origin_words(): the primitive and rule that it came from
   std::string preshape = {};  // preshape_name()
   std::string blame = {};     // which link collided with what; empty without a collision

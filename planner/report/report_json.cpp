@@ -9,6 +9,7 @@
 #include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 #include "planner/report/robot_json.h"
+#include "planner/search/grasp_words.h"
 #include "planner/show/palette.h"
 #include "sim/base/formatted.h"
 
@@ -227,6 +228,12 @@ Json interval_json(const Interval& interval) {
   return {significant(interval.lower), significant(interval.upper)};
 }
 
+Json burden_json(const Burden& burden) {
+  const double squeeze = burden.sum_of_normals;
+  return {{"squeeze", std::isfinite(squeeze) ? Json(significant(squeeze)) : Json()},
+          {"strength", strength_words(burden)}};
+}
+
 Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   Json json{{"outcome", grasp.outcome},
             {"force_closure", grasp.force_closure},
@@ -238,6 +245,21 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
             {"primitive", grasp.primitive},
             {"weakest_force", rounded(Vector3(grasp.epsilon.weakest.head<3>()))},
             {"weakest_torque", rounded(Vector3(grasp.epsilon.weakest.tail<3>()))}};
+  if (grasp.holding) {
+    json["weight"] = {{"holds", grasp.holding->holds()},
+                      {"given", burden_json(grasp.holding->given)},
+                      {"worst", burden_json(grasp.holding->worst)}};
+  }
+  if (grasp.robustness) {
+    const Robustness& robustness = *grasp.robustness;
+    const Interval interval = held_interval(robustness.held, robustness.samples);
+    json["robustness"] = {{"samples", robustness.samples},
+                          {"held", robustness.held},
+                          {"interval", interval_json(interval)},
+                          {"epsilon_mean", significant(robustness.epsilon_mean)},
+                          {"spare", robustness.spare},
+                          {"weakest", rounded(robustness.weakest_O)}};
+  }
   json["contacts"] = Json::array();
   for (const ReportContact& contact : grasp.contacts) {
     json["contacts"].push_back(contact_json(contact));

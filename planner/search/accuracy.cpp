@@ -14,6 +14,7 @@ PlanOptions draft_options() {
   options.trial.back_off_tries = 0;
   options.trial.settle.steps = 6;
   options.refine.trials = 0;
+  options.uncertainty.samples /= 4;
   options.volumes = false;
   return options;
 }
@@ -25,6 +26,7 @@ PlanOptions fine_options() {
   options.search.followed *= 2;
   options.trial.back_off_tries = 3;
   options.trial.cone_edges = 16;
+  options.uncertainty.samples *= 4;
   options.refine.grasps = 8;
   options.refine.trials *= 4;
   return options;

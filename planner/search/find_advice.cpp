@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -174,10 +175,10 @@ class Adviser {
   // The hand of the library that holds most, each with the places that this plan proposed.
   // The smallest hand with which half of the candidates hold, else the best.
   void advise_hand() {
-    std::optional<Robot> best;
+    std::shared_ptr<const Robot> best;
     Held most;
-    for (const Robot& hand : other_hands()) {
-      const Held held = try_variant([&](Scene& scene) { use_hand(scene, hand); });
+    for (const std::shared_ptr<const Robot>& hand : other_hands()) {
+      const Held held = try_variant([&](Scene& scene) { use_hand(scene, *hand); });
       if (held.held <= most.held) continue;
       most = held;
       best = hand;
@@ -202,8 +203,8 @@ class Adviser {
 
   // Hands of the library besides the scene's that open wide enough for the object, the one that
   // opens least first.
-  std::vector<Robot> other_hands() const {
-    std::vector<Robot> hands;
+  std::vector<std::shared_ptr<const Robot>> other_hands() const {
+    std::vector<std::shared_ptr<const Robot>> hands;
     try {
       for (const std::string& name : library_robot_names()) {
         context_.cancellation.check();
@@ -211,7 +212,9 @@ class Adviser {
         // A platform is no single robot.
         try {
           Robot robot = find_robot(name);
-          if (robot.hand && opening(robot) >= result_.smallest_width) hands.push_back(robot);
+          if (robot.hand && opening(robot) >= result_.smallest_width) {
+            hands.push_back(std::make_shared<const Robot>(std::move(robot)));
+          }
         } catch (const InputError&) {
           continue;
         }
@@ -220,7 +223,7 @@ class Adviser {
       // There is no library: prehend may be used without one.
     }
     std::stable_sort(hands.begin(), hands.end(),
-                     [](const Robot& a, const Robot& b) { return opening(a) < opening(b); });
+                     [](const auto& a, const auto& b) { return opening(*a) < opening(*b); });
     return hands;
   }
 

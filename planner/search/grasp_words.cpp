@@ -1,5 +1,7 @@
 #include "planner/search/grasp_words.h"
 
+#include <cmath>
+
 #include "sim/base/formatted.h"
 
 namespace prehend {
@@ -16,6 +18,10 @@ std::string origin_words(const ScoredGrasp& grasp, const PlanResult& result) {
 std::string preshape_name(const CompiledScene& scene, const Candidate& candidate) {
   if (!candidate.preshape) return "";
   return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(*candidate.preshape)].name;
+}
+
+std::string strength_words(const Burden& burden) {
+  return std::isinf(burden.strength) ? "any" : formatted("%.2g", burden.strength);
 }
 
 }  // namespace prehend

@@ -14,4 +14,8 @@ std::string origin_words(const ScoredGrasp& grasp, const PlanResult& result);
 // Name of the preshape with which the hand approached; empty for a candidate without one.
 std::string preshape_name(const CompiledScene& scene, const Candidate& candidate);
 
+// How many times the object's weight the hand holds: "3.2", "any" where the weight loads no drive
+// whose effort is known, "0" where no forces balance it.
+std::string strength_words(const Burden& burden);
+
 }  // namespace prehend

@@ -10,12 +10,12 @@ namespace prehend {
 
 // For how many of the grasps, the first ones.
 struct WantedMeasures {
-  std::size_t volumes = std::numeric_limits<std::size_t>::max();  // and epsilon_nearby
+  std::size_t volumes = std::numeric_limits<std::size_t>::max();  // epsilon_nearby, holding
   std::size_t sections = 0;                                       // at most `volumes`
 };
 
-// Adds volumes, sections of the wrench space and epsilon_nearby to the grasps of `result`. A
-// cancelled run leaves out the rest and sets the status cancelled.
+// Adds volumes, sections of the wrench space, epsilon_nearby and the holding to the grasps of
+// `result`. A cancelled run leaves out the rest and sets the status cancelled.
 void measure_grasps(const CompiledScene& scene, const TrialOptions& options,
                     const WantedMeasures& wanted, const RunContext& context, PlanResult& result);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "planner/search/cut_short.h"
+#include "planner/search/disturb_grasps.h"
 #include "planner/search/find_advice.h"
 #include "planner/search/find_paths.h"
 #include "planner/search/measure_grasps.h"
@@ -138,6 +139,11 @@ class PlanRun {
       watch_.lap(Stage::paths);
     }
     if (result_.grasps.empty() && !is_over(context_)) explain();
+    if (goes_on() && options_.robustness) {
+      disturb_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, context_,
+                     result_);
+      watch_.lap(Stage::disturb);
+    }
     WantedMeasures wanted{.sections = options_.sections};
     if (!options_.volumes) wanted.volumes = 0;
     measure_grasps(scene_, options_.trial, wanted, context_, result_);
@@ -344,6 +350,10 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
                              static_cast<int>(i)});
   }
   watch.lap(Stage::trials);
+  if (options.robustness && result.status == PlanStatus::complete) {
+    disturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
+    watch.lap(Stage::disturb);
+  }
   measure_grasps(scene, options.trial, {options.volumes, options.sections}, context, result);
   watch.lap(Stage::volumes);
   result.times = watch.laps();

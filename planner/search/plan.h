@@ -24,6 +24,8 @@
 #include "sim/quality/interval.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/disturbed_trials.h"
+#include "sim/trial/hold_weight.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
@@ -45,8 +47,12 @@ struct PlanOptions {
   // Set: a path of the arm is planned for each grasp, and grasps without a path are left out. Needs
   // a scene with an arm.
   std::optional<GraspPathOptions> paths;
-  // Whether the volume and epsilon_nearby of the returned grasps are computed, which takes longer
-  // than the trials of all of them.
+  // Whether the returned grasps are tried again with errors of pose, friction and centre of mass,
+  // and how large these are.
+  bool robustness = false;
+  UncertaintyOptions uncertainty;
+  // Whether the volume, epsilon_nearby and the holding of the returned grasps are computed, which
+  // takes longer than the trials of all of them.
   bool volumes = true;
   // For how many of the returned grasps, the first ones, sections of the wrench space are computed,
   // with their volumes.
@@ -57,8 +63,8 @@ struct PlanOptions {
 // where there are any.
 template <SettingsOf<PlanOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [seed, primitives, thin_parts, candidates, search, trial, refine, rank, paths, volumes,
-         sections] = options;
+  auto& [seed, primitives, thin_parts, candidates, search, trial, refine, rank, paths, robustness,
+         uncertainty, volumes, sections] = options;
   visit("seed", seed, kAtLeast0);
   visit("", primitives);
   visit("", thin_parts);
@@ -67,6 +73,8 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("", trial);
   visit("refine", refine);
   visit("", rank);
+  visit("robustness", robustness);
+  visit("uncertainty", uncertainty);
   visit("volumes", volumes);
 }
 
@@ -74,8 +82,10 @@ void for_each_setting(Options& options, const Visit& visit) {
 struct EvaluateOptions {
   std::uint64_t seed = 1;  // as in PlanOptions
   TrialOptions trial;
-  // For how many of the grasps, the first ones, the volume and epsilon_nearby are computed: that
-  // may take 50 times as long as the trial itself.
+  bool robustness = false;         // as in PlanOptions
+  UncertaintyOptions uncertainty;  // as in PlanOptions
+  // For how many of the grasps, the first ones, the volume, epsilon_nearby and the holding are
+  // computed: that may take 50 times as long as the trial itself.
   std::size_t volumes = std::numeric_limits<std::size_t>::max();
   std::size_t sections = 0;  // as in PlanOptions; at most `volumes`
 };
@@ -102,6 +112,10 @@ struct ScoredGrasp {
   // Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
   // (epsilon_nearby). Computed with the volume.
   std::optional<Interval> epsilon_nearby = {};
+  // Of a grasp with contacts: what its weight takes (hold_weight). Computed with the volume.
+  std::optional<Holding> holding = {};
+  // Of a grasp with contacts, where it was asked for: how it fares on disturbed poses.
+  std::optional<Robustness> robustness = {};
   std::optional<Refinement> refinement = {};
   std::optional<ShakeReport> shake = {};  // filled in by shake_grasps
   LiftEnd lift = LiftEnd::not_asked;      // whether `path` goes on after the grasp, or why not

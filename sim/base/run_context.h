@@ -55,22 +55,23 @@ enum class Stage {
   refine,      // the best grasps are improved by trials of grasps near them
   paths,       // arm paths to the best grasps are planned
   volumes,     // volumes and sections of the wrench hulls of the returned grasps
+  disturb,     // grasps are tried again on disturbed poses
   shake,       // grasps are closed, lifted and shaken
   report,      // the report is written
   picture      // pictures are rendered
 };
 
 // All stages, in the order of the enum.
-inline constexpr std::array<Stage, 12> kStages = {
-    Stage::load,    Stage::compile, Stage::primitives, Stage::candidates,
-    Stage::trials,  Stage::rank,    Stage::refine,     Stage::paths,
-    Stage::volumes, Stage::shake,   Stage::report,     Stage::picture};
+inline constexpr std::array<Stage, 13> kStages = {
+    Stage::load,  Stage::compile, Stage::primitives, Stage::candidates, Stage::trials,
+    Stage::rank,  Stage::refine,  Stage::paths,      Stage::volumes,    Stage::disturb,
+    Stage::shake, Stage::report,  Stage::picture};
 
 // Name of a stage in files and progress lines: "load", "compile" and so on.
 constexpr std::string_view stage_name(Stage stage) {
   constexpr std::array<std::string_view, kStages.size()> kNames = {
-      "load",   "compile", "primitives", "candidates", "trials", "rank",
-      "refine", "paths",   "volumes",    "shake",      "report", "picture"};
+      "load",  "compile", "primitives", "candidates", "trials", "rank",   "refine",
+      "paths", "volumes", "disturb",    "shake",      "report", "picture"};
   return kNames[static_cast<std::size_t>(stage)];
 }
 

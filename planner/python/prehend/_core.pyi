@@ -247,10 +247,49 @@ class FormationOptions:
     def __copy__(self) -> FormationOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> FormationOptions: ...
 
+class GiveWayOptions:
+    _fields: Tuple[str, ...]
+    object: float
+    obstacle: float
+    def __init__(
+        self,
+        *,
+        object: float = ...,
+        obstacle: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> GiveWayOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> GiveWayOptions: ...
+
+class UncertaintyOptions:
+    _fields: Tuple[str, ...]
+    samples: int
+    across: float
+    along: float
+    angle: float
+    hand: float
+    hand_angle: float
+    friction: float
+    center_of_mass: float
+    def __init__(
+        self,
+        *,
+        samples: int = ...,
+        across: float = ...,
+        along: float = ...,
+        angle: float = ...,
+        hand: float = ...,
+        hand_angle: float = ...,
+        friction: float = ...,
+        center_of_mass: float = ...,
+    ) -> None: ...
+    def __copy__(self) -> UncertaintyOptions: ...
+    def __deepcopy__(self, memo: Dict[Any, Any], /) -> UncertaintyOptions: ...
+
 class TrialOptions:
     _fields: Tuple[str, ...]
     contact: ContactOptions
     contact_gap: float
+    give_way: GiveWayOptions
     obstacle_clearance: float
     back_off_step: float
     back_off_tries: int
@@ -266,6 +305,7 @@ class TrialOptions:
         *,
         contact: ContactOptions = ...,
         contact_gap: float = ...,
+        give_way: GiveWayOptions = ...,
         obstacle_clearance: float = ...,
         back_off_step: float = ...,
         back_off_tries: int = ...,
@@ -414,6 +454,8 @@ class PlanOptions:
     refine: RefineOptions
     rank: RankOptions
     paths: Optional[GraspPathOptions]
+    robustness: bool
+    uncertainty: UncertaintyOptions
     volumes: bool
     sections: int
     def __init__(
@@ -428,6 +470,8 @@ class PlanOptions:
         refine: RefineOptions = ...,
         rank: RankOptions = ...,
         paths: Optional[GraspPathOptions] = ...,
+        robustness: bool = ...,
+        uncertainty: UncertaintyOptions = ...,
         volumes: bool = ...,
         sections: int = ...,
     ) -> None: ...
@@ -438,6 +482,8 @@ class EvaluateOptions:
     _fields: Tuple[str, ...]
     seed: int
     trial: TrialOptions
+    robustness: bool
+    uncertainty: UncertaintyOptions
     volumes: int
     sections: int
     def __init__(
@@ -445,6 +491,8 @@ class EvaluateOptions:
         *,
         seed: int = ...,
         trial: TrialOptions = ...,
+        robustness: bool = ...,
+        uncertainty: UncertaintyOptions = ...,
         volumes: int = ...,
         sections: int = ...,
     ) -> None: ...

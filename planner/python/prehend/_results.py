@@ -249,6 +249,8 @@ class Trial:
     """(3,): unit, object's frame: the hand came this way."""
     travel: float = field(repr=False)
     """Length of the approach until the grasp [m]."""
+    gave_way: FloatArray = field(repr=False)
+    """(3,): by this the hand moved at first, out of a small overlap, object's frame [m]."""
     back_offs: int = field(repr=False)
     """How often the hand went back and closed again."""
     turned: float = field(repr=False)
@@ -284,6 +286,63 @@ class Trial:
 
 
 @dataclass(frozen=True, eq=False)
+class Burden:
+    """What it takes to hold the object's weight in one attitude."""
+
+    down: FloatArray = field(repr=False)
+    """(3,): where gravity pulls, unit, object's frame."""
+    sum_of_normals: float
+    """The smallest sum of normal forces that balances the weight, inf where none do [N]."""
+    largest_normal: float
+    """The smallest largest normal force that does [N]."""
+    strength: float
+    """How many times the weight the drives hold with the efforts in the robot's file; 0 where no
+    forces balance it, inf where it loads no drive whose effort is known."""
+
+
+@dataclass(frozen=True, eq=False)
+class Holding:
+    """What a grasp's weight takes: in the attitude of the scene and in the worst of 42."""
+
+    given: Burden
+    """As the object lies in the scene."""
+    worst: Burden
+    """In the attitude with the largest sum of normal forces."""
+
+    @property
+    def holds(self) -> bool:
+        """Whether the drives hold the weight as the object lies."""
+        return self.given.strength >= 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Robustness:
+    """How a grasp fares with errors of pose, friction and centre of mass (UncertaintyOptions)."""
+
+    samples: int
+    """Trials that were made."""
+    held: int
+    """In so many of them the hand closed on the object and holds its weight."""
+    interval: Tuple[float, float]
+    """Contains the true share with a probability of 90 %."""
+    epsilon_mean: float
+    """Mean epsilon of the trials."""
+    epsilon_low: float
+    """At most a tenth of the trials have less."""
+    outcomes: Dict[str, int] = field(repr=False)
+    """How many trials ended with each outcome."""
+    spare: float
+    """The object may be off by this along any axis of the hand, of 0, 1, 2.5, 5 and 10 mm [m]."""
+    weakest: FloatArray = field(repr=False)
+    """(3,): the direction in which it may be off the least, object's frame; 0: none."""
+
+    @property
+    def probability(self) -> float:
+        """Share of the trials that held."""
+        return self.held / self.samples
+
+
+@dataclass(frozen=True, eq=False)
 class Grasp(Trial):
     """A trial as a plan returns it."""
 
@@ -293,6 +352,10 @@ class Grasp(Trial):
     epsilon_nearby: Optional[Tuple[float, float]]
     """Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
     or the contact threshold changed by 10 %; None where the volume was not computed."""
+    holding: Optional[Holding] = field(repr=False)
+    """What its weight takes; None without contacts and where the volume was not computed."""
+    robustness: Optional[Robustness] = field(repr=False)
+    """How it fares with errors of the pose; None where that was not asked for."""
     primitive: Optional[int]
     """Number of the primitive that it came from; None for a grasp that was given."""
     rule: str
@@ -305,6 +368,12 @@ class Grasp(Trial):
     @staticmethod
     def _of(fields: Dict[str, Any]) -> "Grasp":
         path = fields.pop("path")
+        holding = fields["holding"]
+        if holding is not None:
+            fields["holding"] = Holding(Burden(**holding["given"]), Burden(**holding["worst"]))
+        robustness = fields["robustness"]
+        if robustness is not None:
+            fields["robustness"] = Robustness(**robustness)
         return Grasp(**Trial._arguments(fields), path=None if path is None else Path._of(path))
 
 

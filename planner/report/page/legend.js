@@ -53,6 +53,10 @@ function legendRows() {
       'of the wrench space in its six dimensions: how much the grasp resists in all directions together'
     ],
     [
+      'times the weight',
+      'how much heavier the object could be before the drives of the hand, with the efforts in its file, or friction let it go; at worst: in the worst of 42 attitudes'
+    ],
+    [
       'robust ε',
       'ε over samples in which the object, the contacts and the friction are off by a little: mean, and what 95 % of the samples reach'
     ],

@@ -62,6 +62,41 @@ function percentText(part) {
   return `${Math.round(100 * part)} %`;
 }
 
+function timesText({strength}) {
+  return strength === 'any' ? 'any weight' : `${strength} times the weight`;
+}
+
+function weightRows({holds, given, worst}) {
+  const squeeze = given.squeeze === null ?
+      'no forces of the contacts balance the weight as the object lies' :
+      `as the object lies; its weight takes normal forces of ${
+          numberText(given.squeeze)} N in all`;
+  return [
+    [holds ? 'the hand holds' : 'the hand holds only', timesText(given), squeeze],
+    ['and at worst', timesText(worst), 'if gravity pulls from the worst side']
+  ];
+}
+
+function directionText(weakest) {
+  return '(' + weakest.map((part) => numberText(part, 2)).join(', ') + ')';
+}
+
+function robustnessRows({samples, held, interval, epsilon_mean, spare, weakest}) {
+  const sure = interval.map((part) => Math.round(100 * part)).join(' to ');
+  const where = weakest.some((part) => part !== 0) ?
+      `before it is lost; weakest where it is off in the direction ${
+          directionText(weakest)} of its frame` :
+      'and perhaps farther, in any direction that was tried';
+  return [
+    [
+      'held in', `${held} of ${samples} trials`,
+      `with errors of pose, friction and centre of mass: ${sure} % with a probability of 90 %; ε ${
+          numberText(epsilon_mean)} in the mean`
+    ],
+    ['the object may be off by', `${numberText(1000 * spare)} mm`, where]
+  ];
+}
+
 function numberRows(grasp) {
   const rows = [[
     'quality ε', bracketText(grasp.epsilon),
@@ -70,6 +105,8 @@ function numberRows(grasp) {
   if (grasp.volume) {
     rows.push(['volume', bracketText(grasp.volume), 'of the space of wrenches it can resist']);
   }
+  if (grasp.weight) rows.push(...weightRows(grasp.weight));
+  if (grasp.robustness) rows.push(...robustnessRows(grasp.robustness));
   if (grasp.detail && grasp.contacts.length > 0) {
     const {robust} = grasp.detail;
     rows.push([

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -34,6 +35,7 @@ ScoredGrasp some_grasp(const CompiledScene& scene) {
   grasp.trial.outcome = Outcome::stable;
   grasp.trial.X_OH = translation({0.1, -0.2, 0.3}) * Eigen::AngleAxisd(0.3, Vector3::UnitY());
   grasp.trial.travel = 0.07;
+  grasp.trial.gave_way = {1e-3, -2e-4, 0.0};
   grasp.trial.back_offs = 2;
   grasp.trial.turned = 0.14;
   grasp.trial.dofs = hand.hand->preshapes[1].dofs;
@@ -141,6 +143,55 @@ TEST(GraspsFile, WhatIsReadIsWrittenAsItWas) {
   EXPECT_EQ(read.result.grasps[0].trial.contacts[0].link, link_id(3));
   EXPECT_EQ(read.record.options.seed, 18446744073709551615U);
   EXPECT_FALSE(read.record.options.trial.soft_fingers);
+}
+
+// What is infinite is null: no forces balance the weight, or nothing limits them.
+TEST(GraspsFile, TheWeightIsWrittenAndIgnoredByReaders) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  PlanResult result = some_result(scene);
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  result.grasps[0].holding = Holding{{-Vector3::UnitX(), 12.5, 4.5, kInfinite},
+                                     {Vector3::UnitY(), kInfinite, kInfinite, 0.0}};
+  const std::string text = grasps_json(scene, result, some_record());
+  const Json weight = Json::parse(text)["grasps"][0]["weight"];
+  EXPECT_EQ(weight["holds"], true);
+  EXPECT_EQ(weight["given"]["down"], Json::array({-1.0, 0.0, 0.0}));
+  EXPECT_EQ(weight["given"]["squeeze"], 12.5);
+  EXPECT_EQ(weight["given"]["largest_normal"], 4.5);
+  EXPECT_TRUE(weight["given"]["strength"].is_null());
+  EXPECT_TRUE(weight["worst"]["squeeze"].is_null());
+  EXPECT_EQ(weight["worst"]["strength"], 0.0);
+  EXPECT_FALSE(Json::parse(text)["grasps"][1].contains("weight"));
+  EXPECT_FALSE(read_grasps(file_with(text), scene).result.grasps[0].holding.has_value());
+}
+
+TEST(GraspsFile, RobustnessIsWrittenAndIgnoredByReaders) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  PlanResult result = some_result(scene);
+  Robustness robustness;
+  robustness.samples = 16;
+  robustness.held = 12;
+  robustness.epsilon_mean = 0.25;
+  robustness.epsilon_low = 0.125;
+  robustness.outcomes[static_cast<std::size_t>(Outcome::stable)] = 14;
+  robustness.outcomes[static_cast<std::size_t>(Outcome::no_contact)] = 2;
+  robustness.spare = 2.5e-3;
+  robustness.weakest_O = -Vector3::UnitY();
+  result.grasps[0].robustness = robustness;
+  const std::string text = grasps_json(scene, result, some_record());
+  const Json json = Json::parse(text)["grasps"][0]["robustness"];
+  EXPECT_EQ(json["samples"], 16);
+  EXPECT_EQ(json["held"], 12);
+  EXPECT_EQ(json["probability"], 0.75);
+  EXPECT_LT(json["interval"][0], 0.75);
+  EXPECT_GT(json["interval"][1], 0.75);
+  EXPECT_EQ(json["epsilon_mean"], 0.25);
+  EXPECT_EQ(json["epsilon_low"], 0.125);
+  EXPECT_EQ(json["outcomes"], Json({{"stable", 14}, {"no_contact", 2}}));
+  EXPECT_EQ(json["spare"], 2.5e-3);
+  EXPECT_EQ(json["weakest"], Json::array({0.0, -1.0, 0.0}));
+  EXPECT_FALSE(Json::parse(text)["grasps"][1].contains("robustness"));
+  EXPECT_FALSE(read_grasps(file_with(text), scene).result.grasps[0].robustness.has_value());
 }
 
 TEST(GraspsFile, OfAnArmPostureAndPathComeBack) {
