@@ -47,6 +47,29 @@ bool goes_on(PlanResult& result, Interrupts& interrupts) {
   return false;
 }
 
+EvaluateOptions options_of(const EvaluateCommand& command) {
+  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  EvaluateOptions options;
+  options.seed = command.common.seed;
+  options.trial = accuracy.trial;
+  options.robustness = command.uncertainty || accuracy.robustness;
+  options.uncertainty = accuracy.uncertainty;
+  if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  if (command.dynamic) options.trial.formation.dynamic = true;
+  options.volumes = command.volumes;
+  if (!command.common.no_report) options.sections = kMostDetailed;
+  return options;
+}
+
+// The record of the run that made the grasps, with the settings of this one.
+RunRecord record_of(RunRecord record, const EvaluateOptions& options) {
+  record.options.seed = options.seed;
+  record.options.trial = options.trial;
+  record.options.robustness = options.robustness;
+  record.options.uncertainty = options.uncertainty;
+  return record;
+}
+
 }  // namespace
 
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
@@ -59,16 +82,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   watch.lap(Stage::load);
 
   ProgressBar bar(command.common.progress);
-  EvaluateOptions options;
-  options.seed = command.common.seed;
-  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
-  options.trial = accuracy.trial;
-  options.robustness = command.uncertainty || accuracy.robustness;
-  options.uncertainty = accuracy.uncertainty;
-  if (command.common.hard_contacts) options.trial.soft_fingers = false;
-  if (command.dynamic) options.trial.formation.dynamic = true;
-  options.volumes = command.volumes;
-  if (!command.common.no_report) options.sections = kMostDetailed;
+  const EvaluateOptions options = options_of(command);
   const RunContext context{command.common.threads, interrupts.cancellation(),
                            [&](const Progress& progress) { bar.show(progress); },
                            command.common.deadline};
@@ -84,11 +98,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   interrupts.end_at_once("nothing is written");
   if (!protocol) watch.add(result.times);
 
-  RunRecord record = loaded.record;
-  record.options.seed = command.common.seed;
-  record.options.trial = options.trial;
-  record.options.robustness = options.robustness;
-  record.options.uncertainty = options.uncertainty;
+  const RunRecord record = record_of(loaded.record, options);
   std::string report;
   if (!command.common.no_report) {
     report = report_html(plan_report(loaded.scene, result, record, {}, {command.common.threads}));

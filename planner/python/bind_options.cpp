@@ -100,6 +100,28 @@ void bind_reach_options(py::module_& core) {
       .field("motion", &ReachOptions::motion, "MotionCheckOptions.");
 }
 
+void bind_error_options(py::module_& core) {
+  OptionsClass<GiveWayOptions>(
+      core, "GiveWayOptions",
+      "Overlaps at the start that are resolved instead of ending the trial.")
+      .number("object", &GiveWayOptions::object, "Of hand and object, up to this [m].")
+      .number("obstacle", &GiveWayOptions::obstacle, "Of hand and obstacles [m].");
+  OptionsClass<UncertaintyOptions>(
+      core, "UncertaintyOptions",
+      "Standard deviations of what is not known when a grasp is carried out.")
+      .number("samples", &UncertaintyOptions::samples, "Disturbed trials of a grasp (>= 1).")
+      .number("across", &UncertaintyOptions::across,
+              "Of the object, along each horizontal axis [m].")
+      .number("along", &UncertaintyOptions::along, "Of the object, along gravity [m].")
+      .number("angle", &UncertaintyOptions::angle, "Of the object, about each axis [rad].")
+      .number("hand", &UncertaintyOptions::hand, "Of the hand, along each axis [m].")
+      .number("hand_angle", &UncertaintyOptions::hand_angle, "Of the hand, about each axis [rad].")
+      .number("friction", &UncertaintyOptions::friction,
+              "Of the logarithm of each friction coefficient.")
+      .number("center_of_mass", &UncertaintyOptions::center_of_mass,
+              "Of the centre of mass, along each axis, as a part of the object's size.");
+}
+
 void bind_trial_options(py::module_& core) {
   OptionsClass<SettleOptions>(core, "SettleOptions",
                               "How an object settles between two self-centering fingers that do "
@@ -137,25 +159,6 @@ void bind_trial_options(py::module_& core) {
               "The closed hand rises by this, where the object stands on something [m].")
       .number("lift_time", &FormationOptions::lift_time, "In this time [s].")
       .number("step", &FormationOptions::step, "Of the simulation [s].");
-  OptionsClass<GiveWayOptions>(
-      core, "GiveWayOptions",
-      "Overlaps at the start that are resolved instead of ending the trial.")
-      .number("object", &GiveWayOptions::object, "Of hand and object, up to this [m].")
-      .number("obstacle", &GiveWayOptions::obstacle, "Of hand and obstacles [m].");
-  OptionsClass<UncertaintyOptions>(
-      core, "UncertaintyOptions",
-      "Standard deviations of what is not known when a grasp is carried out.")
-      .number("samples", &UncertaintyOptions::samples, "Disturbed trials of a grasp (>= 1).")
-      .number("across", &UncertaintyOptions::across,
-              "Of the object, along each horizontal axis [m].")
-      .number("along", &UncertaintyOptions::along, "Of the object, along gravity [m].")
-      .number("angle", &UncertaintyOptions::angle, "Of the object, about each axis [rad].")
-      .number("hand", &UncertaintyOptions::hand, "Of the hand, along each axis [m].")
-      .number("hand_angle", &UncertaintyOptions::hand_angle, "Of the hand, about each axis [rad].")
-      .number("friction", &UncertaintyOptions::friction,
-              "Of the logarithm of each friction coefficient.")
-      .number("center_of_mass", &UncertaintyOptions::center_of_mass,
-              "Of the centre of mass, along each axis, as a part of the object's size.");
   OptionsClass<TrialOptions>(core, "TrialOptions",
                              "The one dial between speed and accuracy of a trial.")
       .field("contact", &TrialOptions::contact, "ContactOptions.")
@@ -244,6 +247,7 @@ void bind_options(py::module_& core) {
   bind_proposal_options(core);
   bind_contact_options(core);
   bind_reach_options(core);
+  bind_error_options(core);
   bind_trial_options(core);
   bind_path_options(core);
   bind_refine_options(core);

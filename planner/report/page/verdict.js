@@ -69,8 +69,7 @@ function timesText({strength}) {
 function weightRows({holds, given, worst}) {
   const squeeze = given.squeeze === null ?
       'no forces of the contacts balance the weight as the object lies' :
-      `as the object lies; its weight takes normal forces of ${
-          numberText(given.squeeze)} N in all`;
+      `as the object lies; its weight takes normal forces of ${numberText(given.squeeze)} N in all`;
   return [
     [holds ? 'the hand holds' : 'the hand holds only', timesText(given), squeeze],
     ['and at worst', timesText(worst), 'if gravity pulls from the worst side']
