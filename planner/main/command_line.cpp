@@ -209,8 +209,7 @@ struct CommandLine::Words {
     command
         .add_option("--volumes", evaluate.volumes,
                     "for how many grasps the volume and the weight that they hold are computed, "
-                    "much slower "
-                    "than the rest")
+                    "much slower than the rest")
         ->check(CLI::NonNegativeNumber)
         ->capture_default_str();
     add_shake(command, evaluate.shake);

@@ -145,8 +145,7 @@ class TrialRun {
   // next to the table: as far as the hand comes may be far enough. If not, the obstacle is why. A
   // hand that starts at the obstacle moves away from it.
   void close_before_obstacle(Trial& trial) {
-    const double missing = options_.obstacle_clearance - buffers_.reached.travel;
-    if (missing > 0.0) start_farther_back(missing);
+    if (buffers_.reached.travel < options_.obstacle_clearance) start_farther_back();
     const double travel = buffers_.reached.travel - options_.obstacle_clearance;
     if (travel >= 0.0) {
       close_from(travel, trial);
@@ -158,9 +157,10 @@ class TrialRun {
     trial.blocked = buffers_.reached.touch;
   }
 
-  // Moves the start of the approach back, if the hand is free there and an obstacle may move it by
-  // that much.
-  void start_farther_back(double by) {
+  // Moves the start of the approach back until the clearance fits before the obstacle, if the hand
+  // is free there and an obstacle may move it by that much.
+  void start_farther_back() {
+    const double by = options_.obstacle_clearance - buffers_.reached.travel;
     const Vector3 move = -by * candidate_.approach_O;
     if ((gave_way_ + move).norm() > options_.give_way.obstacle) return;
     if (hand_collision(scene_, translation(move) * motion_.at(0.0), buffers_.start_joints,
@@ -168,7 +168,8 @@ class TrialRun {
       return;
     }
     shift(move);
-    buffers_.reached.travel += by;
+    // Not a sum, which rounding could leave short of the clearance.
+    buffers_.reached.travel = options_.obstacle_clearance;
   }
 
   void shift(const Vector3& move) {
