@@ -56,7 +56,9 @@ void approach_fields(auto& fields, auto& grasp) {
   fields.require("travel", grasp.trial.travel >= 0.0, "must not be negative");
   fields("gave_way", grasp.trial.gave_way);
   fields("back_offs", grasp.trial.back_offs);
+  fields("pushed", grasp.trial.pushed);
   fields("turned", grasp.trial.turned);
+  fields("slid", grasp.trial.slid);
 }
 
 // "index", "shape" and "rule": the primitive that the grasp was proposed for.

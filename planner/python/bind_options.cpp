@@ -126,16 +126,20 @@ void bind_trial_options(py::module_& core) {
   OptionsClass<SettleOptions>(core, "SettleOptions",
                               "How an object settles between two self-centering fingers that do "
                               "not hold it.")
-      .number("angle", &SettleOptions::angle, "Of one turn [rad].")
+      .number("angle", &SettleOptions::angle, "Largest turn of a step [rad].")
+      .number("slide", &SettleOptions::slide,
+              "Farthest that the object moves between the fingers in a step [m].")
       .number("steps", &SettleOptions::steps,
-              "Turns that are tried at most; 0: the object keeps its attitude.")
-      .number("least_angle", &SettleOptions::least_angle,
-              "A turn that does not help is tried again at half its angle, down to this [rad].")
-      .number("loosen", &SettleOptions::loosen, "Fingers open by this before the object turns [m].")
+              "Steps that are tried at most; 0: the object stays where it is.")
+      .number("least_part", &SettleOptions::least_part,
+              "A step that does not help is tried again at half its size, down to this part.")
+      .number("loosen", &SettleOptions::loosen, "Fingers open by this before the object moves [m].")
       .number("least_gain", &SettleOptions::least_gain,
-              "Turning goes on while the fingers come closer by more than this in a step [m].")
+              "Settling goes on while the fingers come closer by more than this in a step [m].")
+      .number("least_force", &SettleOptions::least_force,
+              "Sum of the fingers' forces, as a part of one, below which they balance.")
       .number("least_arm", &SettleOptions::least_arm,
-              "Offset of the fingers' forces below which their couple turns nothing [m].");
+              "And distance between their lines of action [m].");
   OptionsClass<GapTrackerOptions>(core, "GapTrackerOptions",
                                   "How the gap between two moving bodies is asked for: all answers "
                                   "are proven bounds, looser ones cost less.")

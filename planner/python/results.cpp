@@ -101,7 +101,9 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["travel"] = trial.travel;
   fields["gave_way"] = to_array(trial.gave_way);
   fields["back_offs"] = trial.back_offs;
+  fields["pushed"] = to_array(trial.pushed);
   fields["turned"] = trial.turned;
+  fields["slid"] = trial.slid;
   fields["preshape"] = name_or_none(preshape_name(scene, candidate));
   fields["dofs"] = to_array(trial.dofs);
   fields["joints"] = to_array(trial.joints);

@@ -12,7 +12,7 @@ PlanOptions draft_options() {
   PlanOptions options;
   options.search.trials /= 2;
   options.trial.back_off_tries = 0;
-  options.trial.settle.steps = 6;
+  options.trial.settle.steps = 12;
   options.refine.trials = 0;
   options.uncertainty.samples /= 4;
   options.volumes = false;

@@ -31,6 +31,7 @@ void grasp_at(const CompiledScene& scene, const ClosingStart& start, const Trial
   if (center_hand(scene, trial.X_OH, closed)) {
     trial.blocked = hand_collision(scene, trial.X_OH, closed.joints, workspace.collision);
   }
+  trial.pushed = start.X_OH.translation() - trial.X_OH.translation();
   trial.dofs = closed.dofs;
   trial.joints = closed.joints;
   context.cancellation.check();

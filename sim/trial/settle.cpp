@@ -5,6 +5,7 @@
 
 #include "sim/base/index.h"
 #include "sim/trial/self_centering.h"
+#include "sim/trial/squeeze.h"
 
 namespace prehend {
 namespace {
@@ -19,52 +20,8 @@ std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   return std::nullopt;
 }
 
-// Where a finger presses: the mean position of the contacts of all links beyond its joint, in O.
-std::optional<Vector3> touched_by(const CompiledScene& scene, const Trial& trial, int joint) {
-  Vector3 sum = Vector3::Zero();
-  int count = 0;
-  for (const GraspContact& contact : trial.contacts) {
-    const std::vector<int>& joints = scene.links[index(contact.link)].joints;
-    if (std::find(joints.begin(), joints.end(), joint) == joints.end()) continue;
-    sum += contact.point.position;
-    ++count;
-  }
-  if (count == 0) return std::nullopt;
-  return sum / count;
-}
-
-// The axis about which the two fingers turn the object. They press with opposite forces along the
-// opening axis, at points a and b. Unless a - b is parallel to that axis, the forces are a couple
-// of the moment (a - b) x axis per unit of force, whose length is the distance between their lines
-// of action.
-struct Couple {
-  Vector3 middle_O;  // between the fingers
-  Vector3 axis_O;    // unit
-};
-
-std::optional<Couple> couple_of(const CompiledScene& scene, const FingerPair& fingers,
-                                const SettleOptions& options, const Trial& trial) {
-  const std::optional<Vector3> a = touched_by(scene, trial, fingers.first);
-  const std::optional<Vector3> b = touched_by(scene, trial, fingers.second);
-  if (!a || !b) return std::nullopt;
-  const Vector3 opening_O =
-      trial.X_OH.linear() * opening_axis(scene.scene.hand, fingers, trial.joints);
-  // The force on the object at `a` is along -opening_O, so its couple is the negative of this one:
-  // the object turns the negative way in the hand, and the hand the positive way about the object.
-  const Vector3 couple = (*a - *b).cross(opening_O);
-  if (couple.norm() < options.least_arm) return std::nullopt;
-  return Couple{0.5 * (*a + *b), couple.normalized()};
-}
-
-// The hand's pose after it turned about the object, which is the same relative motion as the object
-// turning the other way in the hand.
-Pose turned(const Couple& couple, double angle, const Pose& X_OH) {
-  return translation(couple.middle_O) * Eigen::AngleAxisd(angle, couple.axis_O) *
-         translation(-couple.middle_O) * X_OH;
-}
-
-// Where the hand starts to close after a turn: with fingers a little open, because at their present
-// opening the turn would push them into the object.
+// Where the hand starts to close after a motion: with fingers a little open, because at their
+// present opening the motion would push them into the object.
 void set_closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
                        const SettleOptions& options, const Trial& trial, const Pose& X_OH,
                        ClosingStart& start) {
@@ -76,8 +33,8 @@ void set_closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
 }
 
 // Whether the fingers of `next` are closer together than those of `trial`. That is the criterion of
-// a turn that really happens: a squeezed object moves so that the fingers yield to their drive, and
-// a turn that pushes them apart would need work from outside.
+// a motion that really happens: a squeezed object moves so that the fingers yield to their drive,
+// and a motion that pushes them apart would need work from outside.
 bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const SettleOptions& options,
                const Trial& trial, const Trial& next) {
   const double change = trial.joints[index(fingers.first)] - next.joints[index(fingers.first)];
@@ -100,39 +57,43 @@ class Settling {
     Trial& now = workspace_.now;
     now = trial;
     workspace_.room.start(scene_, trial, options_);
-    double angle = options_.settle.angle;
-    for (int k = 0; k < options_.settle.steps && angle >= options_.settle.least_angle &&
+    // Part of the largest motion of a step that is tried. It stays halved: the object comes to rest
+    // with ever smaller motions.
+    double part = 1.0;
+    for (int k = 0; k < options_.settle.steps && part >= options_.settle.least_part &&
                     now.outcome != Outcome::stable;
          ++k) {
-      if (step(now, angle, workspace_.next)) {
+      if (step(now, part, workspace_.next)) {
         now = workspace_.next;
       } else {
-        // The angle stays halved: the object comes to rest with ever smaller turns.
-        angle *= 0.5;
+        part *= 0.5;
       }
     }
     if (now.outcome != Outcome::stable) return;
-    // The whole turn, from first pose to last: steps about different axes do not simply add up.
+    // The whole motion, from first pose to last: steps in different directions do not add up.
     now.turned = Eigen::AngleAxisd(trial.X_OH.linear().transpose() * now.X_OH.linear()).angle();
+    now.pushed = trial.pushed;
+    const Vector3& center_O = scene_.scene.object.center_of_mass;
+    now.slid = (trial.X_OH.inverse() * center_O - now.X_OH.inverse() * center_O).norm();
     trial = now;
   }
 
  private:
-  // `next`: the trial after the hand has turned by `angle` and closed again. False where an
-  // obstacle is in the way, the hand collides, a finger loses contact, or the fingers do not come
-  // closer (the object would not turn that far).
-  bool step(const Trial& trial, double angle, Trial& next) {
-    const std::optional<Couple> couple = couple_of(scene_, fingers_, options_.settle, trial);
-    if (!couple) return false;
+  // `next`: the trial after the object has moved by this part of a step and the hand has closed
+  // again. False where an obstacle is in the way, the hand collides, a finger loses contact, or the
+  // fingers do not come closer (the object would not move that far).
+  bool step(const Trial& trial, double part, Trial& next) {
+    const std::optional<ObjectMotion> motion = squeezed(scene_, fingers_, trial, limits(part));
+    if (!motion) return false;
     const DegreeOfFreedom& dof = scene_.scene.hand.dofs[index(fingers_.dof)];
     ClosingStart& start = workspace_.start;
-    set_closing_start(dof, fingers_, options_.settle, trial, turned(*couple, angle, trial.X_OH),
-                      start);
+    set_closing_start(dof, fingers_, options_.settle, trial, after(*motion, trial.X_OH), start);
     // The room is checked before the hand closes, which takes much longer, and again afterwards,
     // when it is known how far the fingers and the hand have moved.
     HandTurn& turn = workspace_.turn;
-    turn.middle_O = couple->middle_O;
-    turn.angle = angle;
+    turn.middle_O = motion->center_O;
+    turn.angle = motion->angular_O.norm();
+    turn.slide = motion->linear_O.norm();
     joint_values(scene_.scene.hand, start.dofs, turn.opened);
     turn.closed = turn.opened;
     turn.shift = 0.0;
@@ -150,6 +111,11 @@ class Settling {
     if (!workspace_.room.allows(trial, turn)) return false;
     workspace_.room.spend(trial, turn);
     return true;
+  }
+
+  SqueezeLimits limits(double part) const {
+    const SettleOptions& settle = options_.settle;
+    return {part * settle.slide, part * settle.angle, settle.least_force, settle.least_arm};
   }
 
   const CompiledScene& scene_;

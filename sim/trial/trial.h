@@ -56,8 +56,15 @@ struct Trial {
   // By how much the hand was moved before it approached, in the object's frame, because it began in
   // an overlap small enough to be an error (give_way.h); X_OH contains it [m].
   Vector3 gave_way = Vector3::Zero();
-  int back_offs = 0;    // how often the hand backed off before this grasp
-  double turned = 0.0;  // angle by which the object turned in the hand (settle.h) [rad]
+  int back_offs = 0;  // how often the hand backed off before this grasp
+  // Of self-centering fingers, of which one touched first: how far it pushed the object before the
+  // other touched, as a move of the object relative to the hand, axes of O [m]. In the scene it may
+  // be the hand that moved, the other way: X_OH contains that.
+  Vector3 pushed = Vector3::Zero();
+  // By how much the object turned, and its centre of mass moved, in the hand that closed on it
+  // (settle.h) [rad, m].
+  double turned = 0.0;
+  double slid = 0.0;
   // Of a hand that closed in time: where the object C then is, in the frame O in which it stood.
   // X_OH and the contacts are relative to C. None: it stands where it stood.
   std::optional<Pose> X_OC;

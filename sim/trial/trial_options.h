@@ -11,29 +11,33 @@ namespace prehend {
 
 // How an object settles between two self-centering fingers that do not hold it (see settle.h).
 struct SettleOptions {
-  double angle = 0.07;  // of one turn [rad]
-  int steps = 24;       // most turns that are tried; 0: the object does not settle
-  // A turn that does not bring the fingers closer is tried again at half its angle, down to this:
-  // over the width of a finger it moves the surface by less than contacts need to count as even
-  // (ContactOptions::evenness) [rad].
-  double least_angle = 2.5e-4;
-  // Fingers open by this before the object turns, so that they do not start inside it [m].
+  double angle = 0.07;  // largest turn of a step [rad]
+  double slide = 2e-3;  // farthest that the object moves between the fingers in a step [m]
+  int steps = 48;       // most that are tried; 0: the object does not settle
+  // A step that does not bring the fingers closer is tried again with half the motion, down to this
+  // part of the largest one. Its angle then moves the surface, over the width of a finger, by less
+  // than contacts need to count as even (ContactOptions::evenness).
+  double least_part = 3.5e-3;
+  // Fingers open by this before the object moves, so that they do not start inside it [m].
   double loosen = 3e-3;
-  // Turning goes on while the fingers come closer by more than this in a step [m].
+  // Settling goes on while the fingers come closer by more than this in a step [m].
   double least_gain = 1e-6;
-  // Distance between the parallel lines of action of the two fingers' forces below which their
-  // couple counts as zero [m].
+  // Forces of the fingers count as balanced when their sum is below this part of one of them, and
+  // the distance between their lines of action below least_arm [m].
+  double least_force = 1e-2;
   double least_arm = 1e-4;
 };
 
 template <SettingsOf<SettleOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [angle, steps, least_angle, loosen, least_gain, least_arm] = options;
+  auto& [angle, slide, steps, least_part, loosen, least_gain, least_force, least_arm] = options;
   visit("angle", angle, kAbove0);
+  visit("slide", slide, kAbove0);
   visit("steps", steps, kAtLeast0);
-  visit("least_angle", least_angle, kAbove0);
+  visit("least_part", least_part, Range{.upper = 1.0, .without_lower = true});
   visit("loosen", loosen, kAtLeast0);
   visit("least_gain", least_gain, kAtLeast0);
+  visit("least_force", least_force, kAtLeast0);
   visit("least_arm", least_arm, kAtLeast0);
 }
 

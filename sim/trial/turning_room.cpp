@@ -60,7 +60,7 @@ void TurningRoom::spend(const Trial& now, const HandTurn& turn) {
 double TurningRoom::object_motion(const HandTurn& turn) const {
   const ProximityMesh& object = scene_->object().mesh;
   return turning_motion(object.ball_center() - turn.middle_O, object.ball_radius(), turn.angle) +
-         turn.shift;
+         turn.slide + turn.shift;
 }
 
 double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) {
@@ -82,7 +82,7 @@ double TurningRoom::hand_motion(const Trial& now, const HandTurn& turn) {
         relative_to_palm +
             turning_motion(center, link.mesh.ball_radius() + relative_to_palm, turn.angle));
   }
-  return farthest + turn.shift;
+  return farthest + turn.slide + turn.shift;
 }
 
 double TurningRoom::object_gap(const Trial& now, double enough) {

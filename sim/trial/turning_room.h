@@ -1,5 +1,5 @@
-// Checks that a hand and the object between its fingers can turn relative to each other without
-// either touching an obstacle.
+// Checks that a hand and the object between its fingers can turn and slide relative to each other
+// without either touching an obstacle.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 
 namespace prehend {
 
-// One step of settling: the hand opens a little, turns about the object, closes again and is
-// centred.
+// One step of settling: the hand opens a little, turns about a point of the object and slides,
+// closes again and is centred.
 struct HandTurn {
   Vector3 middle_O = Vector3::Zero();  // a point of the axis, object frame [m]
   double angle = 0.0;                  // >= 0 [rad]
+  double slide = 0.0;                  // distance by which that point moves, >= 0 [m]
   std::vector<double> opened;          // joint values during the turn [rad or m]
   std::vector<double> closed;          // joint values at the end [rad or m]
   double shift = 0.0;                  // distance by which centring moves the hand [m]

@@ -28,7 +28,9 @@ inline std::vector<unsigned char> bytes_of(const Trial& trial) {
   append_bytes(bytes, trial.X_OH.data(), 16 * sizeof(double));
   append_bytes(bytes, trial.gave_way.data(), 3 * sizeof(double));
   append_bytes(bytes, &trial.travel, sizeof(double));
+  append_bytes(bytes, trial.pushed.data(), 3 * sizeof(double));
   append_bytes(bytes, &trial.turned, sizeof(double));
+  append_bytes(bytes, &trial.slid, sizeof(double));
   append_bytes(bytes, trial.dofs.data(), trial.dofs.size() * sizeof(double));
   append_bytes(bytes, trial.joints.data(), trial.joints.size() * sizeof(double));
   for (const GraspContact& contact : trial.contacts) {

@@ -187,19 +187,23 @@ class ReachOptions:
 class SettleOptions:
     _fields: Tuple[str, ...]
     angle: float
+    slide: float
     steps: int
-    least_angle: float
+    least_part: float
     loosen: float
     least_gain: float
+    least_force: float
     least_arm: float
     def __init__(
         self,
         *,
         angle: float = ...,
+        slide: float = ...,
         steps: int = ...,
-        least_angle: float = ...,
+        least_part: float = ...,
         loosen: float = ...,
         least_gain: float = ...,
+        least_force: float = ...,
         least_arm: float = ...,
     ) -> None: ...
     def __copy__(self) -> SettleOptions: ...

@@ -253,8 +253,12 @@ class Trial:
     """(3,): by this the hand moved at first, out of a small overlap, object's frame [m]."""
     back_offs: int = field(repr=False)
     """How often the hand went back and closed again."""
+    pushed: FloatArray = field(repr=False)
+    """(3,): the finger that touched first pushed the object by this, object's frame [m]."""
     turned: float = field(repr=False)
     """By this the object turned between the fingers [rad]."""
+    slid: float = field(repr=False)
+    """And by this its centre of mass moved there [m]."""
     preshape: Optional[str]
     """The opening that the hand came with; None where it has no name."""
     dofs: FloatArray = field(repr=False)

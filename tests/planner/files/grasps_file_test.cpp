@@ -37,7 +37,9 @@ ScoredGrasp some_grasp(const CompiledScene& scene) {
   grasp.trial.travel = 0.07;
   grasp.trial.gave_way = {1e-3, -2e-4, 0.0};
   grasp.trial.back_offs = 2;
+  grasp.trial.pushed = {2e-3, 0.0, -4e-3};
   grasp.trial.turned = 0.14;
+  grasp.trial.slid = 6e-3;
   grasp.trial.dofs = hand.hand->preshapes[1].dofs;
   grasp.trial.dofs[1] += 0.25;
   grasp.trial.joints = joint_values(hand, grasp.trial.dofs);
