@@ -1,0 +1,273 @@
+#include "sim/geometry/mass_parts.h"
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <Eigen/Eigenvalues>
+
+#include "sim/base/formatted.h"
+#include "sim/base/input_error.h"
+#include "sim/geometry/mass_solid.h"
+#include "sim/geometry/moments_inside.h"
+#include "sim/geometry/solid_components.h"
+
+// All is computed in the frame and at the scale of MassSolid, where the diagonal of the mesh is 1.
+namespace prehend {
+namespace {
+
+// Parts of the solid's volume that are taken for none, and for no overlap.
+constexpr double kNothing = 1e-9;
+constexpr double kTouching = 1e-6;
+
+std::string part_field(std::size_t i) { return "parts[" + std::to_string(i) + "]"; }
+
+[[noreturn]] void refuse(const std::string& field, const std::string& problem,
+                         const std::string& value = {}) {
+  throw InputError({.field = field, .problem = problem, .value = value});
+}
+
+std::string number(double value) { return formatted("%.6g", value); }
+
+void check_density(const std::string& field, double density) {
+  if (!(density >= 0.0)) refuse(field, "must be at least 0", number(density));
+  if (!(density <= kLargestDensity)) refuse(field, "must be at most 1e6 kg/m^3", number(density));
+}
+
+void check_mass(const std::string& field, double mass) {
+  if (!(mass > 0.0 && std::isfinite(mass))) refuse(field, "must be positive", number(mass));
+}
+
+void check_values(const StatedMass& stated) {
+  if (stated.mass) check_mass("mass", *stated.mass);
+  if (stated.density) check_density("density", *stated.density);
+  if (stated.parts.size() > static_cast<std::size_t>(kMostMassParts)) {
+    refuse("parts", "must be at most " + std::to_string(kMostMassParts),
+           std::to_string(stated.parts.size()));
+  }
+  for (std::size_t i = 0; i < stated.parts.size(); ++i) {
+    const MassPart& part = stated.parts[i];
+    const bool at_point = std::holds_alternative<AtPoint>(part.where);
+    if (at_point && !part.mass) refuse(part_field(i), "a part at a point needs mass");
+    if (part.mass.has_value() == part.density.has_value()) {
+      refuse(part_field(i), "needs exactly one of density, mass");
+    }
+    if (part.density) check_density(part_field(i) + ".density", *part.density);
+    if (part.mass) check_mass(part_field(i) + ".mass", *part.mass);
+  }
+}
+
+// The moments of a point of mass 1.
+Moments point_moments(const Vector3& p) { return {1.0, p, p * p.transpose()}; }
+
+// The parts of one solid.
+class PartedSolid {
+ public:
+  explicit PartedSolid(const MassSolid& solid) : solid_(solid) {
+    if (has_components()) components_ = solid_components(solid);
+  }
+
+  // Of a part with a volume.
+  Moments moments(const MassPart& part, const std::string& field) const {
+    if (!solid_.is_solid()) refuse(field, "the mesh encloses nothing that could have parts");
+    if (const auto* component = std::get_if<MeshComponent>(&part.where)) {
+      return component_at(*component, field).moments;
+    }
+    const Moments inside = moments_inside(solid_.surface, region(part, field));
+    if (!(inside.zeroth > kNothing * solid_.moments.zeroth)) {
+      refuse(field + region_name(part), "meets nothing of the object");
+    }
+    return inside;
+  }
+
+  void need_apart(const MassPart& a, const MassPart& b, const std::string& field_a,
+                  const std::string& field_b) const {
+    if (common_volume(a, b, field_b) > kTouching * solid_.moments.zeroth) {
+      refuse(field_b, "overlaps " + field_a);
+    }
+  }
+
+ private:
+  bool has_components() const {
+    return solid_.source == MassSource::signed_volume || solid_.source == MassSource::closed_holes;
+  }
+
+  const SolidComponent& component_at(const MeshComponent& component,
+                                     const std::string& field) const {
+    if (!has_components()) {
+      refuse(field + ".component", "the mesh is not closed, so that its components have no volume",
+             std::to_string(component.index));
+    }
+    const auto count = static_cast<int>(components_.size());
+    if (component.index < 0 || component.index >= count) {
+      refuse(field + ".component",
+             count == 1 ? "the mesh has only one, 0"
+                        : "must be from 0 to " + std::to_string(count - 1),
+             std::to_string(component.index));
+    }
+    const SolidComponent& found = components_[static_cast<std::size_t>(component.index)];
+    if (!(found.moments.zeroth > 0.0)) {
+      refuse(field + ".component", "encloses nothing", std::to_string(component.index));
+    }
+    return found;
+  }
+
+  static std::string region_name(const MassPart& part) {
+    return std::holds_alternative<InsideShape>(part.where) ? ".inside" : ".beyond";
+  }
+
+  ConvexRegion region(const MassPart& part, const std::string& field) const {
+    ConvexRegion region;
+    if (const auto* inside = std::get_if<InsideShape>(&part.where)) {
+      try {
+        region = region_of(inside->shape);
+      } catch (const InputError& error) {
+        throw error.under(field + ".inside");
+      }
+    } else {
+      const auto& beyond = std::get<BeyondPlane>(part.where);
+      region = {{-beyond.normal_O, -beyond.normal_O.dot(beyond.point_O)}};
+    }
+    for (HalfSpace& half : region) {
+      half.offset = (half.offset - half.normal.dot(solid_.center)) / solid_.size;
+    }
+    return region;
+  }
+
+  double common_volume(const MassPart& a, const MassPart& b, const std::string& field) const {
+    const auto* component_a = std::get_if<MeshComponent>(&a.where);
+    const auto* component_b = std::get_if<MeshComponent>(&b.where);
+    if (component_a != nullptr && component_b != nullptr) {
+      return component_a->index == component_b->index ? solid_.moments.zeroth : 0.0;
+    }
+    if (component_a != nullptr) {
+      return moments_inside(component_at(*component_a, field).surface, region(b, field)).zeroth;
+    }
+    if (component_b != nullptr) return common_volume(b, a, field);
+    ConvexRegion both = region(a, field);
+    const ConvexRegion other = region(b, field);
+    both.insert(both.end(), other.begin(), other.end());
+    return moments_inside(solid_.surface, both).zeroth;
+  }
+
+  const MassSolid& solid_;
+  std::vector<SolidComponent> components_;
+};
+
+// A part with its integrals at unit size; the mass [kg] per unit of its zeroth moment.
+struct WeighedPart {
+  Moments moments;
+  double weight = 0.0;
+  bool has_volume = true;
+
+  double mass() const { return weight * moments.zeroth; }
+};
+
+std::vector<WeighedPart> weigh_parts(const MassSolid& solid, const StatedMass& stated) {
+  const PartedSolid parted(solid);
+  const double cube = solid.size * solid.size * solid.size;
+  std::vector<WeighedPart> weighed;
+  for (std::size_t i = 0; i < stated.parts.size(); ++i) {
+    const MassPart& part = stated.parts[i];
+    if (const auto* at = std::get_if<AtPoint>(&part.where)) {
+      weighed.push_back({point_moments(solid.to_unit(at->p_O)), *part.mass, false});
+      continue;
+    }
+    const Moments moments = parted.moments(part, part_field(i));
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!weighed[j].has_volume) continue;
+      parted.need_apart(stated.parts[j], part, part_field(j), part_field(i));
+    }
+    const double weight = part.density ? *part.density * cube : *part.mass / moments.zeroth;
+    weighed.push_back({moments, weight, true});
+  }
+  return weighed;
+}
+
+// What no part covers, without its weight. Of a mesh without volume it is the surface.
+std::optional<WeighedPart> rest_of(const MassSolid& solid, const std::vector<WeighedPart>& parts) {
+  WeighedPart rest{solid.moments, 0.0, solid.is_solid()};
+  bool covered = false;
+  for (const WeighedPart& part : parts) {
+    if (!part.has_volume) continue;
+    rest.moments.add(-1.0, part.moments);
+    covered = true;
+  }
+  if (covered && !(rest.moments.zeroth > kNothing * solid.moments.zeroth)) return std::nullopt;
+  return rest;
+}
+
+// Sets the weight of the rest, and returns what all masses are to be multiplied with.
+double weigh_rest(const MassSolid& solid, const StatedMass& stated, double of_parts,
+                  std::optional<WeighedPart>& rest) {
+  if (rest && stated.density) {
+    if (!rest->has_volume) refuse("density", "the mesh encloses nothing", number(*stated.density));
+    rest->weight = *stated.density * solid.size * solid.size * solid.size;
+  } else if (rest && stated.mass) {
+    const double left = *stated.mass - of_parts;
+    if (!(left > 0.0)) {
+      refuse("mass", "must be more than what the parts weigh, " + number(of_parts) + " kg",
+             number(*stated.mass));
+    }
+    rest->weight = left / rest->moments.zeroth;
+    return 1.0;
+  } else if (rest) {
+    refuse("mass", "needed, or density of what no part covers");
+  }
+  const double all = of_parts + (rest ? rest->mass() : 0.0);
+  if (!(all > 0.0)) refuse("density", "nothing of the object weighs anything");
+  return stated.mass ? *stated.mass / all : 1.0;
+}
+
+MassShare share_of(const MassSolid& solid, const std::string& name, const WeighedPart& part,
+                   double scale) {
+  const double cube = solid.size * solid.size * solid.size;
+  return {name, part.has_volume ? part.moments.zeroth * cube : 0.0, scale * part.mass(),
+          solid.from_unit(part.moments.center())};
+}
+
+void need_spread(const Moments& mass) {
+  // Rounding of points on a line leaves less.
+  constexpr double kThinnest = 1e-12;
+  const Vector3 spread = Eigen::SelfAdjointEigenSolver<Matrix3>(mass.spread()).eigenvalues();
+  if (!(spread[1] > kThinnest)) refuse("parts", "the mass is all in one point or along a line");
+}
+
+}  // namespace
+
+MassOfParts mass_of_parts(const TriangleMesh& mesh, const StatedMass& stated) {
+  check_values(stated);
+  const MassSolid solid = mass_solid(mesh);
+  const std::vector<WeighedPart> parts = weigh_parts(solid, stated);
+  std::optional<WeighedPart> rest = rest_of(solid, parts);
+  Moments mass;
+  for (const WeighedPart& part : parts) mass.add(part.weight, part.moments);
+  MassOfParts result;
+  result.source = solid.source;
+  result.scale = weigh_rest(solid, stated, mass.zeroth, rest);
+  if (rest) mass.add(rest->weight, rest->moments);
+  need_spread(mass);
+  result.mass = stated.mass.value_or(mass.zeroth);
+  result.center_of_mass = solid.from_unit(mass.center());
+  result.inertia = result.mass * solid.size * solid.size * mass.unit_inertia();
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    result.parts.push_back(share_of(solid, stated.parts[i].name, parts[i], result.scale));
+  }
+  if (rest) result.rest = share_of(solid, "rest", *rest, result.scale);
+  return result;
+}
+
+std::vector<ComponentVolume> component_volumes(const TriangleMesh& mesh) {
+  const MassSolid solid = mass_solid(mesh);
+  if (solid.source != MassSource::signed_volume && solid.source != MassSource::closed_holes) {
+    return {};
+  }
+  std::vector<ComponentVolume> volumes;
+  for (const SolidComponent& component : solid_components(solid)) {
+    volumes.push_back({component.moments.zeroth * solid.size * solid.size * solid.size,
+                       solid.from_unit(component.moments.center())});
+  }
+  return volumes;
+}
+
+}  // namespace prehend
