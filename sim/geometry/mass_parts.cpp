@@ -8,24 +8,16 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mass_solid.h"
-#include "sim/geometry/moments_inside.h"
-#include "sim/geometry/solid_components.h"
+#include "sim/geometry/parted_solid.h"
 
 // All is computed in the frame and at the scale of MassSolid, where the diagonal of the mesh is 1.
 namespace prehend {
 namespace {
 
-// Parts of the solid's volume that are taken for none, and for no overlap.
-constexpr double kNothing = 1e-9;
+// The part of the solid's volume up to which an overlap is taken for none.
 constexpr double kTouching = 1e-6;
 
 std::string part_field(std::size_t i) { return "parts[" + std::to_string(i) + "]"; }
-
-[[noreturn]] void refuse(const std::string& field, const std::string& problem,
-                         const std::string& value = {}) {
-  throw InputError({.field = field, .problem = problem, .value = value});
-}
 
 std::string number(double value) { return formatted("%.6g", value); }
 
@@ -60,100 +52,6 @@ void check_values(const StatedMass& stated) {
 // The moments of a point of mass 1.
 Moments point_moments(const Vector3& p) { return {1.0, p, p * p.transpose()}; }
 
-// The parts of one solid.
-class PartedSolid {
- public:
-  explicit PartedSolid(const MassSolid& solid) : solid_(solid) {
-    if (has_components()) components_ = solid_components(solid);
-  }
-
-  // Of a part with a volume.
-  Moments moments(const MassPart& part, const std::string& field) const {
-    if (!solid_.is_solid()) refuse(field, "the mesh encloses nothing that could have parts");
-    if (const auto* component = std::get_if<MeshComponent>(&part.where)) {
-      return component_at(*component, field).moments;
-    }
-    const Moments inside = moments_inside(solid_.surface, region(part, field));
-    if (!(inside.zeroth > kNothing * solid_.moments.zeroth)) {
-      refuse(field + region_name(part), "meets nothing of the object");
-    }
-    return inside;
-  }
-
-  void need_apart(const MassPart& a, const MassPart& b, const std::string& field_a,
-                  const std::string& field_b) const {
-    if (common_volume(a, b, field_b) > kTouching * solid_.moments.zeroth) {
-      refuse(field_b, "overlaps " + field_a);
-    }
-  }
-
- private:
-  bool has_components() const {
-    return solid_.source == MassSource::signed_volume || solid_.source == MassSource::closed_holes;
-  }
-
-  const SolidComponent& component_at(const MeshComponent& component,
-                                     const std::string& field) const {
-    if (!has_components()) {
-      refuse(field + ".component", "the mesh is not closed, so that its components have no volume",
-             std::to_string(component.index));
-    }
-    const auto count = static_cast<int>(components_.size());
-    if (component.index < 0 || component.index >= count) {
-      refuse(field + ".component",
-             count == 1 ? "the mesh has only one, 0"
-                        : "must be from 0 to " + std::to_string(count - 1),
-             std::to_string(component.index));
-    }
-    const SolidComponent& found = components_[static_cast<std::size_t>(component.index)];
-    if (!(found.moments.zeroth > 0.0)) {
-      refuse(field + ".component", "encloses nothing", std::to_string(component.index));
-    }
-    return found;
-  }
-
-  static std::string region_name(const MassPart& part) {
-    return std::holds_alternative<InsideShape>(part.where) ? ".inside" : ".beyond";
-  }
-
-  ConvexRegion region(const MassPart& part, const std::string& field) const {
-    ConvexRegion region;
-    if (const auto* inside = std::get_if<InsideShape>(&part.where)) {
-      try {
-        region = region_of(inside->shape);
-      } catch (const InputError& error) {
-        throw error.under(field + ".inside");
-      }
-    } else {
-      const auto& beyond = std::get<BeyondPlane>(part.where);
-      region = {{-beyond.normal_O, -beyond.normal_O.dot(beyond.point_O)}};
-    }
-    for (HalfSpace& half : region) {
-      half.offset = (half.offset - half.normal.dot(solid_.center)) / solid_.size;
-    }
-    return region;
-  }
-
-  double common_volume(const MassPart& a, const MassPart& b, const std::string& field) const {
-    const auto* component_a = std::get_if<MeshComponent>(&a.where);
-    const auto* component_b = std::get_if<MeshComponent>(&b.where);
-    if (component_a != nullptr && component_b != nullptr) {
-      return component_a->index == component_b->index ? solid_.moments.zeroth : 0.0;
-    }
-    if (component_a != nullptr) {
-      return moments_inside(component_at(*component_a, field).surface, region(b, field)).zeroth;
-    }
-    if (component_b != nullptr) return common_volume(b, a, field);
-    ConvexRegion both = region(a, field);
-    const ConvexRegion other = region(b, field);
-    both.insert(both.end(), other.begin(), other.end());
-    return moments_inside(solid_.surface, both).zeroth;
-  }
-
-  const MassSolid& solid_;
-  std::vector<SolidComponent> components_;
-};
-
 // A part with its integrals at unit size; the mass [kg] per unit of its zeroth moment.
 struct WeighedPart {
   Moments moments;
@@ -176,7 +74,11 @@ std::vector<WeighedPart> weigh_parts(const MassSolid& solid, const StatedMass& s
     const Moments moments = parted.moments(part, part_field(i));
     for (std::size_t j = 0; j < i; ++j) {
       if (!weighed[j].has_volume) continue;
-      parted.need_apart(stated.parts[j], part, part_field(j), part_field(i));
+      const double common = parted.common_volume(stated.parts[j], part, part_field(i));
+      if (common > kTouching * solid.moments.zeroth) {
+        refuse(part_field(i), "overlaps " + part_field(j),
+               formatted("by %.3g %% of the object", 100.0 * common / solid.moments.zeroth));
+      }
     }
     const double weight = part.density ? *part.density * cube : *part.mass / moments.zeroth;
     weighed.push_back({moments, weight, true});
@@ -193,7 +95,7 @@ std::optional<WeighedPart> rest_of(const MassSolid& solid, const std::vector<Wei
     rest.moments.add(-1.0, part.moments);
     covered = true;
   }
-  if (covered && !(rest.moments.zeroth > kNothing * solid.moments.zeroth)) return std::nullopt;
+  if (covered && !(rest.moments.zeroth > kNoVolume * solid.moments.zeroth)) return std::nullopt;
   return rest;
 }
 
@@ -259,9 +161,7 @@ MassOfParts mass_of_parts(const TriangleMesh& mesh, const StatedMass& stated) {
 
 std::vector<ComponentVolume> component_volumes(const TriangleMesh& mesh) {
   const MassSolid solid = mass_solid(mesh);
-  if (solid.source != MassSource::signed_volume && solid.source != MassSource::closed_holes) {
-    return {};
-  }
+  if (!solid.has_components()) return {};
   std::vector<ComponentVolume> volumes;
   for (const SolidComponent& component : solid_components(solid)) {
     volumes.push_back({component.moments.zeroth * solid.size * solid.size * solid.size,

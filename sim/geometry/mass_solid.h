@@ -19,6 +19,10 @@ struct MassSolid {
   Vector3 from_unit(const Vector3& p) const { return center + size * p; }
   // Whether there is a volume.
   bool is_solid() const { return source != MassSource::surface; }
+  // Whether the pieces of the mesh are pieces of the solid: they are not of its convex hull.
+  bool has_components() const {
+    return source == MassSource::signed_volume || source == MassSource::closed_holes;
+  }
 };
 
 // Throws InputError as mass_properties does.

@@ -16,8 +16,8 @@ struct SolidComponent {
 
 // In the order of their volumes, the largest first; of equal ones the one whose triangles come
 // first. A piece that faces inward is a cavity of the smallest component whose bounds contain it,
-// or a component of its own where none does. Frame and scale are those of `solid`, whose source
-// must be signed_volume or closed_holes: the convex hull of all pieces has none.
+// or a component of its own where none does. Frame and scale are those of `solid`, which must have
+// components.
 std::vector<SolidComponent> solid_components(const MassSolid& solid);
 
 }  // namespace prehend
