@@ -49,8 +49,16 @@ void check_values(const StatedMass& stated) {
   }
 }
 
-// The moments of a point of mass 1.
-Moments point_moments(const Vector3& p) { return {1.0, p, p * p.transpose()}; }
+// The moments of a point of mass 1. Far outside the object, which is of size 1, nothing could hold
+// it, and it would leave no digits to the moments of the rest.
+Moments point_moments(const MassSolid& solid, const Vector3& p_O, const std::string& field) {
+  const Vector3 p = solid.to_unit(p_O);
+  if (!(p.norm() <= 1.0)) {
+    refuse(field + ".at", "farther from the middle of the object than its diagonal",
+           formatted("[%.6g, %.6g, %.6g]", p_O.x(), p_O.y(), p_O.z()));
+  }
+  return {1.0, p, p * p.transpose()};
+}
 
 // A part with its integrals at unit size; the mass [kg] per unit of its zeroth moment.
 struct WeighedPart {
@@ -68,7 +76,7 @@ std::vector<WeighedPart> weigh_parts(const MassSolid& solid, const StatedMass& s
   for (std::size_t i = 0; i < stated.parts.size(); ++i) {
     const MassPart& part = stated.parts[i];
     if (const auto* at = std::get_if<AtPoint>(&part.where)) {
-      weighed.push_back({point_moments(solid.to_unit(at->p_O)), *part.mass, false});
+      weighed.push_back({point_moments(solid, at->p_O, part_field(i)), *part.mass, false});
       continue;
     }
     const Moments moments = parted.moments(part, part_field(i));

@@ -29,7 +29,8 @@ struct BeyondPlane {
   Vector3 normal_O = Vector3::UnitZ();  // unit
 };
 
-// A mass in one point, in addition to what the solid weighs there.
+// A mass in one point, in addition to what the solid weighs there. It is at most the diagonal of
+// the mesh's bounds away from their middle.
 struct AtPoint {
   Vector3 p_O = Vector3::Zero();  // m
 };
