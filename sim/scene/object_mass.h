@@ -31,8 +31,9 @@ struct LongObject {
 // the box with the same moments of inertia.
 std::optional<LongObject> long_object_of_uniform_mass(const GraspableBody& object);
 
-// Handles with something at their end (hammers, screwdrivers, spoons, brushes) have 5 and more.
-// What is filled evenly from end to end has less: a drinks bottle 3.4, a can of crisps 3.8.
+// A hammer or a screwdriver has 5. What is filled evenly from end to end has less: a wine
+// glass 2.9, a drinks bottle 3.2, a can of crisps 3.9. So have things that are heavy at one end but
+// not long, a drill or a pan: shape alone does not tell them from a box.
 inline constexpr double kLongObject = 4.0;
 
 // Adds a note to the scene where its object is such, and takes away the one that an earlier call
