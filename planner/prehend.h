@@ -18,6 +18,8 @@
 //   mesh_checks.h         whether a mesh is closed, and which way it faces
 //   mesh_repair.h         closing small holes and cracks, turning triangles, dropping dust
 //   mass_properties.h     volume, centre of mass and inertia of what a mesh bounds
+//   mass_parts.h          the same of an object whose parts have densities of their own
+//   object_mass.h         where the mass of an object to grasp is, and who says so
 //   material.h            materials and the friction between them
 //   robot.h               a robot, and of a hand what makes it one; where its links are
 //   robot_file.h          a hand or robot by name or file
@@ -132,6 +134,7 @@
 #include "sim/formation/object_watch.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/geometry/make_mesh.h"
+#include "sim/geometry/mass_parts.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/mesh_repair.h"
@@ -156,6 +159,7 @@
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/material.h"
+#include "sim/scene/object_mass.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"

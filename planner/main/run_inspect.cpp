@@ -6,6 +6,7 @@
 
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
+#include "planner/main/print_mass.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/print_robot.h"
 #include "planner/main/printed_units.h"
@@ -96,12 +97,15 @@ void print_shape(const Primitive& primitive) {
   }
 }
 
-void print_mass(const TriangleMesh& mesh, const MeshChecks& checks) {
+// The centre of mass is that of uniform density: it is left out where another one is known.
+void print_volume(const TriangleMesh& mesh, const MeshChecks& checks, bool centered) {
   const MassProperties mass = mass_properties(mesh);
   const Vector3 center = kMillimetres * mass.center_of_mass;
-  std::printf("  volume %.4f litres, centre of mass (%.2f, %.2f, %.2f) mm, from the %s\n",
-              kLitres * mass.volume, center.x(), center.y(), center.z(),
-              std::string(mass_source_name(mass.source)).c_str());
+  std::printf("  volume %.4f litres, ", kLitres * mass.volume);
+  if (centered) {
+    std::printf("centre of mass (%.2f, %.2f, %.2f) mm, ", center.x(), center.y(), center.z());
+  }
+  std::printf("from the %s\n", std::string(mass_source_name(mass.source)).c_str());
   if (!checks.solid()) std::printf("  %s\n", trust_words(checks, mass.source).c_str());
 }
 
@@ -111,11 +115,11 @@ void print_size(const TriangleMesh& mesh) {
               kSquareCentimetres * surface_area(mesh));
 }
 
-void print_mesh(const TriangleMesh& mesh) {
+void print_mesh(const TriangleMesh& mesh, MassBasis basis = MassBasis::uniform) {
   const MeshChecks checks = check_mesh(mesh);
   print_size(mesh);
   print_checks(checks);
-  print_mass(mesh, checks);
+  print_volume(mesh, checks, basis == MassBasis::uniform);
 }
 
 // A mesh file as an object: as it is in the file, and as it is after repair.
@@ -126,7 +130,7 @@ void print_repaired(const LoadedMesh& loaded, const MeshRepair& repair) {
     std::printf("  repaired: %s\n", repair_words(repair).c_str());
     print_checks(repair.after);
   }
-  print_mass(repair.mesh, repair.after);
+  print_volume(repair.mesh, repair.after, true);
 }
 
 void print_distances(const SurfaceDistances& d) {
@@ -170,7 +174,8 @@ void print_scene(const Scene& scene, const InspectCommand& command) {
   if (scene.carrier) {
     print_platform(scene.carrier->platform, inspected_robots(scene.carrier->platform));
   }
-  print_mesh(scene.object.mesh);
+  print_mesh(scene.object.mesh, scene.object.mass_basis);
+  print_mass(scene.object);
   for (const StaticBody& body : scene.obstacles) {
     std::printf("obstacle %s of %s\n", body.name.c_str(),
                 std::string(material_name(body.material)).c_str());

@@ -9,8 +9,11 @@
 #include "sim/base/output_file.h"
 #include "sim/geometry/mesh_checks.h"
 #include "sim/geometry/mesh_repair.h"
+#include "sim/json/json_field.h"
 #include "sim/mesh_files/mesh_file.h"
+#include "sim/scene/json_mass.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/object_mass.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
@@ -51,7 +54,25 @@ SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
   GraspableBody object = make_graspable(name, std::move(mesh), material_named(material), mass);
   SceneHandle handle{make_scene(std::move(object), hand), {}};
   handle.scene.notes = std::move(notes);
+  note_uniform_mass(handle.scene);
   return handle;
+}
+
+// `text` is a JSON object with the fields of an object in a scene file that state its mass.
+void set_mass_in_python(SceneHandle& self, const std::string& text) {
+  const JsonFile file({}, text);
+  const JsonField stated = file.root();
+  stated.allow_only({"mass", "density", "center_of_mass", "parts"});
+  GraspableBody& object = self.scene.object;
+  GraspableBody changed =
+      make_graspable(object.name, object.mesh, object.material, whole_mass(stated));
+  read_mass(stated, changed);
+  changed.X_WO = object.X_WO;
+  changed.source = object.source;
+  changed.restitution = object.restitution;
+  object = std::move(changed);
+  note_uniform_mass(self.scene);
+  self.origin = {};
 }
 
 // The origin of a scene is what a grasp file states, so that the program can load the same scene.
@@ -135,6 +156,11 @@ void bind_bodies(py::module_& core) {
           "center_of_mass", [](const GraspableBody& self) { return to_array(self.center_of_mass); },
           "(3,), frame O [m].")
       .def_property_readonly(
+          "mass_from",
+          [](const GraspableBody& self) { return std::string(mass_basis_words(self.mass_basis)); },
+          R"(What says where the mass is: "uniform density", which is a guess, "stated centre of mass"
+or "stated parts".)")
+      .def_property_readonly(
           "inertia",
           [](const GraspableBody& self) { return to_array(Eigen::MatrixXd(self.inertia)); },
           "(3, 3), about the centre of mass, axes of O [kg m^2].");
@@ -183,6 +209,7 @@ void bind_scene_class(py::module_& core) {
            [](const SceneHandle& self, const std::string& a, const std::string& b) {
              return self.scene.friction.between(material_named(a), material_named(b));
            })
+      .def("set_mass", &set_mass_in_python)
       .def("mount", &mount_in_python)
       .def("add_obstacle", &add_obstacle_in_python)
       .def("save", &save)

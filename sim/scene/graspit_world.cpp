@@ -13,6 +13,7 @@
 #include "sim/robot_files/graspit_world_robots.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/object_mass.h"
 
 namespace prehend {
 namespace {
@@ -50,7 +51,7 @@ GraspableBody graspable(const WorldBody& placed) {
   const double mass = body.mass > 0.0 ? body.mass : kDefaultObjectMass;
   GraspableBody object = make_graspable(body.name, body.mesh, body.material, mass);
   object.X_WO = placed.X_WB;
-  if (body.center_of_mass) object.center_of_mass = *body.center_of_mass;
+  if (body.center_of_mass) state_center_of_mass(object, *body.center_of_mass);
   if (body.unit_inertia) object.inertia = mass * *body.unit_inertia;
   object.source = source_of(body);
   return object;

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/geometry/mass_parts.h"
 #include "sim/geometry/mass_properties.h"
 #include "sim/geometry/primitive.h"
 #include "sim/geometry/triangle_mesh.h"
@@ -48,7 +49,15 @@ struct StaticBody {
   double restitution = 0.0;  // 0 to 1: of the velocity of an impact; of a pair, the larger counts
 };
 
-// The body to grasp.
+// How the mass of an object is spread.
+enum class MassBasis {
+  uniform,  // taken as uniform: nothing is known but the shape
+  center,   // the centre of mass is stated
+  parts,    // parts of it have densities or masses of their own
+};
+
+// The body to grasp. Mass, centre of mass and inertia belong together: state_center_of_mass and
+// state_mass (object_mass.h) change them.
 struct GraspableBody {
   std::string name;
   TriangleMesh mesh;  // frame O
@@ -58,6 +67,8 @@ struct GraspableBody {
   Vector3 center_of_mass = Vector3::Zero();  // frame O
   Matrix3 inertia = Matrix3::Zero();         // about the centre of mass, axes of O [kg m^2]
   MassSource mass_source = MassSource::signed_volume;
+  MassBasis mass_basis = MassBasis::uniform;
+  std::optional<StatedMass> stated_mass = {};  // of MassBasis::parts: what was stated
   ShapeSource source = {};
   double restitution = 0.0;  // as of a StaticBody
 };

@@ -17,8 +17,10 @@
 #include "sim/robot_files/robot_file.h"
 #include "sim/robot_files/robot_geometry.h"
 #include "sim/scene/graspit_world.h"
+#include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
 #include "sim/xml/xml_file.h"
@@ -38,12 +40,6 @@ Material read_material(const JsonField& body, Material otherwise) {
   if (!body.has("material")) return otherwise;
   const JsonField field = body["material"];
   return made_of(field, [&] { return material_named(field.text()); });
-}
-
-double read_positive(const JsonField& body, const char* key, double otherwise) {
-  const double value = body.number_or(key, otherwise);
-  if (!(value > 0.0)) body[key].fail("must be positive");
-  return value;
 }
 
 double read_restitution(const JsonField& body) {
@@ -109,8 +105,6 @@ std::string read_robot_source(const JsonField& field) {
   return robot_source(field.text());
 }
 
-constexpr double kLargestMass = 1e9;  // kg
-
 // Whether the object's mesh file is repaired.
 bool read_repair(const JsonField& field, const SceneSource& source) {
   if (!field.has("repair")) return source.repair;
@@ -134,21 +128,16 @@ TriangleMesh read_object_mesh(const JsonField& field, bool repair, ShapeBudget& 
 GraspableBody read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
                           std::vector<std::string>& notes) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
-                    "center_of_mass", "pose", "primitives", "repair", "restitution"});
+                    "density", "center_of_mass", "parts", "pose", "primitives", "repair",
+                    "restitution"});
   const bool repair = read_repair(field, source);
   TriangleMesh mesh = read_object_mesh(field, repair, budget, notes);
   const std::string name = field.text_or("name", "object");
   const Material material = read_material(field, Material::plastic);
-  const double mass = read_positive(field, "mass", kDefaultObjectMass);
+  const double mass = whole_mass(field);
   GraspableBody body =
       made_of(field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
-  if (body.mass > kLargestMass) field["mass"].fail("must be at most 1e9 kg");
-  if (field.has("center_of_mass")) {
-    body.center_of_mass = field["center_of_mass"].vector3();
-    if (body.center_of_mass.cwiseAbs().maxCoeff() > kFarthestPosition) {
-      field["center_of_mass"].fail("must be within 1e6 m of 0");
-    }
-  }
+  read_mass(field, body);
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
   body.source = read_source(field);
@@ -293,6 +282,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   ShapeBudget budget;
   scene.object = read_object(root["object"], source, budget, scene.notes);
   note_size(scene);
+  note_uniform_mass(scene);
   if (root["object"].has("primitives")) {
     for (const JsonField& field : root["object"]["primitives"].items()) {
       scene.primitives.push_back(read_primitive(field));
@@ -346,7 +336,9 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   }
   if (file.extension() == ".xml") {
     require_no_unit(file, source);
-    return read_graspit_scene(XmlFile(file), source);
+    Scene scene = read_graspit_scene(XmlFile(file), source);
+    note_uniform_mass(scene);
+    return scene;
   }
   ObjectMesh read = load_object_mesh(file, {source.unit, source.repair});
   GraspableBody object =
@@ -357,6 +349,7 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   scene.notes = std::move(read.notes);
   // A unit that is the likely one has a note of its own.
   if (!source.unit.empty() || read.unit == "m") note_size(scene);
+  note_uniform_mass(scene);
   return scene;
 }
 

@@ -4,6 +4,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/robot_files/platform_file.h"
+#include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 
 // A body is written by its source where it has one (a mesh file, the name of a generated object,
@@ -62,8 +63,7 @@ Json body_json(const Body& body, const Pose& X_WB) {
 
 Json object_json(const Scene& scene) {
   Json json = body_json(scene.object, scene.object.X_WO);
-  json["mass"] = scene.object.mass;
-  json["center_of_mass"] = vector_to_json(scene.object.center_of_mass);
+  add_mass(scene.object, json);
   for (const Primitive& primitive : scene.primitives) {
     json["primitives"].push_back(primitive_to_json(primitive));
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/base/random.h"
+#include "sim/scene/object_mass.h"
 
 namespace prehend {
 namespace {
@@ -57,6 +58,18 @@ Matrix3 turn_by(const Vector3& vector) {
   return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
 }
 
+// What numbers of deviation 1 become as a shift of the centre of mass.
+Matrix3 center_shift(const CompiledScene& scene, double part_of_radius) {
+  const GraspableBody& object = scene.scene.object;
+  double shift = part_of_radius / scene.wrench_frame.torque_scale;
+  if (object.mass_basis != MassBasis::uniform) shift *= kStatedCenter;
+  Matrix3 along = Matrix3::Zero();
+  if (const auto found = long_object_of_uniform_mass(object)) {
+    along = (kLongCenter - 1.0) * found->axis_O * found->axis_O.transpose();
+  }
+  return shift * (Matrix3::Identity() + along);
+}
+
 }  // namespace
 
 std::vector<Disturbance> disturbances(const CompiledScene& scene, const UncertaintyOptions& options,
@@ -66,7 +79,7 @@ std::vector<Disturbance> disturbances(const CompiledScene& scene, const Uncertai
   const double across = std::hypot(options.across, options.hand);
   const double along = std::hypot(options.along, options.hand);
   const double angle = std::hypot(options.angle, options.hand_angle);
-  const double shift = options.center_of_mass / scene.wrench_frame.torque_scale;
+  const Matrix3 shift = center_shift(scene, options.center_of_mass);
   EvenPoints points(seed);
   std::vector<Disturbance> all;
   for (int i = 0; i < options.samples; ++i) {

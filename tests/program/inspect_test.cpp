@@ -45,6 +45,58 @@ TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   EXPECT_NE(flat.find("from the surface, the mesh encloses nothing\n"), std::string::npos) << flat;
 }
 
+// A scene of a bar of two boxes, the lower one 0 to 0.2 m along z, with these fields of the object.
+std::filesystem::path bar_with(const std::string& name, const std::string& fields) {
+  const std::filesystem::path file = fresh_folder(name) / "bar.json";
+  std::ofstream(file) << R"({"object": {"name": "bar", "geometry": [
+      {"shape": "box", "size": [0.02, 0.02, 0.2], "pose": [{"translate": [0, 0, 0.1]}]},
+      {"shape": "box", "size": [0.02, 0.02, 0.1], "pose": [{"translate": [0, 0, 0.25]}]}])"
+                      << fields << "}}";
+  return file;
+}
+
+TEST(Inspect, SaysWhereTheMassIsAndWhoSaysSo) {
+  const std::filesystem::path plain = bar_with("inspect_plain", "");
+  const ProgramRun uniform = run_program("inspect " + plain.string());
+  EXPECT_NE(uniform.err.find("warning: bar: 300 mm long and its mass is taken as uniform: state "
+                             "center_of_mass or parts if it is heavier at one end\n"),
+            std::string::npos)
+      << uniform.err;
+  EXPECT_NE(uniform.out.find("component 1: 0.0400 litres about (0.0, 0.0, 250.0) mm\n"),
+            std::string::npos)
+      << uniform.out;
+  const std::filesystem::path saved = plain.parent_path() / "saved.json";
+  const ProgramRun parts = run_program("inspect " +
+                                       bar_with("inspect_parts", R"(, "density": 1000, "mass": 0.96,
+          "parts": [{"name": "head", "component": 1, "density": 10000}])")
+                                           .string() +
+                                       " --save " + saved.string());
+  const std::string told =
+      "  mass 0.960 kg, centre of mass (0.0, 0.0, 225.0) mm, from the stated parts\n"
+      "    head (component 1): 0.800 kg about (0.0, 0.0, 250.0) mm, 0.0400 litres of 20000 kg/m^3\n"
+      "    all else: 0.160 kg about (0.0, 0.0, 100.0) mm, 0.0800 litres of 2000 kg/m^3\n"
+      "    all of them times 2, for the stated mass\n";
+  EXPECT_EQ(parts.err, "");
+  EXPECT_NE(parts.out.find(told), std::string::npos) << parts.out;
+  EXPECT_NE(inspected(saved).find(told), std::string::npos);
+  const std::string stated =
+      inspected(bar_with("inspect_center", R"(, "center_of_mass": [0, 0, 0.2])"));
+  EXPECT_NE(stated.find("volume 0.1200 litres, from the signed volume\n"), std::string::npos);
+  EXPECT_NE(stated.find("  mass 0.300 kg, centre of mass (0.0, 0.0, 200.0) mm, from the stated "
+                        "centre of mass\n"),
+            std::string::npos)
+      << stated;
+}
+
+TEST(Inspect, RefusesPartsThatAreNotThereInOneLine) {
+  const std::filesystem::path bar = bar_with("inspect_no_part", R"(, "density": 1000,
+      "parts": [{"component": 2, "density": 1}])");
+  const ProgramRun run = run_program("inspect " + bar.string());
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err,
+            "prehend: " + bar.string() + ": object.parts[0].component: must be from 0 to 1 (2)\n");
+}
+
 TEST(Inspect, PrintsGainsAndSpringsOfARobot) {
   const std::string sprung = inspected(std::filesystem::path(PREHEND_SOURCE_DIR) / "tests" /
                                        "corpus" / "robot" / "good_sprung.json");

@@ -306,6 +306,40 @@ class Scenes(unittest.TestCase):
         scene = prehend.make_scene((vertices.astype(np.float32), faces))
         np.testing.assert_allclose(scene.object.vertices, vertices, atol=1e-8)
 
+    def test_mass_of_parts(self):
+        scene = prehend.make_scene(box_mesh(0.02, 0.02, 0.4))
+        self.assertEqual(scene.object.mass_from, "uniform density")
+        self.assertRegex(scene.notes[0], "400 mm long")
+        scene.set_mass(
+            density=700,
+            parts=[
+                {"beyond": {"point": np.zeros(3), "normal": (0, 0, 1)}, "density": 2100},
+                {"at": [0, 0, 0.1], "mass": 0.1},
+            ],
+        )
+        half = 0.02 * 0.02 * 0.2
+        mass = 2800 * half + 0.1
+        self.assertEqual(scene.object.mass_from, "stated parts")
+        self.assertAlmostEqual(scene.object.mass, mass, places=12)
+        center = [0, 0, 0.1 * (1400 * half + 0.1) / mass]
+        np.testing.assert_allclose(scene.object.center_of_mass, center, atol=1e-12)
+        self.assertEqual(scene.notes, [])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "bar.json"
+            scene.save(file)
+            again = prehend.load_scene(file)
+        np.testing.assert_allclose(again.object.inertia, scene.object.inertia, rtol=1e-12)
+        scene.set_mass(0.4, center_of_mass=[0, 0, 0.1])
+        self.assertEqual(scene.object.mass_from, "stated centre of mass")
+        np.testing.assert_array_equal(scene.object.center_of_mass, [0, 0, 0.1])
+        scene.set_mass()
+        self.assertEqual((scene.object.mass, len(scene.notes)), (0.3, 1))
+        with self.assertRaises(prehend.InputError) as caught:
+            scene.set_mass(density=700, parts=[{"component": 1, "density": 1}])
+        self.assertEqual(caught.exception.field, "parts[0].component")
+        with self.assertRaisesRegex(prehend.InputError, "center_of_mass"):
+            scene.set_mass(center_of_mass=[0, 0])
+
     def test_obstacles_and_arms(self):
         scene = prehend.make_scene(box_mesh(0.05, 0.05, 0.1), X_WO=moved(0.6, 0.0, 0.06))
         scene.add_obstacle("table", box_mesh(0.3, 0.3, 0.02), moved(0.6, 0.0, -0.02))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
-from typing import Any, List, Mapping, NamedTuple, Optional, Union
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 
@@ -103,6 +104,34 @@ class Scene:
     def set_pose(self, X_WO: ArrayLike) -> None:
         """Puts the object elsewhere in the world: (4, 4)."""
         self._core.set_pose(as_pose(X_WO, "X_WO"))
+
+    def set_mass(
+        self,
+        mass: Optional[float] = None,
+        *,
+        density: Optional[float] = None,
+        center_of_mass: Optional[ArrayLike] = None,
+        parts: Optional[Sequence[Mapping[str, Any]]] = None,
+    ) -> None:
+        """States the object's mass and where it is, in place of what the scene said of them.
+
+        Args:
+            mass: of the whole [kg]; None: what follows from the densities, else 0.3.
+            density: of what no part covers, or of the whole [kg/m^3].
+            center_of_mass: (3,), frame O [m]; None: what follows from the parts, or that of uniform
+                density.
+            parts: of other densities or masses, as in a scene file (docs/scene-file.md), for
+                instance [{"component": 1, "density": 7800}] or [{"at": [0, 0, 0.1], "mass": 0.2}].
+
+        Raises:
+            InputError: that names the argument: for a value out of its range, a part that is not
+                there, parts that overlap or weigh more than the whole.
+        """
+        stated: Dict[str, Any] = {"mass": mass, "density": density, "parts": parts}
+        if center_of_mass is not None:
+            stated["center_of_mass"] = as_floats(center_of_mass, "center_of_mass", (3,))
+        given = {key: value for key, value in stated.items() if value is not None}
+        self._core.set_mass(json.dumps(given, default=lambda array: np.asarray(array).tolist()))
 
     def set_friction(
         self, a: str, b: str, friction: float, kinetic: Optional[float] = None

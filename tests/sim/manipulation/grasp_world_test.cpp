@@ -4,6 +4,7 @@
 
 #include "sim/geometry/basic_shapes.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/object_mass.h"
 
 namespace prehend {
 namespace {
@@ -42,6 +43,27 @@ TEST(GraspWorld, TakesKineticFrictionAndRestitutionFromTheScene) {
   EXPECT_EQ(world.laws.kinetic->between(Material::wood, Material::plastic), 0.3);
   EXPECT_EQ(world.laws.kinetic->between(Material::wood, Material::glass),
             scene.friction.between(Material::wood, Material::glass));
+}
+
+// Where the scene says the mass is, it is in what moves; a protocol changes how much there is.
+TEST(GraspWorld, TakesTheMassFromWhereTheSceneHasIt) {
+  Scene scene = cube_on_table();
+  const MassPart bottom{.where = BeyondPlane{{0, 0, 0}, {0, 0, -1}}, .density = 3000.0};
+  state_mass(scene.object, {.density = 1000.0, .parts = {bottom}});
+  const GraspableBody object = scene.object;
+  EXPECT_NEAR(object.center_of_mass.z(), -0.005, 1e-12);
+  Protocol protocol;
+  const auto inertial = [&] {
+    return world_of_grasp(scene, protocol).bodies[kObjectBody].inertial;
+  };
+  EXPECT_EQ(inertial().mass, object.mass);
+  EXPECT_EQ(inertial().center_of_mass, object.center_of_mass);
+  EXPECT_EQ(inertial().inertia, object.inertia);
+  protocol.object.mass = 2.0 * object.mass;
+  EXPECT_EQ(inertial().center_of_mass, object.center_of_mass);
+  EXPECT_LT((inertial().inertia - 2.0 * object.inertia).norm(), 1e-12 * object.inertia.norm());
+  state_center_of_mass(scene.object, {0.01, 0.0, 0.0});
+  EXPECT_EQ(inertial().center_of_mass, Vector3(0.01, 0.0, 0.0));
 }
 
 TEST(GraspWorld, SlidesAsItSticksWhereTheSceneSaysNothing) {

@@ -84,6 +84,63 @@ TEST(SceneFile, PrimitivesAndObstaclesAreRead) {
   EXPECT_EQ(scene.obstacles[0].material, Material::wood);
 }
 
+const char* const kHammer = R"("name": "hammer", "geometry": [
+    {"shape": "box", "size": [0.02, 0.3, 0.02]},
+    {"shape": "box", "size": [0.1, 0.03, 0.03], "pose": [{"translate": [0, 0.165, 0]}]}])";
+
+Scene hammer_with(const std::string& fields) {
+  return load_scene(write(std::string(R"({"object": {)") + kHammer + fields + "}}"));
+}
+
+TEST(SceneFile, PartsSayWhereTheMassIs) {
+  const double handle = 0.02 * 0.3 * 0.02;
+  const double head = 0.1 * 0.03 * 0.03;
+  const double mass = 700.0 * handle + 7800.0 * head;
+  const double center = 0.165 * 7800.0 * head / mass;
+  for (const char* region :
+       {R"("component": 1)", R"("beyond": {"point": [0, 0.15, 0], "normal": [0, 3, 0]})",
+        R"("inside": {"shape": "box", "size": [1, 1, 1], "pose": {"position": [0, 0.65, 0]}})"}) {
+    const std::string part =
+        std::string(R"(, "parts": [{"name": "head", "density": 7800, )") + region + "}]";
+    const Scene scene = hammer_with(R"(, "density": 700)" + part);
+    EXPECT_NEAR(scene.object.mass, mass, 1e-12);
+    EXPECT_LT((scene.object.center_of_mass - Vector3(0, center, 0)).norm(), 1e-12);
+    EXPECT_EQ(scene.object.mass_basis, MassBasis::parts);
+    EXPECT_TRUE(scene.notes.empty());
+    const Scene scaled = hammer_with(R"(, "density": 700, "mass": 1)" + part);
+    EXPECT_EQ(scaled.object.mass, 1.0);
+    EXPECT_LT((scaled.object.inertia - scene.object.inertia / mass).norm(), 1e-12);
+    const Scene left = hammer_with(R"(, "mass": 1)" + part);
+    EXPECT_NEAR(left.object.center_of_mass.y(), 0.165 * 7800.0 * head, 1e-12);
+  }
+  const Scene weighted = hammer_with(R"(, "mass": 1, "parts": [{"at": [0, 0.1, 0], "mass": 0.4}])");
+  const Scene uniform = hammer_with(R"(, "mass": 1)");
+  EXPECT_NEAR(weighted.object.center_of_mass.y(), 0.04 + 0.6 * uniform.object.center_of_mass.y(),
+              1e-12);
+}
+
+TEST(SceneFile, ADensityAloneSaysTheMass) {
+  const Scene scene = hammer_with(R"(, "density": 1000)");
+  EXPECT_NEAR(scene.object.mass, 1000.0 * (0.02 * 0.3 * 0.02 + 0.1 * 0.03 * 0.03), 1e-12);
+  EXPECT_EQ(scene.object.mass_basis, MassBasis::uniform);
+}
+
+TEST(SceneFile, ALongObjectOfUniformMassIsNoted) {
+  ASSERT_EQ(hammer_with("").notes.size(), 1U);
+  EXPECT_EQ(hammer_with("").notes[0],
+            "330 mm long and its mass is taken as uniform: state center_of_mass or parts if it is "
+            "heavier at one end");
+  const Scene stated = hammer_with(R"(, "center_of_mass": [0, 0.13, 0])");
+  EXPECT_TRUE(stated.notes.empty());
+  EXPECT_EQ(stated.object.mass_basis, MassBasis::center);
+  for (const char* name :
+       {"mug", "wine_glass", "phone", "flask", "bottle", "bowl", "box", "ball", "cylinder"}) {
+    const Scene scene = load_scene(
+        write(std::string(R"({"object": {"triangles": 500, "generate": ")") + name + "\"}}"));
+    EXPECT_TRUE(scene.notes.empty()) << name;
+  }
+}
+
 struct BadScene {
   const char* name;
   const char* text;
@@ -116,6 +173,39 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"UnknownMaterial", R"({"object": {"generate": "mug", "material": "jelly"}})",
                  "jelly"},
         BadScene{"NegativeMass", R"({"object": {"generate": "mug", "mass": -1}})", "object.mass"},
+        BadScene{"NegativeDensity", R"({"object": {"generate": "mug", "parts": [
+            {"component": 0, "density": -5}]}})",
+                 "object.parts[0].density: must be at least 0 (-5)"},
+        BadScene{"RegionBeside", R"({"object": {"generate": "mug", "density": 1000, "parts": [
+            {"inside": {"shape": "sphere", "radius": 0.01, "pose": {"position": [1, 0, 0]}},
+             "density": 5}]}})",
+                 "object.parts[0].inside: meets nothing of the object"},
+        BadScene{"NoSuchComponent", R"({"object": {"generate": "mug", "density": 1000, "parts": [
+            {"component": 3, "density": 5}]}})",
+                 "object.parts[0].component: the mesh has only one, 0 (3)"},
+        BadScene{"UnknownFieldOfAPart", R"({"object": {"generate": "mug", "parts": [
+            {"component": 0, "weight": 5}]}})",
+                 "object.parts[0].weight: unknown field"},
+        BadScene{"PartInTwoPlaces", R"({"object": {"generate": "mug", "parts": [
+            {"component": 0, "at": [0, 0, 0], "mass": 5}]}})",
+                 "object.parts[0]: needs exactly one of component, inside, beyond, at"},
+        BadScene{"PartOfAConeIsNone", R"({"object": {"generate": "mug", "density": 1, "parts": [
+            {"inside": {"shape": "cone", "radius_low": 1, "radius_high": 0, "height": 1},
+             "mass": 5}]}})",
+                 "object.parts[0].inside.shape: must be box, cylinder or sphere (cone)"},
+        BadScene{"PartsHeavierThanTheWhole", R"({"object": {"generate": "mug", "mass": 0.2,
+            "parts": [{"at": [0, 0, 0], "mass": 0.3}]}})",
+                 "object.mass: must be more than what the parts weigh, 0.3 kg (0.2)"},
+        BadScene{"NoParts", R"({"object": {"generate": "mug", "parts": []}})",
+                 "object.parts: must have at least one part"},
+        BadScene{"PartsAndCentre", R"({"object": {"generate": "mug", "center_of_mass": [0, 0, 0],
+            "parts": [{"at": [0, 0, 0], "mass": 0.3}]}})",
+                 "object.center_of_mass: not beside parts, from which it follows"},
+        BadScene{"MassAndDensity", R"({"object": {"generate": "mug", "mass": 1, "density": 5}})",
+                 "object.density: not beside mass, where there are no parts (5)"},
+        BadScene{"MassUnknown", R"({"object": {"generate": "mug", "parts": [
+            {"at": [0, 0, 0], "mass": 0.3}]}})",
+                 "object.mass: needed, or density of what no part covers"},
         BadScene{"UnknownObject", R"({"object": {"generate": "teacup"}})", "teacup"},
         BadScene{"NegativeFriction", R"({"object": {"generate": "mug"},
             "friction": [{"between": ["wood", "wood"], "static": -0.1}]})",

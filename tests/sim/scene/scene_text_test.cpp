@@ -8,6 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/geometry/basic_shapes.h"
+#include "sim/scene/object_mass.h"
 #include "sim/scene/scene_file.h"
 
 namespace prehend {
@@ -100,6 +101,39 @@ TEST(SceneText, KeepsWhatAProgramChanged) {
   expect_same_scene(scene, again);
   ASSERT_EQ(again.primitives.size(), 1U);
   EXPECT_EQ(std::get<Cylinder>(again.primitives[0].shape).radius, 0.04);
+}
+
+TEST(SceneText, KeepsPartsOfTheMass) {
+  Scene scene =
+      load_scene(std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug.json");
+  const MassPart handle{
+      .name = "handle", .where = BeyondPlane{{0.05, 0, 0}, {1, 0, 0}}, .density = 900.0};
+  const MassPart foot{.where = InsideShape{{Cylinder{0.03, 0.01}, Pose::Identity()}}, .mass = 0.2};
+  const MassPart spoon{.where = AtPoint{{0, 0, 0.1}}, .mass = 0.03};
+  for (const StatedMass& stated :
+       {StatedMass{.mass = 0.5, .density = 2000.0, .parts = {handle, foot, spoon}},
+        StatedMass{.mass = 0.5, .parts = {foot, spoon}},
+        StatedMass{.density = 2000.0, .parts = {handle}},
+        StatedMass{.parts = {{.where = MeshComponent{0}, .density = 2000.0}}}}) {
+    state_mass(scene.object, stated);
+    const Scene again = read_back(scene);
+    EXPECT_EQ(again.object.mass_basis, MassBasis::parts);
+    EXPECT_EQ(again.object.mass, scene.object.mass);
+    EXPECT_LT((again.object.center_of_mass - scene.object.center_of_mass).norm(), 1e-14);
+    EXPECT_LT((again.object.inertia - scene.object.inertia).norm(), 1e-14);
+    EXPECT_EQ(again.object.stated_mass->parts.size(), stated.parts.size());
+    EXPECT_EQ(again.object.stated_mass->parts[0].name, stated.parts[0].name);
+  }
+}
+
+// A centre of mass that was not stated does not become one by being written.
+TEST(SceneText, TellsAStatedCentreOfMassFromThatOfUniformDensity) {
+  Scene scene =
+      load_scene(std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "scenes" / "mug.json");
+  EXPECT_EQ(read_back(scene).object.mass_basis, MassBasis::uniform);
+  scene.object.center_of_mass.z() += 0.01;
+  EXPECT_EQ(read_back(scene).object.mass_basis, MassBasis::center);
+  EXPECT_EQ(read_back(scene).object.center_of_mass, scene.object.center_of_mass);
 }
 
 TEST(SceneText, SaysNothingOfWhatASceneDoesNotHave) {

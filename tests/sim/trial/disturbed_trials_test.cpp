@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/scene/object_mass.h"
 #include "sim/trial/hold_weight.h"
 #include "tests/support/scenes.h"
 
@@ -86,6 +87,27 @@ TEST(Disturbances, HaveTheStatedDeviations) {
   EXPECT_NEAR(std::sqrt(friction2), 0.2, 0.01);
   const double size = 0.1 / compiled.wrench_frame.torque_scale;
   EXPECT_NEAR((center2.cwiseSqrt() - Vector3::Constant(size)).norm(), 0.0, 0.1 * size);
+}
+
+// The root of the mean square of the shift of the centre of mass along each axis, as a part of the
+// object's largest distance from it.
+Vector3 center_deviation(const CompiledScene& scene) {
+  const UncertaintyOptions options{.samples = 4096, .center_of_mass = 0.1};
+  Vector3 squares = Vector3::Zero();
+  for (const Disturbance& one : disturbances(scene, options, 7)) {
+    squares += one.center_of_mass_O.cwiseAbs2() / options.samples;
+  }
+  return scene.wrench_frame.torque_scale * squares.cwiseSqrt();
+}
+
+TEST(Disturbances, OfACentreOfMassDependOnWhatIsKnownOfIt) {
+  Scene scene = test::scene_with(find_robot("parallel_jaw"), make_box({0.04, 0.06, 0.3}));
+  EXPECT_LT((center_deviation(compile(scene)) - Vector3(0.1, 0.1, 0.3)).norm(), 0.03);
+  state_center_of_mass(scene.object, {0.0, 0.0, 0.1});
+  EXPECT_LT((center_deviation(compile(scene)) - Vector3::Constant(0.025)).norm(), 0.003);
+  const MassPart head{.where = BeyondPlane{}, .density = 8000.0};
+  state_mass(scene.object, {.density = 700.0, .parts = {head}});
+  EXPECT_LT((center_deviation(compile(scene)) - Vector3::Constant(0.025)).norm(), 0.003);
 }
 
 TEST(Disturbances, TheFirstDoNotDependOnHowManyThereAre) {
