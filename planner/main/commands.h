@@ -118,7 +118,7 @@ struct QualityCommand {
 // Arguments of `truth`.
 struct TruthCommand {
   std::filesystem::path file;
-  bool volumes = false;  // the volume of each grasp is a score as well
+  bool volumes = true;   // the volume of each grasp is a score as well
   int resamples = 2000;  // of the bootstrap
   std::string groups;    // object, session, both or each; empty: natural_grouping
   CommonOptions common;

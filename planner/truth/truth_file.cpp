@@ -129,17 +129,25 @@ void require_both_outcomes(const JsonField& executions, const Truth& truth) {
                     "lifted " + std::to_string(lifted) + " of " + std::to_string(all)});
 }
 
-void read_objects(const JsonField& root, const RunContext& context, Truth& truth) {
+std::vector<TruthObject> read_objects(const JsonField& root, const RunContext& context) {
   const std::string hand = root.text_or("hand", "");
+  std::vector<TruthObject> objects;
   for (const JsonField& field : root["objects"].items()) {
     context.cancellation.check();
     TruthObject object = read_object(field, hand, context);
-    const bool known =
-        std::any_of(truth.objects.begin(), truth.objects.end(),
-                    [&](const TruthObject& other) { return other.name == object.name; });
+    const bool known = std::any_of(objects.begin(), objects.end(), [&](const TruthObject& other) {
+      return other.name == object.name;
+    });
     if (known) field["name"].fail("is there twice");
-    truth.objects.push_back(std::move(object));
+    objects.push_back(std::move(object));
   }
+  return objects;
+}
+
+void check_root(const JsonField& root) {
+  root.allow_only({"format", "hand", "objects", "executions"});
+  if (root["format"].text() == kFormat) return;
+  root["format"].fail("must be \"" + std::string(kFormat) + "\"");
 }
 
 }  // namespace
@@ -151,13 +159,15 @@ std::vector<Label> Truth::labels() const {
 }
 
 Truth read_truth(const JsonFile& file, const RunContext& context) {
+  check_root(file.root());
+  return read_executions(file, read_objects(file.root(), context));
+}
+
+Truth read_executions(const JsonFile& file, std::vector<TruthObject> objects) {
   const JsonField root = file.root();
-  root.allow_only({"format", "hand", "objects", "executions"});
-  if (root["format"].text() != kFormat) {
-    root["format"].fail("must be \"" + std::string(kFormat) + "\"");
-  }
+  check_root(root);
   Truth truth;
-  read_objects(root, context, truth);
+  truth.objects = std::move(objects);
   for (const JsonField& field : root["executions"].items()) {
     truth.executions.push_back(read_execution(field, truth));
   }

@@ -38,4 +38,7 @@ struct Truth {
 // outcome, from which nothing can be learnt. Throws Cancelled.
 Truth read_truth(const JsonFile& file, const RunContext& context = {});
 
+// The same with the objects of the file given: only its executions are read.
+Truth read_executions(const JsonFile& file, std::vector<TruthObject> objects);
+
 }  // namespace prehend

@@ -29,7 +29,7 @@ table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--rule); text-align: right;
   white-space: nowrap; }
 th:first-child, td:first-child { text-align: left; padding-left: 0; }
-th { color: var(--pale); font-weight: 600; vertical-align: bottom; }
+th { color: var(--pale); font-weight: 600; vertical-align: bottom; white-space: normal; }
 svg { vertical-align: middle; } .plot { max-width: 100%; height: auto; }
 .beside { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: center; }
 .words { fill: var(--pale); font-size: 12px; } .axis { stroke: var(--pale); }
@@ -205,11 +205,7 @@ std::string truth_page(const TruthReport& report) {
       "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
       title + "</title>\n<style>" + kStyle + color_rules() + "</style>\n</head>\n<body>\n<h1>" +
       title + "</h1>\n";
-  page += "<p>" +
-          formatted("%d executions of %zu objects in %zu sessions: %d lifted, %d failed.",
-                    report.lifted + report.failed, report.objects.size(), report.sessions.size(),
-                    report.lifted, report.failed) +
-          "</p>\n";
+  page += "<p>" + execution_words(report) + ".</p>\n";
   if (report.frames.suspicion) page += frame_section(report.frames);
   page += score_section(report) + roc_section(report);
   for (const ScoreFigures& figures : report.scores) {

@@ -52,7 +52,19 @@ std::string calibration_words(const ScoreFigures& figures) {
                    calibration.brier, calibration.brier_of_base_rate);
 }
 
+// "1 object", "2 objects"
+std::string counted(std::size_t count, const char* what) {
+  return formatted("%zu %s%s", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace
+
+std::string execution_words(const TruthReport& report) {
+  const auto all = static_cast<std::size_t>(report.lifted + report.failed);
+  return counted(all, "execution") + " of " + counted(report.objects.size(), "object") + " in " +
+         counted(report.sessions.size(), "session") +
+         formatted(": %d lifted, %d failed", report.lifted, report.failed);
+}
 
 std::string interval_words(const TruthReport& report) {
   const BootstrapOptions& options = report.bootstrap;
@@ -69,10 +81,7 @@ std::string interval_words(const TruthReport& report) {
 }
 
 std::string truth_table(const TruthReport& report) {
-  std::string text =
-      formatted("%d executions of %zu objects in %zu sessions: %d lifted, %d failed\n",
-                report.lifted + report.failed, report.objects.size(), report.sessions.size(),
-                report.lifted, report.failed);
+  std::string text = execution_words(report) + "\n";
   text += formatted("%-28s  %6s  %-16s  %-9s  %s\n", "score", "AUC", "95 %", "- epsilon", "95 %");
   for (std::size_t s = 0; s < report.scores.size(); ++s) {
     const ScoreFigures& figures = report.scores[s];

@@ -113,7 +113,8 @@ std::string interval_svg(double value, const Interval& interval) {
   constexpr double kLength = 160.0;
   return formatted(
       "<svg class=\"range\" role=\"img\" viewBox=\"-4 0 %.0f 16\" width=\"%.0f\" height=\"16\">"
-      "<path class=\"grid\" d=\"M0 8H%.0fM%.1f 2V14\"/><path class=\"line c0\" d=\"M%.1f 8H%.1f\"/>"
+      "<path class=\"grid\" d=\"M0 8H%.0f\"/><path class=\"axis\" d=\"M%.1f 3V13\"/><path "
+      "class=\"line c0\" d=\"M%.1f 8H%.1f\"/>"
       "<circle class=\"dot c0\" cx=\"%.1f\" cy=\"8\" r=\"3.5\"/></svg>",
       kLength + 8.0, kLength + 8.0, kLength, 0.5 * kLength, interval.lower * kLength,
       interval.upper * kLength, value * kLength);
