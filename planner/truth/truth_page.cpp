@@ -18,7 +18,7 @@ constexpr const char* kStyle = R"(
   --c5: #56b4e9; --c6: #777; --c7: #a0522d; --c8: #6a51a3; --warn: #fff4d6; }
 @media (prefers-color-scheme: dark) { :root { --back: #15191d; --ink: #e4e8ec; --pale: #98a3ad;
   --rule: #333b43; --bar: #242b32; --c0: #4da3e0; --c1: #f08a3c; --c2: #2fc79a; --c3: #e29fc6;
-  --c4: #e0b84c; --c6: #a8a8a8; --c7: #cd7f55; --c8: #a893dd; --warn: #3d3310; } }
+  --c4: #e0b84c; --c6: #a8a8a8; --c7: #e0708a; --c8: #a893dd; --warn: #3d3310; } }
 body { margin: 2rem auto; padding: 0 1rem; max-width: 68rem; background: var(--back);
   color: var(--ink); font: 15px/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2.2rem; }
@@ -35,7 +35,8 @@ svg { vertical-align: middle; } .plot { max-width: 100%; height: auto; }
 .words { fill: var(--pale); font-size: 12px; } .axis { stroke: var(--pale); }
 .grid { stroke: var(--rule); } .axis, .grid, .line { fill: none; }
 .diagonal { stroke: var(--pale); stroke-dasharray: 5 4; }
-.line { stroke-width: 2; stroke-linejoin: round; } .bar { fill: var(--bar); }
+.line { stroke-width: 2; stroke-linejoin: round; }
+.c5, .c6, .c7, .c8 { stroke-dasharray: 7 3; } .bar { fill: var(--bar); }
 )";
 
 // The classes of colours, for lines and dots.
