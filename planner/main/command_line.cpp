@@ -140,6 +140,7 @@ struct CommandLine::Words {
   RenderCommand render;
   InspectCommand inspect;
   QualityCommand quality;
+  TruthCommand truth;
   ConvertCommand convert;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
@@ -154,6 +155,7 @@ struct CommandLine::Words {
     add_render();
     add_inspect();
     add_quality();
+    add_truth();
     add_convert();
   }
 
@@ -337,6 +339,33 @@ struct CommandLine::Words {
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](Interrupts& interrupts) { return run_quality(quality, interrupts); };
+    });
+  }
+
+  void add_truth() {
+    CLI::App& command =
+        *app.add_subcommand("truth", "compare scores with what became of executed grasps");
+    command.add_option("file", truth.file, "file of executed grasps (docs/truth-file.md)")
+        ->required();
+    command.add_flag("!--no-volumes", truth.volumes,
+                     "leave out the volume, which takes half of the time");
+    command
+        .add_option("--resamples", truth.resamples, "resamples from which intervals are computed")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command
+        .add_option("--groups", truth.groups,
+                    "what is drawn as a whole: object, session, both, or each grasp by itself; "
+                    "without it objects where there are several, else sessions")
+        ->check(CLI::IsMember({"object", "session", "both", "each"}));
+    truth.common.out = "out/truth";
+    add_common(command, truth.common);
+    add_accuracy(command, truth.common);
+    add_contacts(command, truth.common);
+    command.add_flag("--no-report", truth.common.no_report, "do without truth.html");
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_truth(truth, interrupts); };
     });
   }
 };

@@ -115,6 +115,15 @@ struct QualityCommand {
   bool no_report = false;
 };
 
+// Arguments of `truth`.
+struct TruthCommand {
+  std::filesystem::path file;
+  bool volumes = true;   // the volume of each grasp is a score as well
+  int resamples = 2000;  // of the bootstrap
+  std::string groups;    // object, session, both or each; empty: natural_grouping
+  CommonOptions common;
+};
+
 // Arguments of `convert`.
 struct ConvertCommand {
   std::string source;
@@ -139,6 +148,7 @@ int run_simulate(const SimulateCommand& command, Interrupts& interrupts);
 int run_render(const RenderCommand& command, Interrupts& interrupts);
 int run_inspect(const InspectCommand& command, Interrupts& interrupts);
 int run_quality(const QualityCommand& command, Interrupts& interrupts);
+int run_truth(const TruthCommand& command, Interrupts& interrupts);
 int run_convert(const ConvertCommand& command, Interrupts& interrupts);
 
 }  // namespace prehend

@@ -1,8 +1,8 @@
 #include "sim/trial/disturbed_trials.h"
 
 #include <algorithm>
-#include <cmath>
 
+#include "sim/quality/share_interval.h"
 #include "sim/quality/wrench_space.h"
 #include "sim/trial/hold_weight.h"
 
@@ -99,17 +99,7 @@ void find_spare(DisturbedTrials& trials, Robustness& robustness) {
 
 }  // namespace
 
-Interval held_interval(int held, int samples) {
-  if (samples == 0) return {0.0, 1.0};
-  constexpr double kQuantile = 1.6448536269514722;  // of the normal distribution, at 95 %
-  const double n = samples;
-  const double p = held / n;
-  const double z2 = kQuantile * kQuantile;
-  const double middle = (p + z2 / (2.0 * n)) / (1.0 + z2 / n);
-  const double half =
-      kQuantile / (1.0 + z2 / n) * std::sqrt(p * (1.0 - p) / n + z2 / (4.0 * n * n));
-  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
-}
+Interval held_interval(int held, int samples) { return share_interval(held, samples, kQuantile90); }
 
 Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const TrialOptions& options, const std::vector<Disturbance>& disturbances,

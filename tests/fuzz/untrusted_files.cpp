@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 18> kKinds{{
+constexpr std::array<FileKind, 19> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -27,6 +27,7 @@ constexpr std::array<FileKind, 18> kKinds{{
     {"scene", Grammar::json, read_scene_file},
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},
+    {"truth", Grammar::json, read_truth_file},
 }};
 
 // A message is one line that can be printed to a terminal.

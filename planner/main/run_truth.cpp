@@ -1,0 +1,88 @@
+#include <iostream>
+
+#include "planner/files/json_settings.h"
+#include "planner/main/commands.h"
+#include "planner/main/print_notes.h"
+#include "planner/main/progress_bar.h"
+#include "planner/truth/truth_page.h"
+#include "planner/truth/truth_text.h"
+#include "sim/base/output_file.h"
+#include "sim/json/json_field.h"
+
+namespace prehend {
+namespace {
+
+EvaluateOptions truth_options(const TruthCommand& command) {
+  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  EvaluateOptions options;
+  options.seed = command.common.seed;
+  options.trial = accuracy.trial;
+  options.uncertainty = accuracy.uncertainty;
+  if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  return options;
+}
+
+Grouping asked_grouping(const std::string& word, const Truth& truth) {
+  for (const Grouping grouping : kGroupings) {
+    if (grouping_name(grouping) == word) return grouping;
+  }
+  return natural_grouping(truth.labels());
+}
+
+// The parsed file, which takes several times the memory of the grasps, ends here.
+Truth read_asked(const TruthCommand& command) {
+  Truth truth = read_truth(JsonFile(command.file));
+  for (const TruthObject& object : truth.objects) print_notes(object.scene.scene);
+  return truth;
+}
+
+TruthReport compared(const TruthCommand& command, const Truth& truth,
+                     const EvaluateOptions& options, const RunContext& context) {
+  const FrameCheck frames = check_frames(truth, context);
+  const std::vector<Score> chosen = scores(command.volumes);
+  const JudgedExecutions judged = judge_executions(truth, chosen, options, context);
+  BootstrapOptions bootstrap;
+  bootstrap.grouping = asked_grouping(command.groups, truth);
+  bootstrap.resamples = command.resamples;
+  bootstrap.seed = command.common.seed;
+  TruthReport report = truth_report(truth, chosen, judged, bootstrap, context);
+  report.name = command.file.filename().string();
+  report.samples = options.uncertainty.samples;
+  report.frames = frames;
+  return report;
+}
+
+}  // namespace
+
+int run_truth(const TruthCommand& command, Interrupts& interrupts) {
+  require_writable(command.common.out);
+  const EvaluateOptions options = truth_options(command);
+  const Truth truth = read_asked(command);
+  ProgressBar bar(command.common.progress);
+  const RunContext context{command.common.threads, interrupts.cancellation(),
+                           [&](const Progress& progress) { bar.show(progress); },
+                           command.common.deadline};
+  interrupts.cancel_first();
+  TruthReport report;
+  try {
+    report = compared(command, truth, options, context);
+  } catch (const Cancelled&) {
+    bar.clear();
+    std::cerr << "prehend: " << interrupts.reason() << ", nothing is written\n";
+    return interrupts.exit_status();
+  }
+  bar.clear();
+  interrupts.end_at_once("not all files are written");
+  make_folder(command.common.out);
+  interrupts.write(command.common.out / "truth.json", truth_json(report));
+  if (command.common.no_report) {
+    remove_file(command.common.out / "truth.html");
+  } else {
+    interrupts.write(command.common.out / "truth.html", truth_page(report));
+  }
+  std::cout << truth_table(report) << "wrote " << command.common.out.string() << ": truth.json"
+            << (command.common.no_report ? "" : ", truth.html") << "\n";
+  return 0;
+}
+
+}  // namespace prehend
