@@ -13,24 +13,14 @@ namespace {
 // met either [m].
 constexpr double kRepeatedApproach = 0.05;
 
-// The motion that led to `trial`, as it was commanded: what the hand did besides, stopping at what
-// it touched and giving way, it will do again. A hand that had backed off is sent to where it
-// ended.
-Candidate repeated(const Candidate& candidate, const Trial& trial) {
-  Candidate again = candidate;
-  const double end = trial.back_offs > 0 ? trial.travel : candidate.approach_distance;
-  const double left = candidate.approach_distance - end;
-  again.X_OH = translation(-left * candidate.approach_O) * candidate.X_OH;
-  again.approach_distance = end - std::max(0.0, trial.travel - kRepeatedApproach);
-  return again;
-}
 
 class DisturbedTrials {
  public:
   DisturbedTrials(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                   const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context)
       : scene_(scene),
-        candidate_(repeated(candidate, trial)),
+        candidate_(candidate),
+        first_(trial),
         options_(options),
         workspace_(workspace),
         context_(context) {
@@ -38,11 +28,8 @@ class DisturbedTrials {
   }
 
   const Trial& run(const Pose& X_OC) {
-    const Pose X_CO = X_OC.inverse();
-    Candidate disturbed = candidate_;
-    disturbed.X_OH = X_CO * candidate_.X_OH;
-    disturbed.approach_O = X_CO.linear() * candidate_.approach_O;
-    run_hand_trial(scene_, disturbed, options_, workspace_, trial_, context_);
+    run_hand_trial(scene_, repeated(candidate_, first_, X_OC), options_, workspace_, trial_,
+                   context_);
     return trial_;
   }
 
@@ -60,7 +47,8 @@ class DisturbedTrials {
     return grasp_epsilon(contacts, scene_.wrench_frame, {.edges = options_.cone_edges}).lower;
   }
 
-  // The last of kSpareSteps up to which the object may be off in this direction.
+  // The last of kSpareSteps up to which the object may be off in this direction. Afterwards
+  // outcome() is that of the step beyond.
   double spare(const Vector3& direction_O) {
     double held = 0.0;
     for (std::size_t i = 1; i < kSpareSteps.size(); ++i) {
@@ -77,7 +65,8 @@ class DisturbedTrials {
 
  private:
   const CompiledScene& scene_;
-  Candidate candidate_;
+  const Candidate& candidate_;
+  const Trial& first_;
   TrialOptions options_;
   TrialWorkspace& workspace_;
   const RunContext& context_;
@@ -93,11 +82,23 @@ void find_spare(DisturbedTrials& trials, Robustness& robustness) {
       if (spare >= robustness.spare) continue;
       robustness.spare = spare;
       robustness.weakest_O = direction_O;
+      robustness.weakest_end = trials.outcome();
     }
   }
 }
 
 }  // namespace
+
+Candidate repeated(const Candidate& candidate, const Trial& trial, const Pose& X_OC) {
+  Candidate again = candidate;
+  const double end = trial.back_offs > 0 ? trial.travel : candidate.approach_distance;
+  const double left = candidate.approach_distance - end;
+  const Pose X_CO = X_OC.inverse();
+  again.X_OH = X_CO * translation(-left * candidate.approach_O) * candidate.X_OH;
+  again.approach_O = X_CO.linear() * candidate.approach_O;
+  again.approach_distance = end - std::max(0.0, trial.travel - kRepeatedApproach);
+  return again;
+}
 
 Interval held_interval(int held, int samples) { return share_interval(held, samples, kQuantile90); }
 

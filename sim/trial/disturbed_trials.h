@@ -28,6 +28,9 @@ struct Robustness {
   // that in which the object is off, object's frame.
   double spare = 0.0;
   Vector3 weakest_O = Vector3::Zero();
+  // How the trial ended with the object farther off that way than `spare`; stable: in force closure,
+  // but the drives do not hold the weight. Of no meaning where `spare` is the last of kSpareSteps.
+  Outcome weakest_end = Outcome::stable;
 
   // Share of the samples that held.
   double probability() const { return samples > 0 ? static_cast<double>(held) / samples : 0.0; }
@@ -40,10 +43,15 @@ inline constexpr std::array<double, 5> kSpareSteps = {0.0, 1e-3, 2.5e-3, 5e-3, 1
 // (Wilson 1927).
 Interval held_interval(int held, int samples);
 
-// Repeats the last part of the motion of `trial`, which `candidate` led to, for each disturbance:
-// the hand comes along the same line, stops where it touches the object, at the latest at the end
-// of that line, and closes. It does not back off, and an arm is not asked: it would do the same
-// motion. `trial` must have closed (contacts). Throws Cancelled.
+// The last part of the motion that led from `candidate` to `trial`, as it was commanded, against an
+// object that is at X_OC instead: what the hand did besides, stopping at what it touched and giving
+// way, it will do again. A hand that had backed off is sent to where it ended. In the frame C.
+Candidate repeated(const Candidate& candidate, const Trial& trial, const Pose& X_OC);
+
+// Repeats the motion of `trial`, which `candidate` led to (repeated), for each disturbance: the hand
+// comes along the same line, stops where it touches the object, at the latest at the end of that
+// line, and closes. It does not back off, and an arm is not asked: it would do the same motion.
+// `trial` must have closed (contacts). Throws Cancelled.
 Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const TrialOptions& options, const std::vector<Disturbance>& disturbances,
                          TrialWorkspace& workspace, const RunContext& context = {});
