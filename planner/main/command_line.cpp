@@ -343,20 +343,16 @@ struct CommandLine::Words {
   }
 
   void add_truth() {
-    CLI::App& command =
-        *app.add_subcommand("truth", "compare scores with what became of executed grasps");
+    CLI::App& command = *app.add_subcommand("truth", "compare scores with executed grasps");
     command.add_option("file", truth.file, "file of executed grasps (docs/truth-file.md)")
         ->required();
-    command.add_flag("!--no-volumes", truth.volumes,
-                     "leave out the volume, which takes half of the time");
-    command
-        .add_option("--resamples", truth.resamples, "resamples from which intervals are computed")
+    command.add_flag("!--no-volumes", truth.volumes, "do without the volume: half of the time");
+    command.add_option("--resamples", truth.resamples, "how many samples make the intervals")
         ->check(CLI::Range(1, 1000000))
         ->capture_default_str();
     command
         .add_option("--groups", truth.groups,
-                    "what is drawn as a whole: object, session, both, or each grasp by itself; "
-                    "without it objects where there are several, else sessions")
+                    "what is drawn whole: object (where there are several), session, both or each")
         ->check(CLI::IsMember({"object", "session", "both", "each"}));
     truth.common.out = "out/truth";
     add_common(command, truth.common);

@@ -21,13 +21,27 @@ bool clearly_more(int count, int given, int all) {
   return count >= 2 * given || 2 * (all - count) <= all - given;
 }
 
-std::optional<std::size_t> suspected(const std::vector<int>& counts, int given, int all) {
-  const int best = *std::max_element(counts.begin(), counts.end());
-  for (std::size_t g = 0; g < counts.size(); ++g) {
-    const bool as_good = 40 * (best - counts[g]) <= all;
-    if (as_good && clearly_more(counts[g], given, all)) return g;
+// The likeliest of the guesses that are as good as the best of them, up to a fortieth of the
+// grasps.
+std::size_t likeliest(const std::vector<FrameGuess>& guesses, const std::vector<int>& counts,
+                      bool steps, int all) {
+  int best = -1;
+  for (std::size_t g = 0; g < guesses.size(); ++g) {
+    if (guesses[g].is_step == steps) best = std::max(best, counts[g]);
   }
-  return std::nullopt;
+  std::size_t g = 0;
+  while (guesses[g].is_step != steps || 40 * (best - counts[g]) > all) ++g;
+  return g;
+}
+
+std::optional<std::size_t> suspected(const std::vector<FrameGuess>& guesses,
+                                     const std::vector<int>& counts, int given, int all) {
+  const std::size_t meaning = likeliest(guesses, counts, false, all);
+  const std::size_t step = likeliest(guesses, counts, true, all);
+  const bool needs_step = 10 * (counts[step] - counts[meaning]) > all;
+  const std::size_t found = needs_step ? step : meaning;
+  if (!clearly_more(counts[found], given, all)) return std::nullopt;
+  return found;
 }
 
 }  // namespace
@@ -54,7 +68,7 @@ FrameCheck check_frames(const Truth& truth, const RunContext& context) {
       counts[g] += hands[i].place(X_OH) == ObjectPlace::between ? 1 : 0;
     }
   });
-  const auto found = suspected(counts, check.between(), check.grasps);
+  const auto found = suspected(guesses, counts, check.between(), check.grasps);
   if (found) check.suspicion = {guesses[*found].words, guesses[*found].question, counts[*found]};
   return check;
 }

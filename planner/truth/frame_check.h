@@ -30,8 +30,9 @@ struct FrameCheck {
 // Looks at all grasps with the hand open, as they are given and after each of frame_guesses. What
 // is suspected has the object between the fingers of at least a fifth of the grasps more than as
 // given (and of four at least), and leaves half as many without it or has twice as many with it. Of
-// guesses that are as good up to a fortieth of the grasps, the likeliest is named. The same on any
-// number of threads. Throws Cancelled.
+// guesses that are as good up to a fortieth of the grasps the likeliest is named; a mere step of
+// the hand only where it is better than all others by a tenth of the grasps. The same on any number
+// of threads. Throws Cancelled.
 FrameCheck check_frames(const Truth& truth, const RunContext& context = {});
 
 // The check as a sentence.

@@ -111,6 +111,7 @@ void add_steps(const Hand& hand, std::vector<FrameGuess>& guesses) {
       guesses.push_back(hand_guess(moved_words(distance),
                                    "are the poses those of another frame of the hand?",
                                    translation(distance * hand.approach)));
+      guesses.back().is_step = true;
     }
   }
 }

@@ -15,6 +15,7 @@ struct FrameGuess {
   std::string question;  // "are the poses those of the point between the fingertips?"
   // The pose as it would have to be, from the pose as it is given.
   std::function<Pose(const Pose& X_OH, const CompiledScene& scene)> corrected;
+  bool is_step = false;  // one of a row of moves, none of which means anything by itself
 };
 
 // The likeliest first: the hand moved along its approach by lengths of its own, turned about it,

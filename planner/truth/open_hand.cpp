@@ -9,6 +9,10 @@
 namespace prehend {
 namespace {
 
+// Measured poses of objects are off by some millimetres, and meshes are, too: a palm that is so
+// little in the object is no sign of another frame [m].
+constexpr double kPalmOverlap = 0.005;
+
 // How far the tips are apart along the closing axis, and how far in front of the base.
 struct TipExtent {
   double across = 0.0;
@@ -117,11 +121,15 @@ ObjectPlace OpenHand::place(const Pose& X_OH) const {
     if (here == ObjectPlace::between) break;
   }
   if (found != ObjectPlace::between) return found;
-  const auto crosses = [&](std::size_t link) {
+  const Vector3 back_O = -kPalmOverlap * (X_OH.linear() * scene_->scene.hand.hand->approach);
+  return palm_meets_object(translation(back_O) * X_OH) ? ObjectPlace::palm : found;
+}
+
+bool OpenHand::palm_meets_object(const Pose& X_OH) const {
+  return std::any_of(palm_.begin(), palm_.end(), [&](std::size_t link) {
     const Pose X_LO = (X_OH * X_HL_[link]).inverse();
     return surfaces_cross(scene_->links[link].mesh, scene_->object().mesh, X_LO);
-  };
-  return std::any_of(palm_.begin(), palm_.end(), crosses) ? ObjectPlace::palm : found;
+  });
 }
 
 bool OpenHand::meets_obstacle(const Pose& X_OH) const {

@@ -14,7 +14,7 @@ enum class ObjectPlace {
   between,  // the fingers stand on both sides of it: closing, they will meet it
   beside,   // the closing fingers miss it
   inside,   // a finger's place is inside the object
-  palm      // between the fingers, but the palm is in it as well
+  palm      // between the fingers, but the palm is in it as well, by more than poses may be off
 };
 
 inline constexpr std::array<ObjectPlace, 4> kObjectPlaces = {
@@ -43,6 +43,7 @@ class OpenHand {
 
  private:
   ObjectPlace along(const Vector3& from_O, const Vector3& closing_O) const;
+  bool palm_meets_object(const Pose& X_OH) const;
 
   const CompiledScene* scene_;
   std::vector<Pose> X_HL_;            // of the links

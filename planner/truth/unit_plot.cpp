@@ -19,8 +19,8 @@ double y_at(double share) { return kTop + (1.0 - share) * kSide; }
 
 std::string words_at(double x, double y, std::string_view words, const char* anchor,
                      const std::string& turn = "") {
-  return formatted("<text class=\"words\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", x, y,
-                   anchor, turn.c_str()) +
+  return formatted(R"(<text class="words" x="%.1f" y="%.1f" text-anchor="%s"%s>)", x, y, anchor,
+                   turn.c_str()) +
          markup_text(words) + "</text>\n";
 }
 
@@ -86,7 +86,7 @@ void UnitPlot::diagonal() {
 
 void UnitPlot::line(const std::vector<PlotPoint>& points, std::size_t color) {
   if (points.empty()) return;
-  body_ += formatted("<polyline class=\"line c%zu\" points=\"", color);
+  body_ += formatted(R"(<polyline class="line c%zu" points=")", color);
   for (const PlotPoint& point : points) {
     body_ += formatted("%.1f,%.1f ", x_at(point.x), y_at(point.y));
   }

@@ -8,7 +8,10 @@
 #include "planner/truth/frame_guesses.h"
 #include "sim/base/random.h"
 #include "sim/geometry/basic_shapes.h"
+#include "sim/mesh_files/mesh_file.h"
 #include "sim/scene/make_scene.h"
+#include "tests/support/published_grasps.h"
+#include "tests/support/shared_data.h"
 
 namespace prehend::test {
 namespace {
@@ -90,6 +93,34 @@ TEST(FrameCheck, NamesOtherMistakes) {
   EXPECT_EQ(
       suspects([](const Pose& X) { return Pose(X * translation(Vector3(0.0, 0.0, -0.06595))); }),
       "with the hand 66 mm farther forward along its approach axis");
+}
+
+// Published grasps of a scanned object, as they are and as if they were those of the tool's point.
+TEST(FrameCheck, TellsPublishedGraspsFromShiftedOnes) {
+  for (const std::string object : {"mug", "power_drill"}) {
+    const std::string file = "data/grasps/dexycb_franka_" + object + ".json";
+    PREHEND_NEEDS_SHARED(file);
+    Truth truth{
+        {{object, compile(make_scene(
+                      make_graspable(object, load_mesh(shared("data/ycb/" + object + ".obj")).mesh,
+                                     Material::plastic),
+                      "franka_hand"))}},
+        {"-"},
+        {}};
+    for (const Candidate& grasp : published_grasps(shared(file), truth.objects[0].scene)) {
+      truth.executions.push_back({grasp, {}});
+    }
+    const FrameCheck right = check_frames(truth);
+    EXPECT_GE(right.between(), 80) << object;
+    EXPECT_FALSE(right.suspicion) << object;
+    const FrameCheck shifted = checked_after(truth, [](const Pose& X_OH) {
+      return Pose(X_OH * translation(Vector3(0.0, 0.0, 0.1034)));
+    });
+    EXPECT_LE(shifted.between(), 10) << object;
+    ASSERT_TRUE(shifted.suspicion) << object;
+    EXPECT_EQ(shifted.suspicion->words,
+              "with the hand 103 mm farther back along its approach axis");
+  }
 }
 
 TEST(FrameCheck, FewGraspsArouseNoSuspicion) {
