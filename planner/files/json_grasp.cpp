@@ -10,6 +10,7 @@
 #include "planner/files/json_trajectory.h"
 #include "sim/base/index.h"
 #include "sim/json/json_fields.h"
+#include "sim/trial/success.h"
 
 namespace prehend {
 namespace {
@@ -212,8 +213,9 @@ void shake_field(auto& fields, auto& grasp) {
 }
 
 // No number is infinite in JSON: null stands for it.
+Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(); }
+
 Json burden_to_json(const Burden& burden) {
-  const auto finite = [](double number) { return std::isfinite(number) ? Json(number) : Json(); };
   return {{"down", {burden.down_O.x(), burden.down_O.y(), burden.down_O.z()}},
           {"squeeze", finite(burden.sum_of_normals)},
           {"largest_normal", finite(burden.largest_normal)},
@@ -241,12 +243,15 @@ Json robustness_to_json(const Robustness& robustness) {
   return {{"samples", robustness.samples},
           {"held", robustness.held},
           {"probability", robustness.probability()},
+          {"success", success_probability(robustness)},
+          {"strength", finite(robustness.strength)},
           {"interval", {interval.lower, interval.upper}},
           {"epsilon_mean", robustness.epsilon_mean},
           {"epsilon_low", robustness.epsilon_low},
           {"outcomes", outcomes},
           {"spare", robustness.spare},
-          {"weakest", {weakest.x(), weakest.y(), weakest.z()}}};
+          {"weakest", {weakest.x(), weakest.y(), weakest.z()}},
+          {"weakest_outcome", outcome_name(robustness.weakest_end)}};
 }
 
 // Written for information, as the weight.

@@ -188,8 +188,8 @@ struct CommandLine::Words {
     command
         .add_option("--rank", plan.rank,
                     "what comes first: larger epsilon, more survived of the tests of --shake, or "
-                    "more held of the trials of --uncertainty")
-        ->check(CLI::IsMember({"epsilon", "shake", "probability"}))
+                    "more held of the trials of --uncertainty, or how probably they lift")
+        ->check(CLI::IsMember({"epsilon", "shake", "probability", "success"}))
         ->capture_default_str();
     add_uncertainty(command, plan.uncertainty);
     add_dynamic(command, plan.dynamic);

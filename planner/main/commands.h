@@ -42,7 +42,7 @@ struct PlanCommand {
   std::vector<std::string> exports;           // formats besides grasps.json
   std::string shake;                          // protocol: name or file; empty: none
   bool uncertainty = false;                   // grasps are tried again on disturbed poses
-  std::string rank = "epsilon";               // or "shake" or "probability"
+  std::string rank = "epsilon";               // "shake", "probability", "success"
   bool dynamic = false;                       // hands close in time, on an object that gives way
   std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
   CommonOptions common;

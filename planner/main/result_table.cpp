@@ -7,6 +7,7 @@
 
 #include "planner/search/grasp_words.h"
 #include "sim/base/formatted.h"
+#include "sim/trial/success.h"
 
 namespace prehend {
 namespace {
@@ -22,6 +23,14 @@ std::string weight_words(const ScoredGrasp& grasp) {
   if (!grasp.holding) return "-";
   return strength_words(grasp.holding->given) + "/" + strength_words(grasp.holding->worst);
 }
+
+// "84 %": how probably the grasp lifts the object.
+std::string success_words(const ScoredGrasp& grasp) {
+  if (!grasp.robustness) return "-";
+  return formatted("%.0f %%", 100.0 * success_probability(*grasp.robustness));
+}
+
+bool is_disturbed(const ScoredGrasp& grasp) { return grasp.robustness.has_value(); }
 
 // "14 of 16" disturbed trials held, and how far the object may be off; a column only where there
 // are any.
@@ -49,9 +58,9 @@ struct OptionalColumn {
   bool (*has)(const ScoredGrasp&);
 };
 
-constexpr std::array<OptionalColumn, 2> kOptionalColumns = {
-    {{"held, spare", held_words,
-      [](const ScoredGrasp& grasp) { return grasp.robustness.has_value(); }},
+constexpr std::array<OptionalColumn, 3> kOptionalColumns = {
+    {{"lifts", success_words, is_disturbed},
+     {"held, spare", held_words, is_disturbed},
      {"shaken", shake_words, [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); }}}};
 
 std::string padded(std::string words, std::size_t width) {

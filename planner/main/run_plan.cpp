@@ -69,7 +69,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
     options.paths->transfer.planner = path_planner_named(command.path_planner).value();
   }
   if (!command.common.no_report) options.sections = kMostDetailed;
-  if (command.rank == "probability" && !command.uncertainty) {
+  if ((command.rank == "probability" || command.rank == "success") && !command.uncertainty) {
     throw InputError(
         {.field = "--rank", .problem = "needs the trials of --uncertainty", .value = command.rank});
   }
@@ -139,6 +139,7 @@ class PlanProgram {
     }
     watch_.add(result.times);
     if (command_.rank == "probability") rank_by_probability(result);
+    if (command_.rank == "success") rank_by_success(result);
     return result;
   }
 

@@ -7,6 +7,7 @@
 #include "planner/search/grasp_words.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/trial/success.h"
 
 namespace prehend::python {
 namespace {
@@ -146,6 +147,9 @@ py::dict robustness_dict(const Robustness& robustness) {
   fields["outcomes"] = outcomes;
   fields["spare"] = robustness.spare;
   fields["weakest"] = to_array(robustness.weakest_O);
+  fields["weakest_outcome"] = text(outcome_name(robustness.weakest_end));
+  fields["strength"] = robustness.strength;
+  fields["success"] = success_probability(robustness);
   return fields;
 }
 

@@ -12,6 +12,7 @@
 #include "planner/search/grasp_words.h"
 #include "planner/show/palette.h"
 #include "sim/base/formatted.h"
+#include "sim/trial/success.h"
 
 namespace prehend {
 namespace {
@@ -255,10 +256,12 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
     const Interval interval = held_interval(robustness.held, robustness.samples);
     json["robustness"] = {{"samples", robustness.samples},
                           {"held", robustness.held},
+                          {"success", success_probability(robustness)},
                           {"interval", interval_json(interval)},
                           {"epsilon_mean", significant(robustness.epsilon_mean)},
                           {"spare", robustness.spare},
-                          {"weakest", rounded(robustness.weakest_O)}};
+                          {"weakest", rounded(robustness.weakest_O)},
+                          {"weakness", weakness_words(robustness)}};
   }
   json["contacts"] = Json::array();
   for (const ReportContact& contact : grasp.contacts) {

@@ -7,15 +7,28 @@
 #include "planner/search/run_trials.h"
 #include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
+#include "sim/trial/success.h"
 
 namespace prehend {
 namespace {
 
-// Larger is better.
-std::tuple<double, double, double> rank_key(const ScoredGrasp& grasp) {
-  if (!grasp.robustness) return {-1.0, 0.0, 0.0};
-  const Robustness& robustness = *grasp.robustness;
+using RankKey = std::tuple<double, double, double>;  // larger is better
+
+RankKey probability_key(const Robustness& robustness) {
   return {robustness.probability(), robustness.spare, robustness.epsilon_mean};
+}
+
+RankKey success_key(const Robustness& robustness) {
+  return {success_probability(robustness), robustness.spare, robustness.epsilon_mean};
+}
+
+void rank_by(RankKey (*key)(const Robustness&), PlanResult& result) {
+  const auto key_of = [&](const ScoredGrasp& grasp) {
+    return grasp.robustness ? key(*grasp.robustness) : RankKey{-1.0, 0.0, 0.0};
+  };
+  std::stable_sort(
+      result.grasps.begin(), result.grasps.end(),
+      [&](const ScoredGrasp& a, const ScoredGrasp& b) { return key_of(a) > key_of(b); });
 }
 
 }  // namespace
@@ -43,10 +56,8 @@ void disturb_grasps(const CompiledScene& scene, const TrialOptions& options,
   if (!all_tried) result.status = cut_short(context);
 }
 
-void rank_by_probability(PlanResult& result) {
-  std::stable_sort(
-      result.grasps.begin(), result.grasps.end(),
-      [](const ScoredGrasp& a, const ScoredGrasp& b) { return rank_key(a) > rank_key(b); });
-}
+void rank_by_probability(PlanResult& result) { rank_by(probability_key, result); }
+
+void rank_by_success(PlanResult& result) { rank_by(success_key, result); }
 
 }  // namespace prehend

@@ -18,4 +18,8 @@ void disturb_grasps(const CompiledScene& scene, const TrialOptions& options,
 // then those with the larger mean epsilon. Those that were not tried stay behind all others.
 void rank_by_probability(PlanResult& result);
 
+// Puts grasps first that lift the object more probably (success_probability), of equal ones those
+// with more to spare. Those that were not tried stay behind all others.
+void rank_by_success(PlanResult& result);
+
 }  // namespace prehend

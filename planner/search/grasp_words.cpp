@@ -24,4 +24,21 @@ std::string strength_words(const Burden& burden) {
   return std::isinf(burden.strength) ? "any" : formatted("%.2g", burden.strength);
 }
 
+std::string weakness_words(const Robustness& robustness) {
+  if (robustness.weakest_O.isZero(0.0)) return "";
+  switch (robustness.weakest_end) {
+    case Outcome::hand_blocked:
+    case Outcome::approach_blocked:
+      return "the hand runs into something";
+    case Outcome::no_contact:
+      return "the hand closes beside it";
+    case Outcome::not_force_closure:
+      return "the contacts do not hold it";
+    case Outcome::stable:
+      return "the drives do not hold its weight";
+    default:
+      return std::string(outcome_name(robustness.weakest_end));
+  }
+}
+
 }  // namespace prehend

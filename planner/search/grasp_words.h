@@ -18,4 +18,8 @@ std::string preshape_name(const CompiledScene& scene, const Candidate& candidate
 // whose effort is known, "0" where no forces balance it.
 std::string strength_words(const Burden& burden);
 
+// How a grasp fails with the object farther off the weakest way than it may be: "the hand closes
+// beside it". Empty where no way that was tried is weak.
+std::string weakness_words(const Robustness& robustness);
+
 }  // namespace prehend

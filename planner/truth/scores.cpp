@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "sim/trial/success.h"
+
 namespace prehend {
 namespace {
 
@@ -19,7 +21,7 @@ double of_robustness(const ScoredGrasp& grasp, Member Robustness::*member) {
 
 using Grasp = const ScoredGrasp&;
 
-constexpr std::array<Score, 9> kScores = {{
+constexpr std::array<Score, 10> kScores = {{
     {"force_closure", "force closure", false, false,
      [](Grasp grasp) { return holds_by_contacts(grasp) ? 1.0 : 0.0; }},
     {"epsilon", "epsilon", false, false, epsilon_of},
@@ -30,6 +32,8 @@ constexpr std::array<Score, 9> kScores = {{
      [](Grasp grasp) { return grasp.holding ? grasp.holding->worst.strength : 0.0; }},
     {"probability", "probability", true, false,
      [](Grasp grasp) { return grasp.robustness ? grasp.robustness->probability() : 0.0; }},
+    {"success", "success", true, false,
+     [](Grasp grasp) { return grasp.robustness ? success_probability(*grasp.robustness) : 0.0; }},
     {"epsilon_mean", "mean epsilon with errors", false, false,
      [](Grasp grasp) { return of_robustness(grasp, &Robustness::epsilon_mean); }},
     {"epsilon_low", "low epsilon with errors", false, false,

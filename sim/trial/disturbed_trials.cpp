@@ -107,6 +107,7 @@ Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate,
                          TrialWorkspace& workspace, const RunContext& context) {
   DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
   Robustness robustness;
+  robustness.strength = weight_strength(scene, trial);
   std::vector<double> epsilons;
   for (const Disturbance& disturbance : disturbances) {
     context.cancellation.check();

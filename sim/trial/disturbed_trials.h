@@ -23,6 +23,8 @@ struct Robustness {
   double epsilon_mean = 0.0;
   double epsilon_low = 0.0;
   std::array<int, kOutcomes.size()> outcomes{};  // of the samples
+  // How many times the weight the drives hold without errors (weight_strength).
+  double strength = 0.0;
   // How far the object may be off, alone, along each axis of the hand's base, both ways, before the
   // hand no longer holds it: at least this far [m], of the distances kSpareSteps. The direction is
   // that in which the object is off, object's frame.

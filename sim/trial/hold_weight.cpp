@@ -200,6 +200,10 @@ Holding hold_weight(const CompiledScene& scene, const Trial& trial, const RunCon
   return {weighed.burden(given_down(scene)), weighed.burden(worst_O)};
 }
 
+double weight_strength(const CompiledScene& scene, const Trial& trial) {
+  return Weighed(scene, trial).burden(given_down(scene)).strength;
+}
+
 bool bears_weight(const CompiledScene& scene, const Trial& trial, double friction,
                   const Vector3& center_of_mass_O) {
   return Weighed(scene, trial, friction, center_of_mass_O).bears_times(given_down(scene), 1.0);

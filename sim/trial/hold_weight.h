@@ -41,6 +41,9 @@ HandTorques hand_torques(const CompiledScene& scene, const Trial& trial);
 // Source of the forces: balancing_forces. Throws Cancelled.
 Holding hold_weight(const CompiledScene& scene, const Trial& trial, const RunContext& context = {});
 
+// How many times the weight the drives hold as the object lies (Burden::strength).
+double weight_strength(const CompiledScene& scene, const Trial& trial);
+
 // Whether the drives hold the weight as the object lies, with all friction coefficients times a
 // factor and the centre of mass shifted [m].
 bool bears_weight(const CompiledScene& scene, const Trial& trial, double friction = 1.0,

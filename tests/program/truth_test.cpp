@@ -56,7 +56,7 @@ TEST(TruthCommand, ComparesScoresWithWhatBecameOfTheGrasps) {
   const json report = json::parse(content(folder / "out" / "truth.json"));
   EXPECT_EQ(report.at("format"), "prehend truth report 1");
   EXPECT_EQ(report.at("settings").at("groups"), "session");
-  EXPECT_EQ(report.at("scores").size(), 9U);
+  EXPECT_EQ(report.at("scores").size(), 10U);
   for (const json& score : report.at("scores")) {
     EXPECT_GE(score.at("auc"), 0.0) << score.at("name");
     EXPECT_LE(score.at("auc"), 1.0) << score.at("name");
@@ -85,7 +85,7 @@ TEST(TruthCommand, LeavesOutWhatIsNotWanted) {
       run_program(words_for(folder, "out") + " --no-volumes --no-report --groups each");
   ASSERT_EQ(run.status, 0) << run.err;
   const json report = json::parse(content(folder / "out" / "truth.json"));
-  EXPECT_EQ(report.at("scores").size(), 8U);
+  EXPECT_EQ(report.at("scores").size(), 9U);
   EXPECT_EQ(report.at("groups_drawn"), 4);
   EXPECT_FALSE(std::filesystem::exists(folder / "out" / "truth.html"));
 }

@@ -339,6 +339,12 @@ class Robustness:
     """The object may be off by this along any axis of the hand, of 0, 1, 2.5, 5 and 10 mm [m]."""
     weakest: FloatArray = field(repr=False)
     """(3,): the direction in which it may be off the least, object's frame; 0: none."""
+    weakest_outcome: str = field(repr=False)
+    """How a trial ends that is farther off that way; "stable": the drives do not hold the weight."""
+    strength: float
+    """So many times the weight the drives hold without errors."""
+    success: float
+    """Probability that it lifts the object, as of grasps that were carried out in simulation."""
 
     @property
     def probability(self) -> float:

@@ -80,13 +80,18 @@ function directionText(weakest) {
   return '(' + weakest.map((part) => numberText(part, 2)).join(', ') + ')';
 }
 
-function robustnessRows({samples, held, interval, epsilon_mean, spare, weakest}) {
+function robustnessRows(
+    {samples, held, success, interval, epsilon_mean, spare, weakest, weakness}) {
   const sure = interval.map((part) => Math.round(100 * part)).join(' to ');
   const where = weakest.some((part) => part !== 0) ?
       `before it is lost; weakest where it is off in the direction ${
-          directionText(weakest)} of its frame` :
+          directionText(weakest)} of its frame: there ${weakness}` :
       'and perhaps farther, in any direction that was tried';
   return [
+    [
+      'lifts the object', `${Math.round(100 * success)} of 100 times`,
+      'as grasps of such numbers did in simulation'
+    ],
     [
       'held in', `${held} of ${samples} trials`,
       `with errors of pose, friction and centre of mass: ${sure} % with a probability of 90 %; ε ${

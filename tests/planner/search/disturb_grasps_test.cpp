@@ -1,9 +1,12 @@
 // Disturbed trials of all grasps of a result, and their ranking.
 #include "planner/search/disturb_grasps.h"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include "planner/search/accuracy.h"
+#include "sim/trial/success.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {
@@ -58,6 +61,80 @@ TEST(DisturbGrasps, OfAnEvaluationAreMadeToo) {
             result.grasps.front().robustness.value().held);
 }
 
+// How probably the grasps of the mug's plan lift it, all at once.
+std::vector<double> successes(const Scene& scene, const std::vector<Candidate>& grasps,
+                              double errors = 1.0) {
+  EvaluateOptions options;
+  options.robustness = true;
+  UncertaintyOptions& with = options.uncertainty;
+  for (double* value : {&with.across, &with.along, &with.angle, &with.hand, &with.hand_angle,
+                        &with.friction, &with.center_of_mass}) {
+    *value *= errors;
+  }
+  options.volumes = 0;
+  std::vector<double> all(grasps.size());
+  for (const ScoredGrasp& grasp : evaluate(compile(scene), grasps, options).grasps) {
+    all[static_cast<std::size_t>(grasp.tried)] = success_probability(grasp.robustness.value());
+  }
+  return all;
+}
+
+std::vector<Candidate> grasps_of_mug(const CompiledScene& mug) {
+  std::vector<Candidate> grasps;
+  for (const ScoredGrasp& grasp : planned(mug, 2, false).grasps) grasps.push_back(grasp.candidate);
+  return grasps;
+}
+
+FrictionTable scaled_friction(const FrictionTable& table, double part) {
+  FrictionTable scaled;
+  for (const Material a : kMaterials) {
+    for (const Material b : kMaterials) scaled.set(a, b, part * table.between(a, b));
+  }
+  return scaled;
+}
+
+void expect_none_larger(const std::vector<double>& less, const std::vector<double>& more) {
+  for (std::size_t i = 0; i < less.size(); ++i) EXPECT_LE(less[i], more[i]) << "grasp " << i;
+}
+
+// The motions of this hand depend neither on friction nor on its efforts, so each of its samples
+// can only get worse.
+TEST(Success, IsNeverHigherForLessFrictionOrLessForce) {
+  const CompiledScene mug = test::compiled_library_scene("mug");
+  const std::vector<Candidate> grasps = grasps_of_mug(mug);
+  ASSERT_GE(grasps.size(), 3U);
+  std::vector<double> before = successes(mug.scene, grasps);
+  for (const double part : {0.7, 0.4, 0.1}) {
+    Scene slippery = mug.scene;
+    slippery.friction = scaled_friction(mug.scene.friction, part);
+    const std::vector<double> now = successes(slippery, grasps);
+    expect_none_larger(now, before);
+    before = now;
+  }
+  before = successes(mug.scene, grasps);
+  for (const double part : {0.3, 0.05, 0.01}) {
+    Scene weak = mug.scene;
+    for (Joint& joint : weak.hand.joints) joint.max_effort *= part;
+    const std::vector<double> now = successes(weak, grasps);
+    expect_none_larger(now, before);
+    before = now;
+  }
+  EXPECT_LT(before.front(), successes(mug.scene, grasps).front());
+}
+
+// Of one grasp an error may turn a miss into a hit; of all of them together it does not.
+TEST(Success, IsLowerInTheMeanForLargerErrors) {
+  const CompiledScene mug = test::compiled_library_scene("mug");
+  const std::vector<Candidate> grasps = grasps_of_mug(mug);
+  double before = 1.0 * static_cast<double>(grasps.size());
+  for (const double errors : {0.25, 1.0, 2.0}) {
+    const std::vector<double> now = successes(mug.scene, grasps, errors);
+    const double sum = std::accumulate(now.begin(), now.end(), 0.0);
+    EXPECT_LT(sum, before) << errors;
+    before = sum;
+  }
+}
+
 ScoredGrasp grasp_with(int held, double spare, double epsilon) {
   ScoredGrasp grasp;
   Robustness robustness;
@@ -81,6 +158,25 @@ TEST(RankByProbability, PrefersWhatHoldsThenWhatHasMoreToSpareThenEpsilon) {
   std::vector<int> order;
   for (const ScoredGrasp& grasp : result.grasps) order.push_back(grasp.tried);
   EXPECT_EQ(order, std::vector<int>({3, 1, 2, 0, 4}));
+}
+
+// As many samples held, but the drives of one are stronger.
+TEST(RankBySuccess, PrefersWhatLiftsMoreProbablyThenWhatHasMoreToSpare) {
+  PlanResult result;
+  ScoredGrasp untried;
+  untried.tried = 3;
+  result.grasps = {untried, grasp_with(12, 1e-3, 0.3), grasp_with(12, 5e-3, 0.3),
+                   grasp_with(12, 1e-3, 0.3)};
+  for (int i = 1; i < 4; ++i) {
+    ScoredGrasp& grasp = result.grasps[static_cast<std::size_t>(i)];
+    grasp.tried = i - 1;
+    grasp.robustness->outcomes[static_cast<std::size_t>(Outcome::stable)] = 16;
+    grasp.robustness->strength = i == 3 ? 8.0 : 2.0;
+  }
+  rank_by_success(result);
+  std::vector<int> order;
+  for (const ScoredGrasp& grasp : result.grasps) order.push_back(grasp.tried);
+  EXPECT_EQ(order, std::vector<int>({2, 1, 0, 3}));
 }
 
 }  // namespace

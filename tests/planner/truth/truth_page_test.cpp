@@ -72,7 +72,7 @@ TEST(TruthText, JsonHasTheFiguresOfTheReport) {
   int calibrated = 0;
   for (const auto& score : written.at("scores"))
     calibrated += score.contains("calibration") ? 1 : 0;
-  EXPECT_EQ(calibrated, 1);
+  EXPECT_EQ(calibrated, 2) << "the probability and the success";
   EXPECT_EQ(written.at("objects").size(), 2U);
   EXPECT_EQ(written.at("sessions").size(), 4U);
 }

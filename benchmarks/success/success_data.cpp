@@ -1,0 +1,184 @@
+// Grasps of random objects with what is known of them and what became of them when they were
+// carried out in simulation: the data from which SuccessModel (sim/trial/success.h) is made.
+//
+//   success_data [--objects N] [--seed S] [--meshes FOLDER] > success.csv
+//
+// For each of N objects (40) and each hand: the best grasps of a plan, each also moved by up to 2
+// cm and turned by up to 30 degrees, evaluated with errors of half, one and two times the default,
+// and carried out six times with other errors of that size. With --meshes, the objects are the OBJ
+// files of a folder.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "benchmarks/soak/random_object.h"
+#include "benchmarks/success/executions.h"
+#include "sim/base/input_error.h"
+#include "sim/base/random.h"
+#include "sim/geometry/object_generator.h"
+#include "sim/mesh_files/mesh_file.h"
+#include "sim/scene/make_scene.h"
+#include "sim/trial/success.h"
+
+namespace prehend::bench {
+namespace {
+
+constexpr std::array kHands = {"franka_hand", "barrett", "robotiq_2f85", "robotiq_3f"};
+constexpr int kExecutions = 6;
+
+struct NamedMesh {
+  std::string name;
+  TriangleMesh mesh;
+};
+
+// Neither too small nor too large for these hands: half of all dimensions are.
+bool is_graspable(const TriangleMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vector3& vertex : mesh.vertices) box.extend(vertex);
+  const Vector3 size = box.sizes();
+  return size.minCoeff() > 0.01 && size.minCoeff() < 0.08 && size.maxCoeff() < 0.3;
+}
+
+std::vector<NamedMesh> random_meshes(int count, Random& random) {
+  std::vector<NamedMesh> meshes;
+  const std::vector<std::string> generated = generated_object_names();
+  while (static_cast<int>(meshes.size()) < count) {
+    // Every fourth is one of the generator's household objects, as long as there are any left.
+    const std::size_t next = meshes.size() / 4;
+    if (meshes.size() % 4 == 3 && next < generated.size()) {
+      meshes.push_back({generated[next], generate_object(generated[next], 2000)});
+      continue;
+    }
+    soak::RandomObject object = soak::random_object(random);
+    if (!object.solid || !is_graspable(object.mesh)) continue;
+    meshes.push_back({"random " + std::to_string(meshes.size()), std::move(object.mesh)});
+  }
+  return meshes;
+}
+
+std::vector<NamedMesh> meshes_in(const std::filesystem::path& folder) {
+  std::vector<NamedMesh> meshes;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".obj") continue;
+    meshes.push_back({entry.path().stem().string(), load_mesh(entry.path()).mesh});
+  }
+  std::sort(meshes.begin(), meshes.end(),
+            [](const NamedMesh& a, const NamedMesh& b) { return a.name < b.name; });
+  return meshes;
+}
+
+// The grasp with its hand moved and turned at random about the point between its fingers.
+Candidate moved(Candidate grasp, const Hand& hand, Random& random) {
+  const Vector3 grip_H = hand.origin;
+  const Vector3 grip_O = grasp.X_OH * grip_H;
+  const double angle = random.uniform(0.0, 0.52);
+  const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
+  grasp.X_OH.linear() = turn * grasp.X_OH.linear();
+  grasp.X_OH.translation() =
+      grip_O - grasp.X_OH.linear() * grip_H + random.uniform(0.0, 0.02) * random.direction();
+  grasp.approach_O = turn * grasp.approach_O;
+  return grasp;
+}
+
+std::vector<Candidate> grasps_to_judge(const CompiledScene& scene, Random& random) {
+  PlanOptions options;
+  options.search.trials = 200;
+  options.rank.top = 4;
+  options.volumes = false;
+  std::vector<Candidate> grasps;
+  for (const ScoredGrasp& grasp : plan(scene, options).grasps) {
+    grasps.push_back(grasp.candidate);
+    for (int i = 0; i < 2; ++i) {
+      grasps.push_back(moved(grasp.candidate, *scene.scene.hand.hand, random));
+    }
+  }
+  return grasps;
+}
+
+UncertaintyOptions scaled(double by) {
+  UncertaintyOptions options;
+  for (double* value : {&options.across, &options.along, &options.angle, &options.hand,
+                        &options.hand_angle, &options.friction, &options.center_of_mass}) {
+    *value *= by;
+  }
+  return options;
+}
+
+void write_rows(const NamedMesh& object, const char* hand, double size, double mass,
+                Random& random) {
+  const CompiledScene scene =
+      compile(make_scene(make_graspable(object.name, object.mesh, Material::plastic, mass), hand));
+  EvaluateOptions options;
+  options.robustness = true;
+  options.uncertainty = scaled(size);
+  options.volumes = 0;
+  const PlanResult result = evaluate(scene, grasps_to_judge(scene, random), options);
+  UncertaintyOptions errors = options.uncertainty;
+  errors.samples = kExecutions;
+  const std::vector<Executions> executions =
+      execute_grasps(scene, options.trial, disturbances(scene, errors, 77), result);
+  for (std::size_t i = 0; i < executions.size(); ++i) {
+    const ScoredGrasp& grasp = result.grasps[i];
+    if (!grasp.robustness || executions[i].tried == 0) continue;
+    const SuccessFacts facts = success_facts(*grasp.robustness);
+    std::printf("%s,%s,%g,%g,%d,%d,%.6g,%.6g,%.6g,%.6g\n", object.name.c_str(), hand, size, mass,
+                executions[i].tried, executions[i].lifted, facts.closed, facts.held, facts.epsilon,
+                facts.strength);
+  }
+  std::fflush(stdout);
+}
+
+struct Arguments {
+  int objects = 40;
+  std::uint64_t seed = 1;
+  std::filesystem::path meshes;
+};
+
+Arguments arguments_of(int argc, char** argv) {
+  Arguments arguments;
+  for (int i = 1; i + 1 < argc; i += 2) {
+    const std::string name = argv[i];
+    if (name == "--objects") arguments.objects = std::stoi(argv[i + 1]);
+    if (name == "--seed") arguments.seed = std::stoull(argv[i + 1]);
+    if (name == "--meshes") arguments.meshes = argv[i + 1];
+  }
+  return arguments;
+}
+
+void run(const Arguments& arguments) {
+  Random random(arguments.seed);
+  const std::vector<NamedMesh> meshes = arguments.meshes.empty()
+                                            ? random_meshes(arguments.objects, random)
+                                            : meshes_in(arguments.meshes);
+  constexpr std::array kSizes = {0.5, 1.0, 2.0};
+  constexpr std::array kMasses = {0.1, 0.3, 1.0};
+  std::printf("object,hand,errors,mass,executions,lifted,closed,held,epsilon,strength\n");
+  for (std::size_t o = 0; o < meshes.size(); ++o) {
+    for (std::size_t h = 0; h < kHands.size(); ++h) {
+      const double size = kSizes[(o + h) % kSizes.size()];
+      const double mass = kMasses[(o / kSizes.size() + h) % kMasses.size()];
+      try {
+        write_rows(meshes[o], kHands[h], size, mass, random);
+      } catch (const InputError& error) {
+        std::fprintf(stderr, "%s, %s: %s\n", meshes[o].name.c_str(), kHands[h], error.what());
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prehend::bench
+
+int main(int argc, char** argv) {
+  try {
+    prehend::bench::run(prehend::bench::arguments_of(argc, argv));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "success_data: %s\n", error.what());
+    return 2;
+  }
+  return 0;
+}

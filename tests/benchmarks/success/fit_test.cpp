@@ -1,0 +1,88 @@
+// The model of success from grasps that follow a known one, and the shipped one from its data.
+#include "benchmarks/success/fit.h"
+
+#include <cmath>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/input_error.h"
+#include "sim/base/random.h"
+
+namespace prehend::bench {
+namespace {
+
+std::filesystem::path data_file() {
+  return std::filesystem::path(PREHEND_SOURCE_DIR) / "benchmarks" / "success" / "success.csv";
+}
+
+// Grasps of 20 objects that lift as often as the model says.
+std::vector<ExecutedGrasp> made_up(const SuccessModel& model, int count, int executions) {
+  Random random(11);
+  std::vector<ExecutedGrasp> grasps;
+  for (int i = 0; i < count; ++i) {
+    ExecutedGrasp grasp;
+    grasp.object = std::to_string(i % 20);
+    grasp.executions = executions;
+    grasp.facts = {random.uniform(0.5, 1.0), random.uniform(0.0, 1.0),
+                   std::exp(random.uniform(-9.0, 0.0)), std::exp(random.uniform(-3.0, 4.0))};
+    const double p = success_probability(grasp.facts, model);
+    for (int k = 0; k < executions; ++k) grasp.lifted += random.uniform(0.0, 1.0) < p ? 1 : 0;
+    grasps.push_back(grasp);
+  }
+  return grasps;
+}
+
+TEST(FitSuccess, FindsTheModelThatTheGraspsFollow) {
+  const SuccessModel model{.intercept = -2.0, .weights = {2.5, 1.5, 1.0}};
+  const SuccessModel found = fit_success(made_up(model, 4000, 40));
+  EXPECT_NEAR(found.intercept, model.intercept, 0.1);
+  for (std::size_t i = 0; i < model.weights.size(); ++i) {
+    EXPECT_NEAR(found.weights[i], model.weights[i], 0.1) << kSuccessFeatures[i];
+  }
+}
+
+TEST(FitSuccess, NoWeightIsBelow0) {
+  // What holds better lifts less often.
+  const SuccessModel against{.intercept = 1.0, .weights = {-3.0, 1.0, 0.5}};
+  const SuccessModel found = fit_success(made_up(against, 500, 10));
+  EXPECT_EQ(found.weights[0], 0.0);
+  EXPECT_GT(found.weights[1], 0.0);
+}
+
+TEST(FitSuccess, PredictionsOfAFittingModelAreCalibrated) {
+  const SuccessModel model{.intercept = -2.0, .weights = {2.5, 1.5, 1.0}};
+  const std::vector<ExecutedGrasp> grasps = made_up(model, 2000, 20);
+  const SuccessCheck check = check_predictions(grasps, predict_held_out(grasps));
+  EXPECT_LT(check.calibration.expected_error, 0.02);
+  EXPECT_GT(check.auc, 0.6);
+}
+
+TEST(FitSuccess, TheShippedModelIsThatOfItsData) {
+  const SuccessModel fitted = fit_success(read_executed_grasps(data_file()));
+  const SuccessModel shipped = shipped_success_model();
+  EXPECT_NEAR(fitted.intercept, shipped.intercept, 1e-4);
+  for (std::size_t i = 0; i < fitted.weights.size(); ++i) {
+    EXPECT_NEAR(fitted.weights[i], shipped.weights[i], 1e-4) << kSuccessFeatures[i];
+  }
+}
+
+TEST(FitSuccess, ItsPredictionsForOtherObjectsAreCalibrated) {
+  const std::vector<ExecutedGrasp> grasps = read_executed_grasps(data_file());
+  const SuccessCheck check = check_predictions(grasps, predict_held_out(grasps));
+  EXPECT_LE(check.calibration.expected_error, 0.05);
+  EXPECT_LT(check.calibration.brier, check.calibration.brier_of_base_rate);
+}
+
+TEST(FitSuccess, OtherFilesAreRefused) {
+  const std::filesystem::path file = testing::TempDir() + "other.csv";
+  EXPECT_THROW(read_executed_grasps(testing::TempDir() + "none.csv"), InputError);
+  std::ofstream(file) << "object,hand\nmug,barrett\n";
+  EXPECT_THROW(read_executed_grasps(file), InputError);
+  std::ofstream(file)
+      << "object,hand,errors,mass,executions,lifted,closed,held,epsilon,strength\nmug,1,2\n";
+  EXPECT_THROW(read_executed_grasps(file), InputError);
+}
+
+}  // namespace
+}  // namespace prehend::bench
