@@ -13,7 +13,6 @@ namespace {
 // met either [m].
 constexpr double kRepeatedApproach = 0.05;
 
-
 class DisturbedTrials {
  public:
   DisturbedTrials(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,

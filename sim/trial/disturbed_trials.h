@@ -30,8 +30,9 @@ struct Robustness {
   // that in which the object is off, object's frame.
   double spare = 0.0;
   Vector3 weakest_O = Vector3::Zero();
-  // How the trial ended with the object farther off that way than `spare`; stable: in force closure,
-  // but the drives do not hold the weight. Of no meaning where `spare` is the last of kSpareSteps.
+  // How the trial ended with the object farther off that way than `spare`; stable: in force
+  // closure, but the drives do not hold the weight. Of no meaning where `spare` is the last of
+  // kSpareSteps.
   Outcome weakest_end = Outcome::stable;
 
   // Share of the samples that held.
@@ -50,10 +51,10 @@ Interval held_interval(int held, int samples);
 // way, it will do again. A hand that had backed off is sent to where it ended. In the frame C.
 Candidate repeated(const Candidate& candidate, const Trial& trial, const Pose& X_OC);
 
-// Repeats the motion of `trial`, which `candidate` led to (repeated), for each disturbance: the hand
-// comes along the same line, stops where it touches the object, at the latest at the end of that
-// line, and closes. It does not back off, and an arm is not asked: it would do the same motion.
-// `trial` must have closed (contacts). Throws Cancelled.
+// Repeats the motion of `trial`, which `candidate` led to (repeated), for each disturbance: the
+// hand comes along the same line, stops where it touches the object, at the latest at the end of
+// that line, and closes. It does not back off, and an arm is not asked: it would do the same
+// motion. `trial` must have closed (contacts). Throws Cancelled.
 Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const TrialOptions& options, const std::vector<Disturbance>& disturbances,
                          TrialWorkspace& workspace, const RunContext& context = {});

@@ -26,7 +26,9 @@ SuccessFeatures success_features(const SuccessFacts& facts) {
 }
 
 // As printed by fit_success for benchmarks/success/success.csv.
-SuccessModel shipped_success_model() { return {.intercept = -0.496473, .weights = {1.12413, 2.35153, 1.04664}}; }
+SuccessModel shipped_success_model() {
+  return {.intercept = -0.496473, .weights = {1.12413, 2.35153, 1.04664}};
+}
 
 double success_probability(const SuccessFacts& facts, const SuccessModel& model) {
   const SuccessFeatures features = success_features(facts);
