@@ -122,7 +122,7 @@ void bind_error_options(py::module_& core) {
               "Of the centre of mass, along each axis, as a part of the object's size.");
 }
 
-void bind_trial_options(py::module_& core) {
+void bind_settle_options(py::module_& core) {
   OptionsClass<SettleOptions>(core, "SettleOptions",
                               "How an object settles between two self-centering fingers that do "
                               "not hold it.")
@@ -140,6 +140,9 @@ void bind_trial_options(py::module_& core) {
               "Sum of the fingers' forces, as a part of one, below which they balance.")
       .number("least_arm", &SettleOptions::least_arm,
               "And distance between their lines of action [m].");
+}
+
+void bind_trial_options(py::module_& core) {
   OptionsClass<GapTrackerOptions>(core, "GapTrackerOptions",
                                   "How the gap between two moving bodies is asked for: all answers "
                                   "are proven bounds, looser ones cost less.")
@@ -252,6 +255,7 @@ void bind_options(py::module_& core) {
   bind_contact_options(core);
   bind_reach_options(core);
   bind_error_options(core);
+  bind_settle_options(core);
   bind_trial_options(core);
   bind_path_options(core);
   bind_refine_options(core);

@@ -46,11 +46,11 @@ class DisturbedTrials {
     return grasp_epsilon(contacts, scene_.wrench_frame, {.edges = options_.cone_edges}).lower;
   }
 
-  // The last of kSpareSteps up to which the object may be off in this direction. Afterwards
-  // outcome() is that of the step beyond.
-  double spare(const Vector3& direction_O) {
+  // The last of kSpareSteps up to which the object may be off in this direction, of those up to
+  // `most`. Below `most`, outcome() is afterwards that of the step beyond.
+  double spare(const Vector3& direction_O, double most) {
     double held = 0.0;
-    for (std::size_t i = 1; i < kSpareSteps.size(); ++i) {
+    for (std::size_t i = 1; i < kSpareSteps.size() && kSpareSteps[i] <= most; ++i) {
       Disturbance off;
       off.X_OC = translation(kSpareSteps[i] * direction_O);
       if (!holds(off)) break;
@@ -77,7 +77,8 @@ void find_spare(DisturbedTrials& trials, Robustness& robustness) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const double way : {1.0, -1.0}) {
       const Vector3 direction_O = way * trials.X_OH().linear().col(axis);
-      const double spare = trials.spare(direction_O);
+      // A direction in which more is to spare than in the weakest so far need not be known.
+      const double spare = trials.spare(direction_O, robustness.spare);
       if (spare >= robustness.spare) continue;
       robustness.spare = spare;
       robustness.weakest_O = direction_O;
