@@ -50,7 +50,7 @@ Matrix3 lever(double mass, const Vector3& off) {
   return mass * (off.squaredNorm() * Matrix3::Identity() - off * off.transpose());
 }
 
-Pose random_pose(Random& random) {
+Pose pose_in_room(Random& random) {
   Pose pose(Eigen::AngleAxisd(random.uniform(0.0, 3.0), random.direction()));
   pose.translation() = 0.3 * random.direction();
   return pose;
@@ -122,7 +122,7 @@ TEST(MassParts, RoundRegionsHaveTheirVolumes) {
   const TriangleMesh block = make_box({0.2, 0.2, 0.2}, 3);
   Random random(6);
   for (int i = 0; i < 20; ++i) {
-    Pose X_OP = random_pose(random);
+    Pose X_OP = pose_in_room(random);
     X_OP.translation() *= 0.1;
     const auto volume = [&](const Shape& shape) {
       return mass_of_parts(block, {.mass = 1.0, .parts = {inside({shape, X_OP}, 10)}}).parts[0];
@@ -144,7 +144,7 @@ TEST(MassParts, AddUpToTheWhole) {
   Random random(7);
   for (int i = 0; i < 10; ++i) {
     const Vector3 middle = uniform.center_of_mass + 0.03 * random.direction();
-    const Matrix3 turn = random_pose(random).linear();
+    const Matrix3 turn = pose_in_room(random).linear();
     std::vector<MassPart> parts;
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3 side((corner & 1) - 0.5, ((corner >> 1) & 1) - 0.5, (corner >> 2) - 0.5);
@@ -164,13 +164,13 @@ TEST(MassParts, MoveAndScaleWithTheObject) {
   const TriangleMesh mug = generate_object("mug", 2000);
   Random random(8);
   for (int i = 0; i < 10; ++i) {
-    const Pose X_OP = pose_from(random_pose(random).linear(), {0.02, 0.01, 0.04});
+    const Pose X_OP = pose_from(pose_in_room(random).linear(), {0.02, 0.01, 0.04});
     const Primitive region{Cylinder{0.03, 0.7}, X_OP};
     const StatedMass stated{.mass = {},
                             .density = 500.0,
                             .parts = {inside(region, 3000.0), point({0.01, 0.0, 0.2}, 0.1)}};
     const MassOfParts found = mass_of_parts(mug, stated);
-    const Pose X_BO = random_pose(random);
+    const Pose X_BO = pose_in_room(random);
     StatedMass moved = stated;
     moved.parts[0].where = InsideShape{{region.shape, X_BO * region.X_OP}};
     moved.parts[1].where = AtPoint{X_BO * Vector3(0.01, 0.0, 0.2)};
@@ -196,7 +196,7 @@ TEST(MassParts, AreWhatPointsAtRandomSay) {
   const BoundaryTree boundaries = build_boundary_tree(mug, tree);
   Random random(9);
   const Vector3 size(0.05, 0.04, 0.06);
-  const Pose X_OP = pose_from(random_pose(random).linear(), {0.045, 0.01, 0.05});
+  const Pose X_OP = pose_from(pose_in_room(random).linear(), {0.045, 0.01, 0.05});
   const MassShare found =
       mass_of_parts(mug, {.mass = 1.0, .parts = {inside({Box{size}, X_OP}, 100.0)}}).parts[0];
   constexpr int kPoints = 40000;
