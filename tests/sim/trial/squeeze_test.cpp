@@ -11,7 +11,7 @@
 namespace prehend {
 namespace {
 
-constexpr double kFriction = 0.3;
+constexpr double kPadFriction = 0.3;
 
 CompiledScene box_scene() {
   return test::compiled(find_robot("franka_hand"), make_box({0.02, 0.06, 0.04}));
@@ -49,7 +49,7 @@ Trial pressed(const CompiledScene& scene, const std::vector<Touch>& touches) {
   for (const Touch& touch : touches) {
     GraspContact contact;
     contact.link = link_of(scene, touch.first ? fingers.first : fingers.second);
-    contact.point = {touch.position, touch.normal.normalized(), kFriction};
+    contact.point = {touch.position, touch.normal.normalized(), kPadFriction};
     trial.contacts.push_back(contact);
   }
   return trial;
@@ -96,7 +96,7 @@ Trial wedge(const CompiledScene& scene, double angle) {
 
 TEST(Squeeze, AWedgeSlidesOutFromTheAngleOfFriction) {
   const CompiledScene scene = box_scene();
-  const double limit = std::atan(kFriction);
+  const double limit = std::atan(kPadFriction);
   EXPECT_FALSE(squeezed(scene, fingers_of(scene), wedge(scene, limit - 1e-3), kLimits));
   const auto motion = squeezed(scene, fingers_of(scene), wedge(scene, limit + 0.02), kLimits);
   ASSERT_TRUE(motion);
