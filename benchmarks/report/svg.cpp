@@ -3,6 +3,7 @@
 #include <array>
 
 #include "sim/base/formatted.h"
+#include "sim/base/markup.h"
 
 namespace prehend::bench {
 namespace {
@@ -21,29 +22,6 @@ const char* anchor_name(Anchor anchor) {
 }
 
 }  // namespace
-
-std::string xml_escaped(std::string_view text) {
-  std::string escaped;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += letter;
-    }
-  }
-  return escaped;
-}
 
 double text_width(std::string_view text, double font_size) {
   double letters = 0.0;
@@ -64,7 +42,7 @@ Svg::Svg(double width, double height, const std::string& title) {
   head_ = formatted(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" width=\"%.0f\" "
       "height=\"%.0f\" font-family=\"Helvetica, Arial, sans-serif\">\n<title>%s</title>\n",
-      width, height, width, height, xml_escaped(title).c_str());
+      width, height, width, height, markup_text(title).c_str());
   rectangle({0.0, 0.0}, width, height, "#ffffff");
 }
 
@@ -105,7 +83,7 @@ void Svg::text(SvgPoint at, std::string_view words, double size, Anchor anchor, 
       "<text x=\"%.1f\" y=\"%.1f\" font-size=\"%.1f\" text-anchor=\"%s\" fill=\"#222222\"%s%s>%s"
       "</text>\n",
       at.x, at.y, size, anchor_name(anchor), bold ? " font-weight=\"bold\"" : "", turn.c_str(),
-      xml_escaped(words).c_str());
+      markup_text(words).c_str());
 }
 
 std::string Svg::whole() const { return head_ + body_ + "</svg>\n"; }

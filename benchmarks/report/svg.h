@@ -14,9 +14,6 @@ struct SvgPoint {
 
 enum class Anchor { start, middle, end };
 
-// Text with the characters that XML reserves replaced.
-std::string xml_escaped(std::string_view text);
-
 // How wide text will be drawn, roughly: browsers choose the font [pixels].
 double text_width(std::string_view text, double font_size);
 

@@ -140,11 +140,18 @@ struct Arguments {
 
 Arguments arguments_of(int argc, char** argv) {
   Arguments arguments;
-  for (int i = 1; i + 1 < argc; i += 2) {
+  for (int i = 1; i < argc; i += 2) {
     const std::string name = argv[i];
-    if (name == "--objects") arguments.objects = std::stoi(argv[i + 1]);
-    if (name == "--seed") arguments.seed = std::stoull(argv[i + 1]);
-    if (name == "--meshes") arguments.meshes = argv[i + 1];
+    if (i + 1 == argc) throw InputError({.field = name, .problem = "needs a value"});
+    if (name == "--objects") {
+      arguments.objects = std::stoi(argv[i + 1]);
+    } else if (name == "--seed") {
+      arguments.seed = std::stoull(argv[i + 1]);
+    } else if (name == "--meshes") {
+      arguments.meshes = argv[i + 1];
+    } else {
+      throw InputError({.field = name, .problem = "is not known: --objects, --seed, --meshes"});
+    }
   }
   return arguments;
 }

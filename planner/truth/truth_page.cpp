@@ -7,6 +7,7 @@
 #include "planner/truth/truth_text.h"
 #include "planner/truth/unit_plot.h"
 #include "sim/base/formatted.h"
+#include "sim/base/markup.h"
 
 namespace prehend {
 namespace {

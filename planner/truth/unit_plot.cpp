@@ -3,6 +3,7 @@
 #include <array>
 
 #include "sim/base/formatted.h"
+#include "sim/base/markup.h"
 
 namespace prehend {
 namespace {
@@ -38,32 +39,6 @@ std::string grid_of_axes() {
 }
 
 }  // namespace
-
-std::string markup_text(std::string_view text) {
-  std::string escaped;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += static_cast<unsigned char>(letter) < ' ' || letter == '\x7f' ? ' ' : letter;
-    }
-  }
-  return escaped;
-}
 
 UnitPlot::UnitPlot(std::string_view title, std::string_view x_label, std::string_view y_label) {
   const double width = kLeft + kSide + kRight;

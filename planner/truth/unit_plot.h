@@ -9,9 +9,6 @@
 
 namespace prehend {
 
-// Text with the characters that HTML and XML reserve replaced; control characters become spaces.
-std::string markup_text(std::string_view text);
-
 struct PlotPoint {
   double x = 0.0;
   double y = 0.0;

@@ -91,6 +91,12 @@ class Weighed {
     return burden;
   }
 
+  // Burden::strength alone.
+  double strength(const Vector3& down_O) const {
+    const ContactForces forces = balancing_forces(contacts_, frame_, wrench(down_O), kSum);
+    return balances(forces, kSum) ? strength(down_O, forces) : 0.0;
+  }
+
   bool bears_times(const Vector3& down_O, double times) const {
     const ContactForces forces =
         balancing_forces(contacts_, frame_, wrench(down_O, times), hand_, kSum);
@@ -201,7 +207,7 @@ Holding hold_weight(const CompiledScene& scene, const Trial& trial, const RunCon
 }
 
 double weight_strength(const CompiledScene& scene, const Trial& trial) {
-  return Weighed(scene, trial).burden(given_down(scene)).strength;
+  return Weighed(scene, trial).strength(given_down(scene));
 }
 
 bool bears_weight(const CompiledScene& scene, const Trial& trial, double friction,

@@ -47,15 +47,16 @@ void set_start_joints(const CompiledScene& scene, const Candidate& candidate,
 
 // As a new trial, with the memory of its lists.
 void clear(Trial& trial) {
-  Trial cleared;
-  const auto keep = [](auto& list, auto& in) {
-    list.clear();
-    in = std::move(list);
-  };
-  keep(trial.dofs, cleared.dofs);
-  keep(trial.joints, cleared.joints);
-  keep(trial.contacts, cleared.contacts);
-  trial = std::move(cleared);
+  std::vector<double> dofs = std::move(trial.dofs);
+  std::vector<double> joints = std::move(trial.joints);
+  std::vector<GraspContact> contacts = std::move(trial.contacts);
+  dofs.clear();
+  joints.clear();
+  contacts.clear();
+  trial = Trial();
+  trial.dofs = std::move(dofs);
+  trial.joints = std::move(joints);
+  trial.contacts = std::move(contacts);
 }
 
 // Adds the wall-clock time of its lifetime to `seconds`.
