@@ -9,6 +9,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/geometry/polygon.h"
+#include "sim/geometry/weld.h"
 
 namespace prehend {
 namespace {

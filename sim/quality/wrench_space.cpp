@@ -24,22 +24,27 @@ class QuadraticCone {
         arm_(frame.torque_scale * (contact.position - frame.torque_origin)),
         friction_(contact.model == ContactModel::frictionless ? 0.0 : contact.friction),
         torsion_(contact.model == ContactModel::soft_finger ? frame.torque_scale * contact.torsion
-                                                            : 0.0) {}
+                                                            : 0.0),
+        tangents_(contact_tangents(normal_)) {}
 
   // Maximises direction . wrench, which is linear in the force f and the torque t about the normal:
   //   direction . wrench = f . pull + t (turning . normal),   pull = head + turning x arm.
-  // The farthest point of the disc (ellipsoid) is the one along the gradient, which is `slip`, the
-  // tangential part of `pull`, and `twist`, in units in which the ellipsoid is a ball.
+  // The farthest point of the disc (ellipsoid) is the one along the gradient, which is the
+  // tangential part of `pull`, and `twist`, in units in which the ellipsoid is a ball. It is put
+  // together from the tangents: where nothing but rounding is left of the tangential part, this is
+  // still a force of the disc, which pull minus its part along the normal would not be.
   Wrench support(const Wrench& direction) const {
     const Eigen::Vector3d turning = direction.tail<3>();
     const Eigen::Vector3d pull = direction.head<3>() + turning.cross(arm_);
-    const Eigen::Vector3d slip = pull - pull.dot(normal_) * normal_;
+    const double along_first = pull.dot(tangents_.first);
+    const double along_second = pull.dot(tangents_.second);
     const double twist = torsion_ * turning.dot(normal_);
-    const double length = std::hypot(slip.norm(), twist);
+    const double length = std::hypot(along_first, along_second, twist);
     Eigen::Vector3d force = normal_;
     double torque = 0.0;
     if (length > 0.0) {
-      force += friction_ / length * slip;
+      force +=
+          friction_ / length * (along_first * tangents_.first + along_second * tangents_.second);
       torque = friction_ * torsion_ * twist / length;
     }
     Wrench wrench;
@@ -52,6 +57,7 @@ class QuadraticCone {
   Eigen::Vector3d arm_;
   double friction_;
   double torsion_;
+  Tangents tangents_;
 };
 
 // The convex hull of several sets, with the origin or without. Its support point is the farthest of

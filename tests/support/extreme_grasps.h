@@ -184,7 +184,7 @@ inline std::vector<ExtremeGrasp> sizes() {
   for (const auto& [text, radius] : std::vector<std::pair<std::string, double>>{
            {"1 micrometre", 1e-6}, {"1 mm", 1e-3}, {"1 km", 1e3}, {"1,000 km", 1e6}}) {
     const Contacts contacts = scaled(tetrahedron(), radius);
-    grasps.push_back({"radius " + text, contacts, {{}, 1.0 / radius}});
+    grasps.push_back({"radius " + text, contacts, {.torque_scale = 1.0 / radius}});
     grasps.push_back({"radius " + text + ", torques not scaled", contacts, {}});
   }
   for (const auto& [text, distance] :

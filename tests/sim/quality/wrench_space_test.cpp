@@ -151,6 +151,23 @@ TEST(WrenchSpace, ExactConeHasItsClosedForm) {
   }
 }
 
+// Along the normal nothing but rounding tells where on the rim of the cone the farthest point is;
+// it must still be a point of the cone.
+TEST(WrenchSpace, AlongTheNormalThePointIsInTheExactCone) {
+  Random random(57);
+  for (int i = 0; i < 1000; ++i) {
+    const Contact contact = {{0.3, -0.2, 0.5}, random.direction(), 0.6, ContactModel::point};
+    const auto set =
+        wrench_space({&contact, 1}, {}, {.cone = FrictionCone::exact, .force = UnitForce::exactly});
+    Wrench direction = Wrench::Zero();
+    direction.head<3>() = contact.normal;
+    const Eigen::Vector3d force = set->support(direction).head<3>();
+    const double along = force.dot(contact.normal);
+    EXPECT_NEAR(along, 1.0, 1e-14);
+    EXPECT_LE((force - along * contact.normal).norm(), contact.friction * (1.0 + 1e-14));
+  }
+}
+
 TEST(WrenchSpace, SetsContainEachOther) {
   for (const NamedGrasp& grasp : grasp_families(54, 1)) {
     const auto ask = [&](WrenchNorm norm, FrictionCone cone, UnitForce force) {
