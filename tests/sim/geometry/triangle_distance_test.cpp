@@ -84,14 +84,23 @@ TwoTriangles hard_pair(Random& random, int kind) {
 TEST(TriangleDistance, IsThatOfFclWithinAMicrometre) {
   Random random(41);
   double most = 0.0;
+  int missed_by_fcl = 0;
   for (int i = 0; i < 100000; ++i) {
     // Triangles in one plane meet or not by rounding alone, which FCL and others take differently.
     const int kind = i % (kKinds - 1);
     const TwoTriangles two = hard_pair(random, kind);
     const double difference = std::abs(own(two.u, two.v) - by_fcl(two.u, two.v));
-    ASSERT_LT(difference, 1e-6) << "kind " << kind << ", pair " << i;
-    most = std::max(most, difference);
+    if (difference < 1e-6) {
+      most = std::max(most, difference);
+      continue;
+    }
+    // FCL can miss the nearest points of edges that are parallel up to rounding: 3 mm off in one of
+    // six million pairs. Trying all pairs of parts decides.
+    ++missed_by_fcl;
+    ASSERT_NEAR(own(two.u, two.v), test::triangle_to_triangle(two.u, two.v), 1e-9)
+        << "kind " << kind << ", pair " << i;
   }
+  EXPECT_LE(missed_by_fcl, 1);
   RecordProperty("largest difference [m]", std::to_string(most));
 }
 
