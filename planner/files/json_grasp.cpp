@@ -87,7 +87,9 @@ void weakest_wrench_fields(auto& fields, auto& wrench) {
 Json blocked_json(const CompiledScene& scene, const Trial& trial) {
   const Blame blocked = blame(scene, trial);
   if (blocked.link.empty()) return nullptr;
-  return {{"link", blocked.link}, {"by", blocked.by}};
+  Json json = {{"link", blocked.link}, {"by", blocked.by}};
+  if (trial.overlap) json["overlap"] = *trial.overlap;
+  return json;
 }
 
 // Degrees of freedom for given joints. The joints of one degree of freedom may stand at different

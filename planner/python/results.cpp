@@ -112,6 +112,7 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["contacts"] = contacts_dict(scene, trial.contacts);
   fields["blocked_link"] = name_or_none(why.link);
   fields["blocked_by"] = name_or_none(why.by);
+  fields["overlap"] = trial.overlap ? py::object(py::float_(*trial.overlap)) : py::none();
   return fields;
 }
 

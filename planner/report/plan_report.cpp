@@ -49,7 +49,8 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.robustness = scored.robustness;
   grasp.origin = origin_words(scored, result);
   grasp.preshape = preshape_name(scene, scored.candidate);
-  grasp.blame = words_of(blame(scene, trial));
+  grasp.blame = blame_words(scene, trial);
+  grasp.moved = moved_words(trial);
   grasp.primitive = scored.primitive.value_or(-1);
   grasp.shake = scored.shake;
   for (const GraspContact& contact : trial.contacts) {

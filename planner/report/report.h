@@ -36,6 +36,7 @@ struct ReportGrasp {
   std::string origin = {};    // origin_words(): the primitive and rule that it came from
   std::string preshape = {};  // preshape_name()
   std::string blame = {};     // which link collided with what; empty without a collision
+  std::string moved = {};     // moved_words(): what gave way until the grasp held
   int primitive = -1;         // index into Report::primitives, -1: none
   std::vector<ReportContact> contacts;
   std::optional<GraspMotion> motion = {};  // empty without a hand

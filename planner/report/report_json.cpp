@@ -243,6 +243,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
             {"origin", grasp.origin},
             {"preshape", grasp.preshape},
             {"blame", grasp.blame},
+            {"moved", grasp.moved},
             {"primitive", grasp.primitive},
             {"weakest_force", rounded(Vector3(grasp.epsilon.weakest.head<3>()))},
             {"weakest_torque", rounded(Vector3(grasp.epsilon.weakest.tail<3>()))}};

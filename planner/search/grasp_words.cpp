@@ -1,6 +1,7 @@
 #include "planner/search/grasp_words.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "sim/base/formatted.h"
 
@@ -39,6 +40,28 @@ std::string weakness_words(const Robustness& robustness) {
     default:
       return std::string(outcome_name(robustness.weakest_end));
   }
+}
+
+std::string moved_words(const Trial& trial) {
+  const auto millimetres = [](const char* what, double metres) {
+    return metres < 5e-5 ? "" : formatted("%s by %.2g mm", what, 1e3 * metres);
+  };
+  const double turned = trial.turned * 180.0 / std::numbers::pi;
+  std::string object;
+  for (const std::string& part : {millimetres("pushed", trial.pushed.norm()),
+                                  turned < 0.05 ? "" : formatted("turned by %.2g degrees", turned),
+                                  millimetres("slid", trial.slid)}) {
+    if (!part.empty()) object += (object.empty() ? "the object was " : ", ") + part;
+  }
+  const std::string hand = millimetres("the hand gave way", trial.gave_way.norm());
+  return hand + (hand.empty() || object.empty() ? "" : "; ") + object;
+}
+
+std::string blame_words(const CompiledScene& scene, const Trial& trial) {
+  const Blame why = blame(scene, trial);
+  if (why.link.empty()) return "";
+  const std::string depth = trial.overlap ? formatted(", %.2g mm deep", 1e3 * *trial.overlap) : "";
+  return why.link + " met " + why.by + depth;
 }
 
 }  // namespace prehend

@@ -22,4 +22,13 @@ std::string strength_words(const Burden& burden);
 // beside it". Empty where no way that was tried is weak.
 std::string weakness_words(const Robustness& robustness);
 
+// What moved until the grasp held: "the hand gave way by 1.2 mm; the object was pushed by 4 mm,
+// turned by 12 degrees, slid by 3 mm". Parts below 0.05 mm or 0.05 degrees are left out; empty
+// where none is left.
+std::string moved_words(const Trial& trial);
+
+// Which link met what, and how deep it was in it at the start: "left_finger met the object, 3.1 mm
+// deep". Empty without a collision.
+std::string blame_words(const CompiledScene& scene, const Trial& trial);
+
 }  // namespace prehend

@@ -1,6 +1,7 @@
 #include "sim/trial/disturbed_trials.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "sim/quality/share_interval.h"
 #include "sim/quality/wrench_space.h"
@@ -102,26 +103,40 @@ Candidate repeated(const Candidate& candidate, const Trial& trial, const Pose& X
 
 Interval held_interval(int held, int samples) { return share_interval(held, samples, kQuantile90); }
 
-Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
-                         const TrialOptions& options, const std::vector<Disturbance>& disturbances,
-                         TrialWorkspace& workspace, const RunContext& context) {
+void add_samples(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                 const TrialOptions& options, std::span<const Disturbance> disturbances,
+                 TrialWorkspace& workspace, const RunContext& context, Robustness& robustness) {
   DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
-  Robustness robustness;
-  robustness.strength = weight_strength(scene, trial);
-  std::vector<double> epsilons;
   for (const Disturbance& disturbance : disturbances) {
     context.cancellation.check();
     robustness.held += trials.holds(disturbance) ? 1 : 0;
     ++robustness.outcomes[static_cast<std::size_t>(trials.outcome())];
-    epsilons.push_back(trials.epsilon(disturbance.friction));
-    robustness.epsilon_mean += epsilons.back();
+    robustness.epsilons.push_back(trials.epsilon(disturbance.friction));
   }
+  std::vector<double> epsilons = robustness.epsilons;
   robustness.samples = static_cast<int>(epsilons.size());
-  if (epsilons.empty()) return robustness;
-  robustness.epsilon_mean /= static_cast<double>(epsilons.size());
+  if (epsilons.empty()) return;
+  robustness.epsilon_mean =
+      std::accumulate(epsilons.begin(), epsilons.end(), 0.0) / static_cast<double>(epsilons.size());
   std::sort(epsilons.begin(), epsilons.end());
   robustness.epsilon_low = epsilons[epsilons.size() / 10];
+}
+
+void add_spare(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+               const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context,
+               Robustness& robustness) {
+  robustness.strength = weight_strength(scene, trial);
+  if (robustness.samples == 0) return;
+  DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
   find_spare(trials, robustness);
+}
+
+Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                         const TrialOptions& options, const std::vector<Disturbance>& disturbances,
+                         TrialWorkspace& workspace, const RunContext& context) {
+  Robustness robustness;
+  add_samples(scene, candidate, trial, options, disturbances, workspace, context, robustness);
+  add_spare(scene, candidate, trial, options, workspace, context, robustness);
   return robustness;
 }
 

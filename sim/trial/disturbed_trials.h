@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "sim/base/run_context.h"
@@ -22,6 +23,7 @@ struct Robustness {
   // largest value that at most a tenth of the samples are below.
   double epsilon_mean = 0.0;
   double epsilon_low = 0.0;
+  std::vector<double> epsilons;                  // of the samples, in their order
   std::array<int, kOutcomes.size()> outcomes{};  // of the samples
   // How many times the weight the drives hold without errors (weight_strength).
   double strength = 0.0;
@@ -58,5 +60,14 @@ Candidate repeated(const Candidate& candidate, const Trial& trial, const Pose& X
 Robustness try_disturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const TrialOptions& options, const std::vector<Disturbance>& disturbances,
                          TrialWorkspace& workspace, const RunContext& context = {});
+
+// try_disturbed in parts: what only the samples tell, of these besides those that `robustness` has,
+void add_samples(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                 const TrialOptions& options, std::span<const Disturbance> disturbances,
+                 TrialWorkspace& workspace, const RunContext& context, Robustness& robustness);
+// and its strength and what is to spare.
+void add_spare(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+               const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context,
+               Robustness& robustness);
 
 }  // namespace prehend

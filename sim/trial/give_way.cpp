@@ -61,15 +61,9 @@ double shortest_way(const RigidHand& hand, const Vector3& direction_O, double lo
   return free;
 }
 
-}  // namespace
-
-std::optional<Vector3> give_way(const CompiledScene& scene, const Pose& X_OH,
-                                const std::vector<double>& joints, const GiveWayOptions& options,
-                                GiveWayWorkspace& workspace, const RunContext& context) {
-  robot_poses(scene.scene.hand, joints, workspace.poses);
-  const RigidHand hand(scene, X_OH, workspace);
-  if (hand.is_free(Vector3::Zero())) return Vector3(Vector3::Zero());
-  double longest = hand.most(options);
+// The shortest move along one of the directions, of at most `longest`, that frees the hand.
+std::optional<Vector3> shortest_move(const RigidHand& hand, const Pose& X_OH, double longest,
+                                     const RunContext& context) {
   std::optional<Vector3> best;
   for (const Vector3& direction_H : directions()) {
     context.cancellation.check();
@@ -82,6 +76,29 @@ std::optional<Vector3> give_way(const CompiledScene& scene, const Pose& X_OH,
     best = longest * direction_O;
   }
   return best;
+}
+
+}  // namespace
+
+std::optional<Vector3> give_way(const CompiledScene& scene, const Pose& X_OH,
+                                const std::vector<double>& joints, const GiveWayOptions& options,
+                                GiveWayWorkspace& workspace, const RunContext& context) {
+  robot_poses(scene.scene.hand, joints, workspace.poses);
+  const RigidHand hand(scene, X_OH, workspace);
+  if (hand.is_free(Vector3::Zero())) return Vector3(Vector3::Zero());
+  return shortest_move(hand, X_OH, hand.most(options), context);
+}
+
+std::optional<double> overlap_depth(const CompiledScene& scene, const Pose& X_OH,
+                                    const std::vector<double>& joints,
+                                    const GiveWayOptions& options, GiveWayWorkspace& workspace,
+                                    const RunContext& context) {
+  robot_poses(scene.scene.hand, joints, workspace.poses);
+  const RigidHand hand(scene, X_OH, workspace);
+  if (hand.is_free(Vector3::Zero())) return 0.0;
+  const std::optional<Vector3> move = shortest_move(hand, X_OH, options.deepest, context);
+  if (!move) return std::nullopt;
+  return move->norm();
 }
 
 }  // namespace prehend

@@ -20,13 +20,16 @@ struct GiveWayOptions {
   // Of a hand that overlaps obstacles only: how far an arm with a stiffness of 2 N/mm yields to
   // 10 N.
   double obstacle = 5e-3;
+  // How deep an overlap that stays is measured (Trial::overlap); 0: it is not [m].
+  double deepest = 20e-3;
 };
 
 template <SettingsOf<GiveWayOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [object, obstacle] = options;
+  auto& [object, obstacle, deepest] = options;
   visit("object", object, kAtLeast0);
   visit("obstacle", obstacle, kAtLeast0);
+  visit("deepest", deepest, kAtLeast0);
 }
 
 // Buffers of give_way, to allocate less; one for each thread.
@@ -45,5 +48,13 @@ struct GiveWayWorkspace {
 std::optional<Vector3> give_way(const CompiledScene& scene, const Pose& X_OH,
                                 const std::vector<double>& joints, const GiveWayOptions& options,
                                 GiveWayWorkspace& workspace, const RunContext& context = {});
+
+// The length of the shortest translation of the hand after which it overlaps nothing, among the
+// same directions: how deep the overlap is that give_way leaves [m]. Nothing where it is deeper
+// than options.deepest.
+std::optional<double> overlap_depth(const CompiledScene& scene, const Pose& X_OH,
+                                    const std::vector<double>& joints,
+                                    const GiveWayOptions& options, GiveWayWorkspace& workspace,
+                                    const RunContext& context = {});
 
 }  // namespace prehend

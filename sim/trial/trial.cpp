@@ -115,6 +115,7 @@ class TrialRun {
     if (reached.end == ApproachEnd::starts_in_collision) {
       trial.outcome = Outcome::hand_blocked;
       trial.blocked = reached.touch;
+      trial.overlap = overlap_at_start();
     } else if (reached.end == ApproachEnd::touched_obstacle) {
       close_before_obstacle(trial);
     } else {
@@ -131,6 +132,12 @@ class TrialRun {
     if (!move) return false;
     shift(*move);
     return true;
+  }
+
+  std::optional<double> overlap_at_start() {
+    const Timer timer(seconds_.approach);
+    return overlap_depth(scene_, motion_.at(0.0), buffers_.start_joints, options_.give_way,
+                         buffers_.giving_way, context_);
   }
 
   // The hand at this travel of its approach, open.

@@ -50,6 +50,9 @@ struct Trial {
   Outcome outcome = Outcome::no_contact;
   // The colliding link and body, for hand_blocked and approach_blocked.
   std::optional<HandContact> blocked;
+  // For hand_blocked: how far the hand would have to move to overlap nothing (overlap_depth) [m].
+  // None where that is farther than asked.
+  std::optional<double> overlap;
   std::optional<ArmPair> arm_pair;  // the colliding pair, for arm_blocked
   Pose X_OH = Pose::Identity();     // of the hand's base in the grasp, or where the trial ended
   double travel = 0.0;              // length of the approach from the pre-grasp to X_OH [m]

@@ -273,6 +273,8 @@ class Trial:
     """The link that was blocked, for outcomes that end in _blocked."""
     blocked_by: Optional[str]
     """The object, obstacle or link that blocked it."""
+    overlap: Optional[float]
+    """Of hand_blocked: how far the hand would have to move to overlap nothing [m]; None if farther than 20 mm."""
     candidate: Candidate = field(repr=False)
     """What was tried."""
     _trial: "_core._Trial" = field(repr=False)

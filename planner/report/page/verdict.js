@@ -109,6 +109,7 @@ function numberRows(grasp) {
   if (grasp.volume) {
     rows.push(['volume', bracketText(grasp.volume), 'of the space of wrenches it can resist']);
   }
+  if (grasp.moved) rows.push(['while it closed', grasp.moved, '']);
   if (grasp.weight) rows.push(...weightRows(grasp.weight));
   if (grasp.robustness) rows.push(...robustnessRows(grasp.robustness));
   if (grasp.detail && grasp.contacts.length > 0) {

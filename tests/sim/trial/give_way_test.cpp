@@ -67,6 +67,7 @@ TEST(GiveWay, TipsInATableMoveUpFartherThanFingersInTheObject) {
   const Trial deeper = run_trial(scene, above(0.0, 0.048));
   EXPECT_EQ(deeper.outcome, Outcome::hand_blocked);
   EXPECT_EQ(deeper.blocked->body, BodyId::obstacle(0));
+  EXPECT_NEAR(deeper.overlap.value_or(0.0), 6e-3, 6e-5);
   // Deeper in the object than that may give way, and in the table too.
   const CompiledScene low =
       jaw_and_cube({test::obstacle(make_box({1.0, 1.0, 0.02}), {0.0, 0.0, -0.066})});
@@ -91,7 +92,10 @@ TEST(GiveWay, DeeperThanTheOptionIsBlockedWhereItWas) {
   EXPECT_EQ(trial.outcome, Outcome::hand_blocked);
   EXPECT_TRUE(trial.gave_way.isZero(0.0));
   EXPECT_EQ(trial.X_OH.matrix(), candidate.X_OH.matrix());
+  EXPECT_NEAR(trial.overlap.value_or(0.0), 3e-3, 6e-5);
   TrialOptions options;
+  options.give_way.deepest = 2.5e-3;
+  EXPECT_FALSE(run_trial(scene, candidate, options).overlap.has_value());
   options.give_way.object = 4e-3;
   const Trial more = run_trial(scene, candidate, options);
   EXPECT_EQ(more.outcome, Outcome::stable);
