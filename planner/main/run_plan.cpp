@@ -12,7 +12,6 @@
 #include "planner/main/result_table.h"
 #include "planner/report/plan_report.h"
 #include "planner/report/report_html.h"
-#include "planner/search/disturb_grasps.h"
 #include "planner/search/shake_grasps.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
@@ -74,6 +73,8 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
         {.field = "--rank", .problem = "needs the trials of --uncertainty", .value = command.rank});
   }
   if (command.uncertainty) options.robustness = true;
+  if (command.rank == "probability") options.rank.by = RankBy::probability;
+  if (command.rank == "success") options.rank.by = RankBy::success;
   return options;
 }
 
@@ -138,8 +139,6 @@ class PlanProgram {
       result.status = PlanStatus::out_of_time;
     }
     watch_.add(result.times);
-    if (command_.rank == "probability") rank_by_probability(result);
-    if (command_.rank == "success") rank_by_success(result);
     return result;
   }
 

@@ -105,7 +105,9 @@ void bind_error_options(py::module_& core) {
       core, "GiveWayOptions",
       "Overlaps at the start that are resolved instead of ending the trial.")
       .number("object", &GiveWayOptions::object, "Of hand and object, up to this [m].")
-      .number("obstacle", &GiveWayOptions::obstacle, "Of hand and obstacles [m].");
+      .number("obstacle", &GiveWayOptions::obstacle, "Of hand and obstacles [m].")
+      .number("deepest", &GiveWayOptions::deepest,
+              "How deep an overlap that stays is measured; 0: it is not [m].");
   OptionsClass<UncertaintyOptions>(
       core, "UncertaintyOptions",
       "Standard deviations of what is not known when a grasp is carried out.")
@@ -261,6 +263,13 @@ void bind_options(py::module_& core) {
   bind_refine_options(core);
   OptionsClass<RankOptions>(core, "RankOptions", "Which grasps are returned.")
       .number("top", &RankOptions::top, "So many grasps (>= 1).")
+      .choice("by", &RankOptions::by,
+              {{"epsilon", RankBy::epsilon},
+               {"probability", RankBy::probability},
+               {"success", RankBy::success}},
+              R"("epsilon", "probability" or "success"; the last two need PlanOptions.robustness.)")
+      .number("pool", &RankOptions::pool,
+              "Not by epsilon: so many times `top` grasps are tried with errors (>= 1).")
       .number("same_distance", &RankOptions::same_distance,
               "Grasps whose hands are closer than this and same_angle are one [m].")
       .number("same_angle", &RankOptions::same_angle, "See same_distance [rad].")

@@ -1,10 +1,15 @@
 #include "planner/search/disturb_grasps.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
+#include <span>
 #include <tuple>
+#include <vector>
 
 #include "planner/search/cut_short.h"
 #include "planner/search/run_trials.h"
+#include "sim/base/index.h"
 #include "sim/base/random.h"
 #include "sim/parallel/parallel.h"
 #include "sim/trial/success.h"
@@ -31,6 +36,86 @@ void rank_by(RankKey (*key)(const Robustness&), PlanResult& result) {
       [&](const ScoredGrasp& a, const ScoredGrasp& b) { return key_of(a) > key_of(b); });
 }
 
+// The grasps that stay while the samples are tried, in parts.
+class Shortlist {
+ public:
+  Shortlist(const CompiledScene& scene, const TrialOptions& options,
+            const UncertaintyOptions& uncertainty, std::uint64_t seed, std::size_t top,
+            const RunContext& context)
+      : scene_(scene),
+        options_(options),
+        disturbances_(disturbances(scene, uncertainty, derived_seed(seed))),
+        top_(top),
+        context_(context) {}
+
+  // False where time ran out: only grasps with all of their samples have a robustness then.
+  bool fill(std::vector<ScoredGrasp>& grasps) const {
+    const std::size_t count = disturbances_.size();
+    for (std::size_t part = 0; part < kParts; ++part) {
+      const std::size_t first = part * count / kParts;
+      const std::size_t last = (part + 1) * count / kParts;
+      const auto samples = std::span(disturbances_).subspan(first, last - first);
+      const bool finished = for_each(grasps, [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
+        if (!grasp.robustness) grasp.robustness.emplace();
+        add_samples(scene_, grasp.candidate, grasp.trial, options_, samples, workspace, context_,
+                    *grasp.robustness);
+      });
+      if (!finished) return without_parts(grasps);
+      if (part + 1 < kParts) drop(grasps);
+    }
+    const bool finished = for_each(grasps, [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
+      add_spare(scene_, grasp.candidate, grasp.trial, options_, workspace, context_,
+                *grasp.robustness);
+    });
+    return finished || without_parts(grasps);
+  }
+
+ private:
+  static constexpr std::size_t kParts = 4;
+
+  // Does it for all grasps; false if time ran out before.
+  template <typename Do>
+  bool for_each(std::vector<ScoredGrasp>& grasps, const Do& work) const {
+    TrialWorkers workers;
+    std::atomic<bool> all = true;
+    for_each_in_parallel(grasps.size(), context_.threads, [&](std::size_t i) {
+      try {
+        const TrialWorkers::Loan worker(workers);
+        if (is_over(context_)) throw Cancelled();
+        work(grasps[i], worker->workspace);
+      } catch (const Cancelled&) {
+        all = false;
+      }
+    });
+    return all;
+  }
+
+  static bool without_parts(std::vector<ScoredGrasp>& grasps) {
+    for (ScoredGrasp& grasp : grasps) grasp.robustness.reset();
+    return false;
+  }
+
+  void drop(std::vector<ScoredGrasp>& grasps) const {
+    if (grasps.size() <= top_) return;
+    std::vector<double> lower;
+    for (const ScoredGrasp& grasp : grasps) lower.push_back(interval_of(grasp).lower);
+    const auto last = lower.begin() + static_cast<std::ptrdiff_t>(top_) - 1;
+    std::nth_element(lower.begin(), last, lower.end(), std::greater<>());
+    std::erase_if(grasps,
+                  [&](const ScoredGrasp& grasp) { return interval_of(grasp).upper < *last; });
+  }
+
+  static Interval interval_of(const ScoredGrasp& grasp) {
+    return held_interval(grasp.robustness->held, grasp.robustness->samples);
+  }
+
+  const CompiledScene& scene_;
+  const TrialOptions& options_;
+  std::vector<Disturbance> disturbances_;
+  std::size_t top_;
+  const RunContext& context_;
+};
+
 }  // namespace
 
 void disturb_grasps(const CompiledScene& scene, const TrialOptions& options,
@@ -54,6 +139,17 @@ void disturb_grasps(const CompiledScene& scene, const TrialOptions& options,
         return grasp.robustness.has_value() || grasp.trial.contacts.empty();
       });
   if (!all_tried) result.status = cut_short(context);
+}
+
+void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
+                      const UncertaintyOptions& uncertainty, std::uint64_t seed, RankBy by, int top,
+                      const RunContext& context, PlanResult& result) {
+  const Shortlist list(scene, options, uncertainty, seed, index(top), context);
+  if (!list.fill(result.grasps)) result.status = cut_short(context);
+  by == RankBy::success ? rank_by_success(result) : rank_by_probability(result);
+  if (result.grasps.size() > index(top)) {
+    result.grasps.erase(result.grasps.begin() + top, result.grasps.end());
+  }
 }
 
 void rank_by_probability(PlanResult& result) { rank_by(probability_key, result); }

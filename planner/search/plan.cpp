@@ -132,6 +132,8 @@ class PlanRun {
     }
     record();
     rank_trials();
+    shortlist();
+    count(PlanCount::ranked, result_.grasps.size());
     // A plan that was cancelled during the trials returns its ranked grasps without paths.
     if (goes_on() && options_.paths) {
       find_paths(scene_, options_, context_, result_);
@@ -139,7 +141,7 @@ class PlanRun {
       watch_.lap(Stage::paths);
     }
     if (result_.grasps.empty() && !is_over(context_)) explain();
-    if (goes_on() && options_.robustness) {
+    if (goes_on() && options_.robustness && options_.rank.by == RankBy::epsilon) {
       disturb_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, context_,
                      result_);
       watch_.lap(Stage::disturb);
@@ -270,6 +272,10 @@ class PlanRun {
     // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
     // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
     if (options_.paths && goes_on()) ranking.top = std::numeric_limits<int>::max();
+    if (options_.rank.by != RankBy::epsilon) {
+      const double pool = options_.rank.pool * static_cast<double>(options_.rank.top);
+      ranking.top = static_cast<int>(std::min(pool, 1e9));
+    }
     // Finished trial i is entry i of result_.tried, which ScoredGrasp::tried refers to.
     for (const std::size_t i : rank(finished_.trials, ranking)) {
       const ProposedGrasp& proposed = proposed_[finished_.candidates[i]];
@@ -284,8 +290,17 @@ class PlanRun {
       const auto refined = refinements_.find(i);
       if (refined != refinements_.end()) result_.grasps.back().refinement = refined->second;
     }
-    count(PlanCount::ranked, result_.grasps.size());
     watch_.lap(Stage::rank);
+  }
+
+  // Of grasps that are not ranked by epsilon, more than wanted are tried with errors.
+  void shortlist() {
+    if (options_.rank.by == RankBy::epsilon || !goes_on()) return;
+    // Some may turn out to have no path: then none is dropped.
+    const int top = options_.paths ? static_cast<int>(result_.grasps.size()) : options_.rank.top;
+    shortlist_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, options_.rank.by,
+                     top, context_, result_);
+    watch_.lap(Stage::disturb);
   }
 
   // Says why there is no grasp. A caller who does not wait for advice gets the rest.
@@ -321,6 +336,9 @@ class PlanRun {
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context) {
   if (options.paths && !scene.arm) {
     throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
+  }
+  if (options.rank.by != RankBy::epsilon && !options.robustness) {
+    throw InputError({.field = "rank.by", .problem = "needs the trials with errors (robustness)"});
   }
   const PlanOptions seeded = with_seeds(options);
   return PlanRun(scene, seeded, context).run();

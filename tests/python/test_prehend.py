@@ -577,7 +577,7 @@ class Errors(unittest.TestCase):
         self.assertIsNone(options.paths)
         twin.paths = prehend.GraspPathOptions(alternatives=2)
         self.assertEqual(twin.paths.alternatives, 2)
-        self.assertIn("RankOptions(top=3, same_distance=0.01", repr(twin))
+        self.assertIn("RankOptions(top=3, by='epsilon', pool=3.0, same_distance=0.01", repr(twin))
 
 
 if __name__ == "__main__":

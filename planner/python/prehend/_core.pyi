@@ -255,11 +255,13 @@ class GiveWayOptions:
     _fields: Tuple[str, ...]
     object: float
     obstacle: float
+    deepest: float
     def __init__(
         self,
         *,
         object: float = ...,
         obstacle: float = ...,
+        deepest: float = ...,
     ) -> None: ...
     def __copy__(self) -> GiveWayOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> GiveWayOptions: ...
@@ -433,6 +435,8 @@ class RefineOptions:
 class RankOptions:
     _fields: Tuple[str, ...]
     top: int
+    by: str
+    pool: float
     same_distance: float
     same_angle: float
     same_contact: float
@@ -440,6 +444,8 @@ class RankOptions:
         self,
         *,
         top: int = ...,
+        by: str = ...,
+        pool: float = ...,
         same_distance: float = ...,
         same_angle: float = ...,
         same_contact: float = ...,

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/search/accuracy.h"
+#include "sim/base/input_error.h"
 #include "sim/trial/success.h"
 #include "tests/support/library_scenes.h"
 
@@ -132,6 +133,79 @@ TEST(Success, IsLowerInTheMeanForLargerErrors) {
     const double sum = std::accumulate(now.begin(), now.end(), 0.0);
     EXPECT_LT(sum, before) << errors;
     before = sum;
+  }
+}
+
+PlanOptions ranked_by(RankBy by, double pool) {
+  PlanOptions options = plan_options(Accuracy::draft);
+  options.search.trials = 200;
+  options.robustness = true;
+  options.uncertainty.samples = 12;
+  options.volumes = false;
+  options.rank.top = 4;
+  options.rank.by = by;
+  options.rank.pool = pool;
+  return options;
+}
+
+// Those that are returned of a pool are those that come first when all of it are tried with all of
+// their samples, except where an early sample misled.
+TEST(Shortlist, IsTheTopOfThePool) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  PlanOptions all = ranked_by(RankBy::epsilon, 1.0);
+  all.rank.top = 16;
+  PlanResult pool = plan(scene, all);
+  ASSERT_EQ(pool.grasps.size(), 16U);
+  for (const RankBy by : {RankBy::probability, RankBy::success}) {
+    by == RankBy::success ? rank_by_success(pool) : rank_by_probability(pool);
+    const PlanResult list = plan(scene, ranked_by(by, 4.0));
+    ASSERT_EQ(list.grasps.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Robustness& robustness = list.grasps[i].robustness.value();
+      EXPECT_EQ(robustness.samples, 12);
+      EXPECT_EQ(list.grasps[i].trial.X_OH.matrix(), pool.grasps[i].trial.X_OH.matrix()) << i;
+      EXPECT_EQ(robustness.held, pool.grasps[i].robustness->held);
+      EXPECT_EQ(robustness.spare, pool.grasps[i].robustness->spare);
+      EXPECT_EQ(success_probability(robustness), success_probability(*pool.grasps[i].robustness));
+    }
+  }
+}
+
+TEST(Shortlist, IsTheSameOnAnyNumberOfThreads) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  const PlanOptions options = ranked_by(RankBy::success, 3.0);
+  const PlanResult one = plan(scene, options, {1});
+  const PlanResult three = plan(scene, options, {3});
+  ASSERT_EQ(one.grasps.size(), three.grasps.size());
+  for (std::size_t i = 0; i < one.grasps.size(); ++i) {
+    EXPECT_EQ(one.grasps[i].tried, three.grasps[i].tried);
+    EXPECT_EQ(one.grasps[i].robustness->epsilons, three.grasps[i].robustness->epsilons);
+  }
+}
+
+TEST(Shortlist, NeedsErrors) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  PlanOptions options = ranked_by(RankBy::success, 3.0);
+  options.robustness = false;
+  EXPECT_THROW(plan(scene, options), InputError);
+}
+
+TEST(Shortlist, WithoutTimeIsThatOfEpsilon) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  PlanResult result = plan(scene, ranked_by(RankBy::epsilon, 1.0));
+  std::vector<int> tried;
+  for (ScoredGrasp& grasp : result.grasps) {
+    tried.push_back(grasp.tried);
+    grasp.robustness.reset();
+  }
+  Cancellation cancellation;
+  cancellation.request();
+  shortlist_grasps(scene, {}, {}, 1, RankBy::success, 2, {1, cancellation}, result);
+  EXPECT_EQ(result.status, PlanStatus::cancelled);
+  ASSERT_EQ(result.grasps.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(result.grasps[i].tried, tried[i]);
+    EXPECT_FALSE(result.grasps[i].robustness.has_value());
   }
 }
 
