@@ -118,8 +118,9 @@ PlanOptions with_seeds(PlanOptions options) {
 // The stages of plan(), each of which adds to the result.
 class PlanRun {
  public:
-  PlanRun(const CompiledScene& scene, const PlanOptions& options, const RunContext& context)
-      : scene_(scene), options_(options), context_(context) {}
+  PlanRun(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+          const FoundListener& found)
+      : scene_(scene), options_(options), context_(context), found_(found) {}
 
   // plan() does not throw Cancelled: from here on it returns what it has.
   PlanResult run() {
@@ -188,7 +189,7 @@ class PlanRun {
     context_.cancellation.check();
     const RunContext context = context_until(shares().trials);
     SearchResult found = search_grasps(scene_, result_.primitives, options_.candidates,
-                                       options_.search, options_.trial, context);
+                                       options_.search, options_.trial, context, found_);
     result_.smallest_width = found.smallest_width;
     result_.largest_opening = found.largest_opening;
     result_.ways = found.ways;
@@ -324,6 +325,7 @@ class PlanRun {
   const CompiledScene& scene_;
   const PlanOptions& options_;
   const RunContext& context_;
+  const FoundListener& found_;
   std::vector<ProposedGrasp> proposed_;
   Finished finished_;  // trials of all of them; those of ranked grasps are in the result
   std::map<std::size_t, Refinement> refinements_;  // of trials that a refinement found
@@ -333,7 +335,8 @@ class PlanRun {
 
 }  // namespace
 
-PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context) {
+PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+                const FoundListener& found) {
   if (options.paths && !scene.arm) {
     throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
   }
@@ -341,7 +344,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
     throw InputError({.field = "rank.by", .problem = "needs the trials with errors (robustness)"});
   }
   const PlanOptions seeded = with_seeds(options);
-  return PlanRun(scene, seeded, context).run();
+  return PlanRun(scene, seeded, context, found).run();
 }
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,

@@ -236,8 +236,10 @@ struct PlanResult {
 // was searched for: the best grasps, without paths); volumes and sections as far as they were
 // computed. With one thread the finished trials are the first ones, in the order of the candidates.
 // Throws InputError when paths are wanted of a scene without an arm.
+//
+// `found` is told of the stable trials of the search while it runs, before they are ranked.
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options = {},
-                const RunContext& context = {});
+                const RunContext& context = {}, const FoundListener& found = {});
 
 // Runs a trial of each of the given candidates and scores it. Grasps are returned in the order of
 // the candidates, whatever their outcome; nothing is ranked or left out. Does not throw Cancelled:

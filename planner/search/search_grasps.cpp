@@ -16,8 +16,13 @@ namespace {
 class GraspSearch {
  public:
   GraspSearch(const CompiledScene& scene, ProposalSequence& sequence, const SearchOptions& options,
-              const TrialOptions& trial, const RunContext& context)
-      : scene_(scene), sequence_(sequence), options_(options), trial_(trial), context_(context) {}
+              const TrialOptions& trial, const RunContext& context, const FoundListener& found)
+      : scene_(scene),
+        sequence_(sequence),
+        options_(options),
+        trial_(trial),
+        context_(context),
+        found_(found) {}
 
   SearchResult run() {
     result_.ways = sequence_.ways();
@@ -151,6 +156,7 @@ class GraspSearch {
     if (trial.outcome == Outcome::stable) {
       ++stable_;
       add_parent({trial.epsilon.lower, candidate, false});
+      if (found_) found_(result_.proposed.back().candidate, trial);
     }
     result_.candidates.push_back(candidate);
     result_.trials.push_back(std::move(trial));
@@ -175,6 +181,7 @@ class GraspSearch {
   const SearchOptions& options_;
   const TrialOptions& trial_;
   const RunContext& context_;
+  const FoundListener& found_;
   TrialWorkers workers_;
   SearchResult result_;
   int counted_ = 0;  // trials that were not blocked
@@ -191,9 +198,10 @@ class GraspSearch {
 
 SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                            const CandidateOptions& candidates, const SearchOptions& search,
-                           const TrialOptions& trial, const RunContext& context) {
+                           const TrialOptions& trial, const RunContext& context,
+                           const FoundListener& found) {
   ProposalSequence sequence(scene, primitives, candidates);
-  return GraspSearch(scene, sequence, search, trial, context).run();
+  return GraspSearch(scene, sequence, search, trial, context, found).run();
 }
 
 }  // namespace prehend

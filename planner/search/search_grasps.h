@@ -1,6 +1,7 @@
 // The search for grasps: which candidates are tried, in which order.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "planner/propose/candidates.h"
@@ -73,12 +74,17 @@ struct SearchResult {
   double largest_opening = 0.0;
 };
 
+// Is told of each stable trial of a search as soon as its batch is finished, in the order of the
+// candidates; may be empty. Never called by two threads at once.
+using FoundListener = std::function<void(const Candidate&, const Trial&)>;
+
 // Tries candidates until there are enough trials, the context is cancelled, or its deadline has
 // passed. The same arguments give the same proposals and trials on any number of threads. Cut short
 // by time or cancellation, they are a beginning of them, without those of the last batch that were
 // not finished.
 SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                            const CandidateOptions& candidates, const SearchOptions& search,
-                           const TrialOptions& trial, const RunContext& context = {});
+                           const TrialOptions& trial, const RunContext& context = {},
+                           const FoundListener& found = {});
 
 }  // namespace prehend

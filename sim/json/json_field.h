@@ -83,6 +83,8 @@ class JsonField {
 
   bool is_null() const { return value_->is_null(); }
   bool is_text() const { return value_->is_string(); }
+  bool is_list() const { return value_->is_array(); }
+  bool is_object() const { return value_->is_object(); }
   std::string json() const { return value_->dump(); }  // the value as JSON text on one line
 
   const std::filesystem::path& file() const { return *file_; }

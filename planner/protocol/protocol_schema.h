@@ -1,0 +1,14 @@
+// The protocol written down for other programs and for people, made from the table of commands.
+#pragma once
+
+#include <string>
+
+namespace prehend {
+
+// docs/protocol.schema.json: a JSON schema (draft 2020-12) of requests, replies and events.
+std::string protocol_schema();
+
+// The part of docs/protocol.md that lists all commands with their fields.
+std::string protocol_reference();
+
+}  // namespace prehend

@@ -1,0 +1,75 @@
+// One session for all clients.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "planner/protocol/endpoint.h"
+#include "planner/protocol/recording.h"
+#include "planner/session/session.h"
+
+namespace prehend {
+
+// Requests that one client may have waiting. What comes on top of them is refused, in its turn.
+inline constexpr std::size_t kMostWaiting = 1000;
+
+// All clients work on the same session. Commands are carried out one after the other on a thread of
+// their own, in the order in which they came; plan.cancel ends the plan already when it comes.
+// After a change every client gets the event `state`, the one that made it after its reply.
+//
+// A plan runs beside that: commands that change the scene, undo and redo are refused until it has
+// ended, all others work. Events tell of it: `progress`, `grasps` as they are found, `plan` when
+// the results are there.
+class SessionEndpoint : public Endpoint {
+ public:
+  // `record` gets every line of the session (recording.h), one after the other; may be empty.
+  explicit SessionEndpoint(SessionOptions options, RecordLine record = {});
+  // Ends a running plan; what waits is not answered any more.
+  ~SessionEndpoint() override;
+  SessionEndpoint(const SessionEndpoint&) = delete;
+  SessionEndpoint& operator=(const SessionEndpoint&) = delete;
+
+  ClientId connect(std::function<void(std::string)> send) override;
+  // Does nothing for a client that is not connected.
+  void receive(ClientId client, std::string message) override;
+  void disconnect(ClientId client) override;
+
+ private:
+  // What the thread of commands has to do: a request of a client, or none for a plan that ended.
+  struct Task {
+    std::optional<ClientId> client;
+    Request request;
+  };
+  struct Client {
+    std::function<void(std::string)> send;
+    std::size_t waiting = 0;
+  };
+
+  void work();
+  void carry_out(const Task& task);
+  void end_plan();
+  void put(Task task);
+  void send_to(ClientId client, const std::string& text);
+  void send_all(const std::string& text);
+  void tell_state();
+  PlanListener listener();
+
+  RecordLine record_;
+  std::mutex clients_lock_;  // held while something is sent, so that disconnect() waits for it
+  std::map<ClientId, Client> clients_;
+  ClientId last_client_ = 0;
+  std::mutex tasks_lock_;
+  std::condition_variable has_task_;
+  std::deque<Task> tasks_;
+  bool is_over_ = false;
+  std::optional<Cancellation> running_;  // of the plan; guarded by tasks_lock_
+  Session session_;                      // of the thread of commands
+  std::thread worker_;                   // last: it uses all others
+};
+
+}  // namespace prehend

@@ -1,0 +1,39 @@
+// A scene that is being edited, together with what is made of it for trials.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/scene/compiled_scene.h"
+
+namespace prehend {
+
+// Immutable and shared: states of a session that differ in other things refer to the same one.
+class EditedScene {
+ public:
+  // Never throws InputError for a scene that cannot be compiled, since editing passes through such
+  // scenes (no object yet, an obstacle inside it): problem() says what is wrong. A scene without
+  // an object has an empty mesh there. Throws Cancelled.
+  explicit EditedScene(Scene scene, const RunContext& context = {});
+
+  const Scene& scene() const { return compiled_ ? compiled_->scene : draft_; }
+  bool has_object() const { return !scene().object.mesh.empty(); }
+  bool is_ready() const { return compiled_ != nullptr; }
+  // Why the scene cannot be used for grasps; empty where it can.
+  const std::string& problem() const { return problem_; }
+  // Throws InputError of the field "scene" with the problem where the world is not ready.
+  const CompiledScene& compiled() const;
+  // The same to share; null where the world is not ready.
+  const std::shared_ptr<const CompiledScene>& shared() const { return compiled_; }
+  // X_WO, the identity without an object.
+  const Pose& X_WO() const { return scene().object.X_WO; }
+
+ private:
+  std::shared_ptr<const CompiledScene> compiled_;
+  Scene draft_;  // where there is no compiled scene, which has the scene in it
+  std::string problem_;
+};
+
+using EditedScenePtr = std::shared_ptr<const EditedScene>;
+
+}  // namespace prehend

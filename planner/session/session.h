@@ -1,0 +1,151 @@
+// A live session: one scene that is edited, a hand that is moved and closed in it, and the grasps
+// that were planned from there. Everything can be undone.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/session/edited_scene.h"
+#include "planner/session/grasp_judgement.h"
+#include "planner/session/hand_posture.h"
+#include "planner/session/open_folders.h"
+#include "planner/session/plan_job.h"
+#include "planner/session/scene_edits.h"
+
+namespace prehend {
+
+// What the user has switched on.
+struct Switches {
+  bool stop_at_contact = true;  // motions of the hand end where it touches
+  bool soft_fingers = true;     // as TrialOptions::soft_fingers
+};
+
+// A hand that was put aside to be compared.
+struct PinnedGrasp {
+  std::string name;  // unique
+  std::string hand;  // name of the robot
+  HandPosture posture;
+  double epsilon = 0.0;  // lower bound
+};
+
+// All that a session is at one moment. A value: heavy parts are shared and never change.
+struct SessionState {
+  EditedScenePtr world;
+  HandPosture hand;
+  Switches switches;
+  std::optional<Outcome> outcome;  // of the last auto-grasp, while the hand stays as it left it
+  std::shared_ptr<const PlanResult> results;  // of the last plan in this world; null: none
+  std::vector<PinnedGrasp> pins;
+};
+
+struct SessionOptions {
+  OpenFolders folders;  // whose files commands may name
+  int threads = 0;      // of plans; 0: one per processor
+};
+
+// How many states undo() goes back. Each holds what it does not share with its neighbours: after an
+// edit of the scene a compiled scene, else a few hundred bytes.
+inline constexpr std::size_t kMostUndo = 1000;
+
+// Not for several threads at once; only cancel_plan's flag is (see plan_cancellation). Every
+// function that changes the session either succeeds or throws and leaves all as it was. It throws
+// InputError for what is not there or does not fit, of the field that the protocol calls it by.
+// The same calls give the same session, byte for byte, on any number of threads.
+class Session {
+ public:
+  // Begins with a free hand (kDefaultHand) and no object.
+  explicit Session(SessionOptions options = {});
+
+  const SessionState& state() const { return state_; }
+  const OpenFolders& folders() const { return options_.folders; }
+  // Counts changes, undone ones as well.
+  std::uint64_t revision() const { return revision_; }
+
+  // Undo and redo of every change but those of a running plan. False where there is nothing.
+  bool undo();
+  bool redo();
+  std::size_t undo_count() const { return undo_.size(); }
+  std::size_t redo_count() const { return redo_.size(); }
+
+  // --- The world. While a plan runs these are refused, and so are undo() and redo().
+  // A new scene; the hand stands at its start (start_posture).
+  void set_scene(Scene scene);
+  // Changes a copy of the scene. The hand stays where it is in the world, in its posture where it
+  // is still the same hand. Results of a plan are forgotten, for they are about another world.
+  void edit(const std::function<void(Scene&)>& change);
+
+  void set_switches(const Switches& switches);
+
+  // --- The hand. With stop_at_contact and in a world that is ready it moves until it touches;
+  // otherwise it goes all the way, through whatever is there.
+  HandMotion move_hand(const Pose& X_OH);
+  // Values beyond limits are taken as the limits; coupled joints follow.
+  HandMotion set_dofs(const std::vector<double>& dofs);
+  HandMotion take_preshape(const std::string& name);
+  // Each degree of freedom that closes goes to its other limit.
+  HandMotion open_hand();
+  // Back against the approach direction of the hand by `distance` [m], >= 0.
+  HandMotion back_off(double distance);
+  // Along the approach direction until a link touches the object or an obstacle. Stays where it is
+  // when nothing is within `distance` [m] (MotionEnd::arrived with a share of 0).
+  HandMotion approach(double distance);
+  // Closes the hand from where it is, as a trial of the candidate without an approach does
+  // (run_hand_trial): the arm, where there is one, is not asked. A hand that overlaps something
+  // stays as it is; the outcome says so.
+  Trial auto_grasp();
+
+  // --- Queries.
+  Pose X_WH() const { return state_.world->X_WO() * state_.hand.X_OH; }
+  std::vector<GraspContact> contacts() const;
+  GraspJudgement quality() const;
+  // As forces_for.
+  ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
+  std::vector<Overlap> collisions() const;
+
+  // --- Plans. One at a time.
+  void start_plan(const PlanOptions& options, PlanListener listener = {});
+  bool is_planning() const { return job_ != nullptr; }
+  // A flag that ends the running plan early, from any thread; nothing where none runs.
+  std::optional<Cancellation> plan_cancellation() const;
+  // Waits for the running plan and keeps its results. Those of a plan that was cut short depend on
+  // when that was: they are kept as a file of grasps has them, and returned as its text, so that
+  // keep_results with that text gives the same session. Empty for a complete plan.
+  std::string finish_plan();
+  // Ends the running plan, if any, and keeps the results that a file of grasps has instead.
+  void keep_results(const std::string& grasps_file);
+  // The hand as in a result, counted from 0.
+  void go_to(std::size_t result);
+  // The results as files of a format (export_files), or grasps.json.
+  std::string grasps_text() const;
+
+  void pin(const std::string& name);
+  void unpin(const std::string& name);
+
+  // Degrees of freedom of a new scene's hand: those of its first preshape. It stands off the object
+  // against its approach direction, or at the origin without one.
+  static HandPosture start_posture(const Scene& scene);
+
+ private:
+  void push(SessionState next);
+  void require_no_plan() const;
+  HandMotion go(const HandPosture& to);
+  HandMotion go_to_dofs(std::vector<double> dofs);
+  TrialOptions trial_options() const;
+  Trial as_trial() const;
+  PlanResult as_read(const std::string& text) const;
+
+  SessionOptions options_;
+  SessionState state_;
+  std::vector<SessionState> undo_;
+  std::vector<SessionState> redo_;
+  std::uint64_t revision_ = 0;
+  std::unique_ptr<PlanJob> job_;
+};
+
+}  // namespace prehend
