@@ -1,15 +1,12 @@
 #include "planner/main/command_line.h"
 
-#include <array>
-#include <charconv>
 #include <filesystem>
 #include <functional>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "planner/main/option_values.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {
@@ -21,30 +18,6 @@ void add_limits(CLI::App& command, Limits& limits) {
   command.add_option("--memory-limit", limits.memory, "MB of memory to use at most, 0: no limit")
       ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
       ->capture_default_str();
-}
-
-// Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds.
-double seconds_of(const std::string& words) {
-  const std::array<std::pair<std::string_view, double>, 5> units = {
-      {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
-  double number = 0.0;
-  const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
-  const std::string_view rest(end, static_cast<std::size_t>(words.data() + words.size() - end));
-  for (const auto& [unit, seconds] : units) {
-    const bool sound = error == std::errc() && rest == unit && number > 0.0;
-    if (sound && number * seconds <= 1e9) return number * seconds;
-  }
-  throw InputError({.field = "--budget",
-                    .problem = "must be a time above 0 such as 500ms, 2s or 1.5min",
-                    .value = words});
-}
-
-// CLI11 takes "-1" for the largest number, and numbers beyond it for that as well.
-std::string complaint_about_seed(const std::string& word) {
-  std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), seed);
-  const bool whole = error == std::errc() && end == word.data() + word.size();
-  return whole ? "" : "must be a whole number from 0 to 18446744073709551615 (" + word + ")";
 }
 
 void add_common(CLI::App& command, CommonOptions& common) {
@@ -142,6 +115,7 @@ struct CommandLine::Words {
   QualityCommand quality;
   TruthCommand truth;
   ConvertCommand convert;
+  ReplayCommand replay;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(Interrupts&)> chosen;
@@ -157,6 +131,7 @@ struct CommandLine::Words {
     add_quality();
     add_truth();
     add_convert();
+    add_replay();
   }
 
   void add_plan() {
@@ -314,6 +289,23 @@ struct CommandLine::Words {
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](Interrupts& interrupts) { return run_convert(convert, interrupts); };
+    });
+  }
+
+  void add_replay() {
+    CLI::App& command = *app.add_subcommand("replay", "carry out a recorded session again");
+    command.add_option("file", replay.file, "recording, one command a line (docs/protocol.md)")
+        ->required();
+    command.add_option("--out", replay.out, "file to write what comes of it to")
+        ->capture_default_str();
+    command.add_option("--folder", replay.folders,
+                       "whose files the commands may read and write; may be repeated");
+    command.add_option("--threads", replay.threads, "threads of plans, 0: all processors")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_replay(replay, interrupts); };
     });
   }
 

@@ -133,6 +133,14 @@ struct ConvertCommand {
   std::filesystem::path srdf;         // empty: beside the URDF file, if it is there
 };
 
+// Arguments of `replay`.
+struct ReplayCommand {
+  std::filesystem::path file;
+  std::filesystem::path out = "out/replay.json";
+  std::vector<std::filesystem::path> folders;  // whose files the recorded commands may name
+  int threads = 0;                             // of plans; 0: all processors
+};
+
 // The options of readers of robots from NAME=FOLDER and the name of an SRDF file. Throws InputError
 // for words without "=".
 ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
@@ -150,5 +158,6 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts);
 int run_quality(const QualityCommand& command, Interrupts& interrupts);
 int run_truth(const TruthCommand& command, Interrupts& interrupts);
 int run_convert(const ConvertCommand& command, Interrupts& interrupts);
+int run_replay(const ReplayCommand& command, Interrupts& interrupts);
 
 }  // namespace prehend

@@ -123,6 +123,7 @@ std::string protocol_schema() {
 std::string protocol_reference() {
   std::ostringstream text;
   for (const Command& command : commands()) {
+    if (&command != commands().data()) text << "\n";
     text << "### `" << command.name << "`\n\n" << command.summary << "\n\n";
     if (!command.fields.empty()) {
       text << "| field | type | needed | meaning |\n|---|---|---|---|\n";
@@ -133,7 +134,7 @@ std::string protocol_reference() {
       text << "\n";
     }
     text << "Replies " << command.result << "."
-         << (command.kind == CommandKind::world ? " Refused while a plan runs." : "") << "\n\n";
+         << (command.kind == CommandKind::world ? " Refused while a plan runs." : "") << "\n";
   }
   return text.str();
 }

@@ -90,7 +90,7 @@ ProtocolJson scene_text_of(const CommandScope& scope, const JsonField& /*request
 
 ProtocolJson object_set(const CommandScope& scope, const JsonField& request) {
   const BodyOrder order = body_order(request, "X_world_object", "name");
-  Surface surface = surface_of(surface_order(request), scope.session.folders());
+  BodySurface surface = surface_of(surface_order(request), scope.session.folders());
   scope.session.edit([&](Scene& scene) { set_object(scene, std::move(surface), order); });
   return state_json(scope.session);
 }
@@ -103,7 +103,7 @@ ProtocolJson object_change(const CommandScope& scope, const JsonField& request) 
 
 ProtocolJson obstacle_add(const CommandScope& scope, const JsonField& request) {
   const BodyOrder order = body_order(request, "X_world_body", "name");
-  Surface surface = surface_of(surface_order(request), scope.session.folders());
+  BodySurface surface = surface_of(surface_order(request), scope.session.folders());
   scope.session.edit([&](Scene& scene) { add_obstacle(scene, std::move(surface), order); });
   return state_json(scope.session);
 }

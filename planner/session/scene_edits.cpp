@@ -42,14 +42,14 @@ auto asked_by(const std::string& field, const std::string& value, const Make& ma
   }
 }
 
-Surface surface_of_library(const std::string& name) {
+BodySurface surface_of_library(const std::string& name) {
   require(is_library_scene(name),
           {.field = "scene", .problem = "no scene of the library", .value = name});
   Scene scene = load_scene(name);
   return {std::move(scene.object.mesh), scene.object.source, scene.object.name};
 }
 
-Surface surface_of_file(const SurfaceOrder& order, const OpenFolders& folders) {
+BodySurface surface_of_file(const SurfaceOrder& order, const OpenFolders& folders) {
   const std::filesystem::path file = folders.path_of(order.mesh, "mesh");
   ObjectMesh read = asked_by("mesh", order.mesh, [&] {
     return load_object_mesh(file, {order.unit, true});
@@ -59,7 +59,7 @@ Surface surface_of_file(const SurfaceOrder& order, const OpenFolders& folders) {
 }
 
 // The text is no file of anybody's, so that a scene file will have to list the triangles.
-Surface surface_of_text(const SurfaceOrder& order) {
+BodySurface surface_of_text(const SurfaceOrder& order) {
   require(!order.format.empty(), {.field = "format", .problem = "needed beside mesh_text"});
   return asked_by("mesh_text", "", [&] {
     const std::filesystem::path file("given." + order.format);
@@ -69,7 +69,7 @@ Surface surface_of_text(const SurfaceOrder& order) {
       const std::string unit = likely_unit(bounds(read.mesh).size().maxCoeff());
       read = read_mesh(order.mesh_text, file, {.metres_per_unit = metres_per_unit(unit)});
     }
-    return Surface{repair_mesh(read.mesh).mesh, std::monostate{}, "object"};
+    return BodySurface{repair_mesh(read.mesh).mesh, std::monostate{}, "object"};
   });
 }
 
@@ -95,7 +95,7 @@ void require_mass(double mass) {
 
 }  // namespace
 
-Surface surface_of(const SurfaceOrder& order, const OpenFolders& folders) {
+BodySurface surface_of(const SurfaceOrder& order, const OpenFolders& folders) {
   require_one_source(order);
   if (!order.scene.empty()) return surface_of_library(order.scene);
   if (!order.mesh.empty()) return surface_of_file(order, folders);
@@ -131,7 +131,7 @@ Scene scene_of_text(const std::string& text, const OpenFolders& folders) {
   });
 }
 
-void set_object(Scene& scene, Surface surface, const BodyOrder& order) {
+void set_object(Scene& scene, BodySurface surface, const BodyOrder& order) {
   if (order.mass) require_mass(*order.mass);
   const std::string name = order.name.empty() ? surface.name : order.name;
   GraspableBody object =
@@ -159,7 +159,7 @@ void change_object(Scene& scene, const BodyOrder& order) {
   if (order.X_WB) object.X_WO = *order.X_WB;
 }
 
-void add_obstacle(Scene& scene, Surface surface, const BodyOrder& order) {
+void add_obstacle(Scene& scene, BodySurface surface, const BodyOrder& order) {
   const std::string name = order.name.empty() ? surface.name : order.name;
   require_free_name(scene, name, "name");
   add_obstacle(scene, name, std::move(surface.mesh), order.X_WB.value_or(Pose::Identity()),

@@ -12,25 +12,25 @@ namespace prehend {
 // Where the surface of a new body comes from. Exactly one of scene, generate, mesh and mesh_text is
 // stated.
 struct SurfaceOrder {
-  std::string scene;      // a scene of the library: its object
-  std::string generate;   // a name of generate_object
-  int triangles = 5000;   // of generate
-  std::string mesh;       // a mesh file in an open folder
-  std::string mesh_text;  // the content of a mesh file
-  std::string format;     // of mesh_text: obj, stl, ply, off, ...
+  std::string scene = {};      // a scene of the library: its object
+  std::string generate = {};   // a name of generate_object
+  int triangles = 5000;        // of generate
+  std::string mesh = {};       // a mesh file in an open folder
+  std::string mesh_text = {};  // the content of a mesh file
+  std::string format = {};     // of mesh_text: obj, stl, ply, off, ...
   // Of mesh and mesh_text: m, cm, mm or in. Empty: of an object the likely one (likely_unit).
-  std::string unit;
+  std::string unit = {};
 };
 
 // A body without a name: its surface, outward and repaired, and what the scene file will say of it.
-struct Surface {
+struct BodySurface {
   TriangleMesh mesh;
   ShapeSource source;
   std::string name;  // a name to call it by, where nobody gives one
 };
 
 // Throws InputError that names the field of the order.
-Surface surface_of(const SurfaceOrder& order, const OpenFolders& folders);
+BodySurface surface_of(const SurfaceOrder& order, const OpenFolders& folders);
 
 // A scene of the hand alone. Throws InputError for a hand that is not found.
 Scene scene_of_hand(const std::string& hand);
@@ -44,19 +44,19 @@ Scene scene_of_text(const std::string& text, const OpenFolders& folders);
 // What is stated of an object besides its surface; what is not stays as it is (of a new object:
 // plastic, kDefaultObjectMass, at the origin).
 struct BodyOrder {
-  std::string name;
-  std::optional<Material> material;
-  std::optional<double> mass;  // kg, > 0; the density is then uniform
-  std::optional<Pose> X_WB;
+  std::string name = {};
+  std::optional<Material> material = {};
+  std::optional<double> mass = {};  // kg, > 0; the density is then uniform
+  std::optional<Pose> X_WB = {};
 };
 
 // Replaces the object, and forgets the primitives of the earlier one.
-void set_object(Scene& scene, Surface surface, const BodyOrder& order);
+void set_object(Scene& scene, BodySurface surface, const BodyOrder& order);
 // Throws InputError without an object.
 void change_object(Scene& scene, const BodyOrder& order);
 
 // Throws InputError for a name that another obstacle has.
-void add_obstacle(Scene& scene, Surface surface, const BodyOrder& order);
+void add_obstacle(Scene& scene, BodySurface surface, const BodyOrder& order);
 // `order.name` is the new name. Throws InputError of the field "name" for a name that no obstacle
 // has, and for a new one that another has.
 void change_obstacle(Scene& scene, const std::string& name, const BodyOrder& order);

@@ -1,0 +1,16 @@
+// Values of options that are more than a word or a number.
+#pragma once
+
+#include <string>
+
+namespace prehend {
+
+// Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds. Throws InputError
+// of --budget for any other word and for times that are not above 0.
+double seconds_of(const std::string& words);
+
+// What is wrong with a seed; empty where it is one. CLI11 takes "-1" for the largest number, and
+// numbers beyond it for that as well.
+std::string complaint_about_seed(const std::string& word);
+
+}  // namespace prehend
