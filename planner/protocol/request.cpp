@@ -64,6 +64,8 @@ Request read_request(const std::string& message) {
     read_parts(request.json->root(), request);
   } catch (const InputError& error) {
     request.error = error;
+  } catch (const std::bad_alloc&) {
+    request.error = InputError({.field = kMessage, .problem = "out of memory"});
   }
   return request;
 }

@@ -148,8 +148,7 @@ std::vector<CommandField> new_body(const std::vector<CommandField>& more) {
       {"triangles", FieldType::integer, false, "of `generate`: roughly how many; 5000"},
       {"mesh", FieldType::text, false, "a mesh file in an open folder"},
       {"mesh_text", FieldType::text, false, "the content of a mesh file in a text format"},
-      {"format", FieldType::text, false,
-       "of `mesh_text`: obj, stl, ply, off, gltf, dae, iv or wrl"},
+      {"format", FieldType::text, false, "of `mesh_text`: obj, stl, ply, off, dae, iv or wrl"},
       {"unit", FieldType::text, false,
        "of `mesh` and `mesh_text`: m, cm, mm or in; else the likely one"},
       {"material", FieldType::text, false, "glass, metal, plastic, wood or rubber"}};

@@ -27,7 +27,8 @@ inline constexpr std::size_t kMostWaiting = 1000;
 // the results are there.
 class SessionEndpoint : public Endpoint {
  public:
-  // `record` gets every line of the session (recording.h), one after the other; may be empty.
+  // `record` gets every line of the session (recording.h), one after the other; may be empty. Like
+  // the `send` of clients, it must not throw.
   explicit SessionEndpoint(SessionOptions options, RecordLine record = {});
   // Ends a running plan; what waits is not answered any more.
   ~SessionEndpoint() override;

@@ -1,6 +1,8 @@
 #include "planner/session/scene_edits.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "sim/base/input_error.h"
@@ -18,6 +20,11 @@
 
 namespace prehend {
 namespace {
+
+// Formats of text in which a mesh is all in one file: glTF refers to others, which a client could
+// not send.
+constexpr std::array<std::string_view, 7> kTextFormats = {"obj", "stl", "ply", "off",
+                                                          "dae", "iv",  "wrl"};
 
 bool is_library_scene(const std::string& name) {
   const std::vector<std::string> names = library_scene_names();
@@ -58,9 +65,21 @@ BodySurface surface_of_file(const SurfaceOrder& order, const OpenFolders& folder
           file.stem().string()};
 }
 
-// The text is no file of anybody's, so that a scene file will have to list the triangles.
+// The text is no file of anybody's, so that a scene file will have to list the triangles. They are
+// kept as the list that a scene file is read with, so that it is written with the same bytes again.
+WrittenShapesSource written(const TriangleMesh& mesh) {
+  nlohmann::json shape{{"shape", "triangles"}};
+  for (const Vector3& v : mesh.vertices) shape["vertices"].push_back({v.x(), v.y(), v.z()});
+  for (const Triangle& t : mesh.triangles) shape["triangles"].push_back(t);
+  return {nlohmann::json::array({shape}).dump()};
+}
+
 BodySurface surface_of_text(const SurfaceOrder& order) {
-  require(!order.format.empty(), {.field = "format", .problem = "needed beside mesh_text"});
+  const bool known =
+      std::find(kTextFormats.begin(), kTextFormats.end(), order.format) != kTextFormats.end();
+  require(known, {.field = "format",
+                  .problem = "beside mesh_text, must be one of obj, stl, ply, off, dae, iv, wrl",
+                  .value = order.format});
   return asked_by("mesh_text", "", [&] {
     const std::filesystem::path file("given." + order.format);
     const double given = order.unit.empty() ? 1.0 : metres_per_unit(order.unit);
@@ -69,7 +88,9 @@ BodySurface surface_of_text(const SurfaceOrder& order) {
       const std::string unit = likely_unit(bounds(read.mesh).size().maxCoeff());
       read = read_mesh(order.mesh_text, file, {.metres_per_unit = metres_per_unit(unit)});
     }
-    return BodySurface{repair_mesh(read.mesh).mesh, std::monostate{}, "object"};
+    TriangleMesh mesh = repair_mesh(read.mesh).mesh;
+    WrittenShapesSource source = written(mesh);
+    return BodySurface{std::move(mesh), std::move(source), "object"};
   });
 }
 

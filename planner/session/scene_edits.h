@@ -17,7 +17,7 @@ struct SurfaceOrder {
   int triangles = 5000;        // of generate
   std::string mesh = {};       // a mesh file in an open folder
   std::string mesh_text = {};  // the content of a mesh file
-  std::string format = {};     // of mesh_text: obj, stl, ply, off, ...
+  std::string format = {};     // of mesh_text: obj, stl, ply, off, dae, iv or wrl
   // Of mesh and mesh_text: m, cm, mm or in. Empty: of an object the likely one (likely_unit).
   std::string unit = {};
 };

@@ -119,10 +119,11 @@ TEST(Session, JointsEndAtTheirLimitsAndCoupledOnesFollow) {
   EXPECT_EQ(refusal_of([&] { session.set_dofs({0.0}); }).field(), "dofs");
 }
 
-// The epsilon that evaluate gives for the posture, as a file of grasps states it.
+// The epsilon that evaluate gives for the posture. The pose goes through a quaternion, as in files.
 double evaluated(const Session& session, const HandPosture& posture) {
   Candidate candidate;
-  candidate.X_OH = posture.X_OH;
+  candidate.X_OH = pose_from(quaternion_of(posture.X_OH).normalized().toRotationMatrix(),
+                             posture.X_OH.translation());
   candidate.dofs = posture.dofs;
   candidate.joints = posture.joints;
   candidate.approach_O = posture.X_OH.linear() * session.state().world->scene().hand.hand->approach;
@@ -164,6 +165,37 @@ TEST(Session, ForcesBalanceTheLoad) {
   EXPECT_LT((forces.forces.rowwise().sum() + load).norm(), 1e-6 * load.norm());
   EXPECT_FALSE(session.quality().limiting_link.empty());
   EXPECT_LT(session.quality().epsilon_without, session.quality().epsilon.lower);
+}
+
+// A tetrahedron with edges along the axes, 40 long.
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 40 0 0\nv 0 40 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST(Session, MeshesThatAreGivenAsTextAreKeptInTheSceneFile) {
+  const BodySurface surface = surface_of({.mesh_text = kTetrahedron, .format = "obj"}, {});
+  EXPECT_NEAR(bounds(surface.mesh).size().x(), 0.04, 1e-9) << "read in mm";
+  const BodySurface metres =
+      surface_of({.mesh_text = kTetrahedron, .format = "obj", .unit = "m"}, {});
+  EXPECT_NEAR(bounds(metres.mesh).size().x(), 40.0, 1e-6);
+  Session session;
+  session.edit([&](Scene& scene) { set_object(scene, surface, {.name = "wedge", .mass = 0.2}); });
+  const std::string text = scene_text(session.state().world->scene());
+  session.set_scene(scene_of_text(text, {}));
+  EXPECT_EQ(scene_text(session.state().world->scene()), text);
+  EXPECT_EQ(session.state().world->scene().object.mass, 0.2);
+  const InputError unknown =
+      refusal_of([] { (void)surface_of({.mesh_text = kTetrahedron, .format = "gltf"}, {}); });
+  EXPECT_EQ(unknown.field(), "format");
+}
+
+TEST(Session, ScenesThatAreSavedAndLoadedKeepTheirBytes) {
+  for (const char* name : {"mug", "mug_on_table"}) {
+    Session session;
+    session.set_scene(open_scene(name, {}));
+    const std::string text = scene_text(session.state().world->scene());
+    session.set_scene(scene_of_text(text, OpenFolders()));
+    EXPECT_EQ(scene_text(session.state().world->scene()), text) << name;
+  }
 }
 
 TEST(Session, UndoLeadsBackToTheSameBytesAndRedoForward) {
