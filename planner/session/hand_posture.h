@@ -1,8 +1,9 @@
 // Where the hand of a session is, and motions of it that end where it would touch something.
 #pragma once
 
-#include <optional>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/base/run_context.h"

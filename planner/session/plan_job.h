@@ -1,6 +1,7 @@
 // A plan that runs while the session goes on.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <thread>

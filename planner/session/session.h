@@ -2,13 +2,12 @@
 // that were planned from there. Everything can be undone.
 #pragma once
 
-#include <array>
-#include <filesystem>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "planner/session/edited_scene.h"
@@ -53,7 +52,7 @@ struct SessionOptions {
 // edit of the scene a compiled scene, else a few hundred bytes.
 inline constexpr std::size_t kMostUndo = 1000;
 
-// Not for several threads at once; only cancel_plan's flag is (see plan_cancellation). Every
+// Not for several threads at once, but for the flag of plan_cancellation. Every
 // function that changes the session either succeeds or throws and leaves all as it was. It throws
 // InputError for what is not there or does not fit, of the field that the protocol calls it by.
 // The same calls give the same session, byte for byte, on any number of threads.

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -219,6 +220,24 @@ TEST(Protocol, GarbageIsAnsweredOnceEach) {
   }
   EXPECT_EQ(client.replies_left(), 0U);
   EXPECT_TRUE(client.result({{"command", "state"}}).contains("hand"));
+}
+
+TEST(Protocol, ManyClientsAtOnceGetTheirOwnReplies) {
+  SessionEndpoint endpoint({});
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&endpoint, t] {
+      ListeningClient client(endpoint);
+      Random random(20 + static_cast<std::uint64_t>(t));
+      for (int i = 0; i < 300; ++i) {
+        const std::string id = std::to_string(t) + "-" + std::to_string(i);
+        EXPECT_EQ(client.reply({{"id", id}, {"command", "hand.open"}})["id"], id);
+        client.reply_to_text(garbage(random));
+      }
+      EXPECT_EQ(client.replies_left(), 0U);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
 }
 
 TEST(Protocol, WhatAClientSendsAheadIsBounded) {
