@@ -37,14 +37,14 @@ void check_type(const JsonField& field, FieldType type) {
 }  // namespace
 
 const std::vector<Command>& commands() {
-  static const std::vector<Command> kAll = [] {
+  static const std::vector<Command> known = [] {
     std::vector<Command> all;
     for (auto part : {scene_commands(), hand_commands(), judging_commands(), plan_commands()}) {
       std::move(part.begin(), part.end(), std::back_inserter(all));
     }
     return all;
   }();
-  return kAll;
+  return known;
 }
 
 const Command* find_command(std::string_view name) {

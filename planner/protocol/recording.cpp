@@ -67,12 +67,12 @@ Replayed replay(const std::string& recording, const std::string& file, SessionOp
   }
   const EditedScene& world = *session.state().world;
   if (world.has_object()) replayed.scene = scene_text(world.scene());
-  replayed.state = state_json(session);
+  replayed.state = message_text(state_json(session));
   return replayed;
 }
 
 std::string replay_text(const Replayed& replayed) {
-  ProtocolJson json{{"scene", replayed.scene}, {"state", replayed.state}};
+  ProtocolJson json{{"scene", replayed.scene}, {"state", ProtocolJson::parse(replayed.state)}};
   json["replies"] = ProtocolJson::array();
   for (const std::string& reply : replayed.replies) {
     json["replies"].push_back(ProtocolJson::parse(reply));

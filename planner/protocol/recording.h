@@ -24,7 +24,7 @@ struct Replayed {
   std::vector<std::string> replies;  // one for each request
   int refused = 0;                   // replies that are errors
   std::string scene;                 // the scene file; empty where the session ends without object
-  ProtocolJson state;                // as the command `state` replies it
+  std::string state;                 // JSON text, as the command `state` replies it
 };
 
 // Carries out the lines of `recording` (empty ones are skipped) in a new session. The same

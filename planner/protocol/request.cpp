@@ -14,17 +14,17 @@ InputError unknown_command(const std::string& name) {
   return InputError({.field = "command", .problem = "unknown, hello lists them", .value = name});
 }
 
-void read_id(const JsonField& field, const nlohmann::json& value, Request& request) {
-  if (value.is_number_integer() || value.is_string()) {
-    request.id = value;
-    return;
-  }
-  field.fail("must be an integer or a text");
+// The id as JSON text, which comes back as it is.
+std::string read_id(const JsonField& field) {
+  const std::string id = field.json();
+  const nlohmann::json value = nlohmann::json::parse(id);
+  if (!value.is_number_integer() && !value.is_string()) field.fail("must be an integer or a text");
+  return id;
 }
 
 void read_parts(const JsonField& root, Request& request) {
   if (!root.is_object()) root.fail("must be an object");
-  if (root.has("id")) read_id(root["id"], nlohmann::json::parse(root["id"].json()), request);
+  if (root.has("id")) request.id = read_id(root["id"]);
   const std::string name = root["command"].text();
   const Command* command = find_command(name);
   if (command == nullptr) throw unknown_command(name);
@@ -44,7 +44,7 @@ ProtocolJson plain_error(const std::string& problem) {
 }
 
 ProtocolJson refusal(const Request& request, ProtocolJson error) {
-  return {{"id", request.id}, {"ok", false}, {"error", std::move(error)}};
+  return {{"id", ProtocolJson::parse(request.id)}, {"ok", false}, {"error", std::move(error)}};
 }
 
 }  // namespace
@@ -75,7 +75,8 @@ std::string reply_to(const Request& request, const CommandScope& scope) {
     if (request.error) throw InputError(*request.error);
     const Command& command = *find_command(request.command);
     ProtocolJson result = command.run(scope, request.json->root());
-    return message_text({{"id", request.id}, {"ok", true}, {"result", std::move(result)}});
+    return message_text(
+        {{"id", ProtocolJson::parse(request.id)}, {"ok", true}, {"result", std::move(result)}});
   } catch (const InputError& error) {
     return message_text(refusal(request, error_json(error)));
   } catch (const std::bad_alloc&) {

@@ -16,7 +16,7 @@ inline constexpr std::size_t kLongestMessage = std::size_t{64} << 20;
 
 // A message as far as it could be understood.
 struct Request {
-  ProtocolJson id;                       // a number or a text; null: none was given
+  std::string id = "null";               // JSON text of an integer or a text; null: none was given
   std::string command;                   // empty where there is an error
   std::shared_ptr<const JsonFile> json;  // null where the message is no JSON
   std::optional<InputError> error;       // why it cannot be carried out

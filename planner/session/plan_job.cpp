@@ -4,9 +4,9 @@
 
 namespace prehend {
 
-PlanJob::PlanJob(std::shared_ptr<const CompiledScene> scene, PlanOptions options, int threads,
-                 PlanListener listener)
-    : scene_(std::move(scene)), options_(std::move(options)) {
+PlanJob::PlanJob(std::shared_ptr<const CompiledScene> scene, const PlanOptions& options,
+                 int threads, PlanListener listener)
+    : scene_(std::move(scene)), options_(options) {
   thread_ = std::thread([this, threads, heard = std::move(listener)] { run(threads, heard); });
 }
 

@@ -20,7 +20,7 @@ struct PlanListener {
 class PlanJob {
  public:
   // Begins at once. `threads`: 0, one per processor.
-  PlanJob(std::shared_ptr<const CompiledScene> scene, PlanOptions options, int threads,
+  PlanJob(std::shared_ptr<const CompiledScene> scene, const PlanOptions& options, int threads,
           PlanListener listener);
   // Cancels, and waits for the end.
   ~PlanJob();

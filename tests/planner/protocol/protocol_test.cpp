@@ -38,69 +38,71 @@ TEST(Protocol, AHandTakesHoldOfAnObject) {
   EXPECT_EQ(client.result({{"command", "undo"}})["done"], true);
 }
 
+// A message that is refused, and the field that the refusal names.
+struct Mistake {
+  const char* message;
+  const char* field;
+};
+
+constexpr Mistake kMistakes[] = {
+    {"", "line 1"},
+    {"nonsense", "line 1"},
+    {"{\"command\": \"state\"", "line 1"},
+    {"[]", ""},
+    {"3", ""},
+    {"{}", "command"},
+    {R"({"command": 3})", "command"},
+    {R"({"command": "fly"})", "command"},
+    {R"({"command": "state", "command": "state"})", "command"},
+    {R"({"command": "state", "id": [1]})", "id"},
+    {R"({"command": "state", "id": 1.5})", "id"},
+    {R"({"command": "state", "more": 1})", "more"},
+    {R"({"command": "hand.dofs", "dofs": "open"})", "dofs"},
+    {R"({"command": "hand.dofs", "dofs": [1, null]})", "dofs[1]"},
+    {R"({"command": "hand.dofs", "dofs": [1]})", "dofs"},
+    {R"({"command": "hand.dofs", "dof": "tail", "value": 1})", "dof"},
+    {R"({"command": "hand.dofs", "dof": "spread"})", "value"},
+    {R"({"command": "hand.move"})", ""},
+    {R"({"command": "hand.move", "X_world_hand": {"position": [0, 0]}})", "X_world_hand.position"},
+    {R"({"command": "hand.move", "X_world_hand": {"quaternion_wxyz": [0, 0, 0, 0]}})",
+     "X_world_hand.quaternion_wxyz"},
+    {R"({"command": "hand.back_off", "distance": 1e999})", ""},
+    {R"({"command": "hand.back_off", "distance": NaN})", "line 1"},
+    {R"({"command": "hand.back_off", "distance": -1})", "distance"},
+    {R"({"command": "hand.preshape", "preshape": "none"})", "preshape"},
+    {R"({"command": "hand.choose", "hand": "claw"})", "hand"},
+    {R"({"command": "hand.choose", "hand": "/etc/passwd"})", "hand"},
+    {R"({"command": "scene.load", "scene": "/etc/passwd"})", "scene"},
+    {R"({"command": "scene.load", "scene": "mug", "text": "{}"})", ""},
+    {R"({"command": "scene.load", "text": "{"})", "text"},
+    {R"({"command": "scene.save", "file": "a.json"})", "file"},
+    {R"({"command": "scene.text"})", "scene"},
+    {R"({"command": "object.set"})", ""},
+    {R"({"command": "object.set", "generate": "cat"})", "generate"},
+    {R"({"command": "object.set", "generate": "ball", "material": "air"})", "material"},
+    {R"({"command": "object.set", "generate": "ball", "mass": 0})", "mass"},
+    {R"({"command": "object.set", "mesh_text": "v 0 0 0"})", "format"},
+    {R"({"command": "object.set", "mesh_text": "v 0 0 0", "format": "obj"})", "mesh_text"},
+    {R"({"command": "object.set", "mesh_text": "v 0 0 0", "format": "exe"})", "format"},
+    {R"({"command": "object.set", "mesh_text": "{}", "format": "gltf"})", "format"},
+    {R"({"command": "object.change", "mass": 1})", "object"},
+    {R"({"command": "obstacle.remove", "name": "wall"})", "name"},
+    {R"({"command": "platform.mount", "platform": "cart"})", "platform"},
+    {R"({"command": "hand.auto_grasp"})", "scene"},
+    {R"({"command": "plan.start"})", "scene"},
+    {R"({"command": "plan.start", "trials": 0})", "trials"},
+    {R"({"command": "plan.start", "seed": -1})", "seed"},
+    {R"({"command": "plan.start", "accuracy": "/etc/passwd"})", "accuracy"},
+    {R"({"command": "plan.go", "grasp": 0})", "grasp"},
+    {R"({"command": "plan.export"})", "command"},
+    {R"({"command": "pin.remove", "name": "a"})", "name"},
+    {"{\"command\": \"\xff\"}", "line 1"},
+};
+
 TEST(Protocol, EveryMistakeIsToldWithItsField) {
-  struct Mistake {
-    const char* message;
-    const char* field;
-  };
-  const std::vector<Mistake> mistakes = {
-      {"", "line 1"},
-      {"nonsense", "line 1"},
-      {"{\"command\": \"state\"", "line 1"},
-      {"[]", ""},
-      {"3", ""},
-      {"{}", "command"},
-      {R"({"command": 3})", "command"},
-      {R"({"command": "fly"})", "command"},
-      {R"({"command": "state", "command": "state"})", "command"},
-      {R"({"command": "state", "id": [1]})", "id"},
-      {R"({"command": "state", "id": 1.5})", "id"},
-      {R"({"command": "state", "more": 1})", "more"},
-      {R"({"command": "hand.dofs", "dofs": "open"})", "dofs"},
-      {R"({"command": "hand.dofs", "dofs": [1, null]})", "dofs[1]"},
-      {R"({"command": "hand.dofs", "dofs": [1]})", "dofs"},
-      {R"({"command": "hand.dofs", "dof": "tail", "value": 1})", "dof"},
-      {R"({"command": "hand.dofs", "dof": "spread"})", "value"},
-      {R"({"command": "hand.move"})", ""},
-      {R"({"command": "hand.move", "X_world_hand": {"position": [0, 0]}})",
-       "X_world_hand.position"},
-      {R"({"command": "hand.move", "X_world_hand": {"quaternion_wxyz": [0, 0, 0, 0]}})",
-       "X_world_hand.quaternion_wxyz"},
-      {R"({"command": "hand.back_off", "distance": 1e999})", ""},
-      {R"({"command": "hand.back_off", "distance": NaN})", "line 1"},
-      {R"({"command": "hand.back_off", "distance": -1})", "distance"},
-      {R"({"command": "hand.preshape", "preshape": "none"})", "preshape"},
-      {R"({"command": "hand.choose", "hand": "claw"})", "hand"},
-      {R"({"command": "hand.choose", "hand": "/etc/passwd"})", "hand"},
-      {R"({"command": "scene.load", "scene": "/etc/passwd"})", "scene"},
-      {R"({"command": "scene.load", "scene": "mug", "text": "{}"})", ""},
-      {R"({"command": "scene.load", "text": "{"})", "text"},
-      {R"({"command": "scene.save", "file": "a.json"})", "file"},
-      {R"({"command": "scene.text"})", "scene"},
-      {R"({"command": "object.set"})", ""},
-      {R"({"command": "object.set", "generate": "cat"})", "generate"},
-      {R"({"command": "object.set", "generate": "ball", "material": "air"})", "material"},
-      {R"({"command": "object.set", "generate": "ball", "mass": 0})", "mass"},
-      {R"({"command": "object.set", "mesh_text": "v 0 0 0"})", "format"},
-      {R"({"command": "object.set", "mesh_text": "v 0 0 0", "format": "obj"})", "mesh_text"},
-      {R"({"command": "object.set", "mesh_text": "v 0 0 0", "format": "exe"})", "format"},
-      {R"({"command": "object.set", "mesh_text": "{}", "format": "gltf"})", "format"},
-      {R"({"command": "object.change", "mass": 1})", "object"},
-      {R"({"command": "obstacle.remove", "name": "wall"})", "name"},
-      {R"({"command": "platform.mount", "platform": "cart"})", "platform"},
-      {R"({"command": "hand.auto_grasp"})", "scene"},
-      {R"({"command": "plan.start"})", "scene"},
-      {R"({"command": "plan.start", "trials": 0})", "trials"},
-      {R"({"command": "plan.start", "seed": -1})", "seed"},
-      {R"({"command": "plan.start", "accuracy": "/etc/passwd"})", "accuracy"},
-      {R"({"command": "plan.go", "grasp": 0})", "grasp"},
-      {R"({"command": "plan.export"})", "command"},
-      {R"({"command": "pin.remove", "name": "a"})", "name"},
-      {"{\"command\": \"\xff\"}", "line 1"},
-  };
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
-  for (const Mistake& mistake : mistakes) {
+  for (const Mistake& mistake : kMistakes) {
     const Reply reply = client.reply_to_text(mistake.message);
     ASSERT_EQ(reply["ok"], false) << mistake.message;
     EXPECT_EQ(reply["error"]["field"], mistake.field) << mistake.message << reply;
