@@ -105,6 +105,26 @@ class LineConnection final : public LineClient {
   std::array<char, 16384> piece_{};
 };
 
+// A stream whose WebSocket does not wait at its end for the other side to close, which may be
+// never.
+class PromptStream : public beast::tcp_stream {
+ public:
+  explicit PromptStream(beast::tcp_stream&& stream) : beast::tcp_stream(std::move(stream)) {}
+};
+
+// Beast finds these two by their names.
+void teardown(beast::role_type, PromptStream& stream, ErrorCode& error) {
+  stream.socket().shutdown(Tcp::socket::shutdown_both, error);
+}
+
+template <typename Handler>
+void async_teardown(beast::role_type role, PromptStream& stream, Handler&& handler) {
+  ErrorCode error;
+  teardown(role, stream, error);
+  net::post(stream.get_executor(),
+            beast::bind_front_handler(std::forward<Handler>(handler), error));
+}
+
 // One HTTP request, and its answer or a WebSocket.
 class HttpConnection final : public Connection {
  public:
@@ -134,7 +154,7 @@ class HttpConnection final : public Connection {
 
   void close() override {
     if (socket_) {
-      beast::get_lowest_layer(*socket_).close();
+      socket_->next_layer().close();
     } else {
       stream_.close();
     }
@@ -195,7 +215,7 @@ class HttpConnection final : public Connection {
 
   void upgrade() {
     socket_.emplace(std::move(stream_));
-    beast::get_lowest_layer(*socket_).expires_never();
+    socket_->next_layer().expires_never();
     socket_->set_option(websocket::stream_base::timeout{duration_of(options_.handshake_time),
                                                         duration_of(options_.idle_time), true});
     socket_->read_message_max(listener_.largest_message);
@@ -235,7 +255,7 @@ class HttpConnection final : public Connection {
   }
 
   beast::tcp_stream stream_;
-  std::optional<websocket::stream<beast::tcp_stream>> socket_;  // once stream_ was upgraded
+  std::optional<websocket::stream<PromptStream>> socket_;  // once stream_ was upgraded
   beast::flat_buffer buffer_;
   http::request_parser<http::empty_body> parser_;
   http::response<http::span_body<const char>> reply_;
@@ -248,7 +268,8 @@ class HttpConnection final : public Connection {
 
 class Server::Hub {
  public:
-  explicit Hub(ServerOptions options) : options_(std::move(options)), io_(options_.threads) {
+  explicit Hub(ServerOptions options)
+      : options_(std::move(options)), io_(std::in_place, options_.threads) {
     if (options_.token.empty()) options_.token = random_token();
     check_options(options_);
     rules_.token = options_.token;
@@ -276,18 +297,21 @@ class Server::Hub {
                                       listener.refusal("too many clients") + "\n", make));
     }
     for (const std::unique_ptr<Door>& door : doors_) accept(*door);
-    for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { io_.run(); });
+    for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { io_->run(); });
     return ports;
   }
 
   void stop() {
     const std::lock_guard once(stopping_);
-    io_.stop();
+    if (!io_) return;
+    io_->stop();
     for (std::thread& thread : threads_) thread.join();
     threads_.clear();
     doors_.clear();
     // Nothing else runs any more, and ending a connection takes it out of the set.
     while (!connections_.empty()) (*connections_.begin())->end();
+    // Connections that were accepted and have not been looked at are closed with it.
+    io_.reset();
   }
 
   const std::string& token() const { return options_.token; }
@@ -314,7 +338,7 @@ class Server::Hub {
   std::uint16_t open_door(const std::string& name, std::uint16_t port, std::string full,
                           Make make) {
     const Tcp::endpoint place(net::ip::make_address(options_.address), port);
-    Tcp::acceptor acceptor(io_);
+    Tcp::acceptor acceptor(*io_);
     ErrorCode error;
     acceptor.open(place.protocol(), error);
     // A server that starts again takes its port back from connections that have just ended.
@@ -331,12 +355,12 @@ class Server::Hub {
     }
     const std::uint16_t opened = acceptor.local_endpoint().port();
     doors_.push_back(std::make_unique<Door>(
-        Door{std::move(acceptor), net::steady_timer(io_), std::move(full), std::move(make)}));
+        Door{std::move(acceptor), net::steady_timer(*io_), std::move(full), std::move(make)}));
     return opened;
   }
 
   void accept(Door& door) {
-    door.acceptor.async_accept(net::make_strand(io_),
+    door.acceptor.async_accept(net::make_strand(*io_),
                                [this, &door](ErrorCode error, Tcp::socket socket) {
                                  if (!error) {
                                    admit(door, std::move(socket));
@@ -378,7 +402,7 @@ class Server::Hub {
 
   ServerOptions options_;
   HttpRules rules_;
-  net::io_context io_;
+  std::optional<net::io_context> io_;  // until stop()
   // After io_, which they stand on.
   std::vector<std::unique_ptr<Door>> doors_;
   std::vector<std::thread> threads_;
