@@ -141,6 +141,14 @@ struct ReplayCommand {
   int threads = 0;                             // of plans; 0: all processors
 };
 
+// Arguments of `serve`.
+struct ServeCommand {
+  std::uint16_t tcp = 4700;                    // port; 0: any free one
+  std::filesystem::path record;                // empty: nothing is recorded
+  std::vector<std::filesystem::path> folders;  // whose files commands may name
+  int threads = 0;                             // of plans; 0: all processors
+};
+
 // The options of readers of robots from NAME=FOLDER and the name of an SRDF file. Throws InputError
 // for words without "=".
 ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
@@ -159,5 +167,6 @@ int run_quality(const QualityCommand& command, Interrupts& interrupts);
 int run_truth(const TruthCommand& command, Interrupts& interrupts);
 int run_convert(const ConvertCommand& command, Interrupts& interrupts);
 int run_replay(const ReplayCommand& command, Interrupts& interrupts);
+int run_serve(const ServeCommand& command, Interrupts& interrupts);
 
 }  // namespace prehend

@@ -1,0 +1,96 @@
+#include "planner/main/shared_options.h"
+
+#include <cstdint>
+
+#include "planner/main/option_values.h"
+
+namespace prehend {
+
+void add_limits(CLI::App& command, Limits& limits) {
+  command.add_option("--budget", limits.budget,
+                     "time after which to stop and keep what there is: 500ms, 2s, 1.5min");
+  command.add_option("--memory-limit", limits.memory, "MB of memory to use at most, 0: no limit")
+      ->check(CLI::Range(std::uint64_t{0}, std::uint64_t{1} << 40))
+      ->capture_default_str();
+}
+
+void add_common(CLI::App& command, CommonOptions& common) {
+  command.add_option("--threads", common.threads, "threads to use, 0: all processors")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+  command.add_option("--seed", common.seed, "seed of everything random")
+      ->check(complaint_about_seed)
+      ->capture_default_str();
+  command.add_option("--out", common.out, "folder to write to")->capture_default_str();
+  command.add_flag("--progress", common.progress, "say on stderr how far the run is, in lines");
+}
+
+void add_uncertainty(CLI::App& command, bool& uncertainty) {
+  command.add_flag("--uncertainty", uncertainty,
+                   "try each grasp again with errors of pose, friction and centre of mass");
+}
+
+void add_shake(CLI::App& command, std::string& protocol) {
+  command.add_option("--shake", protocol,
+                     "close, lift and shake each grasp: a protocol's name or file");
+}
+
+void add_dynamic(CLI::App& command, bool& dynamic) {
+  command.add_flag("--dynamic", dynamic,
+                   "simulate how each hand closes: the object has weight and gives way");
+}
+
+void add_no_report(CLI::App& command, bool& no_report) {
+  command.add_flag("--no-report", no_report, "do without report.html");
+}
+
+void add_accuracy(CLI::App& command, CommonOptions& common) {
+  command
+      .add_option("--accuracy", common.accuracy,
+                  "draft, standard or fine, or a file of settings (docs/accuracy-file.md)")
+      ->capture_default_str();
+}
+
+void add_contacts(CLI::App& command, CommonOptions& common) {
+  command
+      .add_option_function<std::string>(
+          "--contacts",
+          [&common](const std::string& kind) { common.hard_contacts = kind == "hard"; },
+          "of rubber: soft fingers that pass on torque, or hard points")
+      ->check(CLI::IsMember({"soft", "hard"}))
+      ->default_str("soft");
+}
+
+void add_mesh_words(CLI::App& command, std::string& unit, bool& repair) {
+  command.add_option("--unit", unit,
+                     "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
+  command.add_flag("!--no-repair", repair, "take the surface of a mesh file as it is");
+}
+
+void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
+                     bool& repair) {
+  command.add_option("--scene", scene, "scene or mesh file, in place of the one the file names");
+  command.add_option("--hand", hand, "robot of the library or robot file, in place of the file's");
+  add_mesh_words(command, unit, repair);
+}
+
+void add_packages(CLI::App& command, std::vector<std::string>& packages) {
+  command.add_option("--package", packages,
+                     "NAME=FOLDER: where a package is that a URDF file names; may be repeated");
+}
+
+void add_foreign(CLI::App& command, std::vector<std::string>& packages,
+                 std::filesystem::path& srdf) {
+  add_packages(command, packages);
+  command.add_option("--srdf", srdf, "SRDF file of a URDF file, in place of the one beside it");
+}
+
+void add_session(CLI::App& command, std::vector<std::filesystem::path>& folders, int& threads) {
+  command.add_option("--folder", folders,
+                     "whose files the commands may read and write; may be repeated");
+  command.add_option("--threads", threads, "threads of plans, 0: all processors")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+}  // namespace prehend
