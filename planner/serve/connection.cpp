@@ -65,12 +65,10 @@ void Connection::leave() {
 
 void Connection::write_next() {
   if (is_over_ || (is_writing_ && !outbox_->overflowed())) return;
-  if (outbox_->overflowed()) {
-    end();
-  } else if (outbox_->take(writing_)) {
+  if (!outbox_->overflowed() && outbox_->take(writing_)) {
     is_writing_ = true;
     write(writing_);
-  } else if (is_finishing_) {
+  } else if (outbox_->overflowed() || is_finishing_) {
     end();
   }
 }

@@ -412,6 +412,8 @@ class Server::Hub {
 };
 
 Server::Server(ServerOptions options) : hub_(std::make_unique<Hub>(std::move(options))) {}
+// A thread that cannot be joined is a bug.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 Server::~Server() { hub_->stop(); }
 ServerPorts Server::start() { return hub_->start(); }
 void Server::stop() { hub_->stop(); }

@@ -27,7 +27,7 @@ class Server {
   // Throws InputError for options that are out of their ranges.
   explicit Server(ServerOptions options);
   // Stops.
-  ~Server();
+  ~Server();  // NOLINT(bugprone-exception-escape)
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
