@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "sim/base/index.h"
 
@@ -10,8 +9,6 @@ namespace prehend {
 namespace {
 
 using Eigen::Index;
-
-constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // A row on a single velocity.
 JacobianBlock unit_row(int velocity) { return {velocity, Eigen::MatrixXd::Ones(1, 1)}; }
