@@ -15,11 +15,6 @@ namespace {
 // side for each of its detailed grasps.
 constexpr TellingSideOptions kSmall{96, 80};
 
-std::string words_of(const Blame& blame) {
-  if (blame.link.empty()) return "";
-  return blame.link + " met " + blame.by;
-}
-
 std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& scene,
                                                           const PlanResult& result,
                                                           const RunRecord& record) {
@@ -106,7 +101,8 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
   for (std::size_t i = 0; i < count; ++i) {
     const Tried& tried = result.tried[i * result.tried.size() / count];
     report.candidates.push_back({tried.X_OH * scene.scene.hand.hand->origin, tried.approach_O,
-                                 static_cast<std::size_t>(tried.outcome), words_of(tried.blame)});
+                                 static_cast<std::size_t>(tried.outcome),
+                                 blame_words(tried.blame)});
   }
 }
 

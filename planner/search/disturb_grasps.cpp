@@ -36,6 +36,23 @@ void rank_by(RankKey (*key)(const Robustness&), PlanResult& result) {
       [&](const ScoredGrasp& a, const ScoredGrasp& b) { return key_of(a) > key_of(b); });
 }
 
+// Calls work(grasp, workspace) for all of them, in parallel; false if time ran out before the end.
+template <typename Work>
+bool for_each_grasp(std::vector<ScoredGrasp>& grasps, const RunContext& context, const Work& work) {
+  TrialWorkers workers;
+  std::atomic<bool> all = true;
+  for_each_in_parallel(grasps.size(), context.threads, [&](std::size_t i) {
+    try {
+      if (is_over(context)) throw Cancelled();
+      const TrialWorkers::Loan worker(workers);
+      work(grasps[i], worker->workspace);
+    } catch (const Cancelled&) {
+      all = false;
+    }
+  });
+  return all;
+}
+
 // The grasps that stay while the samples are tried, in parts.
 class Shortlist {
  public:
@@ -48,47 +65,32 @@ class Shortlist {
         top_(top),
         context_(context) {}
 
-  // False where time ran out: only grasps with all of their samples have a robustness then.
+  // False where time ran out: none has a robustness then.
   bool fill(std::vector<ScoredGrasp>& grasps) const {
     const std::size_t count = disturbances_.size();
     for (std::size_t part = 0; part < kParts; ++part) {
       const std::size_t first = part * count / kParts;
       const std::size_t last = (part + 1) * count / kParts;
       const auto samples = std::span(disturbances_).subspan(first, last - first);
-      const bool finished = for_each(grasps, [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
-        if (!grasp.robustness) grasp.robustness.emplace();
-        add_samples(scene_, grasp.candidate, grasp.trial, options_, samples, workspace, context_,
-                    *grasp.robustness);
-      });
+      const bool finished =
+          for_each_grasp(grasps, context_, [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
+            if (!grasp.robustness) grasp.robustness.emplace();
+            add_samples(scene_, grasp.candidate, grasp.trial, options_, samples, workspace,
+                        context_, *grasp.robustness);
+          });
       if (!finished) return without_parts(grasps);
       if (part + 1 < kParts) drop(grasps);
     }
-    const bool finished = for_each(grasps, [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
-      add_spare(scene_, grasp.candidate, grasp.trial, options_, workspace, context_,
-                *grasp.robustness);
-    });
+    const bool finished =
+        for_each_grasp(grasps, context_, [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
+          add_spare(scene_, grasp.candidate, grasp.trial, options_, workspace, context_,
+                    *grasp.robustness);
+        });
     return finished || without_parts(grasps);
   }
 
  private:
   static constexpr std::size_t kParts = 4;
-
-  // Does it for all grasps; false if time ran out before.
-  template <typename Do>
-  bool for_each(std::vector<ScoredGrasp>& grasps, const Do& work) const {
-    TrialWorkers workers;
-    std::atomic<bool> all = true;
-    for_each_in_parallel(grasps.size(), context_.threads, [&](std::size_t i) {
-      try {
-        const TrialWorkers::Loan worker(workers);
-        if (is_over(context_)) throw Cancelled();
-        work(grasps[i], worker->workspace);
-      } catch (const Cancelled&) {
-        all = false;
-      }
-    });
-    return all;
-  }
 
   static bool without_parts(std::vector<ScoredGrasp>& grasps) {
     for (ScoredGrasp& grasp : grasps) grasp.robustness.reset();
@@ -122,23 +124,12 @@ void disturb_grasps(const CompiledScene& scene, const TrialOptions& options,
                     const UncertaintyOptions& uncertainty, std::uint64_t seed,
                     const RunContext& context, PlanResult& result) {
   const std::vector<Disturbance> all = disturbances(scene, uncertainty, derived_seed(seed));
-  TrialWorkers workers;
-  for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
-    ScoredGrasp& grasp = result.grasps[i];
-    if (grasp.trial.contacts.empty() || is_over(context)) return;
-    try {
-      const TrialWorkers::Loan worker(workers);
-      grasp.robustness = try_disturbed(scene, grasp.candidate, grasp.trial, options, all,
-                                       worker->workspace, context);
-    } catch (const Cancelled&) {
-      return;
-    }
-  });
-  const bool all_tried =
-      std::all_of(result.grasps.begin(), result.grasps.end(), [](const ScoredGrasp& grasp) {
-        return grasp.robustness.has_value() || grasp.trial.contacts.empty();
-      });
-  if (!all_tried) result.status = cut_short(context);
+  const auto disturb = [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
+    if (grasp.trial.contacts.empty()) return;
+    grasp.robustness =
+        try_disturbed(scene, grasp.candidate, grasp.trial, options, all, workspace, context);
+  };
+  if (!for_each_grasp(result.grasps, context, disturb)) result.status = cut_short(context);
 }
 
 void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,

@@ -17,8 +17,8 @@ void disturb_grasps(const CompiledScene& scene, const TrialOptions& options,
 // As disturb_grasps, of a result with more grasps than wanted: at most `top` are kept, the first by
 // `by`, in that order. The samples are tried in four parts. After each of them, grasps are dropped
 // that will hardly be among the first `top`: the interval of the share that held (held_interval)
-// lies below those of `top` others. Where time runs out none has a robustness,
-// and those with the larger epsilon come first.
+// lies below those of `top` others. Where time runs out none has a robustness, and those with the
+// larger epsilon come first.
 void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
                       const UncertaintyOptions& uncertainty, std::uint64_t seed, RankBy by, int top,
                       const RunContext& context, PlanResult& result);

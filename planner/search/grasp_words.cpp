@@ -57,11 +57,14 @@ std::string moved_words(const Trial& trial) {
   return hand + (hand.empty() || object.empty() ? "" : "; ") + object;
 }
 
+std::string blame_words(const Blame& blame) {
+  return blame.link.empty() ? "" : blame.link + " met " + blame.by;
+}
+
 std::string blame_words(const CompiledScene& scene, const Trial& trial) {
-  const Blame why = blame(scene, trial);
-  if (why.link.empty()) return "";
-  const std::string depth = trial.overlap ? formatted(", %.2g mm deep", 1e3 * *trial.overlap) : "";
-  return why.link + " met " + why.by + depth;
+  const std::string words = blame_words(blame(scene, trial));
+  if (words.empty() || !trial.overlap) return words;
+  return words + formatted(", %.2g mm deep", 1e3 * *trial.overlap);
 }
 
 }  // namespace prehend

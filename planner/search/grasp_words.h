@@ -27,8 +27,10 @@ std::string weakness_words(const Robustness& robustness);
 // where none is left.
 std::string moved_words(const Trial& trial);
 
-// Which link met what, and how deep it was in it at the start: "left_finger met the object, 3.1 mm
-// deep". Empty without a collision.
+// Which link met what: "left_finger met the object"; of a trial, also how deep it was in it at the
+// start, where that was measured: "left_finger met the object, 3.1 mm deep". Empty without a
+// collision.
+std::string blame_words(const Blame& blame);
 std::string blame_words(const CompiledScene& scene, const Trial& trial);
 
 }  // namespace prehend

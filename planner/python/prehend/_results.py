@@ -274,7 +274,10 @@ class Trial:
     blocked_by: Optional[str]
     """The object, obstacle or link that blocked it."""
     overlap: Optional[float]
-    """Of hand_blocked: how far the hand would have to move to overlap nothing [m]; None if farther than 20 mm."""
+    """Of hand_blocked: how far the hand would have to move to overlap nothing [m].
+
+    None if farther than 20 mm, and in plans, which leave such grasps out.
+    """
     candidate: Candidate = field(repr=False)
     """What was tried."""
     _trial: "_core._Trial" = field(repr=False)

@@ -49,7 +49,9 @@ inline CompiledScene among_random_boxes(Random& random, int count) {
     boxes.clear();
     for (int i = 0; i < count; ++i) {
       const Vector3 size = Vector3::Constant(0.22) + random.in_box(0.18);
-      const Vector3 at = random.uniform(0.35, 1.0) * random.direction();
+      // One draw a statement: compilers evaluate operands in different orders.
+      const Vector3 direction = random.direction();
+      const Vector3 at = random.uniform(0.35, 1.0) * direction;
       boxes.push_back(box("box_" + std::to_string(i), size, pose_from(random.rotation(), at)));
     }
     try {

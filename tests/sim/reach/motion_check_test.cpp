@@ -119,8 +119,8 @@ TEST(MotionCheck, APathIsFreeWhenEachOfItsStretchesIs) {
     EXPECT_EQ(!first_blocked(arm, pairs, path), each) << i;
     free += each ? 1 : 0;
   }
-  EXPECT_GE(free, 4);
-  EXPECT_LE(free, 56);
+  EXPECT_GE(free, 12);
+  EXPECT_LE(free, 48);
 }
 
 TEST(MotionCheck, NoMotionIsFree) {
