@@ -39,6 +39,7 @@ struct CommandLine::Words {
   ConvertCommand convert;
   ReplayCommand replay;
   ServeCommand serve;
+  StudioCommand studio;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(Interrupts&)> chosen;
@@ -56,6 +57,7 @@ struct CommandLine::Words {
     add_convert();
     add_replay();
     add_serve();
+    add_studio();
   }
 
   void add_plan() {
@@ -233,11 +235,26 @@ struct CommandLine::Words {
     CLI::App& command = *app.add_subcommand("serve", "take the commands of other programs");
     command.add_option("--tcp", serve.tcp, "port for JSON lines (docs/protocol.md), 0: a free one")
         ->capture_default_str();
-    command.add_option("--record", serve.record, "file to write the session to, for replay");
-    add_session(command, serve.folders, serve.threads);
+    add_live(command, serve.session);
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](Interrupts& interrupts) { return run_serve(serve, interrupts); };
+    });
+  }
+
+  void add_studio() {
+    CLI::App& command = *app.add_subcommand("studio", "take hold of a scene in the browser");
+    command.add_option("scene", studio.scene, "scene name, scene file or mesh file to begin with")
+        ->capture_default_str();
+    command.add_flag("--empty", studio.empty, "begin with a hand alone");
+    command.add_option("--port", studio.port, "port of the page, 0: a free one")
+        ->capture_default_str();
+    command.add_option("--tcp", studio.tcp, "port for JSON lines of other programs beside it");
+    command.add_flag("--open", studio.open, "open the page in the browser");
+    add_live(command, studio.session);
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_studio(studio, interrupts); };
     });
   }
 

@@ -141,12 +141,28 @@ struct ReplayCommand {
   int threads = 0;                             // of plans; 0: all processors
 };
 
-// Arguments of `serve`.
-struct ServeCommand {
-  std::uint16_t tcp = 4700;                    // port; 0: any free one
+// Arguments of the commands that serve a live session.
+struct LiveOptions {
+  std::string address = "127.0.0.1";           // where to listen
   std::filesystem::path record;                // empty: nothing is recorded
   std::vector<std::filesystem::path> folders;  // whose files commands may name
   int threads = 0;                             // of plans; 0: all processors
+};
+
+// Arguments of `serve`.
+struct ServeCommand {
+  std::uint16_t tcp = 4700;  // port; 0: any free one
+  LiveOptions session;
+};
+
+// Arguments of `studio`.
+struct StudioCommand {
+  std::string scene = "mug";         // scene name, scene file or mesh file
+  bool empty = false;                // without it
+  std::uint16_t port = 4701;         // of the page; 0: any free one
+  std::optional<std::uint16_t> tcp;  // of JSON lines beside it
+  bool open = false;                 // in the browser of the desktop
+  LiveOptions session;
 };
 
 // The options of readers of robots from NAME=FOLDER and the name of an SRDF file. Throws InputError
@@ -168,5 +184,6 @@ int run_truth(const TruthCommand& command, Interrupts& interrupts);
 int run_convert(const ConvertCommand& command, Interrupts& interrupts);
 int run_replay(const ReplayCommand& command, Interrupts& interrupts);
 int run_serve(const ServeCommand& command, Interrupts& interrupts);
+int run_studio(const StudioCommand& command, Interrupts& interrupts);
 
 }  // namespace prehend

@@ -85,6 +85,13 @@ void add_foreign(CLI::App& command, std::vector<std::string>& packages,
   command.add_option("--srdf", srdf, "SRDF file of a URDF file, in place of the one beside it");
 }
 
+void add_live(CLI::App& command, LiveOptions& live) {
+  command.add_option("--listen", live.address, "address of this machine to listen on")
+      ->capture_default_str();
+  command.add_option("--record", live.record, "file to write the session to, for replay");
+  add_session(command, live.folders, live.threads);
+}
+
 void add_session(CLI::App& command, std::vector<std::filesystem::path>& folders, int& threads) {
   command.add_option("--folder", folders,
                      "whose files the commands may read and write; may be repeated");

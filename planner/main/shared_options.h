@@ -50,6 +50,9 @@ void add_packages(CLI::App& command, std::vector<std::string>& packages);
 void add_foreign(CLI::App& command, std::vector<std::string>& packages,
                  std::filesystem::path& srdf);
 
+// --listen, --record, --folder, --threads.
+void add_live(CLI::App& command, LiveOptions& live);
+
 // --folder, --threads.
 void add_session(CLI::App& command, std::vector<std::filesystem::path>& folders, int& threads);
 

@@ -73,5 +73,6 @@ std::vector<Command> scene_commands();
 std::vector<Command> hand_commands();
 std::vector<Command> judging_commands();
 std::vector<Command> plan_commands();
+std::vector<Command> view_commands();
 
 }  // namespace prehend

@@ -74,7 +74,8 @@ std::vector<Command> judging_commands() {
        "All that the session is now.",
        {},
        "`revision`, `scene`, `problem` (why the scene cannot be used for grasps, or null), "
-       "`object`, `obstacles`, `platform`, `hand`, `outcome` of the last auto-grasp while the hand "
+       "`object`, `obstacles`, `platform`, `robots` (as of `view.robots`), `hand`, `outcome` of "
+       "the last auto-grasp while the hand "
        "stays there, `switches`, `planning`, how many `results`, `pins`, and how often to `undo` "
        "and `redo`",
        state_of},

@@ -97,6 +97,11 @@ ProtocolJson pin_add(const CommandScope& scope, const JsonField& request) {
   return state_json(scope.session);
 }
 
+ProtocolJson pin_go(const CommandScope& scope, const JsonField& request) {
+  scope.session.go_to_pin(request["name"].text());
+  return {{"hand", hand_json(scope.session)}};
+}
+
 ProtocolJson pin_remove(const CommandScope& scope, const JsonField& request) {
   scope.session.unpin(request["name"].text());
   return state_json(scope.session);
@@ -149,6 +154,12 @@ std::vector<Command> plan_commands() {
            {{"name", FieldType::text, true, "a name that no other pin has"}},
            "the state, as of `state`",
            pin_add},
+          {"pin.go",
+           CommandKind::change,
+           "Moves the hand to where it was pinned, through whatever is there.",
+           {{"name", FieldType::text, true, "which"}},
+           "`hand`",
+           pin_go},
           {"pin.remove",
            CommandKind::change,
            "Forgets a pin.",

@@ -5,6 +5,7 @@
 #include "sim/base/output_file.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/json/json_pose.h"
+#include "sim/mesh_files/gltf_buffers.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
@@ -27,6 +28,11 @@ SurfaceOrder surface_order(const JsonField& request) {
       text_field(request, "scene"), text_field(request, "generate"),  5000,
       text_field(request, "mesh"),  text_field(request, "mesh_text"), text_field(request, "format"),
       text_field(request, "unit")};
+  if (request.has("mesh_base64")) {
+    const JsonField field = request["mesh_base64"];
+    if (!order.mesh_text.empty()) field.fail("cannot be given beside mesh_text");
+    order.mesh_text = made_of(field, [&] { return from_base64(field.text()); });
+  }
   if (request.has("triangles")) order.triangles = request["triangles"].integer();
   return order;
 }
@@ -66,6 +72,7 @@ ProtocolJson scene_load(const CommandScope& scope, const JsonField& request) {
   const OpenFolders& folders = scope.session.folders();
   scope.session.set_scene(request.has("scene") ? open_scene(request["scene"].text(), folders)
                                                : scene_of_text(request["text"].text(), folders));
+  if (request.has("fresh") && request["fresh"].boolean()) scope.session.forget_history();
   return state_json(scope.session);
 }
 
@@ -147,10 +154,12 @@ std::vector<CommandField> new_body(const std::vector<CommandField>& more) {
       {"generate", FieldType::text, false, "a generated surface (`hello` lists them)"},
       {"triangles", FieldType::integer, false, "of `generate`: roughly how many; 5000"},
       {"mesh", FieldType::text, false, "a mesh file in an open folder"},
-      {"mesh_text", FieldType::text, false, "the content of a mesh file in a text format"},
-      {"format", FieldType::text, false, "of `mesh_text`: obj, stl, ply, off, dae, iv or wrl"},
+      {"mesh_text", FieldType::text, false, "the content of a mesh file that is text"},
+      {"mesh_base64", FieldType::text, false, "the content of a mesh file in base64"},
+      {"format", FieldType::text, false,
+       "of `mesh_text` and `mesh_base64`: obj, stl, ply, off, dae, iv or wrl"},
       {"unit", FieldType::text, false,
-       "of `mesh` and `mesh_text`: m, cm, mm or in; else the likely one"},
+       "of `mesh`, `mesh_text` and `mesh_base64`: m, cm, mm or in; else the likely one"},
       {"material", FieldType::text, false, "glass, metal, plastic, wood or rubber"}};
   fields.insert(fields.end(), more.begin(), more.end());
   return fields;
@@ -175,10 +184,13 @@ std::vector<Command> file_commands() {
            scene_new},
           {"scene.load",
            CommandKind::world,
-           "Begins with a scene. The hand stands above the object. One of the fields is needed.",
+           "Begins with a scene. The hand stands above the object. One of `scene` and `text` is "
+           "needed.",
            {{"scene", FieldType::text, false,
              "scene of the library, or scene or mesh file in an open folder"},
-            {"text", FieldType::text, false, "the content of a scene file"}},
+            {"text", FieldType::text, false, "the content of a scene file"},
+            {"fresh", FieldType::boolean, false,
+             "whether to begin anew: nothing from before can be undone to; false"}},
            kReplyState,
            scene_load},
           {"scene.save",
@@ -198,7 +210,8 @@ std::vector<Command> file_commands() {
 std::vector<Command> body_commands() {
   return {
       {"object.set", CommandKind::world,
-       "Gives the scene another object. One of `scene`, `generate`, `mesh`, `mesh_text` is needed.",
+       "Gives the scene another object. One of `scene`, `generate`, `mesh`, `mesh_text`, "
+       "`mesh_base64` is needed.",
        new_body({{"name", FieldType::text, false, "how it is called"},
                  {"mass", FieldType::number, false, "kg, above 0, of uniform density; 0.3"},
                  {"X_world_object", FieldType::pose, false, "where it is; at the origin"}}),

@@ -6,21 +6,25 @@
 namespace prehend {
 namespace {
 
-ProtocolJson object_of(const Scene& scene) {
+ProtocolJson object_of(const EditedScene& world) {
+  const Scene& scene = world.scene();
   if (scene.object.mesh.empty()) return nullptr;
   return {{"name", scene.object.name},
           {"material", material_name(scene.object.material)},
           {"mass", scene.object.mass},
           {"X_world_object", pose_to_json(scene.object.X_WO)},
-          {"triangles", scene.object.mesh.triangles.size()}};
+          {"triangles", scene.object.mesh.triangles.size()},
+          {"surface", world.surfaces().object}};
 }
 
-ProtocolJson obstacles_of(const Scene& scene) {
+ProtocolJson obstacles_of(const EditedScene& world) {
   ProtocolJson list = ProtocolJson::array();
-  for (const StaticBody& body : scene.obstacles) {
+  for (std::size_t b = 0; b < world.scene().obstacles.size(); ++b) {
+    const StaticBody& body = world.scene().obstacles[b];
     list.push_back({{"name", body.name},
                     {"material", material_name(body.material)},
-                    {"X_world_body", pose_to_json(body.X_WB)}});
+                    {"X_world_body", pose_to_json(body.X_WB)},
+                    {"surface", world.surfaces().obstacles[b]}});
   }
   return list;
 }
@@ -71,9 +75,10 @@ ProtocolJson state_json(const Session& session) {
   json["revision"] = session.revision();
   json["scene"] = scene.name;
   json["problem"] = text_or_null(state.world->problem());
-  json["object"] = object_of(scene);
-  json["obstacles"] = obstacles_of(scene);
+  json["object"] = object_of(*state.world);
+  json["obstacles"] = obstacles_of(*state.world);
   json["platform"] = scene.carrier ? ProtocolJson(scene.carrier->platform.name) : ProtocolJson();
+  json["robots"] = state.world->surfaces().robots;
   json["hand"] = hand_json(session);
   json["outcome"] = state.outcome ? ProtocolJson(outcome_name(*state.outcome)) : ProtocolJson();
   json["switches"] = {{"stop_at_contact", state.switches.stop_at_contact},

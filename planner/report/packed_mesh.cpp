@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "planner/picture/simplified_mesh.h"
+
 namespace prehend {
 namespace {
 
@@ -45,6 +47,15 @@ nlohmann::ordered_json packed_mesh(const TriangleMesh& mesh) {
     for (const int i : t) put(static_cast<std::uint32_t>(i), indices);
   }
   return {{"positions", base64(positions)}, {"indices", base64(indices)}};
+}
+
+nlohmann::ordered_json drawn_mesh(const TriangleMesh& mesh, std::size_t most_triangles) {
+  const TriangleMesh drawn = simplified(mesh, most_triangles);
+  nlohmann::ordered_json json = packed_mesh(drawn);
+  if (drawn.triangles.size() < mesh.triangles.size()) {
+    json["simplified_from"] = mesh.triangles.size();
+  }
+  return json;
 }
 
 }  // namespace prehend

@@ -18,4 +18,11 @@ std::string base64(const std::vector<std::uint8_t>& bytes);
 // a triangle}. Metres, in the mesh's frame.
 nlohmann::ordered_json packed_mesh(const TriangleMesh& mesh);
 
+// The same of a mesh to look at, simplified to so many triangles where it has more; how many it had
+// is then "simplified_from".
+nlohmann::ordered_json drawn_mesh(const TriangleMesh& mesh, std::size_t most_triangles);
+
+// So many triangles show the surface of a body.
+inline constexpr std::size_t kMostDrawnTriangles = 60000;
+
 }  // namespace prehend

@@ -6,21 +6,17 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/files/json_shake.h"
-#include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
+#include "planner/report/palette_json.h"
 #include "planner/report/robot_json.h"
+#include "planner/report/slice_json.h"
 #include "planner/search/grasp_words.h"
-#include "planner/show/palette.h"
-#include "sim/base/formatted.h"
 #include "sim/trial/success.h"
 
 namespace prehend {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Triangles of one mesh: what a browser draws at an interactive rate without graphics hardware.
-constexpr std::size_t kMostTriangles = 60000;
 
 // Frames limit the size of a report: at most kMostFrames for each motion and about kAllFrames for
 // all motions together, but at least kLeastFrames for each, however many there are. The page
@@ -29,50 +25,8 @@ constexpr std::size_t kMostFrames = 160;
 constexpr std::size_t kAllFrames = 32000;
 constexpr std::size_t kLeastFrames = 24;
 
-std::string hex(const Color& color) {
-  const auto byte = [](double part) { return static_cast<int>(std::lround(255.0 * part)); };
-  return formatted("#%02x%02x%02x", byte(color.red), byte(color.green), byte(color.blue));
-}
-
-Json look_json(const Color& color) { return {{"color", hex(color)}, {"opacity", color.opacity}}; }
-
-// The colours that have a meaning. Pictures use the same palette.
-Json palette_json() {
-  Json axes = Json::array();
-  for (const Color& axis : palette::kAxes) axes.push_back(hex(axis));
-  Json outcomes = Json::object();
-  for (const Outcome outcome : kOutcomes) {
-    outcomes[std::string(outcome_name(outcome))] = hex(palette::of(outcome));
-  }
-  return {{"object", look_json(palette::kObject)},
-          {"hard", look_json(palette::kHard)},
-          {"rubber", look_json(palette::kRubber)},
-          {"arm", look_json(palette::kArm)},
-          {"obstacle", look_json(palette::kObstacle)},
-          {"primitive", look_json(palette::kPrimitive)},
-          {"contact", look_json(palette::kContact)},
-          {"weakest", look_json(palette::kWeakest)},
-          {"pointed_at", look_json(palette::kPointedAt)},
-          {"center", look_json(palette::kCenterOfMass)},
-          {"wrench_space", look_json(palette::kWrenchSpace)},
-          {"epsilon_ball", look_json(palette::kEpsilonBall)},
-          {"force", look_json(palette::kForce)},
-          {"contribution", look_json(palette::kContribution)},
-          {"axes", axes},
-          {"outcomes", outcomes}};
-}
-
-Json mesh_json(const TriangleMesh& mesh) {
-  const TriangleMesh drawn = simplified(mesh, kMostTriangles);
-  Json json = packed_mesh(drawn);
-  if (drawn.triangles.size() < mesh.triangles.size()) {
-    json["simplified_from"] = mesh.triangles.size();
-  }
-  return json;
-}
-
 Json body_json(const std::string& name, const TriangleMesh& mesh, const Pose& X_WB) {
-  return {{"name", name}, {"X", rounded(X_WB)}, {"mesh", mesh_json(mesh)}};
+  return {{"name", name}, {"X", rounded(X_WB)}, {"mesh", drawn_mesh(mesh, kMostDrawnTriangles)}};
 }
 
 Json points_json(const std::vector<Vector3>& points) {
@@ -122,24 +76,6 @@ Json scene_json(const CompiledScene& scene) {
     json["obstacles"].push_back(body_json(body.name, body.mesh, body.X_WB));
   }
   json["arm"] = scene.arm ? arm_json(*scene.arm) : Json();
-  return json;
-}
-
-// Corners of a polyhedron, and triples of their indices, in flat lists. Numbers are rounded to at
-// least four digits of the largest coordinate: a fixed number of decimals would not do, because the
-// size of a wrench space depends on the contacts and, in the torques, on their scale.
-Json slice_json(const WrenchSlice& slice) {
-  Json json{{"vertices", Json::array()}, {"triangles", Json::array()}};
-  if (slice.empty()) return json;
-  const double largest = slice.vertices.cwiseAbs().maxCoeff();
-  const double scale =
-      std::pow(10.0, std::clamp(4.0 - std::floor(std::log10(largest)), 0.0, 300.0));
-  for (Eigen::Index i = 0; i < slice.vertices.size(); ++i) {
-    json["vertices"].push_back(rounded(slice.vertices.data()[i], scale));
-  }
-  for (Eigen::Index i = 0; i < slice.triangles.size(); ++i) {
-    json["triangles"].push_back(slice.triangles.data()[i]);
-  }
   return json;
 }
 

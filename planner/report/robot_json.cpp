@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "planner/picture/simplified_mesh.h"
 #include "planner/report/packed_mesh.h"
 #include "sim/base/formatted.h"
 #include "sim/base/pose.h"
@@ -44,7 +43,7 @@ Json link_json(const Link& link) {
   return {{"name", link.name},
           {"joint", link.joint},
           {"material", link.material},
-          {"mesh", packed_mesh(simplified(link.mesh, kMostLinkTriangles))}};
+          {"mesh", drawn_mesh(link.mesh, kMostLinkTriangles)}};
 }
 
 }  // namespace

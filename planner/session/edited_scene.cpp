@@ -6,7 +6,7 @@
 
 namespace prehend {
 
-EditedScene::EditedScene(Scene scene, const RunContext& context) {
+EditedScene::EditedScene(Scene scene, const RunContext& context) : surfaces_(surface_ids(scene)) {
   if (scene.object.mesh.empty()) {
     problem_ = "there is no object";
     draft_ = std::move(scene);

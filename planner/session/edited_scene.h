@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "planner/session/surface_ids.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend {
@@ -25,11 +26,13 @@ class EditedScene {
   const CompiledScene& compiled() const;
   // The same to share; null where the world is not ready.
   const std::shared_ptr<const CompiledScene>& shared() const { return compiled_; }
+  const SurfaceIds& surfaces() const { return surfaces_; }
   // X_WO, the identity without an object.
   const Pose& X_WO() const { return scene().object.X_WO; }
 
  private:
   std::shared_ptr<const CompiledScene> compiled_;
+  SurfaceIds surfaces_;
   Scene draft_;  // where there is no compiled scene, which has the scene in it
   std::string problem_;
 };

@@ -86,6 +86,12 @@ bool Session::redo() {
   return true;
 }
 
+void Session::forget_history() {
+  require_no_plan();
+  undo_.clear();
+  redo_.clear();
+}
+
 void Session::set_scene(Scene scene) {
   require_no_plan();
   SessionState next = state_;
@@ -198,6 +204,18 @@ void Session::unpin(const std::string& name) {
   const auto gone =
       std::erase_if(next.pins, [&](const PinnedGrasp& pinned) { return pinned.name == name; });
   require_fits(gone > 0, "name", "no pin has this name", name);
+  push(std::move(next));
+}
+
+void Session::go_to_pin(const std::string& name) {
+  const auto pin = std::find_if(state_.pins.begin(), state_.pins.end(),
+                                [&](const PinnedGrasp& pinned) { return pinned.name == name; });
+  require_fits(pin != state_.pins.end(), "name", "no pin has this name", name);
+  require_fits(pin->hand == state_.world->scene().hand.name, "name", "is a pin of another hand",
+               pin->hand);
+  SessionState next = state_;
+  next.hand = pin->posture;
+  next.outcome.reset();
   push(std::move(next));
 }
 

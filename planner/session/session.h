@@ -75,6 +75,8 @@ class Session {
   // --- The world. While a plan runs these are refused, and so are undo() and redo().
   // A new scene; the hand stands at its start (start_posture).
   void set_scene(Scene scene);
+  // From now on there is nothing to undo or redo.
+  void forget_history();
   // Changes a copy of the scene. The hand stays where it is in the world, in its posture where it
   // is still the same hand. Results of a plan are forgotten, for they are about another world.
   void edit(const std::function<void(Scene&)>& change);
@@ -125,6 +127,8 @@ class Session {
 
   void pin(const std::string& name);
   void unpin(const std::string& name);
+  // The hand as it was pinned, through whatever is there. Throws for a pin of another hand.
+  void go_to_pin(const std::string& name);
 
   // Degrees of freedom of a new scene's hand: those of its first preshape. It stands off the object
   // against its approach direction, or at the origin without one.

@@ -20,6 +20,22 @@ export function launch(...words) {
 // How many times slower than it is the processor shall seem to pages: from PREHEND_SLOWDOWN.
 const slowdownOfAll = Number(process.env.PREHEND_SLOWDOWN ?? 1);
 
+// What a page asks for and complains of from now on.
+export function watch(page) {
+  const requests = [];
+  const complaints = [];
+  page.on('request', (request) => requests.push(request.url()));
+  page.on('pageerror', (error) => complaints.push(String(error)));
+  page.on('dialog', (dialog) => {
+    complaints.push(`dialog: ${dialog.message()}`);
+    dialog.dismiss();
+  });
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(message.text());
+  });
+  return {requests, complaints};
+}
+
 // A report that is open in a page of its own; complaints are what should not happen. With `stepped`
 // the page's time runs only as far as run() lets it, from the moment that the page has been drawn.
 export class OpenReport {
@@ -34,23 +50,13 @@ export class OpenReport {
   } = {}) {
     const report = new OpenReport();
     report.url = pathToFileURL(join(out, 'report.html')).href;
-    report.complaints = [];
-    report.requests = [];
     report.page = await browser.newPage({viewport});
+    Object.assign(report, watch(report.page));
     report.page.setDefaultTimeout(0);
     const session = await report.page.context().newCDPSession(report.page);
     const rate = Math.max(slowdown, slowdownOfAll);
     await session.send('Emulation.setCPUThrottlingRate', {rate});
     if (stepped) await report.page.clock.install({time: 0});
-    report.page.on('request', (request) => report.requests.push(request.url()));
-    report.page.on('pageerror', (error) => report.complaints.push(String(error)));
-    report.page.on('dialog', (dialog) => {
-      report.complaints.push(`dialog: ${dialog.message()}`);
-      dialog.dismiss();
-    });
-    report.page.on('console', (message) => {
-      if (message.type() === 'error') report.complaints.push(message.text());
-    });
     await report.page.addInitScript(addPixelsOf);
     await report.page.goto(report.url + address);
     await report.settle();

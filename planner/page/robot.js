@@ -1,5 +1,9 @@
 // A robot as a tree of frames that its joints move.
 
+function lookOfLink(link) {
+  return link.material === 'rubber' ? data.palette.rubber : data.palette.hard;
+}
+
 function fixedFrame(pose) {
   const frame = new THREE.Group();
   if (pose) {

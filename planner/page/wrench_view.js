@@ -66,7 +66,6 @@ class WrenchSection {
     this.scene.background = new THREE.Color('#ffffff');
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a9aa4, 1));
     this.turned = new THREE.Group();
-    this.turned.quaternion.setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
     this.scene.add(this.turned);
     this.content = new THREE.Group();
     this.contribution = new THREE.Group();
@@ -76,6 +75,7 @@ class WrenchSection {
 
   show(grasp) {
     this.highlight(null);
+    this.turned.quaternion.setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
     dispose(this.content);
     this.content.remove(...this.content.children);
     this.size = Math.max(0.05, 2 * grasp.epsilon[1]);

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "planner/protocol/command.h"
+#include "planner/report/grasp_detail.h"
+#include "planner/report/packed_mesh.h"
+#include "planner/report/robot_json.h"
+#include "planner/report/slice_json.h"
+#include "sim/json/json_pose.h"
+
+// The commands of clients that draw: surfaces, robots, and what the contacts can exert.
+namespace prehend {
+namespace {
+
+ProtocolJson view_surface(const CommandScope& scope, const JsonField& request) {
+  const EditedScene& world = *scope.session.state().world;
+  const std::string id = request["surface"].text();
+  const Scene& scene = world.scene();
+  const SurfaceIds& ids = world.surfaces();
+  const TriangleMesh* mesh = id == ids.object ? &scene.object.mesh : nullptr;
+  const auto obstacle = std::find(ids.obstacles.begin(), ids.obstacles.end(), id);
+  if (mesh == nullptr && obstacle != ids.obstacles.end()) {
+    mesh = &scene.obstacles[static_cast<std::size_t>(obstacle - ids.obstacles.begin())].mesh;
+  }
+  if (mesh == nullptr) request["surface"].fail("no body of the scene has this surface");
+  return {{"surface", id}, {"mesh", drawn_mesh(*mesh, kMostDrawnTriangles)}};
+}
+
+// Which degree of freedom moves each joint, and how.
+ProtocolJson drives_json(const Robot& robot) {
+  ProtocolJson drives = ProtocolJson::array();
+  for (const Joint& joint : robot.joints) {
+    drives.push_back({{"dof", joint.dof}, {"ratio", joint.ratio}, {"offset", joint.offset}});
+  }
+  return drives;
+}
+
+ProtocolJson view_robots(const CommandScope& scope, const JsonField& /*request*/) {
+  const EditedScene& world = *scope.session.state().world;
+  const Robot& robot = world.scene().hand;
+  ProtocolJson hand = robot_json(robot);
+  hand["drives"] = drives_json(robot);
+  hand["approach"] = rounded(robot.hand->approach);
+  hand["closing"] = rounded(robot.hand->closing);
+  ProtocolJson json{{"robots", world.surfaces().robots}, {"hand", hand}, {"arm", nullptr}};
+  if (world.is_ready() && world.compiled().arm) {
+    json["arm"] = arm_json(*world.compiled().arm);
+    json["arm"]["drives"] = drives_json(world.compiled().arm->robot());
+  }
+  return json;
+}
+
+ProtocolJson view_wrenches(const CommandScope& scope, const JsonField& /*request*/) {
+  const WrenchFrame& frame = scope.session.state().world->compiled().wrench_frame;
+  const std::vector<Contact> contacts = contacts_of(scope.session.contacts());
+  const WrenchSections sections =
+      space_sections(contacts, frame, {.edges = TrialOptions().cone_edges});
+  return {{"origin_object", vector_to_json(frame.torque_origin)},
+          {"torque_scale", frame.torque_scale},
+          {"forces", slice_json(sections.forces)},
+          {"torques", slice_json(sections.torques)}};
+}
+
+}  // namespace
+
+std::vector<Command> view_commands() {
+  return {
+      {"view.surface",
+       CommandKind::query,
+       "The surface of the object or an obstacle, to be drawn. States name the surfaces of bodies; "
+       "bodies of equal names have the same.",
+       {{"surface", FieldType::text, true, "its name in the state"}},
+       "`surface`, and `mesh`: `positions`, base64 of little-endian float32, three a vertex [m, "
+       "frame of the body], and `indices`, base64 of uint32, three a triangle; `simplified_from` "
+       "tells how many triangles there were, if not all are there",
+       view_surface},
+      {"view.robots",
+       CommandKind::query,
+       "The hand, and the platform that carries it, to be drawn and moved.",
+       {},
+       "`robots`, the name that the state has for them, `hand` and `arm` (null without a "
+       "platform): `joints`, each with its `parent` (-1: the base), `type` (`r` turns, `p` "
+       "slides), "
+       "`axis` (null: z), and the poses `before` and `after` the motion (x, y, z, then a "
+       "quaternion "
+       "x, y, z, w; null: none), `links`, each with `name`, `joint`, `material` and a `mesh` as of "
+       "`view.surface`, and `drives`, how the value of each joint follows from a degree of freedom "
+       "(`ratio` times that of `dof` plus `offset`); of a hand also the unit vectors `approach` "
+       "and "
+       "`closing`, of an arm its base `X` in the world, the joint `hand_joint` and the pose "
+       "`X_hand` behind it that carry the hand, and `first_hand_joint`",
+       view_robots},
+      {"view.wrenches",
+       CommandKind::query,
+       "What the contacts can exert together: two sections of the grasp wrench space.",
+       {},
+       "`forces` (without torque) and `torques` (without force, times `torque_scale` [1/m]) about "
+       "`origin_object`: `vertices` of a convex polyhedron and `triangles` of their numbers, both "
+       "flat lists, empty where the space is flat",
+       view_wrenches}};
+}
+
+}  // namespace prehend

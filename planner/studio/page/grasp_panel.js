@@ -1,0 +1,207 @@
+// How well the hand holds the object as it is: asked anew after each change, and drawn.
+
+const forceScale = 1.1;  // of the largest contact force, in radii of the object
+const loadMaterial = new THREE.MeshPhongMaterial({color: data.palette.weakest.color});
+const forceMaterial = new THREE.MeshPhongMaterial({color: data.palette.force.color});
+
+class GraspPanel {
+  constructor(stage, live) {
+    this.stage = stage;
+    this.live = live;
+    this.judge = new Latest(() => this.ask());
+    this.wrench = new WrenchView(byId('wrench'), this.wrenchSide(stage));
+    live.on('state', () => this.judge.ask());
+    for (const id of ['load-x', 'load-y', 'load-z', 'load-limits']) {
+      byId(id).addEventListener('change', () => this.judge.ask());
+    }
+    byId('load-weight').addEventListener('click', () => this.loadWeight());
+  }
+
+  // What the view of wrenches needs of the view of the scene, whose direction it shares.
+  wrenchSide(stage) {
+    return {
+      listeners: stage.listeners,
+      renderer: stage.renderer,
+      get camera() {
+        return stage.camera;
+      },
+      controls: stage.controls,
+      direction: () => stage.direction(),
+    };
+  }
+
+  loadWeight() {
+    const {object} = this.live.state;
+    const weight = object ? 9.80665 * object.mass : 0;
+    const down = new THREE.Vector3(0, 0, -weight);
+    ['x', 'y', 'z'].forEach((axis) => {
+      byId(`load-${axis}`).value = Number(down[axis].toFixed(3));
+    });
+    this.judge.ask();
+  }
+
+  // The load in the world, and in the object's frame as the protocol has it [N].
+  load() {
+    const world =
+        new THREE.Vector3(...['x', 'y', 'z'].map((axis) => numberIn(byId(`load-${axis}`)) ?? 0));
+    const turn =
+        new THREE.Quaternion().setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
+    return {world, own: world.clone().applyQuaternion(turn.clone().inverse())};
+  }
+
+  // All of it in one go, so that it is about one moment.
+  async ask() {
+    const {state, connection} = this.live;
+    if (state.problem) {
+      this.showNothing(state);
+      return;
+    }
+    const load = this.load();
+    const asked = [
+      connection.call('quality'),
+      connection.call('view.wrenches'),
+      connection.call('collisions'),
+      load.world.lengthSq() > 0 ? connection.call('forces', {
+        force_object: load.own.toArray(),
+        drive_limits: byId('load-limits').checked,
+      }) :
+                                  Promise.resolve(null),
+    ];
+    try {
+      const [quality, wrenches, {collisions}, forces] = await Promise.all(asked);
+      this.show(state, {quality, wrenches, collisions, forces, load});
+    } catch (error) {
+      if (error instanceof Refusal) this.live.tell('refused', error.message);
+    }
+  }
+
+  showNothing(state) {
+    this.clearMarks();
+    this.stage.showBlocked(new Set());
+    byId('outcome').textContent = '–';
+    byId('epsilon').textContent = '–';
+    delete byId('epsilon').dataset.lower;
+    for (const id of ['volume', 'limit', 'weakest', 'contact-count', 'forces']) {
+      byId(id).textContent = '–';
+    }
+    byId('contacts').replaceChildren();
+    byId('grasp').dataset.revision = state.revision;
+  }
+
+  show(state, found) {
+    const {quality, collisions} = found;
+    this.stage.showBlocked(new Set(collisions.flatMap(({link, by}) => [link, by])));
+    this.showNumbers(quality, collisions);
+    this.showContacts(quality, found.forces);
+    this.showForces(found);
+    this.drawMarks(found);
+    byId('grasp').dataset.revision = state.revision;
+  }
+
+  showNumbers(quality, collisions) {
+    const {outcome, epsilon, volume, limit} = quality;
+    const blocked = collisions.length > 0;
+    byId('outcome').textContent = blocked ? 'overlaps' : outcome.replaceAll('_', ' ');
+    byId('outcome').style.background = blocked ? blockedColor : data.palette.outcomes[outcome];
+    const holds = outcome === 'stable';
+    const upper =
+        epsilon.upper > epsilon.lower * (1 + 1e-6) ? ` to ${numberText(epsilon.upper, 4)}` : '';
+    byId('epsilon').textContent = holds ? numberText(epsilon.lower, 4) + upper : '0';
+    byId('epsilon').dataset.lower = holds ? epsilon.lower : 0;
+    byId('volume').textContent = holds ? numberText(volume) : '0';
+    byId('limit').textContent = limit ?
+        `${limit.link}: ε ${numberText(limit.epsilon_without)} without it` :
+        blocked ? collisions.map(({link, by}) => `${link} in ${by}`).join(', ') :
+                  '–';
+    byId('weakest').textContent = holds ? this.weakestWords(quality) : '–';
+    byId('contact-count').textContent = String(quality.contacts.length);
+  }
+
+  // The disturbance that breaks the grasp first, whose size is ε.
+  weakestWords({weakest_wrench: {force_object, scaled_torque_object}}) {
+    const force = vectorOf(force_object);
+    const torque = vectorOf(scaled_torque_object);
+    const least = 0.1 * Math.hypot(force.length(), torque.length());
+    const inWorld = (v) => directionWords(v.clone().transformDirection(X_WO));
+    const parts = [];
+    if (force.length() > least) parts.push(`a push ${inWorld(force)}`);
+    if (torque.length() > least) parts.push(`a twist about ${inWorld(torque)}`);
+    return parts.join(' with ') || '–';
+  }
+
+  showContacts({contacts}, forces) {
+    const rows = contacts.map((contact, i) => {
+      const force = forces && forces.forces[i] ? forces.forces[i].normal.toFixed(2) : '';
+      return element(
+          'tr', {}, element('td', {}, contact.link),
+          element('td', {class: 'number'}, numberText(contact.friction, 2)),
+          element('td', {class: 'number'}, numberText(1e6 * contact.gap, 2)),
+          element('td', {class: 'number'}, force));
+    });
+    const heads =
+        ['link', 'friction', 'gap [µm]', 'normal [N]'].map((words) => element('th', {}, words));
+    byId('contacts').replaceChildren(element('tr', {}, ...heads), ...rows);
+  }
+
+  showForces({forces}) {
+    const words = {
+      balanced: () => `largest normal ${numberText(forces.largest_normal)} N, sum ${
+          numberText(forces.sum_of_normals)} N`,
+      impossible: () => 'no forces within the friction cones balance this load',
+      limit: () => 'not solved within the limits',
+    };
+    byId('forces').textContent = forces ? (words[forces.outcome] || (() => forces.outcome))() : '–';
+  }
+
+  clearMarks() {
+    dispose(this.stage.marks);
+    this.stage.marks.remove(...this.stage.marks.children);
+  }
+
+  drawMarks({quality, wrenches, forces, load}) {
+    data.frame.origin = wrenches.origin_object;
+    data.frame.radius = 1 / wrenches.torque_scale;
+    const grasp = this.asGrasp(quality, wrenches);
+    this.clearMarks();
+    const {marks} = this.stage;
+    if (byId('show-contacts').checked) marks.add(contactMarks(grasp));
+    if (grasp.epsilon[0] > 0 && byId('show-weakest').checked) marks.add(weakestMarks(grasp));
+    if (forces && forces.forces.length > 0) this.drawForces(quality, forces, load);
+    this.wrench.show(grasp);
+    this.stage.draw();
+  }
+
+  // As the scripts of all pages have a grasp.
+  asGrasp({epsilon, outcome, weakest_wrench, contacts}, {forces, torques}) {
+    const holds = outcome === 'stable';
+    return {
+      contacts: contacts.map((contact) => ({
+                               p: contact.position_object,
+                               n: contact.normal_object,
+                               mu: contact.friction,
+                               model: contact.model,
+                               torsion: contact.torsion,
+                               link: contact.link,
+                             })),
+      epsilon: holds ? [epsilon.lower, epsilon.upper] : [0, 0],
+      weakest_force: holds ? weakest_wrench.force_object : [0, 0, 0],
+      weakest_torque: holds ? weakest_wrench.scaled_torque_object : [0, 0, 0],
+      detail: {forces, torques},
+    };
+  }
+
+  drawForces({contacts}, {forces}, load) {
+    const largest = Math.max(...forces.map(({force_object}) => vectorOf(force_object).length()));
+    const scale = forceScale * radius / Math.max(largest, 1e-9);
+    const draw = (from, force, material) => {
+      const along = force.multiplyScalar(scale);
+      if (along.length() < 0.02 * radius) return;
+      this.stage.marks.add(arrow(from.sub(along), along, 0.025 * radius, material));
+    };
+    forces.forEach(({force_object}, i) => {
+      draw(vectorOf(contacts[i].position_object), vectorOf(force_object), forceMaterial);
+    });
+    const along = load.own.clone().setLength(Math.min(load.own.length() * scale, 1.5 * radius));
+    this.stage.marks.add(arrow(vectorOf(data.frame.origin), along, 0.03 * radius, loadMaterial));
+  }
+}

@@ -1,0 +1,51 @@
+// Parts that all panels are made of.
+
+function button(words, action, more = {}) {
+  return element('button', {type: 'button', onclick: action, ...more}, words);
+}
+
+// A field with its name above it.
+function labelled(name, field) {
+  return element('label', {class: 'field'}, element('span', {}, name), field);
+}
+
+function choice(options, attributes = {}) {
+  return element(
+      'select', attributes,
+      ...options.map(
+          (option) => element('option', {value: option.value ?? option}, option.words ?? option)));
+}
+
+function numberField(value, attributes = {}) {
+  return element('input', {type: 'number', value, step: 'any', ...attributes});
+}
+
+// The number in a field, or null where there is none.
+function numberIn(field) {
+  const value = Number(field.value);
+  return field.value.trim() === '' || !Number.isFinite(value) ? null : value;
+}
+
+// Replaces the children of a list only where what it shows has changed, so that the focus stays.
+function fillChanged(list, key, make) {
+  if (list.dataset.key === key) return;
+  list.dataset.key = key;
+  list.replaceChildren(...make());
+}
+
+// Gives a file to the person.
+function download(name, content, type = 'text/plain') {
+  const blob = content instanceof Blob ? content : new Blob([content], {type});
+  const link = element('a', {href: URL.createObjectURL(blob), download: name});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+function base64Of(buffer) {
+  const bytes = new Uint8Array(buffer);
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 0x8000) {
+    text += String.fromCharCode(...bytes.subarray(i, i + 0x8000));
+  }
+  return btoa(text);
+}

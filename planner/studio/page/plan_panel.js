@@ -1,0 +1,157 @@
+// Plans from here: progress, grasps as they are found, the results, and what was put aside.
+
+const mostShown = 200;  // grasps in the list while they are found
+
+class PlanPanel {
+  constructor(stage, live) {
+    this.stage = stage;
+    this.live = live;
+    this.found = [];  // while a plan runs
+    this.results = [];
+    this.current = -1;
+    this.pictures = new Map();  // of pins
+    byId('plan').addEventListener('click', () => this.start());
+    byId('cancel').addEventListener('click', () => live.ask('plan.cancel'));
+    byId('export').addEventListener('click', () => this.save());
+    byId('pin').addEventListener('click', () => this.pin());
+    live.on('progress', (event) => this.progress(event));
+    live.on('grasps', ({grasps}) => this.add(grasps));
+    live.on('plan', (event) => this.end(event));
+    live.on('state', (state) => this.follow(state));
+  }
+
+  async start() {
+    const fields = {};
+    for (const name of ['trials', 'top', 'seed']) {
+      const value = numberIn(byId(`plan-${name}`));
+      if (value !== null) fields[name] = value;
+    }
+    fields.accuracy = byId('plan-accuracy').value;
+    await this.live.ask('plan.start', fields);
+  }
+
+  progress({stage, done, total, stable}) {
+    byId('plan-progress').max = total || 1;
+    byId('plan-progress').value = done;
+    byId('plan-words').textContent = `${stage}: ${done} of ${total}, ${stable} hold`;
+  }
+
+  add(grasps) {
+    this.found.push(...grasps);
+    this.askList();
+  }
+
+  end({status, size, problem}) {
+    byId('plan-words').textContent =
+        `${status.replaceAll('_', ' ')}: ${size} grasps` + (problem ? ` (${problem})` : '');
+    this.live.tell('said', `plan: ${size} grasps`);
+  }
+
+  async follow(state) {
+    byId('plan').disabled = state.planning || state.problem !== null;
+    byId('cancel').disabled = !state.planning;
+    byId('plan-progress').hidden = !state.planning;
+    if (state.planning && !this.planning) this.found = [];
+    const ended = this.planning && !state.planning;
+    this.planning = state.planning;
+    if (state.results === 0) {
+      this.results = [];
+      this.askList();
+    } else if (ended || state.results !== this.results.length) {
+      const {grasps} = await this.live.connection.call('plan.results');
+      this.results = grasps;
+      this.askList();
+    }
+    byId('export').disabled = state.results === 0;
+    this.showPins(state.pins);
+  }
+
+  // Draws the list once before the next repaint, however many grasps come.
+  askList() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.showList();
+    });
+  }
+
+  showList() {
+    const live = this.planning;
+    const grasps =
+        live ? this.found.sort((a, b) => b.epsilon - a.epsilon).slice(0, mostShown) : this.results;
+    byId('plan-count').textContent = live ? `${this.found.length} found so far` : '';
+    byId('results').replaceChildren(
+        ...grasps.map((grasp, i) => element('li', {}, this.resultButton(grasp, i, live))));
+  }
+
+  resultButton(grasp, i, live) {
+    const words = `${i + 1}. ε ${numberText(grasp.epsilon, 3)}` +
+        (grasp.volume ? `, volume ${numberText(grasp.volume, 2)}` : '');
+    const action = live ? () => this.preview(grasp) : () => this.go(i);
+    return button(words, action, {'data-grasp': i, 'aria-current': i === this.current && !live});
+  }
+
+  // A grasp that the session does not have yet: the hand is drawn there, and not moved.
+  preview(grasp) {
+    const X_WH = X_WO.clone().multiply(matrixOfPose(grasp.X_object_hand));
+    this.stage.hand.setBase(X_WH);
+    this.stage.hand.setJoints(grasp.joints);
+    this.stage.draw();
+  }
+
+  async go(i) {
+    if (await this.live.ask('plan.go', {grasp: i})) {
+      this.current = i;
+      this.askList();
+    }
+  }
+
+  async save() {
+    const format = byId('export-format').value;
+    const done = await this.live.ask('plan.export', {format});
+    for (const {name, text} of done ? done.files : []) download(name, text);
+  }
+
+  async pin() {
+    const used = this.live.state.pins.map(({name}) => name);
+    let number = used.length + 1;
+    while (used.includes(`pin ${number}`)) ++number;
+    const name = `pin ${number}`;
+    const picture = this.thumbnail();
+    if (await this.live.ask('pin.add', {name})) {
+      this.pictures.set(name, picture);
+      this.showPins(this.live.state.pins, true);
+    }
+  }
+
+  thumbnail() {
+    this.stage.drawNow();
+    const {canvas} = this.stage;
+    const small = element('canvas', {width: 144, height: 108});
+    const part = Math.min(canvas.width / 4, canvas.height / 3);
+    small.getContext('2d').drawImage(
+        canvas, (canvas.width - 4 * part) / 2, (canvas.height - 3 * part) / 2, 4 * part, 3 * part,
+        0, 0, 144, 108);
+    return small;
+  }
+
+  // Side by side, with what they differ in.
+  showPins(pins, anew = false) {
+    const key = JSON.stringify(pins.map(({name, epsilon}) => [name, epsilon])) + (anew ? ' ' : '');
+    fillChanged(byId('pins'), key, () => pins.map((pin) => this.pinCard(pin)));
+  }
+
+  pinCard({name, hand, epsilon}) {
+    const {live} = this;
+    const best = Math.max(...live.state.pins.map((pin) => pin.epsilon));
+    return element(
+        'li', {'data-pin': name}, this.pictures.get(name) || null, element('strong', {}, name),
+        element('span', {}, hand),
+        element(
+            'span', {class: epsilon === best && epsilon > 0 ? 'best' : ''},
+            `ε ${numberText(epsilon, 4)}`),
+        button('go', () => live.ask('pin.go', {name}), {'aria-label': `go to ${name}`}),
+        button('✕', () => live.ask('pin.remove', {name}), {'aria-label': `forget ${name}`}));
+  }
+}

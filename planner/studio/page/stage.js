@@ -1,0 +1,367 @@
+// The scene in three dimensions: its bodies where the session has them, the camera, and what lies
+// under a point of the screen.
+
+const standardViews = {
+  front: [0, -1, 0],
+  back: [0, 1, 0],
+  left: [-1, 0, 0],
+  right: [1, 0, 0],
+  above: [0, 0, 1],
+  below: [0, 0, -1],
+  aslant: [1, -1, 0.8],
+};
+
+const blockedColor = data.palette.outcomes.hand_blocked;  // of what overlaps something
+
+function bodyGroup(geometry, look) {
+  return outlined(geometry, solid(geometry, look), look);
+}
+
+class Stage {
+  constructor(canvas, live) {
+    this.canvas = canvas;
+    this.live = live;
+    this.renderer =
+        new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+    this.pace = new Pace(() => this.draw());
+    this.scene = new THREE.Scene();
+    this.perspective = new THREE.PerspectiveCamera(34, 1, 0.005, 100);
+    this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 100);
+    for (const camera of [this.perspective, this.orthographic]) camera.up.set(0, 0, 1);
+    this.camera = this.perspective;
+    this.addLights();
+    this.controls = new THREE.OrbitControls(this.camera, canvas);
+    this.controls.enableKeys = false;
+    this.controls.screenSpacePanning = true;
+    this.controls.addEventListener('change', () => this.draw());
+    this.surfaces = new Map();  // geometries by the surface's name
+    this.bodies = new Map();    // "object" or "obstacle NAME" to {group, surface}
+    this.hand = null;
+    this.arm = null;
+    this.robots = '';
+    this.marks = new THREE.Group();  // in the frame of the object
+    this.free = new THREE.Group();   // in the world
+    this.scene.add(this.marks, this.free);
+    this.listeners = [];
+    this.sync = new Latest((state) => this.follow(state));
+    this.looked = false;
+    this.orthoSize = 0.3;
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.resize();
+  }
+
+  addLights() {
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a94, 0.62));
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.42);
+    this.scene.add(this.lamp, this.lamp.target);
+  }
+
+  setBackground(color) {
+    this.scene.background = new THREE.Color(color);
+    this.draw();
+  }
+
+  // --- Bodies
+
+  async surface(name) {
+    if (!this.surfaces.has(name)) {
+      const asked = this.live.connection.call('view.surface', {surface: name})
+                        .then(({mesh}) => meshGeometry(mesh));
+      this.surfaces.set(name, asked);
+      asked.catch(() => this.surfaces.delete(name));
+    }
+    return this.surfaces.get(name);
+  }
+
+  // Fetches what is not known yet, then shows the state.
+  async follow(state) {
+    try {
+      await this.fetch(state);
+    } catch (error) {
+      return;  // the scene has changed meanwhile, and another state is on its way
+    }
+    this.place(state);
+    if (!this.looked) {
+      this.look();
+      this.looked = true;
+    }
+  }
+
+  async fetch(state) {
+    if (state.robots !== this.robots) {
+      const robots = await this.live.connection.call('view.robots');
+      if (robots.robots !== state.robots) throw new Error('older than the robots');
+      this.takeRobots(robots);
+    }
+    const wanted = new Map();
+    if (state.object) wanted.set('object', state.object.surface);
+    for (const {name, surface} of state.obstacles) wanted.set(`obstacle ${name}`, surface);
+    for (const [key, {group, surface}] of this.bodies) {
+      if (wanted.get(key) === surface) continue;
+      this.scene.remove(group);
+      this.bodies.delete(key);
+    }
+    for (const [key, surface] of wanted) {
+      if (this.bodies.has(key)) continue;
+      const look = key === 'object' ? data.palette.object : data.palette.obstacle;
+      const geometry = await this.surface(surface);
+      const group = bodyGroup(geometry, look);
+      group.traverse((node) => {
+        node.userData.body = key;
+      });
+      this.bodies.set(key, {group, surface});
+      this.scene.add(group);
+      if (key === 'object') this.measureObject(geometry);
+    }
+  }
+
+  measureObject(geometry) {
+    geometry.computeBoundingSphere();
+    radius = Math.max(1e-4, geometry.boundingSphere.radius);
+    data.frame.radius = radius;
+  }
+
+  takeRobots({robots, hand, arm}) {
+    this.robots = robots;
+    for (const old of [this.hand, this.arm]) {
+      if (!old) continue;
+      this.scene.remove(old.root);
+      dispose(old.root);
+    }
+    this.handData = hand;
+    this.armData = arm;
+    this.hand = new RobotModel(hand, lookOfLink);
+    this.nameParts(this.hand, 'hand');
+    this.scene.add(this.hand.root);
+    this.arm = arm ? new RobotModel(arm, () => data.palette.arm) : null;
+    if (this.arm) {
+      this.nameParts(this.arm, 'arm');
+      this.arm.setBase(matrixOf(arm.X));
+      this.scene.add(this.arm.root);
+    }
+    this.tell();
+  }
+
+  nameParts(model, body) {
+    model.root.traverse((node) => {
+      if (node.userData.link === undefined) return;
+      const {link} = node.userData;
+      node.traverse((part) => {
+        part.userData = {body, link};
+      });
+    });
+  }
+
+  // Puts everything where the state has it.
+  place(state) {
+    if (state.object) {
+      X_WO.copy(matrixOfPose(state.object.X_world_object));
+      this.setPose(this.bodies.get('object'), X_WO);
+    } else {
+      X_WO.identity();
+    }
+    X_WO.decompose(this.marks.position, this.marks.quaternion, this.marks.scale);
+    for (const {name, X_world_body} of state.obstacles) {
+      this.setPose(this.bodies.get(`obstacle ${name}`), matrixOfPose(X_world_body));
+    }
+    this.placeHand(state);
+  }
+
+  setPose(body, matrix) {
+    if (body) matrix.decompose(body.group.position, body.group.quaternion, body.group.scale);
+  }
+
+  placeHand(state) {
+    if (!this.hand || state.robots !== this.robots) return;
+    this.hand.setBase(matrixOfPose(state.hand.X_world_hand));
+    this.hand.setJoints(state.hand.joints);
+    if (this.arm) this.placeArm(state);
+    this.draw();
+  }
+
+  // The values of the arm's joints; those of the hand on it follow them and are not drawn.
+  placeArm(state) {
+    const values = state.arm ? state.arm.joints.map(({value}) => value) : [];
+    const start = this.armData.start;
+    this.arm.setJoints(start.map((at, j) => (j < values.length ? values[j] : at)));
+    this.fade(this.arm, state.arm && !state.arm.reached);
+  }
+
+  // What does not reach its place is seen through.
+  fade(model, faded) {
+    if (model.faded === faded) return;
+    model.faded = faded;
+    model.root.traverse(({material}) => {
+      if (!material) return;
+      material.transparent = Boolean(faded);
+      material.opacity = faded ? 0.25 : 1;
+    });
+  }
+
+  // Shows the links that overlap something in the colour of what is blocked.
+  showBlocked(names) {
+    if (!this.hand) return;
+    for (const model of [this.hand, this.arm]) {
+      if (!model) continue;
+      model.root.traverse((node) => {
+        if (!node.isMesh || node.userData.link === undefined) return;
+        if (!node.userData.color) node.userData.color = node.material.color.getHex();
+        const blocked = names.has(node.userData.link);
+        node.material.color.set(blocked ? blockedColor : node.userData.color);
+      });
+    }
+    for (const [key, {group}] of this.bodies) {
+      const name = key === 'object' ? this.live.state.object && this.live.state.object.name :
+                                      key.slice('obstacle '.length);
+      group.traverse((node) => {
+        if (!node.isMesh) return;
+        if (!node.userData.color) node.userData.color = node.material.color.getHex();
+        node.material.color.set(names.has(name) ? blockedColor : node.userData.color);
+      });
+    }
+    this.draw();
+  }
+
+  // --- The camera
+
+  resize() {
+    const box = this.canvas.parentElement.getBoundingClientRect();
+    if (!(box.width > 0 && box.height > 0)) return;
+    this.renderer.setSize(box.width, box.height, false);
+    this.perspective.aspect = box.width / box.height;
+    this.perspective.updateProjectionMatrix();
+    this.sizeOrthographic();
+    this.drawNow();
+  }
+
+  sizeOrthographic() {
+    const camera = this.orthographic;
+    const {aspect} = this.perspective;
+    camera.left = -this.orthoSize * aspect;
+    camera.right = this.orthoSize * aspect;
+    camera.top = this.orthoSize;
+    camera.bottom = -this.orthoSize;
+    camera.updateProjectionMatrix();
+  }
+
+  direction() {
+    return this.camera.position.clone().sub(this.controls.target).normalize();
+  }
+
+  // So that object and hand, or with `everything` all bodies, fill the picture.
+  look(
+      direction = this.looked ? this.direction() : new THREE.Vector3(1, -1, 0.8).normalize(),
+      everything = false) {
+    this.scene.updateMatrixWorld(true);
+    const groups = everything || !this.bodies.has('object') ?
+        [...this.bodies.values()].map(({group}) => group) :
+        [this.bodies.get('object').group];
+    if (this.hand) groups.push(this.hand.root);
+    if (everything && this.arm) groups.push(this.arm.root);
+    const corners = groups.flatMap((group) => cornersOf(group));
+    if (corners.length === 0) return;
+    // The camera must not look along its own up direction.
+    const from = direction.clone();
+    if (Math.abs(from.z) > 0.9999) from.set(0, -1e-3, Math.sign(from.z)).normalize();
+    const target = aim(this.perspective, corners, from);
+    const distance = this.perspective.position.distanceTo(target);
+    this.perspective.near = distance / 300;
+    this.perspective.updateProjectionMatrix();
+    this.orthographic.position.copy(this.perspective.position);
+    this.orthographic.zoom = 1;
+    this.orthoSize = distance * Math.tan(this.perspective.fov / 2 * Math.PI / 180);
+    this.sizeOrthographic();
+    this.controls.target.copy(target);
+    this.controls.update();
+    this.draw();
+  }
+
+  setOrthographic(flat) {
+    const next = flat ? this.orthographic : this.perspective;
+    if (next === this.camera) return;
+    next.position.copy(this.camera.position);
+    next.quaternion.copy(this.camera.quaternion);
+    if (flat) {
+      const distance = this.camera.position.distanceTo(this.controls.target);
+      this.orthoSize = distance * Math.tan(this.perspective.fov / 2 * Math.PI / 180);
+      next.zoom = 1;
+      this.sizeOrthographic();
+    }
+    this.camera = next;
+    this.controls.object = next;
+    this.controls.update();
+    this.tell();
+    this.draw();
+  }
+
+  // Turns about a point from now on, seen from half as far.
+  seek(point) {
+    const offset = this.camera.position.clone().sub(this.controls.target).multiplyScalar(0.5);
+    this.controls.target.copy(point);
+    this.camera.position.copy(point).add(offset);
+    if (this.camera.isOrthographicCamera) {
+      this.camera.zoom *= 2;
+      this.camera.updateProjectionMatrix();
+    }
+    this.controls.update();
+    this.draw();
+  }
+
+  // --- What is under the pointer
+
+  ray(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(
+        (event.clientX - box.left) / box.width * 2 - 1,
+        1 - (event.clientY - box.top) / box.height * 2);
+    const caster = new THREE.Raycaster();
+    this.camera.updateMatrixWorld();
+    caster.setFromCamera(at, this.camera);
+    return caster;
+  }
+
+  // The nearest point of a body: {point, body, link}, or null.
+  pick(event) {
+    const groups = [...this.bodies.values()].map(({group}) => group);
+    for (const model of [this.hand, this.arm]) {
+      if (model) groups.push(model.root);
+    }
+    const hits = this.ray(event).intersectObjects(groups, true).filter(({object}) => object.isMesh);
+    if (hits.length === 0) return null;
+    const {point, object} = hits[0];
+    return {point, ...object.userData};
+  }
+
+  // --- Drawing
+
+  // Draws once before the next repaint, however often it is asked.
+  draw() {
+    if (this.asked) return;
+    this.asked = true;
+    this.canvas.dataset.drawn = 'stale';
+    requestAnimationFrame((now) => {
+      this.asked = false;
+      const ratio = this.pace.next(now);
+      if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
+      this.drawNow();
+    });
+  }
+
+  drawNow() {
+    this.lamp.position.copy(this.camera.position);
+    this.lamp.target.position.copy(this.controls.target);
+    this.renderer.render(this.scene, this.camera);
+    this.tell();
+    this.canvas.dataset.drawn = this.asked ? 'stale' : this.pace.coarse() ? 'coarse' : 'fine';
+  }
+
+  tell() {
+    for (const listener of this.listeners) listener();
+  }
+
+  // The picture as a PNG file.
+  picture() {
+    this.drawNow();
+    return new Promise((resolve) => this.canvas.toBlob(resolve, 'image/png'));
+  }
+}
