@@ -2,6 +2,7 @@
 
 #include "planner/protocol/command.h"
 #include "planner/protocol/session_json.h"
+#include "planner/report/slice_json.h"
 #include "sim/base/index.h"
 #include "sim/json/json_pose.h"
 
@@ -17,23 +18,31 @@ ProtocolJson contacts_of_hand(const CommandScope& scope, const JsonField& /*requ
   return {{"contacts", contacts_json(scope.session, scope.session.contacts())}};
 }
 
-ProtocolJson quality_of(const CommandScope& scope, const JsonField& /*request*/) {
-  const GraspJudgement judged = scope.session.quality();
+ProtocolJson quality_of(const CommandScope& scope, const JsonField& request) {
+  const bool sections = request.has("sections") && request["sections"].boolean();
+  const GraspJudgement judged = scope.session.quality(sections);
+  const WrenchFrame& frame = scope.session.state().world->compiled().wrench_frame;
   const bool limited = !judged.limiting_link.empty();
   ProtocolJson limit;
   if (limited) {
     limit = {{"link", judged.limiting_link}, {"epsilon_without", judged.epsilon_without}};
   }
-  return {{"outcome", outcome_name(judged.outcome)},
-          {"epsilon",
-           {{"lower", judged.epsilon.lower},
-            {"upper", judged.epsilon.upper},
-            {"status", epsilon_status_name(judged.epsilon.status)}}},
-          {"volume", judged.volume},
-          {"weakest_wrench", scaled_wrench_json(judged.epsilon.weakest)},
-          {"torque_scale", scope.session.state().world->compiled().wrench_frame.torque_scale},
-          {"limit", limit},
-          {"contacts", contacts_json(scope.session, judged.contacts)}};
+  ProtocolJson json{{"outcome", outcome_name(judged.outcome)},
+                    {"epsilon",
+                     {{"lower", judged.epsilon.lower},
+                      {"upper", judged.epsilon.upper},
+                      {"status", epsilon_status_name(judged.epsilon.status)}}},
+                    {"volume", judged.volume},
+                    {"weakest_wrench", scaled_wrench_json(judged.epsilon.weakest)},
+                    {"torque_scale", frame.torque_scale},
+                    {"torque_origin", vector_to_json(frame.torque_origin)},
+                    {"limit", limit},
+                    {"contacts", contacts_json(scope.session, judged.contacts)}};
+  if (sections) {
+    json["sections"] = {{"forces", slice_json(judged.sections.forces)},
+                        {"torques", slice_json(judged.sections.torques)}};
+  }
+  return json;
 }
 
 ProtocolJson forces_of(const CommandScope& scope, const JsonField& request) {
@@ -89,10 +98,15 @@ std::vector<Command> judging_commands() {
       {"quality",
        CommandKind::query,
        "How well the hand holds the object as it is.",
-       {},
+       {{"sections", FieldType::boolean, false,
+         "whether to tell what the wrench space looks like; false"}},
        "`outcome`, the bracket of `epsilon`, `volume`, `weakest_wrench` with its torque times "
-       "`torque_scale` [1/m], `limit` (the link whose contacts the grasp needs most, and epsilon "
-       "without them; null without force closure), and `contacts`",
+       "`torque_scale` [1/m] about `torque_origin` (frame of the object), `limit` (the link whose "
+       "contacts the grasp needs most, and epsilon "
+       "without them; null without force closure), `contacts`, and on demand `sections` of the "
+       "grasp wrench space: `forces` (without torque) and `torques` (without force), each as "
+       "`vertices` of a convex polyhedron and `triangles` of their numbers, both flat lists, empty "
+       "where the space is flat",
        quality_of},
       {"forces",
        CommandKind::query,

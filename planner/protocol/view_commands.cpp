@@ -1,13 +1,10 @@
 #include <algorithm>
 
 #include "planner/protocol/command.h"
-#include "planner/report/grasp_detail.h"
 #include "planner/report/packed_mesh.h"
 #include "planner/report/robot_json.h"
-#include "planner/report/slice_json.h"
-#include "sim/json/json_pose.h"
 
-// The commands of clients that draw: surfaces, robots, and what the contacts can exert.
+// The commands of clients that draw.
 namespace prehend {
 namespace {
 
@@ -49,17 +46,6 @@ ProtocolJson view_robots(const CommandScope& scope, const JsonField& /*request*/
   return json;
 }
 
-ProtocolJson view_wrenches(const CommandScope& scope, const JsonField& /*request*/) {
-  const WrenchFrame& frame = scope.session.state().world->compiled().wrench_frame;
-  const std::vector<Contact> contacts = contacts_of(scope.session.contacts());
-  const WrenchSections sections =
-      space_sections(contacts, frame, {.edges = TrialOptions().cone_edges});
-  return {{"origin_object", vector_to_json(frame.torque_origin)},
-          {"torque_scale", frame.torque_scale},
-          {"forces", slice_json(sections.forces)},
-          {"torques", slice_json(sections.torques)}};
-}
-
 }  // namespace
 
 std::vector<Command> view_commands() {
@@ -88,15 +74,7 @@ std::vector<Command> view_commands() {
        "and "
        "`closing`, of an arm its base `X` in the world, the joint `hand_joint` and the pose "
        "`X_hand` behind it that carry the hand, and `first_hand_joint`",
-       view_robots},
-      {"view.wrenches",
-       CommandKind::query,
-       "What the contacts can exert together: two sections of the grasp wrench space.",
-       {},
-       "`forces` (without torque) and `torques` (without force, times `torque_scale` [1/m]) about "
-       "`origin_object`: `vertices` of a convex polyhedron and `triangles` of their numbers, both "
-       "flat lists, empty where the space is flat",
-       view_wrenches}};
+       view_robots}};
 }
 
 }  // namespace prehend

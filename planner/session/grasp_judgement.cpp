@@ -32,20 +32,29 @@ void find_limit(const CompiledScene& scene, int edges, GraspJudgement& judged) {
   }
 }
 
+// What takes the hull of the wrenches, which is most of the work: volume and sections.
+void measure_space(const CompiledScene& scene, int edges, bool sections, GraspJudgement& judged) {
+  const bool is_stable = judged.outcome == Outcome::stable;
+  if (judged.contacts.empty() || !(is_stable || sections)) return;
+  const std::vector<Contact> contacts = contacts_of(judged.contacts);
+  const WrenchHull hull = wrench_hull(contact_wrenches(contacts, scene.wrench_frame, edges));
+  if (is_stable) judged.volume = hull.volume;
+  if (sections && hull.status == HullStatus::solid) judged.sections = wrench_sections(hull.points);
+}
+
 }  // namespace
 
 GraspJudgement judge_grasp_of(const CompiledScene& scene, const Trial& trial,
-                              const TrialOptions& options) {
+                              const TrialOptions& options, bool sections) {
   GraspWorkspace workspace;
   Trial judged = trial;
   judge_contacts(scene, options, workspace, judged);
-  GraspJudgement judgement{
-      judged.outcome, std::move(judged.contacts), judged.epsilon, 0.0, "", 0.0};
-  if (judgement.outcome != Outcome::stable) return judgement;
-  const std::vector<Contact> contacts = contacts_of(judgement.contacts);
-  judgement.volume =
-      wrench_hull(contact_wrenches(contacts, scene.wrench_frame, options.cone_edges)).volume;
-  find_limit(scene, options.cone_edges, judgement);
+  GraspJudgement judgement;
+  judgement.outcome = judged.outcome;
+  judgement.contacts = std::move(judged.contacts);
+  judgement.epsilon = judged.epsilon;
+  measure_space(scene, options.cone_edges, sections, judgement);
+  if (judgement.outcome == Outcome::stable) find_limit(scene, options.cone_edges, judgement);
   return judgement;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/quality/forces.h"
+#include "sim/quality/wrench_slice.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
@@ -21,11 +22,13 @@ struct GraspJudgement {
   // smallest of all links, of equal ones the first. Empty without force closure.
   std::string limiting_link;
   double epsilon_without = 0.0;
+  WrenchSections sections;  // of the wrench space; empty where it is flat, or nobody asked for them
 };
 
 // Epsilon as judge_contacts (grasp_at.h), of the contacts with the trial's X_OH and joints.
+// `sections`: whether to fill them in.
 GraspJudgement judge_grasp_of(const CompiledScene& scene, const Trial& trial,
-                              const TrialOptions& options);
+                              const TrialOptions& options, bool sections = false);
 
 // The smallest forces at the contacts of the trial that balance a load on the object: a force [N]
 // at the origin of torques, which is the object's centre of mass, and a torque about it [N m], both

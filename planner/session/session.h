@@ -104,7 +104,7 @@ class Session {
   // --- Queries.
   Pose X_WH() const { return state_.world->X_WO() * state_.hand.X_OH; }
   std::vector<GraspContact> contacts() const;
-  GraspJudgement quality() const;
+  GraspJudgement quality(bool sections = false) const;  // as judge_grasp_of
   // As forces_for.
   ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
   std::vector<Overlap> collisions() const;

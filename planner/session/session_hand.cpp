@@ -142,8 +142,8 @@ std::vector<GraspContact> Session::contacts() const {
                         trial_options());
 }
 
-GraspJudgement Session::quality() const {
-  return judge_grasp_of(state_.world->compiled(), as_trial(), trial_options());
+GraspJudgement Session::quality(bool sections) const {
+  return judge_grasp_of(state_.world->compiled(), as_trial(), trial_options(), sections);
 }
 
 ContactForces Session::forces(const Vector3& force_O, const Vector3& torque_O,

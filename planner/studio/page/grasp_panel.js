@@ -58,8 +58,7 @@ class GraspPanel {
     }
     const load = this.load();
     const asked = [
-      connection.call('quality'),
-      connection.call('view.wrenches'),
+      connection.call('quality', {sections: true}),
       connection.call('collisions'),
       load.world.lengthSq() > 0 ? connection.call('forces', {
         force_object: load.own.toArray(),
@@ -68,8 +67,8 @@ class GraspPanel {
                                   Promise.resolve(null),
     ];
     try {
-      const [quality, wrenches, {collisions}, forces] = await Promise.all(asked);
-      this.show(state, {quality, wrenches, collisions, forces, load});
+      const [quality, {collisions}, forces] = await Promise.all(asked);
+      this.show(state, {quality, collisions, forces, load});
     } catch (error) {
       if (error instanceof Refusal) this.live.tell('refused', error.message);
     }
@@ -158,10 +157,10 @@ class GraspPanel {
     this.stage.marks.remove(...this.stage.marks.children);
   }
 
-  drawMarks({quality, wrenches, forces, load}) {
-    data.frame.origin = wrenches.origin_object;
-    data.frame.radius = 1 / wrenches.torque_scale;
-    const grasp = this.asGrasp(quality, wrenches);
+  drawMarks({quality, forces, load}) {
+    data.frame.origin = quality.torque_origin;
+    data.frame.radius = 1 / quality.torque_scale;
+    const grasp = this.asGrasp(quality);
     this.clearMarks();
     const {marks} = this.stage;
     if (byId('show-contacts').checked) marks.add(contactMarks(grasp));
@@ -172,7 +171,7 @@ class GraspPanel {
   }
 
   // As the scripts of all pages have a grasp.
-  asGrasp({epsilon, outcome, weakest_wrench, contacts}, {forces, torques}) {
+  asGrasp({epsilon, outcome, weakest_wrench, contacts, sections}) {
     const holds = outcome === 'stable';
     return {
       contacts: contacts.map((contact) => ({
@@ -186,7 +185,7 @@ class GraspPanel {
       epsilon: holds ? [epsilon.lower, epsilon.upper] : [0, 0],
       weakest_force: holds ? weakest_wrench.force_object : [0, 0, 0],
       weakest_torque: holds ? weakest_wrench.scaled_torque_object : [0, 0, 0],
-      detail: {forces, torques},
+      detail: sections,
     };
   }
 

@@ -95,13 +95,15 @@ TEST(ViewCommands, SectionsOfTheWrenchSpaceHoldTheBallOfEpsilon) {
   ListeningClient client(endpoint);
   client.result({{"command", "scene.new"}, {"hand", "parallel_jaw"}});
   client.result({{"command", "object.set"}, {"generate", "cylinder"}, {"triangles", 600}});
-  const Reply flat = client.result({{"command", "view.wrenches"}});
+  const Reply ask{{"command", "quality"}, {"sections", true}};
+  const Reply flat = client.result(ask)["sections"];
   EXPECT_TRUE(flat["forces"]["vertices"].empty());
   client.result({{"command", "hand.approach"}});
   const Reply grasp = client.result({{"command", "hand.auto_grasp"}});
   ASSERT_EQ(grasp["outcome"], "stable");
   const double epsilon = grasp["epsilon"]["lower"];
-  const Reply wrenches = client.result({{"command", "view.wrenches"}});
+  EXPECT_FALSE(client.result({{"command", "quality"}}).contains("sections"));
+  const Reply wrenches = client.result(ask)["sections"];
   for (const char* section : {"forces", "torques"}) {
     const auto vertices = wrenches[section]["vertices"].get<std::vector<double>>();
     ASSERT_GE(vertices.size(), 12U) << section;
