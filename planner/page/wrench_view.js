@@ -139,6 +139,11 @@ class WrenchView {
     this.draw();
   }
 
+  setBackground(color) {
+    for (const section of this.sections) section.scene.background = new THREE.Color(color);
+    this.draw();
+  }
+
   // Turns the camera to the same direction as in the scene.
   follow() {
     const direction = this.view.direction();

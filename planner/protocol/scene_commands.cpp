@@ -6,6 +6,7 @@
 #include "sim/geometry/object_generator.h"
 #include "sim/json/json_pose.h"
 #include "sim/mesh_files/gltf_buffers.h"
+#include "sim/robot_files/platform_file.h"
 #include "sim/robot_files/robot_file.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
@@ -49,6 +50,13 @@ BodyOrder body_order(const JsonField& request, std::string_view pose, std::strin
   return order;
 }
 
+// The robots of the library that are hands.
+std::vector<std::string> hand_names() {
+  std::vector<std::string> names = library_robot_names();
+  std::erase_if(names, [](const std::string& name) { return !find_robot(name).hand; });
+  return names;
+}
+
 ProtocolJson hello(const CommandScope& /*scope*/, const JsonField& /*request*/) {
   ProtocolJson names = ProtocolJson::array();
   for (const Command& command : commands()) names.push_back(command.name);
@@ -56,7 +64,8 @@ ProtocolJson hello(const CommandScope& /*scope*/, const JsonField& /*request*/) 
           {"version", kProtocolVersion},
           {"commands", names},
           {"scenes", library_scene_names()},
-          {"hands", library_robot_names()},
+          {"hands", hand_names()},
+          {"platforms", library_platform_names()},
           {"generators", generated_object_names()}};
 }
 
@@ -172,7 +181,8 @@ std::vector<Command> file_commands() {
            CommandKind::query,
            "Who is there.",
            {},
-           "`version` of the protocol (1), `commands`, and the names of `scenes`, `hands` and "
+           "`version` of the protocol (1), `commands`, and the names of `scenes`, `hands`, "
+           "`platforms` and "
            "`generators` that come with prehend",
            hello},
           {"scene.new",

@@ -31,16 +31,24 @@ ProtocolJson drives_json(const Robot& robot) {
   return drives;
 }
 
+ProtocolJson dof_names(const Robot& robot) {
+  ProtocolJson names = ProtocolJson::array();
+  for (const DegreeOfFreedom& dof : robot.dofs) names.push_back(dof.name);
+  return names;
+}
+
 ProtocolJson view_robots(const CommandScope& scope, const JsonField& /*request*/) {
   const EditedScene& world = *scope.session.state().world;
   const Robot& robot = world.scene().hand;
   ProtocolJson hand = robot_json(robot);
+  hand["dofs"] = dof_names(robot);
   hand["drives"] = drives_json(robot);
   hand["approach"] = rounded(robot.hand->approach);
   hand["closing"] = rounded(robot.hand->closing);
   ProtocolJson json{{"robots", world.surfaces().robots}, {"hand", hand}, {"arm", nullptr}};
   if (world.is_ready() && world.compiled().arm) {
     json["arm"] = arm_json(*world.compiled().arm);
+    json["arm"]["dofs"] = dof_names(world.compiled().arm->robot());
     json["arm"]["drives"] = drives_json(world.compiled().arm->robot());
   }
   return json;
@@ -69,8 +77,10 @@ std::vector<Command> view_commands() {
        "`axis` (null: z), and the poses `before` and `after` the motion (x, y, z, then a "
        "quaternion "
        "x, y, z, w; null: none), `links`, each with `name`, `joint`, `material` and a `mesh` as of "
-       "`view.surface`, and `drives`, how the value of each joint follows from a degree of freedom "
-       "(`ratio` times that of `dof` plus `offset`); of a hand also the unit vectors `approach` "
+       "`view.surface`, the names of `dofs`, and `drives`, how the value of each joint follows "
+       "from "
+       "one of these (`ratio` times that of number `dof` plus `offset`); of a hand also the unit "
+       "vectors `approach` "
        "and "
        "`closing`, of an arm its base `X` in the world, the joint `hand_joint` and the pose "
        "`X_hand` behind it that carry the hand, and `first_hand_joint`",

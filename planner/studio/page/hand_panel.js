@@ -40,8 +40,8 @@ class HandPanel {
   }
 
   // What stopped a motion.
-  sayMotion({end, link, by}) {
-    const touching = link ? `${link} and ${by}` : '';
+  sayMotion({end, link, by, touches}) {
+    const touching = link ? `${link} and ${by}` : touches ? `it and ${touches}` : '';
     const words = {
       arrived: '',
       touched: `stopped: ${touching} touch`,
@@ -62,14 +62,7 @@ class HandPanel {
     byId('soft-fingers').checked = switches.soft_fingers;
     const key = JSON.stringify([hand.name, hand.dofs.map(({name}) => name), hand.preshapes]);
     fillChanged(byId('dofs'), key, () => this.makeRows(hand));
-    hand.dofs.forEach(({value, lower, upper}, d) => {
-      const {slider, field} = this.rows[d];
-      if (document.activeElement !== field) field.value = Number(value.toFixed(5));
-      slider.value = value;
-      slider.setAttribute('aria-valuetext', numberText(value, 4));
-      field.min = lower;
-      field.max = upper;
-    });
+    hand.dofs.forEach(({value}, d) => this.rows[d].set(value));
   }
 
   makeRows(hand) {
@@ -82,25 +75,6 @@ class HandPanel {
   }
 
   makeRow(name, lower, upper) {
-    const {live} = this;
-    const slider = element('input', {
-      type: 'range',
-      min: lower,
-      max: upper,
-      step: (upper - lower) / 1000,
-      'aria-label': name,
-      'data-dof': name,
-      onpointerdown: () => live.beginGesture(),
-      onpointerup: () => live.endGesture(),
-      oninput: () => this.turn.ask(name, Number(slider.value)),
-    });
-    const field = numberField(0, {
-      'aria-label': `${name}, number`,
-      onchange: () => {
-        const value = numberIn(field);
-        if (value !== null) this.turn.ask(name, value);
-      },
-    });
-    return {row: element('li', {}, element('span', {}, name), slider, field), slider, field};
+    return sliderRow(name, lower, upper, this.live, (value) => this.turn.ask(name, value));
   }
 }

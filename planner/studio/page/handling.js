@@ -98,9 +98,8 @@ class Handling {
   }
 
   valueOf(joint) {
-    const {state} = this.live;
-    if (this.selected === 'arm') return state.arm ? state.arm.joints[joint].value : 0;
-    return state.hand.joints[joint];
+    return this.selected === 'arm' ? this.stage.armJoints(this.live.state)[joint] :
+                                     this.live.state.hand.joints[joint];
   }
 
   // The body's pose in the session; null where there is none.
@@ -173,19 +172,15 @@ class Handling {
   // Gives a joint the value by its degree of freedom.
   async turn(joint, value) {
     const {live} = this;
-    const robot = this.selected === 'arm' ? this.stage.armData : this.stage.handData;
-    const {dof, ratio, offset} = robot.drives[joint];
+    const onArm = this.selected === 'arm';
+    const {drives, dofs} = onArm ? this.stage.armData : this.stage.handData;
+    const {dof, ratio, offset} = drives[joint];
     const wanted = (value - offset) / ratio;
     const gesture = live.gestureField();
-    const moved = this.selected === 'arm' ?
-        await live.ask('arm.joints', {joints: this.armWith(joint, wanted), ...gesture}) :
-        await live.ask(
-            'hand.dofs', {dof: live.state.hand.dofs[dof].name, value: wanted, ...gesture});
+    const moved = onArm ?
+        await live.ask('arm.joints', {joint: dofs[dof], value: wanted, ...gesture}) :
+        await live.ask('hand.dofs', {dof: dofs[dof], value: wanted, ...gesture});
     if (moved) live.tell('motion', moved);
-  }
-
-  armWith(joint, value) {
-    return this.live.state.arm.joints.map((own, j) => (j === joint ? value : own.value));
   }
 
   // Whether the key was one that moves the selected body.

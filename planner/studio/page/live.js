@@ -8,6 +8,11 @@ function poseOf(matrix) {
   return {position: position.toArray(), quaternion_wxyz: [turn.w, turn.x, turn.y, turn.z]};
 }
 
+// Position and quaternion (x, y, z, w) in one list, as matrixOf takes it.
+function listOfPose({position, quaternion_wxyz: [w, x, y, z]}) {
+  return [...position, x, y, z, w];
+}
+
 function matrixOfPose({position, quaternion_wxyz: [w, x, y, z]}) {
   return matrixOf([...position, x, y, z, w]);
 }
@@ -92,6 +97,6 @@ class Live {
     this.gesture = 0;
   }
   gestureField() {
-    return this.gesture > 0 && this.has('object.move') ? {gesture: this.gesture} : {};
+    return this.gesture > 0 ? {drag: this.gesture} : {};
   }
 }

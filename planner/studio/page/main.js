@@ -29,6 +29,9 @@ class Studio {
     this.hand = new HandPanel(this.live);
     this.grasp = new GraspPanel(this.stage, this.live);
     this.plan = new PlanPanel(this.stage, this.live);
+    this.arm = new ArmPanel(this.live);
+    this.path = new PathPanel(this.stage, this.live);
+    this.time = new TimePanel(this.stage, this.live, this.measure);
     this.tour = new Tour();
     this.listen();
     this.makeToolbar();
@@ -129,7 +132,9 @@ class Studio {
   setTheme(theme) {
     document.documentElement.dataset.theme = theme;
     localStorage.setItem('prehend-theme', theme);
-    this.stage.setBackground(theme === 'dark' ? '#1d1f24' : '#ffffff');
+    const background = theme === 'dark' ? '#1d1f24' : '#ffffff';
+    this.stage.setBackground(background);
+    this.grasp.wrench.setBackground(background);
   }
 
   showKeys() {
@@ -192,5 +197,6 @@ class Studio {
 try {
   window.studio = new Studio();
 } catch (error) {
+  console.error(error);
   byId('status').textContent = `This browser cannot draw in three dimensions: ${error.message}`;
 }

@@ -26,6 +26,37 @@ function numberIn(field) {
   return field.value.trim() === '' || !Number.isFinite(value) ? null : value;
 }
 
+// A slider with a number for one degree of freedom; `change` gets the values that a person sets.
+// What is set in one drag of the slider is one gesture.
+function sliderRow(name, lower, upper, live, change) {
+  const slider = element('input', {
+    type: 'range',
+    min: lower,
+    max: upper,
+    step: (upper - lower) / 1000,
+    'aria-label': name,
+    'data-dof': name,
+    onpointerdown: () => live.beginGesture(),
+    onpointerup: () => live.endGesture(),
+    oninput: () => change(Number(slider.value)),
+  });
+  const field = numberField(0, {
+    'aria-label': `${name}, number`,
+    min: lower,
+    max: upper,
+    onchange: () => {
+      const value = numberIn(field);
+      if (value !== null) change(value);
+    },
+  });
+  const set = (value) => {
+    if (document.activeElement !== field) field.value = Number(value.toFixed(5));
+    slider.value = value;
+    slider.setAttribute('aria-valuetext', numberText(value, 4));
+  };
+  return {row: element('li', {}, element('span', {}, name), slider, field), set};
+}
+
 // Replaces the children of a list only where what it shows has changed, so that the focus stays.
 function fillChanged(list, key, make) {
   if (list.dataset.key === key) return;

@@ -179,12 +179,34 @@ class Stage {
     this.draw();
   }
 
-  // The values of the arm's joints; those of the hand on it follow them and are not drawn.
+  // The values of all joints of the platform; those of the hand on it are not drawn.
+  armJoints(state) {
+    const {drives, dofs, start} = this.armData;
+    const values = new Map(state.arm ? state.arm.joints.map(({name, value}) => [name, value]) : []);
+    return drives.map(({dof, ratio, offset}, j) => {
+      const value = values.get(dofs[dof]);
+      return value === undefined ? start[j] : ratio * value + offset;
+    });
+  }
+
   placeArm(state) {
-    const values = state.arm ? state.arm.joints.map(({value}) => value) : [];
-    const start = this.armData.start;
-    this.arm.setJoints(start.map((at, j) => (j < values.length ? values[j] : at)));
-    this.fade(this.arm, state.arm && !state.arm.reached);
+    this.arm.setJoints(this.armJoints(state));
+    this.fade(this.arm, Boolean(state.arm) && !state.arm.reached);
+  }
+
+  // Robot and object at a moment of a motion, which the state does not know. `joints`: of the
+  // platform where there is one, else of the hand.
+  placeMoving({joints, hand, object}) {
+    if (!this.hand) return;
+    this.hand.setBase(hand);
+    this.hand.setJoints(this.arm ? joints.slice(this.armData.first_hand_joint) : joints);
+    if (this.arm) {
+      this.fade(this.arm, false);
+      this.arm.setJoints(joints);
+    }
+    this.setPose(this.bodies.get('object'), object);
+    object.decompose(this.marks.position, this.marks.quaternion, this.marks.scale);
+    this.draw();
   }
 
   // What does not reach its place is seen through.

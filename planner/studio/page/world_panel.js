@@ -170,9 +170,8 @@ class WorldPanel {
     const {live} = this;
     const mass = numberField(numberText(object.mass, 6), {'aria-label': 'mass [kg]', min: 0});
     mass.addEventListener('change', () => live.ask('object.change', {mass: numberIn(mass) ?? 0}));
-    const remove = live.has('object.remove') ?
-        button('✕', () => live.ask('object.remove'), {'aria-label': 'remove the object'}) :
-        null;
+    const remove =
+        button('✕', () => live.ask('object.remove'), {'aria-label': 'remove the object'});
     return [
       this.name(object.name, (name) => live.ask('object.change', {name})),
       this.material(object.material, (material) => live.ask('object.change', {material})), mass,
