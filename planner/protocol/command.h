@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,5 +75,11 @@ std::vector<Command> hand_commands();
 std::vector<Command> judging_commands();
 std::vector<Command> plan_commands();
 std::vector<Command> view_commands();
+std::vector<Command> move_commands();
+std::vector<Command> grasp_commands();
+
+// The field of a request that names a gesture (Gesture), and what it says.
+CommandField gesture_field();
+std::optional<int> gesture_of(const JsonField& request);
 
 }  // namespace prehend

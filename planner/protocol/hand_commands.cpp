@@ -19,7 +19,7 @@ ProtocolJson hand_move(const CommandScope& scope, const JsonField& request) {
   const Pose X_OH =
       in_world ? Pose(session.state().world->X_WO().inverse() * read_pose(request["X_world_hand"]))
                : read_pose(request["X_object_hand"]);
-  const HandMotion motion = session.move_hand(X_OH);
+  const HandMotion motion = session.move_hand(X_OH, gesture_of(request));
   return motion_json(session, motion);
 }
 
@@ -44,7 +44,7 @@ ProtocolJson hand_dofs(const CommandScope& scope, const JsonField& request) {
     const std::size_t d = dof_named(request["dof"], session.state().world->scene().hand);
     dofs[d] = request["value"].number();
   }
-  const HandMotion motion = session.set_dofs(dofs);
+  const HandMotion motion = session.set_dofs(dofs, gesture_of(request));
   return motion_json(session, motion);
 }
 
@@ -113,9 +113,12 @@ std::vector<Command> motion_commands() {
   return {
       {"hand.move",
        CommandKind::change,
-       "Moves the hand's base along a straight line, turning evenly. One of the fields is needed.",
+       "Moves the hand's base along a straight line, turning evenly. One of the poses is needed. "
+       "An "
+       "arm follows where it can: the state says so.",
        {{"X_world_hand", FieldType::pose, false, "where to, in the world"},
-        {"X_object_hand", FieldType::pose, false, "where to, in the frame of the object"}},
+        {"X_object_hand", FieldType::pose, false, "where to, in the frame of the object"},
+        gesture_field()},
        kReplyMotion,
        hand_move},
       {"hand.dofs",
@@ -123,7 +126,8 @@ std::vector<Command> motion_commands() {
        "Moves degrees of freedom, all or one. Beyond a limit they end at it; joints follow.",
        {{"dofs", FieldType::numbers, false, "one value for each [rad or m]"},
         {"dof", FieldType::text, false, "the name of one"},
-        {"value", FieldType::number, false, "of `dof` [rad or m]"}},
+        {"value", FieldType::number, false, "of `dof` [rad or m]"},
+        gesture_field()},
        kReplyMotion,
        hand_dofs},
       {"hand.preshape",

@@ -83,9 +83,11 @@ std::vector<Command> judging_commands() {
        "All that the session is now.",
        {},
        "`revision`, `scene`, `problem` (why the scene cannot be used for grasps, or null), "
-       "`object`, `obstacles`, `platform`, `robots` (as of `view.robots`), `hand`, `outcome` of "
-       "the last auto-grasp while the hand "
-       "stays there, `switches`, `planning`, how many `results`, `pins`, and how often to `undo` "
+       "`object`, `obstacles`, `platform`, `robots` (as of `view.robots`), `hand`, `arm` (its "
+       "`joints` with values and limits, whether it has `reached` the hand without a collision, "
+       "and the `problem` where not; null without a platform), `outcome` of the last auto-grasp "
+       "while the hand stays there, `switches`, `planning`, how many `results`, `pins`, and how "
+       "often to `undo` "
        "and `redo`",
        state_of},
       {"contacts",
@@ -125,7 +127,8 @@ std::vector<Command> judging_commands() {
        CommandKind::query,
        "Which bodies overlap now.",
        {},
-       "`collisions`, each a `link` of the hand and `by` what it overlaps",
+       "`collisions`, each a `link` of the hand, or of the arm where it holds the hand, and `by` "
+       "what it overlaps",
        collisions_of}};
 }
 

@@ -32,12 +32,14 @@ PlanOptions options_of_plan(const JsonField& request) {
     options.search.trials = integer_within(request["trials"], 1, kMostTrials);
   }
   if (request.has("top")) options.rank.top = integer_within(request["top"], 1, kMostTop);
+  if (request.has("paths") && request["paths"].boolean()) options.paths.emplace();
   if (request.has("seed")) options.seed = request["seed"].unsigned_integer();
   return options;
 }
 
 ProtocolJson plan_start(const CommandScope& scope, const JsonField& request) {
   PlanOptions options = options_of_plan(request);
+  if (options.paths) (void)scope.session.require_arm();
   options.trial.soft_fingers = scope.session.state().switches.soft_fingers;
   scope.session.start_plan(options, scope.listener ? scope.listener() : PlanListener{});
   return {{"started", true}, {"trials", options.search.trials}};
@@ -117,7 +119,10 @@ std::vector<Command> plan_commands() {
            {{"trials", FieldType::integer, false, "candidates to try; those of the accuracy"},
             {"top", FieldType::integer, false, "grasps to keep; 10"},
             {"seed", FieldType::integer, false, "of everything random, at least 0; 1"},
-            {"accuracy", FieldType::text, false, "draft, standard or fine; standard"}},
+            {"accuracy", FieldType::text, false, "draft, standard or fine; standard"},
+            {"paths", FieldType::boolean, false,
+             "whether a path of the arm is planned for each, and those without one are left out; "
+             "false"}},
            "`started`, and how many `trials`",
            plan_start},
           {"plan.cancel",

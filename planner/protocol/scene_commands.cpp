@@ -264,7 +264,8 @@ std::vector<Command> body_commands() {
        hand_choose},
       {"platform.mount",
        CommandKind::world,
-       "Puts a hand on an arm, which plans then use. The hand is moved freely all the same.",
+       "Puts a hand on an arm, which plans then use. The hand is moved freely all the same, "
+       "and the arm follows where it can.",
        {{"platform", FieldType::text, true, "platform of the library, or file in an open folder"},
         {"hand", FieldType::text, false, "in place of the platform's own"},
         {"X_world_base", FieldType::pose, false, "where the base is; at the origin"}},

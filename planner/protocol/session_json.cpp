@@ -42,11 +42,11 @@ ProtocolJson pins_of(const SessionState& state) {
   return list;
 }
 
+}  // namespace
+
 ProtocolJson text_or_null(const std::string& text) {
   return text.empty() ? ProtocolJson() : ProtocolJson(text);
 }
-
-}  // namespace
 
 ProtocolJson hand_json(const Session& session) {
   const Robot& hand = session.state().world->scene().hand;
@@ -68,6 +68,23 @@ ProtocolJson hand_json(const Session& session) {
           {"preshapes", preshapes}};
 }
 
+ProtocolJson arm_json(const Session& session) {
+  const CompiledArm* arm = session.arm();
+  const std::optional<ArmPosture>& posture = session.state().arm;
+  if (arm == nullptr || !posture) return nullptr;
+  ProtocolJson joints = ProtocolJson::array();
+  for (const int d : arm->dofs) {
+    const DegreeOfFreedom& dof = arm->robot().dofs[index(d)];
+    joints.push_back({{"name", dof.name},
+                      {"value", posture->dofs[index(d)]},
+                      {"lower", dof.lower},
+                      {"upper", dof.upper}});
+  }
+  return {{"joints", joints},
+          {"reached", posture->reached()},
+          {"problem", text_or_null(posture->problem)}};
+}
+
 ProtocolJson state_json(const Session& session) {
   const SessionState& state = session.state();
   const Scene& scene = state.world->scene();
@@ -80,6 +97,7 @@ ProtocolJson state_json(const Session& session) {
   json["platform"] = scene.carrier ? ProtocolJson(scene.carrier->platform.name) : ProtocolJson();
   json["robots"] = state.world->surfaces().robots;
   json["hand"] = hand_json(session);
+  json["arm"] = arm_json(session);
   json["outcome"] = state.outcome ? ProtocolJson(outcome_name(*state.outcome)) : ProtocolJson();
   json["switches"] = {{"stop_at_contact", state.switches.stop_at_contact},
                       {"soft_fingers", state.switches.soft_fingers}};

@@ -87,4 +87,15 @@ std::vector<Overlap> overlaps_of(const CompiledScene& scene, const Pose& X_OH,
   return found;
 }
 
+std::vector<Overlap> arm_overlaps(const CompiledArm& arm, const std::vector<double>& joints) {
+  std::vector<Pose> X_BL;
+  arm_link_poses(arm, joints, X_BL);
+  std::vector<Overlap> found;
+  for (const ArmPair& pair : arm.arm_pairs) {
+    if (!pair_meets(arm, pair, X_BL)) continue;
+    found.push_back({first_name(arm, pair), second_name(arm, pair)});
+  }
+  return found;
+}
+
 }  // namespace prehend

@@ -46,4 +46,8 @@ struct Overlap {
 std::vector<Overlap> overlaps_of(const CompiledScene& scene, const Pose& X_OH,
                                  const std::vector<double>& joints);
 
+// The same of the pairs of the arm (CompiledArm::arm_pairs), whose links have the names of their
+// robots before their own. `joints`: of all of the platform [rad or m].
+std::vector<Overlap> arm_overlaps(const CompiledArm& arm, const std::vector<double>& joints);
+
 }  // namespace prehend

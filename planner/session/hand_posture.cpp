@@ -5,20 +5,14 @@
 #include <variant>
 
 #include "sim/base/index.h"
-#include "sim/trial/gap_tracker.h"
 
 namespace prehend {
 namespace {
 
 // Two bodies that may meet on the way: a link with a body of the scene or with another link.
-struct SweptPair {
+struct HandPair {
   LinkId link = {};
   std::variant<BodyId, LinkId> other = BodyId::object();
-  double speed = 0.0;  // bound of how far a point of one moves relative to the other on all the way
-  GapTracker tracker;
-  double stop_gap = 0.0;  // at which the motion ends [m]
-  double asked_at = 0.0;  // share of the way at the last query
-  double safe_until = 0.0;
 };
 
 double joint_speed(const CompiledLink& link, const std::vector<double>& moved) {
@@ -30,42 +24,29 @@ double joint_speed(const CompiledLink& link, const std::vector<double>& moved) {
 }
 
 // One motion, with the way counted in shares of it.
-class Sweep {
+class HandSweep {
  public:
-  Sweep(const CompiledScene& scene, const HandPosture& from, const HandPosture& to,
-        const TrialOptions& options, const RunContext& context)
-      : scene_(scene), from_(from), to_(to), options_(options), context_(context) {
+  HandSweep(const CompiledScene& scene, const HandPosture& from, const HandPosture& to)
+      : scene_(scene), from_(from), to_(to) {
     list_pairs();
   }
 
-  HandMotion run() {
-    if (const SweptPair* pair = overlap_at_start())
-      return ended(MotionEnd::starts_in_collision, *pair, 0.0);
-    while (true) {
-      context_.cancellation.check();
-      if (pairs_.empty()) break;
-      SweptPair& next = *std::min_element(
-          pairs_.begin(), pairs_.end(),
-          [](const SweptPair& a, const SweptPair& b) { return a.safe_until < b.safe_until; });
-      if (next.safe_until >= 1.0 && next.tracker.queries() > 0) break;
-      if (!advance(next)) {
-        const bool at_start = next.tracker.queries() == 1;
-        return ended(at_start ? MotionEnd::starts_in_collision : MotionEnd::touched, next,
-                     next.safe_until);
-      }
-    }
-    HandMotion motion;
-    motion.posture = to_;
-    return motion;
+  HandMotion run(const TrialOptions& options, const RunContext& context) {
+    const SweepEnd end = sweep(
+        swept_, [this](std::size_t pair, double share) { return relative_pose(pair, share); },
+        options, context);
+    if (end.end == MotionEnd::arrived) return {end.end, 1.0, to_, "", ""};
+    const HandPair& pair = pairs_[end.pair];
+    return {end.end, end.share, between(from_, to_, end.share), scene_.links[index(pair.link)].name,
+            body(pair.other).name};
   }
 
  private:
   void list_pairs() {
     std::vector<double> moved(from_.joints.size());
     for (std::size_t j = 0; j < moved.size(); ++j) moved[j] = to_.joints[j] - from_.joints[j];
-    const double slide = (to_.X_OH.translation() - from_.X_OH.translation()).norm();
-    const Eigen::AngleAxisd turn(Matrix3(from_.X_OH.linear().transpose() * to_.X_OH.linear()));
-    const double angle = std::abs(turn.angle());
+    const StraightMotion base(from_.X_OH, to_.X_OH);
+    const double angle = std::abs(base.turn.angle());
     place(0.0);
     for (std::size_t l = 0; l < scene_.links.size(); ++l) {
       const CompiledLink& link = scene_.links[l];
@@ -75,25 +56,20 @@ class Sweep {
       const double arm =
           (poses_.X_BL[l] * link.mesh.ball_center()).norm() + link.mesh.ball_radius() + own;
       for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
-        add(link_id(l), BodyId::at(b), slide + angle * arm + own);
+        const Matrix3 R_BO = scene_.bodies[b].X_RB.linear().transpose();
+        add(link_id(l), BodyId::at(b), R_BO * base.slide, angle * arm + own);
       }
     }
     for (const LinkPair& pair : scene_.self_pairs) {
-      add(pair.a, pair.b,
+      add(pair.a, pair.b, Vector3::Zero(),
           joint_speed(scene_.links[index(pair.a)], moved) +
               joint_speed(scene_.links[index(pair.b)], moved));
     }
   }
 
-  // Pairs that do not move against each other are left out: nothing becomes of them.
-  void add(LinkId link, std::variant<BodyId, LinkId> other, double speed) {
-    if (speed <= 0.0) return;
-    SweptPair& pair = pairs_.emplace_back();
-    pair.link = link;
-    pair.other = other;
-    pair.speed = speed;
-    pair.stop_gap = options_.contact_gap;
-    pair.tracker.start(body(other).mesh, scene_.links[index(link)].mesh, options_.gaps);
+  void add(LinkId link, std::variant<BodyId, LinkId> other, const Vector3& slide, double rest) {
+    pairs_.push_back({link, other});
+    swept_.push_back({&body(other), &scene_.links[index(link)], slide, rest});
   }
 
   const CollisionBody& body(const std::variant<BodyId, LinkId>& other) const {
@@ -103,13 +79,17 @@ class Sweep {
 
   // Poses of the links at this share of the way.
   void place(double share) {
+    if (share == placed_at_) return;
+    placed_at_ = share;
     const HandPosture now = between(from_, to_, share);
     robot_poses(scene_.scene.hand, now.joints, poses_);
     X_OH_ = now.X_OH;
   }
 
-  // The pose of the pair's link in the frame of the other body, at the last place().
-  Pose relative_pose(const SweptPair& pair) const {
+  // The pose of the pair's link in the frame of the other body.
+  Pose relative_pose(std::size_t place_of_pair, double share) {
+    place(share);
+    const HandPair& pair = pairs_[place_of_pair];
     const Pose& X_HL = poses_.X_BL[index(pair.link)];
     if (const auto* id = std::get_if<BodyId>(&pair.other)) {
       return scene_.pose_in(*id, X_OH_ * X_HL);
@@ -117,49 +97,12 @@ class Sweep {
     return poses_.X_BL[index(std::get<LinkId>(pair.other))].inverse() * X_HL;
   }
 
-  // Surfaces that cross are found by their gap; a body inside another has one.
-  const SweptPair* overlap_at_start() const {
-    for (const SweptPair& pair : pairs_) {
-      if (bodies_overlap(body(pair.other), scene_.links[index(pair.link)], relative_pose(pair))) {
-        return &pair;
-      }
-    }
-    return nullptr;
-  }
-
-  // Extends the proof for the pair that it is free of contact; false where it touches.
-  bool advance(SweptPair& pair) {
-    const double share = std::min(pair.safe_until, 1.0);
-    place(share);
-    const double left = (1.0 - share) * pair.speed + options_.contact.threshold;
-    const Gap gap =
-        pair.tracker.query(relative_pose(pair), (share - pair.asked_at) * pair.speed, left);
-    pair.asked_at = share;
-    if (pair.tracker.queries() == 1) {
-      if (!(gap.lower > 0.0)) return false;
-      // What touches already.
-      if (gap.lower <= options_.closed_gap()) pair.stop_gap = 0.5 * gap.lower;
-    }
-    if (gap.upper <= 1.1 * pair.stop_gap || pair.tracker.queries() > options_.max_gap_queries) {
-      return false;
-    }
-    const double step =
-        gap.lower > 1.1 * pair.stop_gap ? gap.lower - pair.stop_gap : 0.25 * gap.lower;
-    pair.safe_until = share + step / pair.speed;
-    return true;
-  }
-
-  HandMotion ended(MotionEnd end, const SweptPair& pair, double share) const {
-    return {end, share, between(from_, to_, share), scene_.links[index(pair.link)].name,
-            body(pair.other).name};
-  }
-
   const CompiledScene& scene_;
   const HandPosture& from_;
   const HandPosture& to_;
-  const TrialOptions& options_;
-  const RunContext& context_;
-  std::vector<SweptPair> pairs_;
+  std::vector<HandPair> pairs_;
+  std::vector<SweptPair> swept_;
+  double placed_at_ = -1.0;  // a share that no way has
   RobotPoses poses_;
   Pose X_OH_ = Pose::Identity();
 };
@@ -170,10 +113,7 @@ HandPosture between(const HandPosture& from, const HandPosture& to, double share
   if (share >= 1.0) return to;
   if (share <= 0.0) return from;
   HandPosture posture = from;
-  const Eigen::AngleAxisd turn(Matrix3(from.X_OH.linear().transpose() * to.X_OH.linear()));
-  posture.X_OH.linear() =
-      from.X_OH.linear() * Eigen::AngleAxisd(share * turn.angle(), turn.axis()).matrix();
-  posture.X_OH.translation() += share * (to.X_OH.translation() - from.X_OH.translation()).eval();
+  posture.X_OH = StraightMotion(from.X_OH, to.X_OH).at(share);
   for (std::size_t i = 0; i < posture.dofs.size(); ++i) {
     posture.dofs[i] += share * (to.dofs[i] - from.dofs[i]);
   }
@@ -186,7 +126,7 @@ HandPosture between(const HandPosture& from, const HandPosture& to, double share
 HandMotion move_to_contact(const CompiledScene& scene, const HandPosture& from,
                            const HandPosture& to, const TrialOptions& options,
                            const RunContext& context) {
-  return Sweep(scene, from, to, options, context).run();
+  return HandSweep(scene, from, to).run(options, context);
 }
 
 }  // namespace prehend

@@ -180,6 +180,13 @@ void change_object(Scene& scene, const BodyOrder& order) {
   if (order.X_WB) object.X_WO = *order.X_WB;
 }
 
+void remove_object(Scene& scene) {
+  require(!scene.object.mesh.empty(), {.field = "object", .problem = "there is none"});
+  scene.object = {};
+  scene.primitives.clear();
+  scene.notes.clear();
+}
+
 void add_obstacle(Scene& scene, BodySurface surface, const BodyOrder& order) {
   const std::string name = order.name.empty() ? surface.name : order.name;
   require_free_name(scene, name, "name");

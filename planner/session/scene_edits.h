@@ -54,6 +54,8 @@ struct BodyOrder {
 void set_object(Scene& scene, BodySurface surface, const BodyOrder& order);
 // Throws InputError without an object.
 void change_object(Scene& scene, const BodyOrder& order);
+// Throws InputError without an object.
+void remove_object(Scene& scene);
 
 // Throws InputError for a name that another obstacle has.
 void add_obstacle(Scene& scene, BodySurface surface, const BodyOrder& order);

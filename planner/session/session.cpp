@@ -23,6 +23,18 @@ RunRecord record_of_session(const SessionState& state, const PlanOptions& option
   return record;
 }
 
+// The arm's source and name: of another one, no posture is known.
+std::string carrier_of(const Scene& scene) {
+  return scene.carrier ? scene.carrier->source + " " + scene.carrier->platform.name : "";
+}
+
+// All that is about a world that is no more.
+void forget_grasps(SessionState& state) {
+  state.results.reset();
+  state.outcome.reset();
+  state.grasp.reset();
+}
+
 void require_fits(bool fits, const char* field, const char* problem, const std::string& value) {
   require(fits, {.field = field, .problem = problem, .value = value});
 }
@@ -52,10 +64,26 @@ HandPosture Session::start_posture(const Scene& scene) {
   return posture;
 }
 
-void Session::push(SessionState next) {
-  undo_.push_back(std::move(state_));
+Session::KeptState Session::kept(SessionState state) {
+  KeptState kept{std::move(state), std::nullopt};
+  if (const EditedScenePtr base = kept.state.world->base()) {
+    kept.places = places_of(kept.state.world->scene());
+    kept.state.world = base;
+  }
+  return kept;
+}
+
+SessionState Session::restored(KeptState kept) {
+  if (kept.places) kept.state.world = with_bodies_at(kept.state.world, *kept.places);
+  return std::move(kept.state);
+}
+
+void Session::push(SessionState next, const std::optional<Dragged>& dragged) {
+  const bool goes_on = dragged && dragged_ == dragged;
+  if (!goes_on) undo_.push_back(kept(std::move(state_)));
   if (undo_.size() > kMostUndo) undo_.erase(undo_.begin());
   redo_.clear();
+  dragged_ = dragged;
   state_ = std::move(next);
   ++revision_;
 }
@@ -69,9 +97,10 @@ void Session::require_no_plan() const {
 bool Session::undo() {
   require_no_plan();
   if (undo_.empty()) return false;
-  redo_.push_back(std::move(state_));
-  state_ = std::move(undo_.back());
+  redo_.push_back(kept(std::move(state_)));
+  state_ = restored(std::move(undo_.back()));
   undo_.pop_back();
+  dragged_.reset();
   ++revision_;
   return true;
 }
@@ -79,9 +108,10 @@ bool Session::undo() {
 bool Session::redo() {
   require_no_plan();
   if (redo_.empty()) return false;
-  undo_.push_back(std::move(state_));
-  state_ = std::move(redo_.back());
+  undo_.push_back(kept(std::move(state_)));
+  state_ = restored(std::move(redo_.back()));
   redo_.pop_back();
+  dragged_.reset();
   ++revision_;
   return true;
 }
@@ -97,8 +127,9 @@ void Session::set_scene(Scene scene) {
   SessionState next = state_;
   next.hand = start_posture(scene);
   next.world = std::make_shared<const EditedScene>(std::move(scene));
-  next.results.reset();
-  next.outcome.reset();
+  next.arm.reset();
+  forget_grasps(next);
+  settle_arm(next);
   push(std::move(next));
 }
 
@@ -122,9 +153,10 @@ void Session::edit(const std::function<void(Scene&)>& change) {
     const bool moved = X_WO.matrix() != scene.object.X_WO.matrix();
     if (moved) next.hand.X_OH = scene.object.X_WO.inverse() * X_WO * state_.hand.X_OH;
   }
+  if (carrier_of(scene) != carrier_of(state_.world->scene())) next.arm.reset();
   next.world = std::make_shared<const EditedScene>(std::move(scene));
-  next.results.reset();
-  next.outcome.reset();
+  forget_grasps(next);
+  settle_arm(next);
   push(std::move(next));
 }
 
@@ -181,10 +213,13 @@ std::string Session::grasps_text() const {
 void Session::go_to(std::size_t result) {
   const bool is_there = state_.results && result < state_.results->grasps.size();
   require_fits(is_there, "grasp", "no result has this number", std::to_string(result));
-  const Trial& trial = state_.results->grasps[result].trial;
+  const ScoredGrasp& scored = state_.results->grasps[result];
+  const Trial& trial = scored.trial;
   SessionState next = state_;
   next.hand = {hand_in_scene(trial), trial.dofs, trial.joints};
   next.outcome = trial.outcome;
+  next.grasp = std::make_shared<const TriedGrasp>(TriedGrasp{scored.candidate, trial});
+  hold_arm(next, trial.arm_dofs);
   push(std::move(next));
 }
 

@@ -10,7 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "planner/session/arm_posture.h"
+#include "planner/session/body_motion.h"
 #include "planner/session/edited_scene.h"
+#include "planner/session/grasp_in_hand.h"
 #include "planner/session/grasp_judgement.h"
 #include "planner/session/hand_posture.h"
 #include "planner/session/open_folders.h"
@@ -38,7 +41,10 @@ struct SessionState {
   EditedScenePtr world;
   HandPosture hand;
   Switches switches;
+  std::optional<ArmPosture> arm;   // none where no platform carries the hand
   std::optional<Outcome> outcome;  // of the last auto-grasp, while the hand stays as it left it
+  // Where the grasp in hand came from, as long as `outcome`; null where nobody knows.
+  std::shared_ptr<const TriedGrasp> grasp;
   std::shared_ptr<const PlanResult> results;  // of the last plan in this world; null: none
   std::vector<PinnedGrasp> pins;
 };
@@ -49,8 +55,19 @@ struct SessionOptions {
 };
 
 // How many states undo() goes back. Each holds what it does not share with its neighbours: after an
-// edit of the scene a compiled scene, else a few hundred bytes.
+// edit of the scene a compiled scene, else a few hundred bytes (of bodies that were moved, too).
 inline constexpr std::size_t kMostUndo = 1000;
+
+// A number that names a gesture, such as the dragging of one body: all motions of the same thing
+// that follow each other with the same number are one step for undo(). Nothing: a step of its own.
+using Gesture = std::optional<int>;
+
+// A refinement of the grasp in hand.
+struct Refined {
+  double before = 0.0;  // epsilon, lower bound
+  double after = 0.0;   // the same where nothing better was found
+  int trials = 0;       // that were made
+};
 
 // Not for several threads at once, but for the flag of plan_cancellation. Every
 // function that changes the session either succeeds or throws and leaves all as it was. It throws
@@ -81,13 +98,20 @@ class Session {
   // is still the same hand. Results of a plan are forgotten, for they are about another world.
   void edit(const std::function<void(Scene&)>& change);
 
+  // Move the object or an obstacle straight there, turning evenly, as the hand below: with
+  // stop_at_contact until it would touch the robot or another body. The hand stays where it is in
+  // the world. Results of a plan are forgotten.
+  BodyMotion move_object(const Pose& X_WO, Gesture gesture = {});
+  BodyMotion move_obstacle(const std::string& name, const Pose& X_WB, Gesture gesture = {});
+
   void set_switches(const Switches& switches);
 
   // --- The hand. With stop_at_contact and in a world that is ready it moves until it touches;
   // otherwise it goes all the way, through whatever is there.
-  HandMotion move_hand(const Pose& X_OH);
+  // An arm follows where it can (follow_hand).
+  HandMotion move_hand(const Pose& X_OH, Gesture gesture = {});
   // Values beyond limits are taken as the limits; coupled joints follow.
-  HandMotion set_dofs(const std::vector<double>& dofs);
+  HandMotion set_dofs(const std::vector<double>& dofs, Gesture gesture = {});
   HandMotion take_preshape(const std::string& name);
   // Each degree of freedom that closes goes to its other limit.
   HandMotion open_hand();
@@ -100,6 +124,24 @@ class Session {
   // (run_hand_trial): the arm, where there is one, is not asked. A hand that overlaps something
   // stays as it is; the outcome says so.
   Trial auto_grasp();
+  // Improves the grasp in hand by at most so many trials close to it (refine_grasps), on the
+  // threads of plans. Nothing changes where none is better. Throws InputError for a hand that does
+  // not hold the object, and of the field "trials" outside of 2 .. kMostRefineTrials.
+  Refined refine(int trials, std::uint64_t seed);
+  static constexpr int kMostRefineTrials = 2000;
+
+  // --- The arm. All throw InputError of the field "command" without one.
+  std::vector<ArmBranch> branches() const;
+  // Takes the hand with that posture of branches(); others are refused.
+  void choose_branch(std::size_t branch);
+  // One value for each degree of freedom in CompiledArm::dofs; beyond a limit they end at it. The
+  // hand moves along, both as motions of the hand do. An arm that does not hold the hand takes it
+  // to where it is itself.
+  ArmMotion set_arm(const std::vector<double>& values, Gesture gesture = {});
+  // The arm, for its names and limits; null without one, or where it was never ready.
+  const CompiledArm* arm() const;
+  // Throws InputError also of the field "scene" where the world is not ready.
+  const CompiledArm& require_arm() const;
 
   // --- Queries.
   Pose X_WH() const { return state_.world->X_WO() * state_.hand.X_OH; }
@@ -107,7 +149,11 @@ class Session {
   GraspJudgement quality(bool sections = false) const;  // as judge_grasp_of
   // As forces_for.
   ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
+  // Of the hand and, where it holds the hand, of the arm.
   std::vector<Overlap> collisions() const;
+  // How the robot comes to the grasp in hand. Throws InputError for a hand that does not hold the
+  // object.
+  GraspPlayback playback(std::uint64_t seed, bool lift) const;
 
   // --- Plans. One at a time.
   void start_plan(const PlanOptions& options, PlanListener listener = {});
@@ -135,18 +181,38 @@ class Session {
   static HandPosture start_posture(const Scene& scene);
 
  private:
-  void push(SessionState next);
+  // A state on the stacks: of a world that is another one with bodies elsewhere, only that one and
+  // the places.
+  struct KeptState {
+    SessionState state;
+    std::optional<BodyPlaces> places;
+  };
+  // A gesture that goes on, and what it moves.
+  struct Dragged {
+    int number = 0;
+    std::string what;
+    bool operator==(const Dragged&) const = default;
+  };
+
+  static KeptState kept(SessionState state);
+  static SessionState restored(KeptState kept);
+  void push(SessionState next, const std::optional<Dragged>& dragged = {});
   void require_no_plan() const;
-  HandMotion go(const HandPosture& to);
-  HandMotion go_to_dofs(std::vector<double> dofs);
+  HandMotion go(const HandPosture& to, const std::optional<Dragged>& dragged = {});
+  HandMotion go_to_dofs(std::vector<double> dofs, const std::optional<Dragged>& dragged = {});
+  BodyMotion move_body(BodyId body, const Pose& X_WB, const std::optional<Dragged>& dragged);
+  void settle_arm(SessionState& next) const;
+  void hold_arm(SessionState& next, const DofValues& dofs) const;
+  TriedGrasp grasp_in_hand() const;
   TrialOptions trial_options() const;
   Trial as_trial() const;
   PlanResult as_read(const std::string& text) const;
 
   SessionOptions options_;
   SessionState state_;
-  std::vector<SessionState> undo_;
-  std::vector<SessionState> redo_;
+  std::vector<KeptState> undo_;
+  std::vector<KeptState> redo_;
+  std::optional<Dragged> dragged_;  // by the last change
   std::uint64_t revision_ = 0;
   std::unique_ptr<PlanJob> job_;
 };

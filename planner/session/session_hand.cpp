@@ -24,7 +24,7 @@ Trial Session::as_trial() const {
   return trial;
 }
 
-HandMotion Session::go(const HandPosture& to) {
+HandMotion Session::go(const HandPosture& to, const std::optional<Dragged>& dragged) {
   HandMotion motion;
   motion.posture = to;
   if (state_.switches.stop_at_contact && state_.world->is_ready()) {
@@ -33,17 +33,20 @@ HandMotion Session::go(const HandPosture& to) {
   SessionState next = state_;
   next.hand = motion.posture;
   next.outcome.reset();
-  push(std::move(next));
+  next.grasp.reset();
+  settle_arm(next);
+  push(std::move(next), dragged);
   return motion;
 }
 
-HandMotion Session::move_hand(const Pose& X_OH) {
+HandMotion Session::move_hand(const Pose& X_OH, Gesture gesture) {
   HandPosture to = state_.hand;
   to.X_OH = X_OH;
-  return go(to);
+  if (!gesture) return go(to);
+  return go(to, Dragged{*gesture, "hand"});
 }
 
-HandMotion Session::go_to_dofs(std::vector<double> dofs) {
+HandMotion Session::go_to_dofs(std::vector<double> dofs, const std::optional<Dragged>& dragged) {
   const Robot& hand = state_.world->scene().hand;
   for (std::size_t d = 0; d < dofs.size(); ++d) {
     dofs[d] = std::clamp(dofs[d], hand.dofs[d].lower, hand.dofs[d].upper);
@@ -56,15 +59,16 @@ HandMotion Session::go_to_dofs(std::vector<double> dofs) {
     if (dofs[d] == state_.hand.dofs[d]) to.joints[j] = state_.hand.joints[j];
   }
   to.dofs = std::move(dofs);
-  return go(to);
+  return go(to, dragged);
 }
 
-HandMotion Session::set_dofs(const std::vector<double>& dofs) {
+HandMotion Session::set_dofs(const std::vector<double>& dofs, Gesture gesture) {
   require(dofs.size() == state_.hand.dofs.size(),
           {.field = "dofs",
            .problem = "must have " + std::to_string(state_.hand.dofs.size()) + " numbers",
            .value = std::to_string(dofs.size())});
-  return go_to_dofs(dofs);
+  if (!gesture) return go_to_dofs(dofs);
+  return go_to_dofs(dofs, Dragged{*gesture, "dofs"});
 }
 
 HandMotion Session::take_preshape(const std::string& name) {
@@ -79,13 +83,7 @@ HandMotion Session::take_preshape(const std::string& name) {
 }
 
 HandMotion Session::open_hand() {
-  const std::vector<DegreeOfFreedom>& all = state_.world->scene().hand.dofs;
-  std::vector<double> dofs = state_.hand.dofs;
-  for (std::size_t d = 0; d < dofs.size(); ++d) {
-    if (all[d].closing_velocity > 0.0) dofs[d] = all[d].lower;
-    if (all[d].closing_velocity < 0.0) dofs[d] = all[d].upper;
-  }
-  return go_to_dofs(std::move(dofs));
+  return go_to_dofs(opened_dofs(state_.world->scene().hand, state_.hand.dofs));
 }
 
 HandMotion Session::back_off(double distance) {
@@ -114,6 +112,8 @@ HandMotion Session::approach(double distance) {
   SessionState next = state_;
   next.hand = moved.posture;
   next.outcome.reset();
+  next.grasp.reset();
+  settle_arm(next);
   push(std::move(next));
   return moved;
 }
@@ -130,8 +130,11 @@ Trial Session::auto_grasp() {
   run_hand_trial(scene, candidate, trial_options(), workspace, trial, {});
   SessionState next = state_;
   next.outcome = trial.outcome;
+  next.grasp.reset();
   if (trial.outcome != Outcome::hand_blocked) {
     next.hand = {hand_in_scene(trial), trial.dofs, trial.joints};
+    next.grasp = std::make_shared<const TriedGrasp>(TriedGrasp{candidate, trial});
+    settle_arm(next);
   }
   push(std::move(next));
   return trial;
@@ -154,7 +157,12 @@ ContactForces Session::forces(const Vector3& force_O, const Vector3& torque_O,
 }
 
 std::vector<Overlap> Session::collisions() const {
-  return overlaps_of(state_.world->compiled(), state_.hand.X_OH, state_.hand.joints);
+  const CompiledScene& scene = state_.world->compiled();
+  std::vector<Overlap> found = overlaps_of(scene, state_.hand.X_OH, state_.hand.joints);
+  if (!scene.arm || !state_.arm || !state_.arm->holds_hand) return found;
+  const std::vector<double> joints = arm_joints(*scene.arm, state_.arm->dofs, state_.hand.joints);
+  for (const Overlap& overlap : arm_overlaps(*scene.arm, joints)) found.push_back(overlap);
+  return found;
 }
 
 }  // namespace prehend

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "sim/base/index.h"
@@ -39,13 +40,20 @@ void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
   if (b != nullptr) add(*b);
 }
 
-// All pairs to check during motions of the arm, without those that are proven to stay apart.
-void find_pairs(CompiledArm& arm) {
+// Pairs of links, without those that are proven to stay apart.
+void find_link_pairs(CompiledArm& arm) {
   for (const LinkPair& links : separate_pairs(arm.links, arm.robot())) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
     ArmPair pair = arm_pair(arm, links.a, links.b);
     if (!stay_apart(arm, pair)) arm.arm_pairs.push_back(std::move(pair));
   }
+}
+
+// Whether a pair has to be checked of which so much is known already.
+using IsChecked = std::function<bool(const ArmPair& pair)>;
+
+// Pairs of links with bodies, behind those of links.
+void find_body_pairs(CompiledArm& arm, const IsChecked& is_checked) {
   for (std::size_t l = 0; l < arm.links.size(); ++l) {
     for (std::size_t b = 0; b < arm.bodies.size(); ++b) {
       ArmPair pair = arm_pair(arm, link_id(l), BodyId::at(b));
@@ -53,7 +61,7 @@ void find_pairs(CompiledArm& arm) {
       // away in all postures would fail, at some cost.
       if (arm.is_hand_link(pair.link)) {
         arm.hand_pairs.push_back(std::move(pair));
-      } else if (!stay_apart(arm, pair)) {
+      } else if (is_checked(pair)) {
         arm.arm_pairs.push_back(std::move(pair));
       }
     }
@@ -114,9 +122,32 @@ CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies) {
   arm.links = compile_links(scene, arm.robot());
   arm.hand_link_count = static_cast<int>(scene.hand.links.size());
   arm.bodies = std::move(bodies);
-  find_pairs(arm);
+  find_link_pairs(arm);
+  find_body_pairs(arm, [&](const ArmPair& pair) { return !stay_apart(arm, pair); });
   check_start(scene, arm);
   return arm;
+}
+
+void move_bodies(const Scene& scene, std::vector<PlacedBody> bodies, const std::vector<bool>& moved,
+                 CompiledArm& arm) {
+  arm.X_BO = arm.X_WB.inverse() * scene.object.X_WO;
+  arm.bodies = std::move(bodies);
+  std::vector<ArmPair> before = std::move(arm.arm_pairs);
+  arm.arm_pairs.clear();
+  arm.hand_pairs.clear();
+  std::vector<std::vector<bool>> was_checked(arm.links.size(), std::vector<bool>(moved.size()));
+  for (ArmPair& pair : before) {
+    if (const auto* body = std::get_if<BodyId>(&pair.other)) {
+      was_checked[index(pair.link)][index(*body)] = true;
+    } else {
+      arm.arm_pairs.push_back(std::move(pair));
+    }
+  }
+  find_body_pairs(arm, [&](const ArmPair& pair) {
+    const std::size_t body = index(std::get<BodyId>(pair.other));
+    return moved[body] ? !stay_apart(arm, pair) : was_checked[index(pair.link)][body];
+  });
+  check_start(scene, arm);
 }
 
 ArmPair arm_pair(const CompiledArm& arm, LinkId link, const std::variant<LinkId, BodyId>& other) {

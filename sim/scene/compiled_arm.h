@@ -50,6 +50,12 @@ struct CompiledArm {
 // collides or is outside limits, or the start does not fit the platform.
 CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies);
 
+// Puts the bodies of `scene`, for which the arm was compiled, to other places. `bodies`: as of
+// compile_arm, with the same meshes; `moved`: whether a body stands elsewhere in frame B than
+// before. Throws InputError when the start posture collides then.
+void move_bodies(const Scene& scene, std::vector<PlacedBody> bodies, const std::vector<bool>& moved,
+                 CompiledArm& arm);
+
 // The pair of a link with another link or with a body.
 ArmPair arm_pair(const CompiledArm& arm, LinkId link, const std::variant<LinkId, BodyId>& other);
 

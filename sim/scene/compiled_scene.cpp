@@ -1,5 +1,6 @@
 #include "sim/scene/compiled_scene.h"
 
+#include <cassert>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -98,6 +99,36 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   context.cancellation.check();
   if (scene.carrier) compiled.arm = compile_arm(scene, bodies_in_base(compiled));
   return compiled;
+}
+
+BodyPlaces places_of(const Scene& scene) {
+  BodyPlaces places{scene.object.X_WO, {}};
+  for (const StaticBody& body : scene.obstacles) places.X_WB.push_back(body.X_WB);
+  return places;
+}
+
+void set_places(Scene& scene, const BodyPlaces& places) {
+  assert(places.X_WB.size() == scene.obstacles.size());
+  scene.object.X_WO = places.X_WO;
+  for (std::size_t i = 0; i < places.X_WB.size(); ++i) scene.obstacles[i].X_WB = places.X_WB[i];
+}
+
+CompiledScene with_bodies_at(const CompiledScene& scene, const BodyPlaces& places) {
+  const BodyPlaces before = places_of(scene.scene);
+  std::vector<bool> moved = {before.X_WO.matrix() != places.X_WO.matrix()};
+  for (std::size_t i = 0; i < places.X_WB.size(); ++i) {
+    moved.push_back(before.X_WB[i].matrix() != places.X_WB[i].matrix());
+  }
+  CompiledScene placed = scene;
+  set_places(placed.scene, places);
+  const Pose X_OW = places.X_WO.inverse();
+  for (std::size_t i = 0; i < places.X_WB.size(); ++i) {
+    placed.bodies[i + 1].X_RB = X_OW * places.X_WB[i];
+  }
+  placed.near_obstacles = BodyTree(placed.bodies);
+  check_object_is_free(placed);
+  if (scene.arm) move_bodies(placed.scene, bodies_in_base(placed), moved, *placed.arm);
+  return placed;
 }
 
 }  // namespace prehend

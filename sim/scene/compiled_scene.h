@@ -53,4 +53,19 @@ inline constexpr double kSmallestObject = 0.002;
 // hull are not interrupted: above 50 000 triangles they can take longer than 50 ms.
 CompiledScene compile(Scene scene, const RunContext& context = {});
 
+// Where the bodies of a scene are in the world.
+struct BodyPlaces {
+  Pose X_WO = Pose::Identity();  // of the object
+  std::vector<Pose> X_WB = {};   // of the obstacles, as Scene::obstacles
+};
+
+BodyPlaces places_of(const Scene& scene);
+void set_places(Scene& scene, const BodyPlaces& places);
+
+// The scene with its bodies at other places. The same as compile() of it there, but for rounding of
+// where obstacles are relative to the object, in a small part of the time: all search trees are
+// shared with `scene`, and of an arm only what depends on bodies that moved is proven anew. Throws
+// InputError where the object overlaps an obstacle there, or the arm's start posture collides.
+CompiledScene with_bodies_at(const CompiledScene& scene, const BodyPlaces& places);
+
 }  // namespace prehend
