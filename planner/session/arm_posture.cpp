@@ -61,7 +61,8 @@ class ArmSweep {
       other = &arm_.body(std::get<BodyId>(pair.other));
     }
     pairs_.push_back(&pair);
-    swept_.push_back({other, &arm_.links[index(pair.link)], Vector3::Zero(), speed});
+    swept_.push_back(
+        {other, &arm_.links[index(pair.link)], Vector3::Zero(), Vector3::Zero(), speed});
   }
 
   Pose relative_pose(std::size_t place, double share) {
