@@ -14,6 +14,9 @@ namespace {
 // and a change of frames round by less [m, and rad].
 constexpr double kSamePlace = 1e-9;
 
+// Random starts of the inverse kinematics while a hand is dragged out of the arm's reach.
+constexpr int kRestartsOfDrag = 4;
+
 bool same_place(const Pose& X_A, const Pose& X_B) {
   return (X_A.translation() - X_B.translation()).norm() <= kSamePlace &&
          (X_A.linear() - X_B.linear()).norm() <= kSamePlace;
@@ -27,6 +30,21 @@ double distance_of(const CompiledArm& arm, const DofValues& a, const DofValues& 
 
 ArmPosture without_hand(const DofValues& dofs, const char* problem) {
   return {dofs, false, problem};
+}
+
+// Takes hold of a hand that was out of reach, as fast as a drag needs it: from where the arm is,
+// else as reach_hand with fewer starts.
+ArmPosture take_hold(const CompiledArm& arm, const HandPosture& hand, const DofValues& from,
+                     const ReachOptions& options, const RunContext& context) {
+  const IkTarget target{arm.hand_part().joint, arm.hand_part().X_JR, arm.X_BO * hand.X_OH};
+  const auto near = solve_near(arm.robot(), {target}, from, options.kinematics);
+  if (near) {
+    ArmPosture posture = arm_holding(arm, hand, *near);
+    if (posture.reached()) return posture;
+  }
+  ReachOptions quick = options;
+  quick.kinematics.restarts = std::min(options.kinematics.restarts, kRestartsOfDrag);
+  return reach_hand(arm, hand, from, quick, context);
 }
 
 // One motion of the arm, with the way counted in shares of it.
@@ -61,7 +79,8 @@ class ArmSweep {
       other = &arm_.body(std::get<BodyId>(pair.other));
     }
     pairs_.push_back(&pair);
-    swept_.push_back({other, &arm_.links[index(pair.link)], Vector3::Zero(), speed});
+    swept_.push_back(
+        {other, &arm_.links[index(pair.link)], Vector3::Zero(), Vector3::Zero(), speed});
   }
 
   Pose relative_pose(std::size_t place, double share) {
@@ -119,7 +138,7 @@ ArmPosture reach_hand(const CompiledArm& arm, const HandPosture& hand, const Dof
 
 ArmPosture follow_hand(const CompiledArm& arm, const HandPosture& hand, const ArmPosture& before,
                        const ReachOptions& options, const RunContext& context) {
-  if (!before.holds_hand) return reach_hand(arm, hand, before.dofs, options, context);
+  if (!before.holds_hand) return take_hold(arm, hand, before.dofs, options, context);
   const Pose X_OH_before = hand_on_arm(arm, before.dofs);
   if (same_place(X_OH_before, hand.X_OH)) return arm_holding(arm, hand, before.dofs);
   FollowedLine line = follow_line(arm, X_OH_before, hand.X_OH, before.dofs, options, context);

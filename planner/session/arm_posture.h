@@ -28,8 +28,8 @@ ArmPosture reach_hand(const CompiledArm& arm, const HandPosture& hand, const Dof
 
 // The arm after the hand has gone straight to where it is: on the branch of the inverse kinematics
 // that it is on (follow_line). An arm that cannot stays as it is, without the hand. One that did
-// not hold the hand before takes hold of it where it can (reach_hand). Collisions are looked for
-// at the end only. Throws Cancelled.
+// not hold the hand before takes hold of it where it can: from where it is, else as reach_hand with
+// fewer starts. Collisions are looked for at the end only. Throws Cancelled.
 ArmPosture follow_hand(const CompiledArm& arm, const HandPosture& hand, const ArmPosture& before,
                        const ReachOptions& options, const RunContext& context = {});
 

@@ -43,11 +43,13 @@ BodyMotion move_body_to_contact(const CompiledScene& scene, const BodyPlaces& pl
   const StraightMotion motion(place_of(places, body), X_WB_to);
   const std::vector<Standing> standing = standing_bodies(scene, places, body, robot);
   const CollisionBody& moving = scene.body(body);
-  const double turning = std::abs(motion.turn.angle()) *
-                         (moving.mesh.ball_center().norm() + moving.mesh.ball_radius());
+  const double farthest = moving.mesh.ball_center().norm() + moving.mesh.ball_radius();
+  const Vector3 turn_W =
+      farthest * motion.turn.angle() * (motion.from.linear() * motion.turn.axis());
   std::vector<SweptPair> pairs;
   for (const Standing& other : standing) {
-    pairs.push_back({other.body, &moving, other.X_WS.linear().transpose() * motion.slide, turning});
+    const Matrix3 R_SW = other.X_WS.linear().transpose();
+    pairs.push_back({other.body, &moving, R_SW * motion.slide, R_SW * turn_W, 0.0});
   }
   const SweepEnd end = sweep(
       pairs,

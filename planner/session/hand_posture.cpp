@@ -46,7 +46,6 @@ class HandSweep {
     std::vector<double> moved(from_.joints.size());
     for (std::size_t j = 0; j < moved.size(); ++j) moved[j] = to_.joints[j] - from_.joints[j];
     const StraightMotion base(from_.X_OH, to_.X_OH);
-    const double angle = std::abs(base.turn.angle());
     place(0.0);
     for (std::size_t l = 0; l < scene_.links.size(); ++l) {
       const CompiledLink& link = scene_.links[l];
@@ -57,19 +56,25 @@ class HandSweep {
           (poses_.X_BL[l] * link.mesh.ball_center()).norm() + link.mesh.ball_radius() + own;
       for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
         const Matrix3 R_BO = scene_.bodies[b].X_RB.linear().transpose();
-        add(link_id(l), BodyId::at(b), R_BO * base.slide, angle * arm + own);
+        const Vector3 axis_B = R_BO * (from_.X_OH.linear() * base.turn.axis());
+        add(link_id(l), BodyId::at(b),
+            {nullptr, nullptr, R_BO * base.slide, base.turn.angle() * arm * axis_B, own});
       }
     }
     for (const LinkPair& pair : scene_.self_pairs) {
-      add(pair.a, pair.b, Vector3::Zero(),
-          joint_speed(scene_.links[index(pair.a)], moved) +
-              joint_speed(scene_.links[index(pair.b)], moved));
+      SweptPair swept;
+      swept.rest = joint_speed(scene_.links[index(pair.a)], moved) +
+                   joint_speed(scene_.links[index(pair.b)], moved);
+      add(pair.a, pair.b, swept);
     }
   }
 
-  void add(LinkId link, std::variant<BodyId, LinkId> other, const Vector3& slide, double rest) {
+  // `motion` is that of the pair, whose bodies are not known yet.
+  void add(LinkId link, std::variant<BodyId, LinkId> other, SweptPair motion) {
+    motion.a = &body(other);
+    motion.b = &scene_.links[index(link)];
     pairs_.push_back({link, other});
-    swept_.push_back({&body(other), &scene_.links[index(link)], slide, rest});
+    swept_.push_back(motion);
   }
 
   const CollisionBody& body(const std::variant<BodyId, LinkId>& other) const {

@@ -8,19 +8,17 @@
 // What a session makes of the grasp that its hand holds.
 namespace prehend {
 
-// A grasp that came with its approach is known as it is; of one that was closed in place, what the
-// hand opened from.
 TriedGrasp Session::grasp_in_hand() const {
   const CompiledScene& scene = state_.world->compiled();
-  if (state_.grasp && state_.grasp->trial.travel > 0.0) return *state_.grasp;
-  std::optional<std::vector<double>> opened;
-  if (state_.grasp) opened = state_.grasp->candidate.dofs;
-  TriedGrasp grasp = grasp_taken_back(scene, state_.hand, opened, trial_options());
+  TriedGrasp grasp = state_.grasp
+                         ? *state_.grasp
+                         : grasp_taken_back(scene, state_.hand, std::nullopt, trial_options());
   require(grasp.trial.outcome == Outcome::stable,
           {.field = "hand",
            .problem = "does not hold the object",
            .value = std::string(outcome_name(grasp.trial.outcome))});
-  if (!scene.arm || !state_.arm || !state_.arm->reached()) return grasp;
+  const bool knows_arm = !grasp.trial.arm_line.empty();
+  if (knows_arm || !scene.arm || !state_.arm || !state_.arm->reached()) return grasp;
   grasp.trial.arm_line =
       line_ending_in(*scene.arm, approach_line(scene, grasp.candidate, grasp.trial),
                      state_.arm->dofs, trial_options().reach);

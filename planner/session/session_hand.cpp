@@ -133,8 +133,11 @@ Trial Session::auto_grasp() {
   next.grasp.reset();
   if (trial.outcome != Outcome::hand_blocked) {
     next.hand = {hand_in_scene(trial), trial.dofs, trial.joints};
-    next.grasp = std::make_shared<const TriedGrasp>(TriedGrasp{candidate, trial});
     settle_arm(next);
+  }
+  if (trial.outcome == Outcome::stable) {
+    next.grasp = std::make_shared<const TriedGrasp>(
+        grasp_taken_back(scene, next.hand, candidate.dofs, trial_options()));
   }
   push(std::move(next));
   return trial;

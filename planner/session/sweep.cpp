@@ -183,7 +183,8 @@ class Sweep {
       const double room = of_b - farthest(bodies.a->mesh, i, n) - stop_gap;
       // A slide along the plane is towards it by rounding only.
       const double towards = std::max(0.0, -n.dot(bodies.slide_A) - kRounding * speed);
-      const double rate = towards + bodies.rest;
+      // A point p turns by the axis times p, which has no part along the axis itself.
+      const double rate = towards + n.cross(bodies.turn_A).norm() + bodies.rest;
       if (room <= 0.0) continue;
       free = rate > 0.0 ? std::max(free, room / rate) : std::numeric_limits<double>::infinity();
     }

@@ -27,15 +27,18 @@ constexpr std::string_view motion_end_name(MotionEnd end) {
 }
 
 // Two bodies that may meet on the way, which is counted in shares of it, 0 .. 1. In a step of the
-// share by s, each point of `b` moves relative to `a` by s * slide_A, up to s * rest: what turns
-// and joints add to the slide.
+// share by s, each point of `b` moves relative to `a` by s * slide_A, what a turn about an axis
+// adds that stands still in a's frame, and what joints add.
 struct SweptPair {
   const CollisionBody* a = nullptr;
   const CollisionBody* b = nullptr;
   Vector3 slide_A = Vector3::Zero();  // of all the way, frame of a [m]
-  double rest = 0.0;                  // bound, >= 0 [m]
+  // Along the axis, frame of a: the angle of all the way times the largest distance of a point of b
+  // from the origin about which it turns [m].
+  Vector3 turn_A = Vector3::Zero();
+  double rest = 0.0;  // bound of what joints add on all the way, >= 0 [m]
 
-  double speed() const { return slide_A.norm() + rest; }
+  double speed() const { return slide_A.norm() + turn_A.norm() + rest; }
 };
 
 // The pose of the pair's b in the frame of its a at a share of the way.

@@ -124,6 +124,13 @@ TEST(BodyMotion, ABodySlidesAllTheWayAlongWhatItNearlyTouches) {
     const BodyMotion motion = session.move_object(translation({x, 0.1, 0.0}));
     EXPECT_EQ(motion.end, MotionEnd::arrived) << motion.share << " " << motion.touches;
   }
+  // It turns on the table as it slides.
+  for (const double angle : {2.0, -2.0}) {
+    const Pose turned(translation({0.4 * angle, 0.0, 0.0}) *
+                      Eigen::AngleAxisd(angle, Vector3::UnitZ()));
+    EXPECT_EQ(session.move_object(turned).end, MotionEnd::arrived);
+  }
+  session.move_object(translation({0.0, 0.1, 0.0}));
   const BodyMotion down = session.move_object(translation({0.0, 0.1, -0.1}));
   EXPECT_EQ(down.end, MotionEnd::touched);
   EXPECT_TRUE(session.state().world->is_ready());

@@ -90,6 +90,29 @@ TEST(GraspInHand, AHandThatWasClosedByItsDegreesOfFreedomOpensAsFarAsItCan) {
   EXPECT_GT(session.refine(40, 1).after, 0.0);
 }
 
+// In clutter the planner finds grasps that the hand does not approach, from a preshape.
+TEST(GraspInHand, ResultsWithoutAnApproachArePlayedBackToo) {
+  Session session;
+  session.set_scene(load_scene("cluttered_table"));
+  PlanOptions options;
+  options.search.trials = 100;
+  options.volumes = false;
+  options.rank.top = 100;
+  session.start_plan(options);
+  (void)session.finish_plan();
+  const std::vector<ScoredGrasp> grasps = session.state().results->grasps;
+  int in_place = 0;
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    if (grasps[i].candidate.approach_distance > 0.0 || in_place == 2) continue;
+    ++in_place;
+    session.go_to(i);
+    const GraspPlayback played = session.playback(1, false);
+    EXPECT_EQ(played.found, played.problem.empty());
+    EXPECT_EQ(played.found, !played.motion.frames.empty());
+  }
+  EXPECT_GT(in_place, 0);
+}
+
 TEST(GraspInHand, AnArmComesFromItsStartPosture) {
   Session session;
   session.set_scene(load_scene("panda_on_table"));
