@@ -4,6 +4,7 @@
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
+#include "planner/truth/compare_executions.h"
 #include "planner/truth/truth_page.h"
 #include "planner/truth/truth_text.h"
 #include "sim/base/output_file.h"
@@ -12,21 +13,17 @@
 namespace prehend {
 namespace {
 
-EvaluateOptions truth_options(const TruthCommand& command) {
+CompareOptions truth_options(const TruthCommand& command) {
   const PlanOptions accuracy = read_accuracy(command.common.accuracy);
-  EvaluateOptions options;
-  options.seed = command.common.seed;
-  options.trial = accuracy.trial;
-  options.uncertainty = accuracy.uncertainty;
-  if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  CompareOptions options;
+  options.evaluation.seed = command.common.seed;
+  options.evaluation.trial = accuracy.trial;
+  options.evaluation.uncertainty = accuracy.uncertainty;
+  if (command.common.hard_contacts) options.evaluation.trial.soft_fingers = false;
+  options.volumes = command.volumes;
+  options.grouping = named_grouping(command.groups);
+  options.resamples = command.resamples;
   return options;
-}
-
-Grouping asked_grouping(const std::string& word, const Truth& truth) {
-  for (const Grouping grouping : kGroupings) {
-    if (grouping_name(grouping) == word) return grouping;
-  }
-  return natural_grouping(truth.labels());
 }
 
 // The parsed file, which takes several times the memory of the grasps, ends here.
@@ -36,27 +33,11 @@ Truth read_asked(const TruthCommand& command) {
   return truth;
 }
 
-TruthReport compared(const TruthCommand& command, const Truth& truth,
-                     const EvaluateOptions& options, const RunContext& context) {
-  const FrameCheck frames = check_frames(truth, context);
-  const std::vector<Score> chosen = scores(command.volumes);
-  const JudgedExecutions judged = judge_executions(truth, chosen, options, context);
-  BootstrapOptions bootstrap;
-  bootstrap.grouping = asked_grouping(command.groups, truth);
-  bootstrap.resamples = command.resamples;
-  bootstrap.seed = command.common.seed;
-  TruthReport report = truth_report(truth, chosen, judged, bootstrap, context);
-  report.name = command.file.filename().string();
-  report.samples = options.uncertainty.samples;
-  report.frames = frames;
-  return report;
-}
-
 }  // namespace
 
 int run_truth(const TruthCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
-  const EvaluateOptions options = truth_options(command);
+  const CompareOptions options = truth_options(command);
   const Truth truth = read_asked(command);
   ProgressBar bar(command.common.progress);
   const RunContext context{command.common.threads, interrupts.cancellation(),
@@ -65,7 +46,7 @@ int run_truth(const TruthCommand& command, Interrupts& interrupts) {
   interrupts.cancel_first();
   TruthReport report;
   try {
-    report = compared(command, truth, options, context);
+    report = compare_executions(truth, command.file, options, context);
   } catch (const Cancelled&) {
     bar.clear();
     std::cerr << "prehend: " << interrupts.reason() << ", nothing is written\n";

@@ -21,7 +21,7 @@ file(GLOB python_sources CONFIGURE_DEPENDS planner/python/*.cpp)
 # NO_EXTRAS: no link-time optimisation, which takes long and would treat the planner's code, all in
 # libraries that are compiled already, as it is anyway.
 pybind11_add_module(prehend_python MODULE NO_EXTRAS ${python_sources})
-target_link_libraries(prehend_python PRIVATE prehend_report prehend_exports)
+target_link_libraries(prehend_python PRIVATE prehend_report prehend_exports prehend_truth)
 target_compile_features(prehend_python PRIVATE cxx_std_20)
 target_compile_definitions(prehend_python PRIVATE PREHEND_VERSION="${PROJECT_VERSION}")
 target_precompile_headers(prehend_python PRIVATE

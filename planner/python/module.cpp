@@ -17,6 +17,7 @@ PYBIND11_MODULE(_core, core) {
   bind_scene(core);
   bind_plan(core);
   bind_files(core);
+  bind_truth(core);
   bind_world(core);
   bind_control(core);
   bind_quality(core);

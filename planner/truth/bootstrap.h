@@ -34,6 +34,9 @@ constexpr std::string_view grouping_name(Grouping grouping) {
   return kNames[static_cast<std::size_t>(grouping)];
 }
 
+// The grouping of this name; nothing for any other word.
+std::optional<Grouping> named_grouping(std::string_view name);
+
 // The grouping that suits: by object where there are several, else by session where there are
 // several, else each by itself.
 Grouping natural_grouping(std::span<const Label> labels);

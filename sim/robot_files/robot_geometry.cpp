@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/geometry/basic_shapes.h"
+#include "sim/geometry/convex_hull.h"
 #include "sim/geometry/loft.h"
 #include "sim/geometry/polygon.h"
 #include "sim/geometry/weld.h"
@@ -19,6 +20,7 @@ constexpr int kMostCylinderSides = 360;
 constexpr int kCapsuleSides = 12;
 constexpr int kSphereSubdivisions = 2;
 constexpr int kMostSphereSubdivisions = 5;
+constexpr std::size_t kMostHullPoints = 10'000;  // takes a tenth of a second
 // How far the products of the rows of a rotation may be from 0 and 1.
 constexpr double kRotationRounding = 1e-9;
 
@@ -144,6 +146,21 @@ TriangleMesh loft(const JsonField& shape, const FileUnits& units) {
   return transformed(mesh, plane_pose(shape));
 }
 
+TriangleMesh hull(const JsonField& shape, const FileUnits& units) {
+  shape.allow_only({"shape", "points", "pose"});
+  const JsonField list = shape["points"];
+  std::vector<Vector3> points;
+  for (const JsonField& point : list.items()) {
+    points.push_back(point.vector3() * units.length);
+    if (points.size() > kMostHullPoints) {
+      list.fail("must be at most " + std::to_string(kMostHullPoints) + " points");
+    }
+  }
+  TriangleMesh mesh = convex_hull(points);
+  if (mesh.empty()) list.fail("must be at least four points that are not in one plane");
+  return mesh;
+}
+
 TriangleMesh triangles(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "vertices", "triangles", "pose"});
   TriangleMesh mesh;
@@ -186,8 +203,10 @@ TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
   if (name == "capsule") return capsule(part, units);
   if (name == "prism") return prism(part, units);
   if (name == "loft") return loft(part, units);
+  if (name == "hull") return hull(part, units);
   if (name == "triangles") return triangles(part, units);
-  shape.fail("unknown shape, known are box, cylinder, sphere, capsule, prism, loft and triangles");
+  shape.fail(
+      "unknown shape, known are box, cylinder, sphere, capsule, prism, loft, hull and triangles");
 }
 
 // Nine numbers in three rows, taken as they are.

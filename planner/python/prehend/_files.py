@@ -121,7 +121,7 @@ def png_bytes(picture: npt.ArrayLike) -> bytes:
     return _core.png_bytes(pixels)
 
 
-def _write_whole(file: FilePath, content: Union[str, bytes]) -> None:
+def write_whole(file: FilePath, content: Union[str, bytes]) -> None:
     """Beside it first, then renamed: a file is there whole or not at all."""
     data = content.encode("utf-8") if isinstance(content, str) else content
     part = file.with_name(f"{file.name}.part{os.getpid()}")
@@ -172,6 +172,6 @@ def write(
     target = FilePath(folder)
     target.mkdir(parents=True, exist_ok=True)
     for name, content in files.items():
-        _write_whole(target / name, content)
+        write_whole(target / name, content)
     _core.remove_earlier_results(result._core, os.fsdecode(target), list(files))
     return list(files)

@@ -76,14 +76,15 @@ TEST(MujocoShake, ABoxBetweenTwoPadsHangsStill) {
 // Two pads of a force N carry at most 2 mu N.
 TEST(MujocoShake, AGripperHoldsWhatItsFrictionCarries) {
   for (const auto& [hand, palm, force] :
-       {std::tuple("franka_hand", 0.105, 20.0), std::tuple("parallel_jaw", 0.05, 20.0)}) {
+       {std::tuple("franka_hand", 0.105, 70.0), std::tuple("parallel_jaw", 0.05, 20.0)}) {
     const Held held = held_by(hand, palm);
-    const double least = 0.3 * kGravity / (2.0 * force);
+    const double mass = 0.015 * force;
+    const double least = mass * kGravity / (2.0 * force);
     const ShakeSubject subject = subject_of(held.scene);
-    const ShakeResult firm = shake_in_mujoco(held.model, hanging(0.3, 1.3 * least), subject);
+    const ShakeResult firm = shake_in_mujoco(held.model, hanging(mass, 1.3 * least), subject);
     EXPECT_TRUE(firm.survived()) << hand;
     EXPECT_LT(firm.tests.at(0).phases.at(1).measure.moved, 1e-3) << hand;
-    const ShakeResult loose = shake_in_mujoco(held.model, hanging(0.3, 0.7 * least), subject);
+    const ShakeResult loose = shake_in_mujoco(held.model, hanging(mass, 0.7 * least), subject);
     ASSERT_FALSE(loose.survived()) << hand;
     EXPECT_EQ(loose.tests.at(0).phases.at(1).failure, PhaseFailure::moved) << hand;
     EXPECT_FALSE(loose.tests.at(0).phases.at(1).measure.in_contact) << hand;

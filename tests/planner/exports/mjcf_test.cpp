@@ -116,7 +116,7 @@ TEST(Mjcf, DrivesAndCouplingsAreThoseOfTheHand) {
   }
   const HandDrives franka = hand_drives(find_robot("franka_hand"));
   ASSERT_EQ(franka.drives.size(), 2U);
-  EXPECT_EQ(franka.drives[0].closing, -20.0);
+  EXPECT_EQ(franka.drives[0].closing, -70.0);
   ASSERT_EQ(franka.couplings.size(), 1U);
   EXPECT_EQ(franka.couplings[0].ratio, 1.0);
   // Two fingers turn about the palm together, which holds them where they are; each finger bends by

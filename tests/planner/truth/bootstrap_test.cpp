@@ -121,5 +121,13 @@ TEST(Bootstrap, DrawsObjectsWhereThereAreSeveralElseSessions) {
   EXPECT_EQ(natural_grouping(labels), Grouping::object);
 }
 
+TEST(Bootstrap, GroupingsHaveNames) {
+  for (const Grouping grouping : kGroupings) {
+    EXPECT_EQ(named_grouping(grouping_name(grouping)), grouping);
+  }
+  EXPECT_EQ(named_grouping(""), std::nullopt);
+  EXPECT_EQ(named_grouping("objects"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace prehend::test

@@ -100,7 +100,7 @@ std::vector<BadField> bad_fields() {
        R"(chains[1].links[0].joint: no joint of this name in the link's chain ("elbow"))"},
       {"UnknownShape", "/geometries/bar/0/shape", R"("torus")",
        "geometries.bar[0].shape: unknown shape, known are box, cylinder, sphere, capsule, "
-       "prism, loft and triangles "
+       "prism, loft, hull and triangles "
        R"(("torus"))"},
       {"FlatBox", "/geometries/bar/0/size", "[10, 0, 4]",
        "geometries.bar[0].size: must be greater than 0 ([10,0,4])"},
@@ -126,6 +126,15 @@ std::vector<BadField> bad_fields() {
        R"([{"shape": "loft", "sections": [{"at": 0, "profile": [[0,0],[1,0],[0,1]]},
                                           {"at": 1, "profile": [[0,0],[1,0],[1,1],[0,1]]}]}])",
        "base.geometry[0].sections: must have as many corners as the first one"},
+      {"FlatHull", "/base/geometry",
+       R"([{"shape": "hull", "points": [[0,0,1], [1,0,1], [0,1,1], [1,1,1], [2,3,1]]}])",
+       "base.geometry[0].points: must be at least four points that are not in one plane"},
+      {"HullOfThreePoints", "/base/geometry",
+       R"([{"shape": "hull", "points": [[0,0,1], [1,0,1], [0,1,1]]}])",
+       "base.geometry[0].points: must be at least four points that are not in one plane"},
+      {"PointOfTwoNumbers", "/base/geometry",
+       R"([{"shape": "hull", "points": [[0,0,1], [1,0,1], [0,1,1], [0,0]]}])",
+       "base.geometry[0].points[3]: "},
       {"ThinCapsule", "/base/geometry",
        R"([{"shape": "capsule", "radius": 0, "from": [0, 0, 0], "to": [0, 0, 1]}])",
        "base.geometry[0].radius: must be greater than 0 (0)"},

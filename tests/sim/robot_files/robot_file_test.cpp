@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
+#include "sim/base/random.h"
+#include "sim/geometry/mesh_checks.h"
 #include "tests/sim/robot_files/robot_files.h"
 #include "tests/support/turns.h"
 
@@ -188,6 +191,44 @@ INSTANTIATE_TEST_SUITE_P(Planes, PrismPlane,
                          testing::Values(PlaneCase{"xy", {1, 2, 3}}, PlaneCase{"yz", {3, 1, 2}},
                                          PlaneCase{"zx", {2, 3, 1}}),
                          [](const auto& one) { return std::string(one.param.plane); });
+
+// A cuboid's corners and points inside it, in any order, are the cuboid, posed like any shape.
+TEST(RobotFile, AHullIsTheConvexHullOfItsPoints) {
+  Random random(7);
+  nlohmann::json points = nlohmann::json::array();
+  for (const double x : {-1.0, 2.0}) {
+    for (const double y : {0.0, 4.0}) {
+      for (const double z : {1.0, 6.0}) {
+        points.push_back({x, y, z});
+        points.push_back({random.uniform(-1.0, 2.0), random.uniform(0.0, 4.0), 3.0});
+      }
+    }
+  }
+  nlohmann::json json = small_robot();
+  json["base"]["geometry"] = {
+      {{"shape", "hull"}, {"points", points}, {"pose", {{{"translate", {10, 0, 0}}}}}}};
+  const TriangleMesh mesh = load_robot_json(json).links[0].mesh;
+  EXPECT_EQ(mesh.vertices.size(), 8U);
+  EXPECT_EQ(mesh.triangles.size(), 12U);
+  EXPECT_LT((bounds(mesh).lower - Vector3(9e-3, 0.0, 1e-3)).norm(), kUnitRounding);
+  EXPECT_LT((bounds(mesh).upper - Vector3(12e-3, 4e-3, 6e-3)).norm(), kUnitRounding);
+  EXPECT_FALSE(check_mesh(mesh).inward);
+  EXPECT_TRUE(check_mesh(mesh).solid());
+}
+
+TEST(RobotFile, AHullHasAtMostTenThousandPoints) {
+  Random random(8);
+  nlohmann::json points = nlohmann::json::array();
+  while (points.size() < 10'000) {
+    const Vector3 p = random.direction();
+    points.push_back({p.x(), p.y(), p.z()});
+  }
+  nlohmann::json json = small_robot();
+  json["base"]["geometry"] = {{{"shape", "hull"}, {"points", points}}};
+  EXPECT_GT(load_robot_json(json).links[0].mesh.triangles.size(), 19'000U);
+  json["base"]["geometry"][0]["points"].push_back({0, 0, 0});
+  EXPECT_THROW(load_robot_json(json), InputError);
+}
 
 TEST(RobotFile, MeshFilesAreFoundBesideTheRobotFile) {
   const std::filesystem::path mesh = std::filesystem::path(testing::TempDir()) / "tetrahedron.obj";

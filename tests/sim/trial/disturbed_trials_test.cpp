@@ -201,7 +201,7 @@ TEST(TryDisturbed, LargerErrorsHoldLess) {
 TEST(TryDisturbed, ErrorsOfFrictionDropWhatIsHeldBarely) {
   Scene scene = test::scene_with(find_robot("franka_hand"), make_box({0.012, 0.12, 0.02}));
   scene.friction.set(Material::rubber, Material::plastic, 0.6);
-  scene.object.mass = 0.999 * 2.0 * 20.0 * 0.6 / kStandardGravity;
+  scene.object.mass = 0.999 * 2.0 * 70.0 * 0.6 / kStandardGravity;
   const CompiledScene compiled = compile(std::move(scene));
   Tried tried;
   const double reach = compiled.scene.hand.hand->origin.z() + 0.0373;

@@ -1,0 +1,44 @@
+#include <pybind11/stl.h>
+#include <string>
+#include <tuple>
+
+#include "planner/python/background.h"
+#include "planner/python/bindings.h"
+#include "planner/truth/compare_executions.h"
+#include "planner/truth/truth_page.h"
+#include "planner/truth/truth_text.h"
+#include "sim/base/input_error.h"
+#include "sim/json/json_field.h"
+
+namespace prehend::python {
+namespace {
+
+// The report as JSON, as a page and as a table. `groups` empty: those that suit.
+std::tuple<py::bytes, py::bytes, py::bytes> truth_in_python(const std::string& file,
+                                                            const EvaluateOptions& evaluation,
+                                                            bool volumes, const std::string& groups,
+                                                            int resamples,
+                                                            const CallOptions& call) {
+  CompareOptions options{evaluation, volumes, named_grouping(groups), resamples};
+  if (!groups.empty() && !options.grouping) {
+    throw InputError(
+        {.field = "groups", .problem = "must be object, session, both or each", .value = groups});
+  }
+  std::string json;
+  std::string page;
+  std::string table;
+  run_in_background(call, [&](const RunContext& context) {
+    const Truth truth = read_truth(JsonFile(file), context);
+    const TruthReport report = compare_executions(truth, file, options, context);
+    json = truth_json(report);
+    page = truth_page(report);
+    table = truth_table(report);
+  });
+  return {py::bytes(json), py::bytes(page), py::bytes(table)};
+}
+
+}  // namespace
+
+void bind_truth(py::module_& core) { core.def("truth", &truth_in_python); }
+
+}  // namespace prehend::python
