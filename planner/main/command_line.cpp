@@ -224,6 +224,8 @@ struct CommandLine::Words {
         ->required();
     command.add_option("--out", replay.out, "file to write what comes of it to")
         ->capture_default_str();
+    command.add_option("--gltf", replay.gltf,
+                       "write the session as an animation to this file (.glb)");
     add_session(command, replay.folders, replay.threads);
     add_limits(command, limits);
     command.callback([this] {

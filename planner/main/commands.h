@@ -137,6 +137,7 @@ struct ConvertCommand {
 struct ReplayCommand {
   std::filesystem::path file;
   std::filesystem::path out = "out/replay.json";
+  std::filesystem::path gltf;                  // an animation to write; empty: none
   std::vector<std::filesystem::path> folders;  // whose files the recorded commands may name
   int threads = 0;                             // of plans; 0: all processors
 };

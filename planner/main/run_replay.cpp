@@ -2,31 +2,50 @@
 
 #include "planner/main/commands.h"
 #include "planner/protocol/recording.h"
+#include "planner/protocol/session_film.h"
+#include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
 
 namespace prehend {
+namespace {
+
+std::filesystem::path folder_of(const std::filesystem::path& file) {
+  return std::filesystem::absolute(file).parent_path();
+}
+
+}  // namespace
 
 int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
-  const std::filesystem::path folder = std::filesystem::absolute(command.out).parent_path();
-  require_writable(folder);
+  const bool filmed = !command.gltf.empty();
+  require(!filmed || command.gltf.extension() == ".glb",
+          {.field = "--gltf", .problem = "must end in .glb", .value = command.gltf.string()});
+  require_writable(folder_of(command.out));
+  if (filmed) require_writable(folder_of(command.gltf));
   const SessionOptions options{OpenFolders(command.folders), command.threads};
   const std::string recording = read_file(command.file);
   interrupts.cancel_first();
   Replayed replayed;
+  SceneFilm film;
+  WatchSession watch;
+  if (filmed) watch = [&film](const Session& session) { add_moment(film, session); };
   try {
     RunContext context;
     context.cancellation = interrupts.cancellation();
-    replayed = replay(recording, command.file.string(), options, context);
+    replayed = replay(recording, command.file.string(), options, context, watch);
   } catch (const Cancelled&) {
     std::cerr << "prehend: " << interrupts.reason() << ", nothing is written\n";
     return interrupts.exit_status();
   }
   interrupts.end_at_once("nothing is written");
-  make_folder(folder);
+  make_folder(folder_of(command.out));
   interrupts.write(command.out, replay_text(replayed));
   std::cout << replayed.replies.size() << " commands, " << replayed.refused << " refused\nwrote "
             << command.out.string() << "\n";
+  if (!filmed) return 0;
+  make_folder(folder_of(command.gltf));
+  interrupts.write(command.gltf, session_glb(film));
+  std::cout << "wrote " << command.gltf.string() << "\n";
   return 0;
 }
 

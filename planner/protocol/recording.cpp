@@ -1,5 +1,6 @@
 #include "planner/protocol/recording.h"
 
+#include <cstdint>
 #include <sstream>
 #include <utility>
 
@@ -50,20 +51,23 @@ std::string recorded_end_of_plan(const std::string& results) {
 }
 
 Replayed replay(const std::string& recording, const std::string& file, SessionOptions options,
-                const RunContext& context) {
+                const RunContext& context, const WatchSession& watch) {
   Session session(std::move(options));
   const CommandScope scope{.session = session, .cancels = false};
   Replayed replayed;
+  if (watch) watch(session);
   std::istringstream lines(recording);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     context.cancellation.check();
     if (line.empty()) continue;
+    const std::uint64_t before = session.revision();
     try {
       follow_line(line, scope, replayed);
     } catch (const InputError& error) {
       throw InputError({file, "line " + std::to_string(number), error.what()});
     }
+    if (watch && session.revision() != before) watch(session);
   }
   const EditedScene& world = *session.state().world;
   if (world.has_object()) replayed.scene = scene_text(world.scene());

@@ -27,12 +27,15 @@ struct Replayed {
   std::string state;                 // JSON text, as the command `state` replies it
 };
 
+// Is shown the session as it begins, and after each line that has changed it (Session::revision).
+using WatchSession = std::function<void(const Session&)>;
+
 // Carries out the lines of `recording` (empty ones are skipped) in a new session. The same
 // recording gives the same, byte for byte, on any number of threads, and the same as the session
 // that was recorded. `file` is what errors call it. Throws InputError for a line that no recording
 // has, and Cancelled between two lines.
 Replayed replay(const std::string& recording, const std::string& file, SessionOptions options,
-                const RunContext& context = {});
+                const RunContext& context = {}, const WatchSession& watch = {});
 
 // The result as a file, which ends with a line break: "scene" as text, "state" and "replies".
 std::string replay_text(const Replayed& replayed);

@@ -42,6 +42,25 @@ TEST(Replay, ARecordingGivesTheSameFileEachTime) {
   EXPECT_EQ(run_program("inspect " + (folder / "ball.json").string()).status, 0);
 }
 
+TEST(Replay, WritesAnAnimationOnDemand) {
+  const std::filesystem::path folder = fresh_folder("replay_gltf");
+  const std::filesystem::path recording = folder / "session.jsonl";
+  std::ofstream(recording) << R"({"command": "object.set", "generate": "ball"})"
+                           << "\n"
+                           << R"({"command": "hand.back_off"})"
+                           << "\n";
+  const std::string words =
+      "replay " + recording.string() + " --out " + (folder / "replay.json").string() + " --gltf ";
+  const std::filesystem::path film = folder / "films" / "session.glb";
+  const ProgramRun once = run_program(words + film.string());
+  ASSERT_EQ(once.status, 0) << once.err;
+  EXPECT_NE(once.out.find("wrote " + film.string()), std::string::npos) << once.out;
+  EXPECT_EQ(content(film).substr(0, 4), "glTF");
+  ASSERT_EQ(run_program(words + (folder / "again.glb").string()).status, 0);
+  EXPECT_EQ(content(film), content(folder / "again.glb"));
+  expect_refused(run_program(words + (folder / "session.gltf").string()), "must end in .glb");
+}
+
 TEST(Replay, MistakesAreNamedAndNothingIsWritten) {
   const std::filesystem::path folder = fresh_folder("replay_bad");
   const std::filesystem::path recording = folder / "session.jsonl";

@@ -1,11 +1,13 @@
-// What `prehend plan --export gltf` writes is glTF without a flaw, and says what grasps.json says.
+// What `prehend plan --export gltf` and `prehend replay --gltf` write is glTF without a flaw, and
+// says what grasps.json and the session say.
 import validator from 'gltf-validator';
 import assert from 'node:assert/strict';
-import {readdirSync, readFileSync} from 'node:fs';
+import {execFileSync} from 'node:child_process';
+import {readdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {changedScene, jsonOf, nastyName, run} from './program.mjs';
+import {changedScene, folder, jsonOf, nastyName, run} from './program.mjs';
 
 async function validate(bytes) {
   const report =
@@ -59,4 +61,36 @@ test('names that would be markup', () => {
     changed.obstacles[0].name = `"${nastyName}`;
   });
   return checkScene(scene, [nastyName, `"${nastyName}`]);
+});
+
+test('a recorded session', async () => {
+  const X_world_hand = {position: [0.5, -0.6, 0.9], quaternion_wxyz: [0.6, 0, 0.8, 0]};
+  const commands = [
+    {command: 'scene.load', scene: 'mug_on_table'}, {command: 'hand.move', X_world_hand},
+    {command: 'object.change', name: nastyName}, {command: 'hand.choose', hand: 'parallel_jaw'},
+    {command: 'hand.dofs', dof: 'left', value: 0.01}, {command: 'undo'}, {command: 'undo'}
+  ];
+  const recording = join(folder, 'session.jsonl');
+  writeFileSync(recording, commands.map((command) => JSON.stringify(command) + '\n').join(''));
+  const file = join(folder, 'session.glb');
+  execFileSync(
+      process.env.PREHEND_PROGRAM,
+      ['replay', recording, '--out', join(folder, 'replay.json'), '--gltf', file],
+      {stdio: 'ignore'});
+  for (const reply of jsonOf(join(folder, 'replay.json')).replies) {
+    assert.ok(reply.ok, JSON.stringify(reply));
+  }
+  const bytes = readFileSync(file);
+  await expectValid(bytes, 'session.glb');
+  const {names} = nodesOf(bytes);
+  for (const name of ['mug', nastyName, 'palm', 'table', 'arm/forearm', 'parallel_jaw']) {
+    assert.ok(names.includes(name), `no node ${name}`);
+  }
+  const {info} =
+      await validator.validateBytes(new Uint8Array(bytes), {format: 'glb', maxIssues: 0});
+  assert.equal(info.animationCount, 1);
+
+  // The validator looks at the keys as well: the last numbers of the file are of an animation.
+  bytes.fill(0x7f, bytes.length - 64);
+  assert.notEqual((await validate(bytes)).numErrors, 0);
 });

@@ -18,89 +18,18 @@
 #include "sim/base/random.h"
 #include "sim/geometry/basic_shapes.h"
 #include "sim/mesh_files/mesh_file.h"
+#include "tests/support/glb_file.h"
 
 namespace prehend {
 namespace {
 
+using test::at;
+using test::Glb;
+using test::pose_of;
 using Json = nlohmann::json;
 
 constexpr Color kPaint = {0.8, 0.4, 0.2, 1.0};
 constexpr Color kGlass = {0.8, 0.4, 0.2, 0.25};
-
-template <typename Number>
-Number at(const std::string& bytes, std::size_t place) {
-  Number number{};
-  if (place + sizeof(Number) > bytes.size()) throw std::out_of_range("file ends early");
-  std::memcpy(&number, bytes.data() + place, sizeof(Number));
-  return number;
-}
-
-// A file taken apart as the specification has it.
-struct Glb {
-  Json document;
-  std::string data;
-
-  explicit Glb(const std::string& file) {
-    EXPECT_EQ(file.substr(0, 4), "glTF");
-    EXPECT_EQ(at<std::uint32_t>(file, 4), 2U);
-    EXPECT_EQ(at<std::uint32_t>(file, 8), file.size());
-    const std::uint32_t size = at<std::uint32_t>(file, 12);
-    EXPECT_EQ(at<std::uint32_t>(file, 16), 0x4E4F534AU);
-    EXPECT_EQ(size % 4, 0U);
-    document = Json::parse(file.substr(20, size));  // throws for invalid UTF-8
-    if (file.size() == 20 + size) return;
-    EXPECT_EQ(at<std::uint32_t>(file, 20 + size), file.size() - 28 - size);
-    EXPECT_EQ(at<std::uint32_t>(file, 24 + size), 0x004E4942U);
-    data = file.substr(28 + size);
-    EXPECT_EQ(data.size() % 4, 0U);
-  }
-
-  const Json& entry(const char* list, const Json& number) const {
-    return document.at(list).at(number.get<std::size_t>());
-  }
-  const Json& root() const { return entry("nodes", document["scenes"][0]["nodes"][0]); }
-  const Json& node(std::size_t child) const { return entry("nodes", root()["children"][child]); }
-  const Json& primitive(const Json& node) const {
-    return entry("meshes", node["mesh"])["primitives"][0];
-  }
-  const Json& material(const Json& node) const {
-    return entry("materials", primitive(node)["material"]);
-  }
-
-  std::vector<std::size_t> indices(const Json& node) const {
-    const Json& accessor = entry("accessors", primitive(node)["indices"]);
-    const std::size_t start = entry("bufferViews", accessor["bufferView"])["byteOffset"];
-    std::vector<std::size_t> indices(accessor["count"].get<std::size_t>());
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-      indices[i] = accessor["componentType"] == 5123 ? at<std::uint16_t>(data, start + 2 * i)
-                                                     : at<std::uint32_t>(data, start + 4 * i);
-    }
-    return indices;
-  }
-
-  // In the node's frame.
-  std::vector<Vector3> vectors(const Json& node, const char* attribute) const {
-    const Json& accessor = entry("accessors", primitive(node)["attributes"][attribute]);
-    const std::size_t start = entry("bufferViews", accessor["bufferView"])["byteOffset"];
-    std::vector<Vector3> vectors(accessor["count"].get<std::size_t>());
-    for (std::size_t i = 0; i < vectors.size(); ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        vectors[i][static_cast<int>(k)] =
-            static_cast<double>(at<float>(data, start + 12 * i + 4 * k));
-      }
-    }
-    return vectors;
-  }
-};
-
-// Of a node in its parent.
-Pose pose_of(const Json& node) {
-  const Json& q = node["rotation"];
-  const Eigen::Quaterniond rotation(q[3], q[0], q[1], q[2]);
-  EXPECT_NEAR(rotation.norm(), 1.0, 1e-12);
-  const Json t = node.value("translation", Json({0.0, 0.0, 0.0}));
-  return pose_from(rotation.toRotationMatrix(), Vector3(t[0], t[1], t[2]));
-}
 
 // glTF: +y is up, +z is the front. Seen from there, the world's x stays to the right.
 Vector3 y_up(const Vector3& p) { return {p.x(), p.z(), -p.y()}; }
