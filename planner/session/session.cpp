@@ -78,10 +78,24 @@ SessionState Session::restored(KeptState kept) {
   return std::move(kept.state);
 }
 
+// Forgets the oldest states where there are too many, or too many scenes among them.
+void Session::limit_undo() {
+  std::size_t states = 0;
+  std::size_t scenes = 0;
+  const EditedScene* last = nullptr;
+  while (states < undo_.size() && states < kMostUndo) {
+    const EditedScene* world = undo_[undo_.size() - 1 - states].state.world.get();
+    if (world != last && ++scenes > kMostUndoScenes) break;
+    last = world;
+    ++states;
+  }
+  undo_.erase(undo_.begin(), undo_.end() - static_cast<std::ptrdiff_t>(states));
+}
+
 void Session::push(SessionState next, const std::optional<Dragged>& dragged) {
   const bool goes_on = dragged && dragged_ == dragged;
   if (!goes_on) undo_.push_back(kept(std::move(state_)));
-  if (undo_.size() > kMostUndo) undo_.erase(undo_.begin());
+  limit_undo();
   redo_.clear();
   dragged_ = dragged;
   state_ = std::move(next);

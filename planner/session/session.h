@@ -57,6 +57,8 @@ struct SessionOptions {
 // How many states undo() goes back. Each holds what it does not share with its neighbours: after an
 // edit of the scene a compiled scene, else a few hundred bytes (of bodies that were moved, too).
 inline constexpr std::size_t kMostUndo = 1000;
+// Nor farther than so many compiled scenes, which are about a megabyte each for small objects.
+inline constexpr std::size_t kMostUndoScenes = 64;
 
 // A number that names a gesture, such as the dragging of one body: all motions of the same thing
 // that follow each other with the same number are one step for undo(). Nothing: a step of its own.
@@ -196,6 +198,7 @@ class Session {
 
   static KeptState kept(SessionState state);
   static SessionState restored(KeptState kept);
+  void limit_undo();
   void push(SessionState next, const std::optional<Dragged>& dragged = {});
   void require_no_plan() const;
   HandMotion go(const HandPosture& to, const std::optional<Dragged>& dragged = {});

@@ -153,6 +153,22 @@ TEST(Session, EpsilonIsThatOfEvaluate) {
   }
 }
 
+// Compiled scenes are large; what shares one is not.
+TEST(Session, UndoGoesBackSoManyScenes) {
+  Session session = ball_session();
+  for (std::size_t k = 0; k < kMostUndoScenes + 5; ++k) {
+    const double mass = 0.1 + 0.01 * static_cast<double>(k);
+    session.edit([&](Scene& scene) { change_object(scene, {.mass = mass}); });
+    session.back_off(0.001);
+  }
+  // Each scene is that of two states, of which the newest is not on the stack.
+  EXPECT_EQ(session.undo_count(), 2 * kMostUndoScenes - 1);
+  while (session.undo()) {
+  }
+  EXPECT_NEAR(session.state().world->scene().object.mass, 0.1 + 0.01 * 5, 1e-12);
+  EXPECT_EQ(session.redo_count(), 2 * kMostUndoScenes - 1);
+}
+
 TEST(Session, ForcesBalanceTheLoad) {
   Session session = ball_session();
   session.approach(0.5);
