@@ -74,5 +74,6 @@ std::vector<Command> hand_commands();
 std::vector<Command> judging_commands();
 std::vector<Command> plan_commands();
 std::vector<Command> view_commands();
+std::vector<Command> time_commands();
 
 }  // namespace prehend

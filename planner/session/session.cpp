@@ -53,6 +53,7 @@ HandPosture Session::start_posture(const Scene& scene) {
 }
 
 void Session::push(SessionState next) {
+  require_still(next);
   undo_.push_back(std::move(state_));
   if (undo_.size() > kMostUndo) undo_.erase(undo_.begin());
   redo_.clear();
@@ -61,6 +62,11 @@ void Session::push(SessionState next) {
 }
 
 void Session::require_no_plan() const {
+  require_no_running_plan();
+  require_still();
+}
+
+void Session::require_no_running_plan() const {
   require(!is_planning(), {.field = "command",
                            .problem = "a plan is running, which this would change the scene of: "
                                       "wait for its end, or plan.cancel"});
