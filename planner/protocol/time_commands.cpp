@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "planner/protocol/command.h"
+#include "planner/protocol/graspit_text.h"
 #include "planner/protocol/session_json.h"
 #include "sim/base/index.h"
 #include "sim/dynamics/solids.h"
@@ -132,6 +133,10 @@ ProtocolJson time_stop(const CommandScope& scope, const JsonField& request) {
   return state_json(scope.session);
 }
 
+ProtocolJson graspit(const CommandScope& scope, const JsonField& request) {
+  return {{"lines", graspit_reply(scope.session, request["line"].text())}};
+}
+
 constexpr std::string_view kReplyMoment =
     "`time` since the start [s], `X_world_object`, `X_world_hand`, the hand's `dofs`, `joints` and "
     "`rates` of the degrees of freedom [rad/s or m/s], and the object's `velocity`, of its centre "
@@ -205,6 +210,12 @@ std::vector<Command> time_commands() {
        "first [N], `torque` about the normal [N m] and the `gap` before the step [m]",
        time_contacts}};
   for (Command& command : acting_commands()) all.push_back(std::move(command));
+  all.push_back({"graspit",
+                 CommandKind::change,
+                 "Carries out a line of GraspIt!'s text protocol (graspit-protocol.md).",
+                 {{"line", FieldType::text, true, "its words"}},
+                 "`lines`, those that a client of that protocol gets, errors among them",
+                 graspit});
   return all;
 }
 
