@@ -237,6 +237,13 @@ struct CommandLine::Words {
     CLI::App& command = *app.add_subcommand("serve", "take the commands of other programs");
     command.add_option("--tcp", serve.tcp, "port for JSON lines (docs/protocol.md), 0: a free one")
         ->capture_default_str();
+    command
+        .add_option("--graspit", serve.graspit,
+                    "port for GraspIt!'s text protocol (docs/graspit-protocol.md); 4765")
+        ->expected(0, 1)
+        ->default_str("4765");
+    command.add_option("--scene", serve.scene,
+                       "scene name, scene file or mesh file to begin with; a hand alone");
     add_live(command, serve.session);
     add_limits(command, limits);
     command.callback([this] {

@@ -152,7 +152,9 @@ struct LiveOptions {
 
 // Arguments of `serve`.
 struct ServeCommand {
-  std::uint16_t tcp = 4700;  // port; 0: any free one
+  std::uint16_t tcp = 4700;                   // port; 0: any free one
+  std::optional<std::uint16_t> graspit = {};  // port of GraspIt!'s text protocol; 0: any free one
+  std::string scene = {};                     // to begin with; empty: a hand alone
   LiveOptions session;
 };
 

@@ -10,6 +10,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/protocol/graspit_endpoint.h"
+#include "planner/protocol/graspit_text.h"
 #include "planner/protocol/session_endpoint.h"
 #include "planner/serve/server.h"
 #include "planner/serve/token.h"
@@ -70,13 +72,19 @@ bool is_loopback(const std::string& address) {
   return address == "::1" || address.starts_with("127.");
 }
 
-ServerOptions server_options(const LiveServer& live, Endpoint& endpoint) {
+ServerOptions server_options(const LiveServer& live, Endpoint& endpoint, Endpoint& graspit) {
   ServerOptions options;
   options.address = live.address;
   options.token = random_token();
   if (live.tcp) {
     options.lines.push_back(
         {.endpoint = &endpoint, .port = *live.tcp, .needs_token = !is_loopback(live.address)});
+  }
+  if (live.graspit) {
+    options.lines.push_back({.endpoint = &graspit,
+                             .port = *live.graspit,
+                             .refusal = graspit_error_line,
+                             .needs_token = !is_loopback(live.address)});
   }
   if (!live.page) return options;
   StudioPage page = studio_page(random_token());
@@ -117,7 +125,13 @@ void say_where(const LiveServer& live, const ServerPorts& ports, const Server& s
   if (live.tcp) {
     std::cout << "serving " << live.address << " port " << ports.lines.front()
               << ": one JSON text a line\n";
-    if (!is_loopback(live.address)) std::cout << "token " << server.token() << "\n";
+  }
+  if (live.graspit) {
+    std::cout << "serving " << live.address << " port " << ports.lines.back()
+              << ": GraspIt!'s text protocol\n";
+  }
+  if (!ports.lines.empty() && !is_loopback(live.address)) {
+    std::cout << "token " << server.token() << "\n";
   }
   if (live.page) {
     const std::string url = "http://" + host_of(live.address) + ":" + std::to_string(ports.http) +
@@ -142,7 +156,8 @@ int run_live_server(const LiveServer& live, Interrupts& interrupts) {
     request(endpoint,
             {{"command", "scene.load"}, {"scene", scene_name(live.scene)}, {"fresh", true}});
   }
-  Server server(server_options(live, endpoint));
+  GraspitEndpoint graspit(endpoint);
+  Server server(server_options(live, endpoint, graspit));
   const ServerPorts ports = server.start();
   warn_of_strangers(live);
   say_where(live, ports, server);

@@ -13,10 +13,11 @@ namespace prehend {
 
 struct LiveServer {
   std::string address = "127.0.0.1";
-  std::optional<std::uint16_t> page = {};           // port of the studio; 0: any free one
-  std::optional<std::uint16_t> tcp = {};            // port of JSON lines; 0: any free one
-  std::string scene = {};                           // to begin with; empty: a hand alone
-  std::filesystem::path record = {};                // empty: nothing is recorded
+  std::optional<std::uint16_t> page = {};     // port of the studio; 0: any free one
+  std::optional<std::uint16_t> tcp = {};      // port of JSON lines; 0: any free one
+  std::optional<std::uint16_t> graspit = {};  // port of GraspIt!'s text protocol; 0: any free one
+  std::string scene = {};                     // to begin with; empty: a hand alone
+  std::filesystem::path record = {};          // empty: nothing is recorded
   std::vector<std::filesystem::path> folders = {};  // whose files commands may name
   int threads = 0;                                  // of plans; 0: all processors
   bool open = false;                                // the page in the browser of the desktop

@@ -7,6 +7,8 @@ int run_serve(const ServeCommand& command, Interrupts& interrupts) {
   LiveServer live;
   live.address = command.session.address;
   live.tcp = command.tcp;
+  live.graspit = command.graspit;
+  live.scene = command.scene;
   live.record = command.session.record;
   live.folders = command.session.folders;
   live.threads = command.session.threads;

@@ -42,6 +42,13 @@ ProtocolJson pins_of(const SessionState& state) {
   return list;
 }
 
+// That time runs, and how; where things are is told by time.state.
+ProtocolJson time_of(const Session& session) {
+  if (!session.is_moving()) return nullptr;
+  const TimeOptions& options = session.time().options();
+  return {{"gravity", options.gravity}, {"step", options.step}};
+}
+
 }  // namespace
 
 ProtocolJson text_or_null(const std::string& text) {
@@ -101,6 +108,7 @@ ProtocolJson state_json(const Session& session) {
   json["outcome"] = state.outcome ? ProtocolJson(outcome_name(*state.outcome)) : ProtocolJson();
   json["switches"] = {{"stop_at_contact", state.switches.stop_at_contact},
                       {"soft_fingers", state.switches.soft_fingers}};
+  json["time"] = time_of(session);
   json["planning"] = session.is_planning();
   json["results"] = state.results ? state.results->grasps.size() : std::size_t{0};
   json["pins"] = pins_of(state);

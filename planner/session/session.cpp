@@ -93,6 +93,7 @@ void Session::limit_undo() {
 }
 
 void Session::push(SessionState next, const std::optional<Dragged>& dragged) {
+  require_still(next);
   const bool goes_on = dragged && dragged_ == dragged;
   if (!goes_on) undo_.push_back(kept(std::move(state_)));
   limit_undo();
@@ -103,6 +104,11 @@ void Session::push(SessionState next, const std::optional<Dragged>& dragged) {
 }
 
 void Session::require_no_plan() const {
+  require_no_running_plan();
+  require_still();
+}
+
+void Session::require_no_running_plan() const {
   require(!is_planning(), {.field = "command",
                            .problem = "a plan is running, which this would change the scene of: "
                                       "wait for its end, or plan.cancel"});

@@ -16,6 +16,7 @@
 #include "planner/session/grasp_in_hand.h"
 #include "planner/session/grasp_judgement.h"
 #include "planner/session/hand_posture.h"
+#include "planner/session/moving_world.h"
 #include "planner/session/open_folders.h"
 #include "planner/session/plan_job.h"
 #include "planner/session/scene_edits.h"
@@ -178,6 +179,18 @@ class Session {
   // The hand as it was pinned, through whatever is there. Throws for a pin of another hand.
   void go_to_pin(const std::string& name);
 
+  // --- Time. The scene and the hand in motion from where they are (moving_world.h). While time
+  // runs the state stays what it was at the start; what would change its scene or hand is refused,
+  // and so are undo() and redo(). The others throw where time does not run.
+  void start_time(const TimeOptions& options);
+  bool is_moving() const { return time_ != nullptr; }
+  const MovingWorld& time() const;
+  MovingWorld& moving();
+  // Back to the start, with its drives.
+  void reset_time();
+  // `keep`: the object's pose and the hand's posture become the session's, one step of undo.
+  void stop_time(bool keep);
+
   // Degrees of freedom of a new scene's hand: those of its first preshape. It stands off the object
   // against its approach direction, or at the origin without one.
   static HandPosture start_posture(const Scene& scene);
@@ -200,7 +213,12 @@ class Session {
   static SessionState restored(KeptState kept);
   void limit_undo();
   void push(SessionState next, const std::optional<Dragged>& dragged = {});
+  // No plan and no time.
   void require_no_plan() const;
+  void require_no_running_plan() const;
+  void require_still() const;
+  // The same, for a change that would be this one.
+  void require_still(const SessionState& next) const;
   HandMotion go(const HandPosture& to, const std::optional<Dragged>& dragged = {});
   HandMotion go_to_dofs(std::vector<double> dofs, const std::optional<Dragged>& dragged = {});
   BodyMotion move_body(BodyId body, const Pose& X_WB, const std::optional<Dragged>& dragged);
@@ -211,6 +229,11 @@ class Session {
   Trial as_trial() const;
   PlanResult as_read(const std::string& text) const;
 
+  struct Time {
+    MovingWorld start;
+    MovingWorld now;
+  };
+
   SessionOptions options_;
   SessionState state_;
   std::vector<KeptState> undo_;
@@ -218,6 +241,7 @@ class Session {
   std::optional<Dragged> dragged_;  // by the last change
   std::uint64_t revision_ = 0;
   std::unique_ptr<PlanJob> job_;
+  std::unique_ptr<Time> time_;  // null: nothing moves
 };
 
 }  // namespace prehend

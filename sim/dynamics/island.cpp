@@ -61,8 +61,9 @@ class IslandStep {
     mass.topLeftCorner<3, 3>() = inertia;
     problem_.masses.push_back({first, std::move(mass)});
     Vector6 free;
-    free.head<3>() = free_angular_velocity(body.inertial, body.motion.X_WB,
-                                           inertia * body.motion.angular, time_);
+    Vector3 momentum = inertia * body.motion.angular;
+    if (!body.torque_W.isZero(0.0)) momentum += time_ * body.torque_W;
+    free.head<3>() = free_angular_velocity(body.inertial, body.motion.X_WB, momentum, time_);
     free.tail<3>() =
         body.motion.linear + time_ * (world_.gravity + body.force_W / body.inertial.mass);
     add_velocities(spatial(body.motion.angular, body.motion.linear), free);

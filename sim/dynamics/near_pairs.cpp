@@ -92,8 +92,14 @@ class PairSearch {
     double fastest_gain = world.gravity.norm();
     for (const WorldBody& body : world.bodies) {
       if (body.is_fixed) continue;
-      fastest_gain =
-          std::max(fastest_gain, world.gravity.norm() + body.force_W.norm() / body.inertial.mass);
+      double gain = world.gravity.norm() + body.force_W.norm() / body.inertial.mass;
+      if (!body.torque_W.isZero(0.0)) {
+        const Matrix3 inertia_W = inertia_in_world(body.inertial, body.motion.X_WB);
+        gain += inertia_W.ldlt().solve(body.torque_W).norm() *
+                (body.shape.mesh.ball_radius() +
+                 (body.shape.mesh.ball_center() - body.inertial.center_of_mass).norm());
+      }
+      fastest_gain = std::max(fastest_gain, gain);
     }
     gain_ = 2.0 * time * fastest_gain;
   }

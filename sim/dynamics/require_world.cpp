@@ -11,7 +11,7 @@ namespace {
 
 void require_body(const WorldBody& body) {
   if (!body.motion.X_WB.matrix().allFinite() || !body.motion.linear.allFinite() ||
-      !body.motion.angular.allFinite() || !body.force_W.allFinite()) {
+      !body.motion.angular.allFinite() || !body.force_W.allFinite() || !body.torque_W.allFinite()) {
     throw InputError({.field = body.name, .problem = "has a motion or force that is not finite"});
   }
   if (!(body.restitution >= 0.0 && body.restitution <= 1.0)) {

@@ -34,9 +34,10 @@ struct WorldBody {
   Inertial inertial = {};  // body frame; of bodies that move
   RigidMotion motion = {};
   double restitution = 0.0;  // 0 to 1: of the normal velocity of an impact; of a pair, the larger
-  Vector3 force_W = Vector3::Zero();  // at the centre of mass, besides gravity [N]
-  double rest_time = 0.0;             // for how long it has not moved noticeably [s]
-  bool asleep = false;                // it rests, and is not moved until something touches it
+  Vector3 force_W = Vector3::Zero();   // at the centre of mass, besides gravity [N]
+  Vector3 torque_W = Vector3::Zero();  // about the centre of mass [N m]
+  double rest_time = 0.0;              // for how long it has not moved noticeably [s]
+  bool asleep = false;                 // it rests, and is not moved until something touches it
 };
 
 // What moves a degree of freedom. Several may act on the same one.

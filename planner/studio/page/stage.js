@@ -195,12 +195,13 @@ class Stage {
   }
 
   // Robot and object at a moment of a motion, which the state does not know. `joints`: of the
-  // platform where there is one, else of the hand.
+  // platform, or of the hand alone, when the arm stays where it is.
   placeMoving({joints, hand, object}) {
     if (!this.hand) return;
     this.hand.setBase(hand);
-    this.hand.setJoints(this.arm ? joints.slice(this.armData.first_hand_joint) : joints);
-    if (this.arm) {
+    const ofArm = this.arm && joints.length > this.handData.joints.length;
+    this.hand.setJoints(ofArm ? joints.slice(this.armData.first_hand_joint) : joints);
+    if (ofArm) {
       this.fade(this.arm, false);
       this.arm.setJoints(joints);
     }

@@ -60,7 +60,9 @@ class TimePanel {
   // Answers whether there is a moving world.
   async begin() {
     if (this.there) return true;
-    return await this.live.ask('time.start', {gravity: byId('time-gravity').checked}) !== null;
+    const begun = await this.live.ask('time.start', {gravity: byId('time-gravity').checked});
+    this.there = begun !== null;
+    return this.there;
   }
 
   async toggle() {
@@ -130,7 +132,9 @@ class TimePanel {
     if (!byId('time-forces').checked) return 0;
     const found = await this.live.ask('time.contacts');
     if (!found) return 0;
-    const forces = found.contacts.map(
+    const {name} = this.live.state.object;
+    const onObject = found.contacts.filter(({bodies}) => bodies[0] === name);
+    const forces = onObject.map(
         (contact) =>
             ({at: vectorOf(contact.position_world), force: vectorOf(contact.force_world)}));
     const sizes = forces.map(({force}) => force.length());
