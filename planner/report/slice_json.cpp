@@ -8,8 +8,8 @@
 namespace prehend {
 
 nlohmann::ordered_json slice_json(const WrenchSlice& slice) {
-  using Json = nlohmann::ordered_json;
-  Json json{{"vertices", Json::array()}, {"triangles", Json::array()}};
+  nlohmann::ordered_json json{{"vertices", nlohmann::ordered_json::array()},
+                              {"triangles", nlohmann::ordered_json::array()}};
   if (slice.empty()) return json;
   const double largest = slice.vertices.cwiseAbs().maxCoeff();
   const double scale =
