@@ -20,7 +20,7 @@ import time
 
 CLIENTS = 4
 HUGE = 100 << 20  # bytes of the longest lines
-HUGE_EVERY = 2000  # lines of a client
+HUGE_EVERY = 300  # lines of a client, so that the first quarter has some
 MATERIALS = ["glass", "metal", "plastic", "wood", "rubber"]
 
 
