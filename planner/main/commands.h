@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/main/interrupts.h"
+#include "planner/main/live_server.h"
 #include "planner/report/plan_report.h"
 #include "primitives/decompose.h"
 #include "sim/base/deadline.h"
@@ -139,14 +140,6 @@ struct ReplayCommand {
   std::filesystem::path out = "out/replay.json";
   std::filesystem::path gltf;                  // an animation to write; empty: none
   std::vector<std::filesystem::path> folders;  // whose files the recorded commands may name
-  int threads = 0;                             // of plans; 0: all processors
-};
-
-// Arguments of the commands that serve a live session.
-struct LiveOptions {
-  std::string address = "127.0.0.1";           // where to listen
-  std::filesystem::path record;                // empty: nothing is recorded
-  std::vector<std::filesystem::path> folders;  // whose files commands may name
   int threads = 0;                             // of plans; 0: all processors
 };
 

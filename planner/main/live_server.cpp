@@ -43,7 +43,7 @@ std::string scene_name(const std::string& scene) {
 }
 
 OpenFolders open_folders(const LiveServer& live) {
-  std::vector<std::filesystem::path> folders = live.folders;
+  std::vector<std::filesystem::path> folders = live.session.folders;
   if (std::filesystem::exists(live.scene)) {
     folders.push_back(std::filesystem::absolute(live.scene).parent_path());
   }
@@ -74,17 +74,18 @@ bool is_loopback(const std::string& address) {
 
 ServerOptions server_options(const LiveServer& live, Endpoint& endpoint, Endpoint& graspit) {
   ServerOptions options;
-  options.address = live.address;
+  options.address = live.session.address;
   options.token = random_token();
   if (live.tcp) {
-    options.lines.push_back(
-        {.endpoint = &endpoint, .port = *live.tcp, .needs_token = !is_loopback(live.address)});
+    options.lines.push_back({.endpoint = &endpoint,
+                             .port = *live.tcp,
+                             .needs_token = !is_loopback(live.session.address)});
   }
   if (live.graspit) {
     options.lines.push_back({.endpoint = &graspit,
                              .port = *live.graspit,
                              .refusal = graspit_error_line,
-                             .needs_token = !is_loopback(live.address)});
+                             .needs_token = !is_loopback(live.session.address)});
   }
   if (!live.page) return options;
   StudioPage page = studio_page(random_token());
@@ -97,7 +98,7 @@ ServerOptions server_options(const LiveServer& live, Endpoint& endpoint, Endpoin
 }
 
 void warn_of_strangers(const LiveServer& live) {
-  if (is_loopback(live.address)) return;
+  if (is_loopback(live.session.address)) return;
   const bool in_colour = ::isatty(STDERR_FILENO) != 0;
   std::cerr << (in_colour ? "\033[1;31m" : "")
             << "Other machines can reach this session; who has the token can change it and the "
@@ -123,19 +124,19 @@ void open_in_browser(const std::string& url) {
 
 void say_where(const LiveServer& live, const ServerPorts& ports, const Server& server) {
   if (live.tcp) {
-    std::cout << "serving " << live.address << " port " << ports.lines.front()
+    std::cout << "serving " << live.session.address << " port " << ports.lines.front()
               << ": one JSON text a line\n";
   }
   if (live.graspit) {
-    std::cout << "serving " << live.address << " port " << ports.lines.back()
+    std::cout << "serving " << live.session.address << " port " << ports.lines.back()
               << ": GraspIt!'s text protocol\n";
   }
-  if (!ports.lines.empty() && !is_loopback(live.address)) {
+  if (!ports.lines.empty() && !is_loopback(live.session.address)) {
     std::cout << "token " << server.token() << "\n";
   }
   if (live.page) {
-    const std::string url = "http://" + host_of(live.address) + ":" + std::to_string(ports.http) +
-                            "/?token=" + server.token();
+    const std::string url = "http://" + host_of(live.session.address) + ":" +
+                            std::to_string(ports.http) + "/?token=" + server.token();
     std::cout << "studio " << url << "\n";
     if (live.open) open_in_browser(url);
   }
@@ -146,12 +147,12 @@ void say_where(const LiveServer& live, const ServerPorts& ports, const Server& s
 
 int run_live_server(const LiveServer& live, Interrupts& interrupts) {
   interrupts.cancel_first();
-  std::optional<std::ofstream> recording = opened_recording(live.record);
+  std::optional<std::ofstream> recording = opened_recording(live.session.record);
   RecordLine record;
   if (recording) {
     record = [&recording](const std::string& line) { *recording << line << "\n" << std::flush; };
   }
-  SessionEndpoint endpoint({open_folders(live), live.threads}, record);
+  SessionEndpoint endpoint({open_folders(live), live.session.threads}, record);
   if (!live.scene.empty()) {
     request(endpoint,
             {{"command", "scene.load"}, {"scene", scene_name(live.scene)}, {"fresh", true}});

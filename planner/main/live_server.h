@@ -11,16 +11,21 @@
 
 namespace prehend {
 
+// What all commands that serve a session have.
+struct LiveOptions {
+  std::string address = "127.0.0.1";                // of this machine, to listen on
+  std::filesystem::path record = {};                // empty: nothing is recorded
+  std::vector<std::filesystem::path> folders = {};  // whose files commands may name
+  int threads = 0;                                  // of plans; 0: all processors
+};
+
 struct LiveServer {
-  std::string address = "127.0.0.1";
+  LiveOptions session = {};
   std::optional<std::uint16_t> page = {};     // port of the studio; 0: any free one
   std::optional<std::uint16_t> tcp = {};      // port of JSON lines; 0: any free one
   std::optional<std::uint16_t> graspit = {};  // port of GraspIt!'s text protocol; 0: any free one
   std::string scene = {};                     // to begin with; empty: a hand alone
-  std::filesystem::path record = {};          // empty: nothing is recorded
-  std::vector<std::filesystem::path> folders = {};  // whose files commands may name
-  int threads = 0;                                  // of plans; 0: all processors
-  bool open = false;                                // the page in the browser of the desktop
+  bool open = false;                          // the page in the browser of the desktop
 };
 
 // Prints where it listens, one line each, and returns the exit status. The folder of a scene that

@@ -1,6 +1,9 @@
 #include "planner/session/grasp_judgement.h"
 
+#include <stdexcept>
+
 #include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
 #include "sim/trial/grasp_at.h"
@@ -37,7 +40,15 @@ void measure_space(const CompiledScene& scene, int edges, bool sections, GraspJu
   const bool is_stable = judged.outcome == Outcome::stable;
   if (judged.contacts.empty() || !(is_stable || sections)) return;
   const std::vector<Contact> contacts = contacts_of(judged.contacts);
-  const WrenchHull hull = wrench_hull(contact_wrenches(contacts, scene.wrench_frame, edges));
+  WrenchHull hull;
+  try {
+    hull = wrench_hull(contact_wrenches(contacts, scene.wrench_frame, edges));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::runtime_error&) {
+    if (is_stable) throw;
+    return;  // qhull failed on a space that holds nothing: there is no picture of it
+  }
   if (is_stable) judged.volume = hull.volume;
   if (sections && hull.status == HullStatus::solid) judged.sections = wrench_sections(hull.points);
 }

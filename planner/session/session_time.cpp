@@ -49,12 +49,14 @@ void Session::stop_time(bool keep) {
   if (keep) {
     require_no_running_plan();
     SessionState next = state_;
-    Scene scene = state_.world->scene();
-    scene.object.X_WO = moved.object().X_WB;
+    BodyPlaces places = places_of(state_.world->scene());
+    places.X_WO = moved.object().X_WB;
     next.hand = moved.posture();
-    next.world = std::make_shared<const EditedScene>(std::move(scene));
+    next.world = with_bodies_at(state_.world, places);
     next.results.reset();
     next.outcome.reset();
+    next.grasp.reset();
+    settle_arm(next);
     time_.reset();
     push(std::move(next));
     return;

@@ -5,7 +5,9 @@ class Playback {
   constructor(view) {
     this.view = view;
     this.time = 0;
-    this.playing = false;
+    this.player = new Player((time) => this.seek(time, true), (playing) => {
+      this.button.textContent = playing ? '❚❚ pause' : '▶ play';
+    });
     this.button = element('button', {type: 'button', onclick: () => this.toggle()}, '▶ play');
     this.slider = element('input', {
       type: 'range',
@@ -60,7 +62,7 @@ class Playback {
   }
 
   toggle() {
-    if (this.playing) {
+    if (this.player.playing) {
       this.stop();
     } else {
       this.play();
@@ -68,26 +70,12 @@ class Playback {
   }
 
   stop() {
-    this.playing = false;
-    this.button.textContent = '▶ play';
+    this.player.stop();
   }
 
   play() {
     if (!this.motion()) return;
-    this.playing = true;
-    this.button.textContent = '❚❚ pause';
-    if (this.time >= this.end() || this.time === this.graspTime()) this.time = 0;
-    let last = null;
-    const step = (now) => {
-      if (!this.playing) return;
-      this.seek(Math.min(this.end(), this.time + (last === null ? 0 : (now - last) / 1000)), true);
-      last = now;
-      if (this.time >= this.end()) {
-        this.stop();
-      } else {
-        requestAnimationFrame(step);
-      }
-    };
-    requestAnimationFrame(step);
+    const again = this.time >= this.end() || this.time === this.graspTime();
+    this.player.play(again ? 0 : this.time, this.end());
   }
 }

@@ -10,11 +10,22 @@ class GraspPanel {
     this.live = live;
     this.judge = new Latest(() => this.ask());
     this.wrench = new WrenchView(byId('wrench'), this.wrenchSide(stage));
-    live.on('state', () => this.judge.ask());
+    live.on('state', (state) => this.follow(state));
+    live.on('connected', () => {
+      this.judged = '';  // what was asked for before may never have been answered
+    });
     for (const id of ['load-x', 'load-y', 'load-z', 'load-limits']) {
       byId(id).addEventListener('change', () => this.judge.ask());
     }
     byId('load-weight').addEventListener('click', () => this.loadWeight());
+  }
+
+  // Plans, pins and undo counts change nothing of what is judged.
+  follow({object, obstacles, hand, arm, switches, problem}) {
+    const key = JSON.stringify([object, obstacles, hand, arm, switches, problem]);
+    if (key === this.judged) return;
+    this.judged = key;
+    this.judge.ask();
   }
 
   // What the view of wrenches needs of the view of the scene, whose direction it shares.
@@ -84,7 +95,6 @@ class GraspPanel {
       byId(id).textContent = '–';
     }
     byId('contacts').replaceChildren();
-    byId('grasp').dataset.revision = state.revision;
   }
 
   show(state, found) {
@@ -94,7 +104,6 @@ class GraspPanel {
     this.showContacts(quality, found.forces);
     this.showForces(found);
     this.drawMarks(found);
-    byId('grasp').dataset.revision = state.revision;
   }
 
   showNumbers(quality, collisions) {

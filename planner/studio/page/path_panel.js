@@ -5,12 +5,14 @@ class PathPanel {
     this.stage = stage;
     this.live = live;
     this.path = null;
-    this.playing = false;
+    this.player = new Player((time) => this.show(time), (playing) => {
+      byId('path-play').textContent = playing ? 'pause' : 'play';
+    });
     byId('refine').addEventListener('click', () => this.refine());
     byId('path').addEventListener('click', () => this.plan());
     byId('path-play').addEventListener('click', () => this.toggle());
     byId('path-time').addEventListener('input', () => {
-      this.stop();
+      this.player.stop();
       this.show(Number(byId('path-time').value));
     });
     live.on('state', () => this.forget());
@@ -33,7 +35,7 @@ class PathPanel {
     if (!found) return;
     this.live.tell('said', found.problem || `a path of ${this.endOf(found).toFixed(1)} s`);
     if (found.status !== 'found' || found.samples.length === 0) return;
-    this.path = found;
+    this.path = {...found, motion: this.motionOf(found)};
     byId('path-player').hidden = false;
     byId('path-time').max = this.endOf(found);
     this.play();
@@ -43,65 +45,47 @@ class PathPanel {
     return samples.length > 0 ? samples[samples.length - 1].time : 0;
   }
 
+  motionOf({samples}) {
+    return {
+      times: samples.map(({time}) => time),
+      rows: samples.map(({joints}) => joints),
+      hands: samples.map(({X_world_hand}) => listOfPose(X_world_hand)),
+      objects: samples.map(({X_world_object}) => listOfPose(X_world_object)),
+    };
+  }
+
   // A path is about the grasp that it was planned for.
   forget() {
     if (!this.path) return;
-    this.stop();
+    this.player.stop();
     this.path = null;
     byId('path-player').hidden = true;
   }
 
   toggle() {
-    if (this.playing) {
-      this.stop();
+    if (this.player.playing) {
+      this.player.stop();
     } else {
       this.play();
     }
   }
 
-  stop() {
-    this.playing = false;
-    byId('path-play').textContent = 'play';
-  }
-
   play() {
-    this.playing = true;
-    byId('path-play').textContent = 'pause';
+    const time = Number(byId('path-time').value);
     const end = this.endOf(this.path);
-    let time = Number(byId('path-time').value);
-    if (time >= end) time = 0;
-    let last = null;
-    const step = (now) => {
-      if (!this.playing) return;
-      time = Math.min(end, time + (last === null ? 0 : (now - last) / 1000));
-      last = now;
-      this.show(time);
-      if (time >= end) {
-        this.stop();
-      } else {
-        requestAnimationFrame(step);
-      }
-    };
-    requestAnimationFrame(step);
+    this.player.play(time >= end ? 0 : time, end);
   }
 
   // Draws the robot as it is at a time of the path; the session stays where it is.
   show(time) {
-    const {samples, segments} = this.path;
+    const {motion, segments} = this.path;
     byId('path-time').value = time;
-    let i = samples.findIndex((sample) => sample.time >= time);
-    if (i < 0) i = samples.length - 1;
-    const [a, b] = [samples[Math.max(0, i - 1)], samples[i]];
-    const span = b.time - a.time;
-    const part = span > 0 ? (time - a.time) / span : 1;
-    const joints = b.joints.map((value, j) => a.joints[j] + part * (value - a.joints[j]));
-    const between = (from, to) => matrixBetween(listOfPose(from), listOfPose(to), part);
     this.stage.placeMoving({
-      joints,
-      hand: between(a.X_world_hand, b.X_world_hand),
-      object: between(a.X_world_object, b.X_world_object),
+      joints: motionRow(motion, time),
+      hand: poseAt(motion.times, motion.hands, time),
+      object: poseAt(motion.times, motion.objects, time),
     });
-    const segment = segments.find(({last}) => i <= last);
+    const segment = segments.find(({last}) => time <= motion.times[last]);
     byId('path-moment').textContent = `${segment ? segment.name + ', ' : ''}${time.toFixed(2)} s`;
   }
 }

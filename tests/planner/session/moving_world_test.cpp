@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/session/session.h"
+#include "sim/scene/scene_file.h"
 #include "tests/support/refusal_of.h"
 
 namespace prehend::test {
@@ -211,6 +212,30 @@ TEST(MovingWorld, WhatIsKeptIsOneStepOfUndo) {
   EXPECT_EQ(session.undo_count(), undos + 1);
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(session.state().world->X_WO().matrix(), before.matrix());
+}
+
+// What time has moved is no longer the grasp that a plan has found, and the arm is looked at anew.
+TEST(MovingWorld, WhatIsKeptIsNoGraspOfAPlan) {
+  Session session;
+  session.set_scene(load_scene("panda_on_table"));
+  PlanOptions plan;
+  plan.search.trials = 100;
+  session.start_plan(plan);
+  session.finish_plan();
+  session.go_to(0);
+  ASSERT_NE(session.state().grasp, nullptr);
+  ASSERT_TRUE(session.state().arm->reached());
+  const Pose X_WH = session.X_WH();
+  session.start_time({});
+  session.moving().drive(0, {.target = 0.0});
+  session.moving().advance(0.05);
+  session.stop_time(true);
+  EXPECT_EQ(session.state().grasp, nullptr);
+  EXPECT_FALSE(session.state().outcome.has_value());
+  EXPECT_TRUE(session.X_WH().isApprox(X_WH, 1e-9));
+  ASSERT_TRUE(session.state().arm->holds_hand);
+  const Pose X_OH = hand_on_arm(*session.arm(), session.state().arm->dofs);
+  EXPECT_TRUE(X_OH.isApprox(session.state().hand.X_OH, 1e-6));
 }
 
 }  // namespace
