@@ -13,7 +13,9 @@
 #include "planner/search/find_advice.h"
 #include "planner/search/find_paths.h"
 #include "planner/search/measure_grasps.h"
+#include "planner/search/object_primitives.h"
 #include "planner/search/run_trials.h"
+#include "planner/search/search_settings.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -102,19 +104,6 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   result.stages.push_back({PlanCount::trials, total});
 }
 
-// The options with every seed in them derived from the one seed of the plan.
-PlanOptions with_seeds(PlanOptions options) {
-  options.primitives.seed = derived_seed(options.seed);
-  options.thin_parts.seed = derived_seed(options.seed);
-  options.trial.reach.kinematics.seed = derived_seed(options.seed);
-  options.refine.noise.seed = derived_seed(options.seed);
-  if (options.paths) {
-    options.paths->reach.kinematics.seed = derived_seed(options.seed);
-    options.paths->transfer.seed = derived_seed(options.seed);
-  }
-  return options;
-}
-
 // The stages of plan(), each of which adds to the result.
 class PlanRun {
  public:
@@ -168,16 +157,8 @@ class PlanRun {
   void find_primitives() {
     begin(Stage::primitives);
     const bool given = !scene_.scene.primitives.empty();
-    if (given) {
-      result_.primitives = scene_.scene.primitives;
-    } else {
-      result_.primitives =
-          decompose(scene_.scene.object.mesh, options_.primitives, context_).primitives;
-      for (Primitive& part : find_thin_parts(scene_.object().mesh, result_.primitives,
-                                             options_.thin_parts, context_)) {
-        result_.primitives.push_back(std::move(part));
-      }
-    }
+    result_.primitives =
+        object_primitives(scene_, options_.primitives, options_.thin_parts, context_);
     count(given ? PlanCount::primitives_given : PlanCount::primitives, result_.primitives.size());
     watch_.lap(Stage::primitives);
   }
@@ -343,11 +324,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
   if (options.rank.by != RankBy::epsilon && !options.robustness) {
     throw InputError({.field = "rank.by", .problem = "needs the trials with errors (robustness)"});
   }
-  PlanOptions seeded = with_seeds(options);
-  // A plan leaves candidates out that are blocked, however deep: among obstacles most of them are,
-  // and to measure all took a fifth of the time.
-  seeded.trial.give_way.deepest = 0.0;
-  return PlanRun(scene, seeded, context, found).run();
+  return PlanRun(scene, search_settings(options), context, found).run();
 }
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
@@ -355,7 +332,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;
-  // As with_seeds does for plan().
+  // As search_settings does for plan().
   TrialOptions trial = options.trial;
   trial.reach.kinematics.seed = derived_seed(options.seed);
   Finished finished = finished_of(run_trials(scene, candidates, trial, context));

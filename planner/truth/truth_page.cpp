@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 
+#include "planner/page/plain_page.h"
 #include "planner/truth/truth_text.h"
 #include "planner/truth/unit_plot.h"
 #include "sim/base/formatted.h"
@@ -14,23 +15,10 @@ namespace {
 
 // The colours of lines can be told apart by colour-blind people (Okabe and Ito 2008).
 constexpr const char* kStyle = R"(
-:root { color-scheme: light dark; --back: #fff; --ink: #1c2126; --pale: #68727c; --rule: #dce1e6;
-  --bar: #e9edf1; --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #cc79a7; --c4: #b8860b;
-  --c5: #56b4e9; --c6: #777; --c7: #a0522d; --c8: #6a51a3; --warn: #fff4d6; }
-@media (prefers-color-scheme: dark) { :root { --back: #15191d; --ink: #e4e8ec; --pale: #98a3ad;
-  --rule: #333b43; --bar: #242b32; --c0: #4da3e0; --c1: #f08a3c; --c2: #2fc79a; --c3: #e29fc6;
-  --c4: #e0b84c; --c6: #a8a8a8; --c7: #e0708a; --c8: #a893dd; --warn: #3d3310; } }
-body { margin: 2rem auto; padding: 0 1rem; max-width: 68rem; background: var(--back);
-  color: var(--ink); font: 15px/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2.2rem; }
-p { max-width: 46rem; } .note, caption { color: var(--pale); }
-.warning { background: var(--warn); padding: .6rem .9rem; border-radius: .3rem; }
-.wide { overflow-x: auto; }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--rule); text-align: right;
-  white-space: nowrap; }
-th:first-child, td:first-child { text-align: left; padding-left: 0; }
-th { color: var(--pale); font-weight: 600; vertical-align: bottom; white-space: normal; }
+:root { --c0: #0072b2; --c1: #d55e00; --c2: #009e73; --c3: #cc79a7; --c4: #b8860b;
+  --c5: #56b4e9; --c6: #777; --c7: #a0522d; --c8: #6a51a3; }
+@media (prefers-color-scheme: dark) { :root { --c0: #4da3e0; --c1: #f08a3c; --c2: #2fc79a;
+  --c3: #e29fc6; --c4: #e0b84c; --c6: #a8a8a8; --c7: #e0708a; --c8: #a893dd; } }
 svg { vertical-align: middle; } .plot { max-width: 100%; height: auto; }
 .beside { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: center; }
 .words { fill: var(--pale); font-size: 12px; } .axis { stroke: var(--pale); }
@@ -50,17 +38,6 @@ std::string color_rules() {
                        i, i, i);
   }
   return rules;
-}
-
-std::string row_of(const std::vector<std::string>& cells, const char* tag = "td") {
-  std::string row = "<tr>";
-  for (const std::string& cell : cells) row += formatted("<%s>%s</%s>", tag, cell.c_str(), tag);
-  return row + "</tr>\n";
-}
-
-// Cells are markup.
-std::string table_of(const std::vector<std::string>& heads, const std::string& rows) {
-  return "<div class=\"wide\"><table>\n" + row_of(heads, "th") + rows + "</table></div>\n";
 }
 
 std::string shown(const std::optional<double>& value, const char* pattern) {
@@ -201,13 +178,7 @@ std::string outcome_section(const TruthReport& report) {
 }  // namespace
 
 std::string truth_page(const TruthReport& report) {
-  const std::string title = markup_text(report.name) + ": scores and executed grasps";
-  std::string page =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-      title + "</title>\n<style>" + kStyle + color_rules() + "</style>\n</head>\n<body>\n<h1>" +
-      title + "</h1>\n";
-  page += "<p>" + execution_words(report) + ".</p>\n";
+  std::string page = "<p>" + execution_words(report) + ".</p>\n";
   if (report.frames.suspicion) page += frame_section(report.frames);
   page += score_section(report) + roc_section(report);
   for (const ScoreFigures& figures : report.scores) {
@@ -218,8 +189,8 @@ std::string truth_page(const TruthReport& report) {
     page += part_section("session", report.sessions, report.scores);
   }
   if (!report.frames.suspicion) page += frame_section(report.frames);
-  page += outcome_section(report) + "</body>\n</html>\n";
-  return page;
+  page += outcome_section(report);
+  return plain_page(report.name + ": scores and executed grasps", kStyle + color_rules(), page);
 }
 
 }  // namespace prehend

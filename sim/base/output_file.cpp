@@ -1,6 +1,7 @@
 #include "sim/base/output_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <csignal>
@@ -20,20 +21,30 @@ namespace {
 
 constexpr const char* kPart = ".part";
 
+// The end of the names of this machine's parts: on a file system that machines share, the id of a
+// process says nothing about those of others.
+std::string machine() {
+  std::array<char, 256> name{};
+  if (::gethostname(name.data(), name.size() - 1) != 0) return "@";
+  return std::string("@") + name.data();
+}
+
 // Removes what killed programs left of earlier attempts to write `file`: its parts, whose names end
-// in the id of a process that is gone.
+// in the id of a process of this machine that is gone.
 void remove_old_parts(const std::filesystem::path& file) {
   const std::string prefix = file.filename().string() + kPart;
+  const std::string suffix = machine();
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::error_code ignored;
   for (std::filesystem::directory_iterator at(folder, ignored), end; at != end;
        at.increment(ignored)) {
     const std::string name = at->path().filename().string();
-    if (!name.starts_with(prefix)) continue;
-    const std::string id = name.substr(prefix.size());
-    const bool is_number =
-        !id.empty() && id.size() < 10 &&
-        std::all_of(id.begin(), id.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
+    if (name.size() <= prefix.size() + suffix.size()) continue;
+    const std::string id = name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
+    const bool is_number = id.size() < 10 && std::all_of(id.begin(), id.end(), [](unsigned char c) {
+                             return std::isdigit(c) != 0;
+                           });
     if (!is_number) continue;
     const bool is_gone = ::kill(std::atoi(id.c_str()), 0) != 0 && errno == ESRCH;
     std::error_code also_ignored;
@@ -115,9 +126,9 @@ void write_file(const std::filesystem::path& file,
   }
   remove_old_parts(target);
   // In the same folder as the target, because a rename is atomic only within one file system; with
-  // the process id, because two programs may write the same file.
+  // the process id and the machine, because two programs may write the same file.
   std::filesystem::path part = target;
-  part += kPart + std::to_string(::getpid());
+  part += kPart + std::to_string(::getpid()) + machine();
   error = write_part(part, write);
   if (!error && std::filesystem::exists(earlier)) {
     std::filesystem::permissions(part, earlier.permissions(), error);

@@ -1,4 +1,5 @@
 // Reading and writing whole files, and what is refused as one.
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -83,20 +84,22 @@ TEST(WriteFile, ReplacesRegularFilesOnly) {
   EXPECT_TRUE(fs::is_fifo(folder / "fifo"));
 }
 
-// Parts are named after the process that writes them. That of the test itself is alive, and ids
-// above the system's largest belong to nobody.
+// Parts are named after the process that writes them and its machine. The process of the test
+// itself is alive, and ids above the system's largest belong to nobody.
 TEST(WriteFile, RemovesWhatKilledProgramsLeft) {
   const fs::path folder = own_folder();
-  const std::string alive = "grasps.json.part" + std::to_string(::getppid());
-  for (const std::string& name : {std::string("grasps.json.part999999999"), alive,
-                                  std::string("grasps.json.parts"), std::string("other.part9")}) {
-    std::ofstream(folder / name) << "part";
-  }
+  std::array<char, 256> host{};
+  ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
+  const std::string here = std::string("@") + host.data();
+  const std::string gone = "grasps.json.part999999999" + here;
+  const std::vector<std::string> others = {"grasps.json.part" + std::to_string(::getppid()) + here,
+                                           "grasps.json.parts", "grasps.json.part999999999@another",
+                                           "grasps.json.part" + here, "other.part9" + here};
+  std::ofstream(folder / gone) << "part";
+  for (const std::string& name : others) std::ofstream(folder / name) << "part";
   write_file(folder / "grasps.json", "{}");
-  EXPECT_FALSE(fs::exists(folder / "grasps.json.part999999999"));
-  EXPECT_TRUE(fs::exists(folder / alive));
-  EXPECT_TRUE(fs::exists(folder / "grasps.json.parts"));
-  EXPECT_TRUE(fs::exists(folder / "other.part9"));
+  EXPECT_FALSE(fs::exists(folder / gone));
+  for (const std::string& name : others) EXPECT_TRUE(fs::exists(folder / name)) << name;
 }
 
 TEST(RequireWritable, LooksAtTheNearestFolderThatExists) {
