@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "planner/main/batch_words.h"
 #include "planner/main/option_values.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
@@ -40,6 +42,7 @@ struct CommandLine::Words {
   ReplayCommand replay;
   ServeCommand serve;
   StudioCommand studio;
+  BatchCommand batch;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(Interrupts&)> chosen;
@@ -58,6 +61,7 @@ struct CommandLine::Words {
     add_replay();
     add_serve();
     add_studio();
+    add_batch(app, batch, limits, [this](auto run) { chosen = std::move(run); });
   }
 
   void add_plan() {
@@ -341,6 +345,7 @@ void CommandLine::limit_time(Interrupts& interrupts) {
   const double seconds = seconds_of(words_->limits.budget);
   words_->plan.common.deadline = Deadline::in(seconds);
   words_->evaluate.common.deadline = words_->plan.common.deadline;
+  words_->batch.common.deadline = words_->plan.common.deadline;
   interrupts.limit_time(seconds);
 }
 

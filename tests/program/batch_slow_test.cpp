@@ -1,0 +1,169 @@
+// `prehend batch` as a whole: killed, continued, out of room, refused.
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "sim/base/random.h"
+#include "tests/program/program.h"
+#include "tests/program/running_program.h"
+
+namespace prehend::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const kCube =
+    "v -0.02 -0.02 0\nv 0.02 -0.02 0\nv 0.02 0.02 0\nv -0.02 0.02 0\n"
+    "v -0.02 -0.02 0.05\nv 0.02 -0.02 0.05\nv 0.02 0.02 0.05\nv -0.02 0.02 0.05\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+// 20 objects, 3 hands, 2 coefficients of friction.
+const char* const kLargeBatch = R"({
+  "objects": ["meshes/", {"generate": ["mug", "wine_glass", "phone", "flask", "bottle", "bowl",
+                                       "box", "ball", "cylinder"], "triangles": [100, 200]}],
+  "hands": ["franka_hand", "robotiq_2f85", "barrett"], "frictions": [0.5, 1.0],
+  "settings": [{"accuracy": "draft", "trials": 6}]})";
+
+const char* const kSmallBatch = R"({
+  "objects": ["meshes/", {"generate": "box", "triangles": 100}], "hands": ["franka_hand"],
+  "settings": [{"accuracy": "draft", "trials": 6}], "seeds": [1, 2, 3]})";
+
+std::map<std::string, std::string> all_files(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    files[entry.path().lexically_relative(folder).string()] = content(entry.path());
+  }
+  return files;
+}
+
+class BatchProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    home_ = fresh_folder(std::string("batch_program_") + test->name());
+    fs::create_directories(home_ / "meshes");
+    std::ofstream(home_ / "meshes/cube.obj") << kCube;
+    std::ofstream(home_ / "meshes/tall.obj") << kCube;
+    write(kSmallBatch);
+  }
+
+  void write(const std::string& batch) const { std::ofstream(file()) << batch; }
+  std::string file() const { return (home_ / "batch.json").string(); }
+  std::string words(const std::string& out) const {
+    return " '" + file() + "' -o '" + (home_ / out).string() + "'";
+  }
+
+  fs::path home_;
+};
+
+TEST_F(BatchProgram, KilledTwentyTimesEndsWithTheSameBytes) {
+  write(kLargeBatch);
+  ASSERT_EQ(run_program("batch" + words("whole")).status, 0);
+  ASSERT_EQ(run_program("batch merge" + words("whole")).status, 0);
+  Random random(16);
+  int killed = 0;
+  while (killed < 20) {
+    RunningProgram program({"batch", file(), "-o", (home_ / "killed").string(), "--progress"},
+                           home_);
+    // A moment between two lines of its progress, of which there is one for each part at most.
+    const int lines = random.integer(0, 2);
+    bool runs = program.wait_for_line("");
+    for (int i = 0; i < lines && runs; ++i) runs = program.wait_for_line("");
+    ::usleep(static_cast<useconds_t>(random.integer(0, 200'000)));
+    if (program.has_ended()) break;
+    program.send(SIGKILL);
+    std::string rest;
+    program.wait(rest);
+    ++killed;
+  }
+  EXPECT_EQ(killed, 20) << "the batch was done before it was killed often enough";
+  ASSERT_EQ(run_program("batch" + words("killed")).status, 0);
+  ASSERT_EQ(run_program("batch merge" + words("killed")).status, 0);
+  const auto expected = all_files(home_ / "whole/merged");
+  EXPECT_EQ(expected.size(), 2 * 120U + 4U + 16U);
+  EXPECT_TRUE(all_files(home_ / "killed/merged") == expected);
+}
+
+TEST_F(BatchProgram, OutOfRoomItEndsInOneLineAndGoesOnLater) {
+  ASSERT_EQ(run_program("batch" + words("whole")).status, 0);
+  ASSERT_EQ(run_program("batch merge" + words("whole")).status, 0);
+  fs::create_directories(home_ / "room");
+  // A file system of 24 kB, which only this shell sees.
+  const std::string in_small_room = "unshare -m sh -c 'mount -t tmpfs -o size=24k tmpfs \"" +
+                                    (home_ / "room").string() + "\" && exec \"$@\"' -- ";
+  if (std::system((in_small_room + "true 2>/dev/null").c_str()) != 0) {
+    GTEST_SKIP() << "a file system cannot be mounted here";
+  }
+  const ProgramRun full =
+      run_program("batch" + words("room/out"), in_small_room + "'" + PREHEND_PROGRAM + "'");
+  expect_refused(full, "No space left on device");
+  const ProgramRun read_only =
+      run_program("batch" + words("room/out"),
+                  "unshare -m sh -c 'mount -t tmpfs -o ro tmpfs \"" + (home_ / "room").string() +
+                      "\" && exec \"$@\"' -- '" + PREHEND_PROGRAM + "'");
+  expect_refused(read_only, "Read-only file system");
+  // What was done before the room was used up stays done: here with a limit on the size of files,
+  // below that of a result.
+  const ProgramRun limited = run_program("batch" + words("limited"),
+                                         std::string("ulimit -f 1; '") + PREHEND_PROGRAM + "'");
+  EXPECT_NE(limited.status, 0);
+  ASSERT_EQ(run_program("batch" + words("limited")).status, 0);
+  ASSERT_EQ(run_program("batch merge" + words("limited")).status, 0);
+  EXPECT_TRUE(all_files(home_ / "limited/merged") == all_files(home_ / "whole/merged"));
+}
+
+TEST_F(BatchProgram, InterruptedItKeepsWhatIsDone) {
+  RunningProgram program(
+      {"batch", file(), "-o", (home_ / "out").string(), "--threads", "1", "--progress"}, home_);
+  ASSERT_TRUE(program.wait_for_line("1 of "));
+  program.send(SIGTERM);
+  std::string rest;
+  EXPECT_EQ(program.wait(rest), 143);
+  EXPECT_NE(rest.find("the same command goes on"), std::string::npos) << rest;
+  const ProgramRun status = run_program("batch status" + words("out"));
+  EXPECT_EQ(status.status, 0);
+  EXPECT_EQ(status.out.find("0 of 9 parts"), std::string::npos) << status.out;
+  const ProgramRun again = run_program("batch" + words("out"));
+  EXPECT_EQ(again.status, 0);
+  EXPECT_EQ(again.out.find("9 in this run"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("9 of 9 parts have a result"), std::string::npos) << again.out;
+}
+
+TEST_F(BatchProgram, RefusesInOneLineAndWritesNothing) {
+  const std::vector<std::pair<std::string, std::string>> batches = {
+      {R"({"objects": ["meshes/"], "hands": ["franka_hand"], "wands": 1})", "wands"},
+      {R"({"objects": ["none/*.obj"], "hands": ["franka_hand"]})", "objects[0]"},
+      {R"({"objects": ["meshes/cube.obj", "meshes/"], "hands": ["franka_hand"]})", "cube"},
+      {R"({"objects": ["meshes/"], "hands": ["tentacle"]})", "hands[0]"},
+      {R"({"objects": ["meshes/"], "hands": ["franka_hand"])", "batch.json"}};
+  for (const auto& [text, complaint] : batches) {
+    write(text);
+    expect_refused(run_program("batch" + words("out")), complaint);
+  }
+  write(kSmallBatch);
+  for (const char* shard : {"0/2", "3/2", "1", "x/2"}) {
+    expect_refused(run_program("batch" + words("out") + " --shard " + shard), "--shard");
+  }
+  EXPECT_FALSE(fs::exists(home_ / "out"));
+  expect_refused(run_program("batch" + words("meshes")), "not of a batch");
+  expect_refused(run_program("batch"), "batch file");
+  expect_refused(run_program("batch '" + (home_ / "none.json").string() + "'"), "none.json");
+  EXPECT_EQ(all_files(home_ / "meshes").size(), 2U);
+}
+
+TEST_F(BatchProgram, OfAnotherBatchIsRefused) {
+  ASSERT_EQ(run_program("batch" + words("out") + " --shard 1/9").status, 0);
+  const auto before = all_files(home_ / "out");
+  fs::copy(file(), home_ / "other.json");
+  expect_refused(run_program("batch '" + (home_ / "other.json").string() + "' -o '" +
+                             (home_ / "out").string() + "'"),
+                 "belongs to another batch");
+  EXPECT_TRUE(all_files(home_ / "out") == before);
+}
+
+}  // namespace
+}  // namespace prehend::test
