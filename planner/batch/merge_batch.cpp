@@ -13,6 +13,7 @@
 #include "planner/datasets/acronym_file.h"
 #include "planner/datasets/grasp_table.h"
 #include "planner/datasets/graspgen_file.h"
+#include "sim/base/csv_row.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
@@ -41,16 +42,6 @@ struct MergedPart {
   GraspLottery stable{0};
   GraspLottery others{0};
 };
-
-// Cells of a table that has commas and quotes in its texts.
-std::string quoted(const std::string& text) {
-  std::string cell = "\"";
-  for (const char c : text) {
-    if (c == '"') cell += '"';
-    cell += c;
-  }
-  return cell + "\"";
-}
 
 template <typename Values, typename Name>
 std::string axis_words(const char* what, const Values& values, const Name& name) {
@@ -177,7 +168,10 @@ class Merge {
   void write_part(const MergedPart& part, std::ostream* table, std::ostream& failures) {
     if (part.state == PartState::failed) {
       ++count_.failed;
-      failures << quoted(part.name) << "," << quoted(part.reason) << "\n";
+      CsvRow row;
+      row.text(part.name);
+      row.text(part.reason);
+      failures << row.line();
       if (summary_.failed.size() < kMostListed) summary_.failed.push_back({part.name, part.reason});
     }
     if (part.state != PartState::finished) return;

@@ -69,6 +69,7 @@ GraspSetEntry entry_of(const Candidate& candidate, const Trial& trial) {
     entry.epsilon = {trial.epsilon.lower, trial.epsilon.upper};
   }
   entry.dofs = trial.dofs;
+  entry.joints = trial.joints;
   for (const GraspContact& contact : trial.contacts) {
     entry.contacts.push_back(
         {contact.point.position, contact.point.normal, static_cast<int>(index(contact.link))});
@@ -156,6 +157,7 @@ GraspSet PartWorker::run(const Batch& batch, const BatchInputs& inputs, const Ba
   set.hand = hand_name(batch.hands[part.hand]);
   set.configuration = opening_of(hand);
   for (const DegreeOfFreedom& dof : hand.dofs) set.dofs.push_back(dof.name);
+  for (const Joint& joint : hand.joints) set.joints.push_back(joint.name);
   for (const Link& link : hand.links) set.links.push_back(link.name);
   set.version = "prehend " PREHEND_VERSION;
   set.settings = inputs.settings_of(part);

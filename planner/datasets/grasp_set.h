@@ -35,6 +35,7 @@ struct GraspSetEntry {
   Outcome outcome = Outcome::no_contact;
   Interval epsilon;                       // [0, 0] without force closure
   std::vector<double> dofs;               // of the hand, closed; empty: not known [rad or m]
+  std::vector<double> joints;             // the same of all its joints [rad or m]
   std::vector<GraspSetContact> contacts;  // empty where the trial ended without
   std::optional<ObjectMotion> closing;    // of the object while the hand closed
   std::optional<ObjectMotion> shaking;    // of the object while the hand was shaken
@@ -59,6 +60,7 @@ struct GraspSet {
   std::string hand;                        // its name, e.g. "panda"
   std::optional<double> configuration;     // opening at which the grasps begin [m]; none: varies
   std::vector<std::string> dofs;           // names of the hand's degrees of freedom
+  std::vector<std::string> joints;         // names of its joints
   std::vector<std::string> links;          // names of its links
   std::vector<std::string> feature_names;  // of GraspSetEntry::features
   std::string version;                     // of prehend, or what made the set

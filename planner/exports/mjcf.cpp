@@ -8,9 +8,9 @@
 
 #include "planner/exports/mjcf_drives.h"
 #include "planner/exports/mjcf_geoms.h"
-#include "planner/exports/number_text.h"
 #include "planner/exports/xml_text.h"
 #include "sim/base/index.h"
+#include "sim/base/number_text.h"
 #include "sim/dynamics/placed_contact.h"
 
 namespace prehend {

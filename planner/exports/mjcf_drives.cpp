@@ -1,7 +1,7 @@
 #include "planner/exports/mjcf_drives.h"
 
-#include "planner/exports/number_text.h"
 #include "sim/base/index.h"
+#include "sim/base/number_text.h"
 
 namespace prehend {
 namespace {

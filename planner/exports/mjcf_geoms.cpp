@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/exports/number_text.h"
+#include "sim/base/number_text.h"
 
 namespace prehend {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/exports/number_text.h"
+#include "sim/base/number_text.h"
 
 namespace prehend {
 namespace {

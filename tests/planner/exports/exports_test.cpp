@@ -10,7 +10,6 @@
 #include "planner/exports/csv.h"
 #include "planner/exports/isaac.h"
 #include "planner/exports/moveit.h"
-#include "planner/exports/number_text.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "tests/planner/exports/export_samples.h"
@@ -104,22 +103,6 @@ class CsvTable {
  private:
   std::vector<Strings> rows_;
 };
-
-TEST(NumberText, ReadsBackEqualAndAsANumberEverywhere) {
-  const std::vector<std::pair<double, std::string>> known = {
-      {0.0, "0.0"},      {1.0, "1.0"},        {-2.5, "-2.5"},    {0.1, "0.1"},
-      {1e-5, "1.0e-05"}, {1.5e-7, "1.5e-07"}, {1e22, "1.0e+22"}, {-0.0, "-0.0"}};
-  for (const auto& [value, text] : known) EXPECT_EQ(number_text(value), text);
-  Random random(1);
-  for (int i = 0; i < 1000; ++i) {
-    const double value = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-300.0, 300.0));
-    const std::string text = number_text(value);
-    EXPECT_EQ(std::stod(text), value);
-    EXPECT_NE(text.find('.'), std::string::npos) << text;
-  }
-  EXPECT_THROW(number_text(kNaN), InputError);
-  EXPECT_THROW(number_text(-std::numeric_limits<double>::infinity()), InputError);
-}
 
 TEST(Csv, GraspsReadBackEqual) {
   const std::vector<ExportGrasp> grasps = sample_grasps();

@@ -1,4 +1,4 @@
-#include "planner/exports/number_text.h"
+#include "sim/base/number_text.h"
 
 #include <array>
 #include <charconv>
@@ -10,7 +10,7 @@ namespace prehend {
 
 std::string number_text(double value) {
   if (!std::isfinite(value)) {
-    throw InputError({.problem = "export: a number is not finite", .value = std::to_string(value)});
+    throw InputError({.problem = "a number is not finite", .value = std::to_string(value)});
   }
   std::array<char, 32> buffer{};
   // Without a precision to_chars gives the shortest text that reads back as the same double. It may
