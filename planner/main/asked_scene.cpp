@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "planner/datasets/set_scene.h"
 #include "planner/main/print_notes.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
@@ -28,6 +29,21 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   record.unit = unit_of_source(asked.scene, loaded);
   print_notes(loaded);
   return {compile(std::move(loaded)), record};
+}
+
+LoadedScene load_asked_scene(const GraspSet& set, const std::filesystem::path& file,
+                             const SceneReference& command_line,
+                             const std::filesystem::path& scaled) {
+  SetScene loaded = load_set_scene(
+      set, file, {command_line.scene, command_line.hand, command_line.unit, command_line.repair});
+  RunRecord record;
+  record.repair = command_line.repair;
+  record.hand = loaded.hand;
+  record.unit = loaded.scaled ? "m" : loaded.unit;
+  record.scene = loaded.scaled ? std::filesystem::absolute(scaled).lexically_normal().string()
+                               : scene_reference(loaded.source);
+  print_notes(loaded.scene);
+  return {compile(std::move(loaded.scene)), record};
 }
 
 std::optional<Protocol> asked_protocol(const std::string& name_or_file) {

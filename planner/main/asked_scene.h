@@ -1,9 +1,11 @@
 // Loads the scene of a grasp file, which the command line may override.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "planner/datasets/grasp_set.h"
 #include "planner/files/grasps_file.h"
 #include "sim/manipulation/protocol.h"
 #include "sim/scene/compiled_scene.h"
@@ -19,6 +21,12 @@ struct LoadedScene {
 // Each field that is set on the command line overrides that of the file; empty ones do not.
 // Throws InputError when neither names a scene.
 LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& command_line);
+
+// The scene of a set of grasps that was read from `file`, as above. Where the object was scaled,
+// the record names `scaled`, a scene file that has yet to be written (scene_text).
+LoadedScene load_asked_scene(const GraspSet& set, const std::filesystem::path& file,
+                             const SceneReference& command_line,
+                             const std::filesystem::path& scaled);
 
 // The protocol that --shake names; nothing where it does not. Throws InputError.
 std::optional<Protocol> asked_protocol(const std::string& name_or_file);

@@ -110,7 +110,10 @@ struct CommandLine::Words {
 
   void add_evaluate() {
     CLI::App& command = *app.add_subcommand("evaluate", "simulate and score given grasps");
-    command.add_option("grasps", evaluate.grasps, "grasp file (docs/grasps-file.md)")->required();
+    command
+        .add_option("grasps", evaluate.grasps,
+                    "grasp file (docs/grasps-file.md), or a set of grasps (docs/datasets.md)")
+        ->required();
     add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit, evaluate.repair);
     evaluate.common.out = "out/evaluate";
     command

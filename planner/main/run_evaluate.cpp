@@ -1,7 +1,13 @@
 #include <iostream>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "planner/datasets/acronym_file.h"
+#include "planner/datasets/graspgen_file.h"
+#include "planner/datasets/hdf5_reader.h"
+#include "planner/datasets/set_candidates.h"
 #include "planner/files/json_settings.h"
 #include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
@@ -15,6 +21,7 @@
 #include "sim/base/output_file.h"
 #include "sim/json/json_field.h"
 #include "sim/manipulation/grasp_world.h"
+#include "sim/scene/scene_text.h"
 
 namespace prehend {
 
@@ -23,16 +30,37 @@ namespace {
 struct Given {
   LoadedScene loaded;
   std::vector<Candidate> candidates;
+  std::vector<bool> labels;  // of a set of grasps: whether it says that they hold
+  std::string scaled = {};   // the text of kScaledScene; empty: none
 };
 
-// The parsed file, which takes several times the memory of the candidates, ends here.
+// The scene of a set whose object is not as large as in its mesh file, which grasps.json refers to.
+constexpr const char* kScaledScene = "evaluated_scene.json";
+
+SceneReference asked_reference(const EvaluateCommand& command) {
+  return {command.scene, command.hand, command.unit, command.repair};
+}
+
+Given given_set(const EvaluateCommand& command, const GraspSet& set) {
+  const std::filesystem::path scaled = command.common.out / kScaledScene;
+  Given given{load_asked_scene(set, command.grasps, asked_reference(command), scaled), {}, {}};
+  const Scene& scene = given.loaded.scene.scene;
+  if (std::holds_alternative<std::monostate>(scene.object.source)) given.scaled = scene_text(scene);
+  given.candidates = set_candidates(set, given.loaded.scene);
+  given.labels = set_labels(set);
+  return given;
+}
+
+// A set of grasps in one of the formats of data sets, or a file of grasps. What was read, which
+// takes several times the memory of the candidates, ends here.
 Given read_given(const EvaluateCommand& command) {
+  if (is_hdf5_file(command.grasps)) return given_set(command, read_acronym(command.grasps));
   const JsonFile file(command.grasps);
-  LoadedScene loaded =
-      load_asked_scene(file, {command.scene, command.hand, command.unit, command.repair});
+  if (is_graspgen(file)) return given_set(command, read_graspgen(file));
+  LoadedScene loaded = load_asked_scene(file, asked_reference(command));
   std::vector<Candidate> candidates =
       given_candidates(read_grasps(file, loaded.scene), loaded.scene);
-  return {std::move(loaded), std::move(candidates)};
+  return {std::move(loaded), std::move(candidates), {}};
 }
 
 // Whether there is something to write: not after an interrupt, nor where the budget ended before
@@ -68,6 +96,24 @@ RunRecord record_of(RunRecord record, const EvaluateOptions& options) {
   record.options.robustness = options.robustness;
   record.options.uncertainty = options.uncertainty;
   return record;
+}
+
+// The table, how all trials ended, how far that agrees with the labels of a set, and what was
+// written.
+void print_result(const Given& given, const PlanResult& result, const std::filesystem::path& out,
+                  bool report) {
+  constexpr std::size_t kMostRows = 20;
+  std::cout << grasp_table(given.loaded.scene, result, kMostRows);
+  if (result.grasps.size() > kMostRows) {
+    std::cout << "... and " << result.grasps.size() - kMostRows << " more\n";
+  }
+  std::cout << outcome_line(result) << "\n";
+  if (!given.labels.empty()) {
+    std::cout << agreement_words(compare_labels(given.labels, result.tried)) << "\n";
+  }
+  std::cout << untested_line(result) << "wrote " << out.string() << ": grasps.json, timings.json"
+            << (report ? ", report.html" : "")
+            << (given.scaled.empty() ? "" : std::string(", ") + kScaledScene) << "\n";
 }
 
 }  // namespace
@@ -106,6 +152,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   }
   make_folder(command.common.out);
   interrupts.end_at_once("not all files are written");
+  if (!given.scaled.empty()) interrupts.write(command.common.out / kScaledScene, given.scaled);
   interrupts.write(command.common.out / "grasps.json", [&](std::ostream& stream) {
     write_grasps(stream, loaded.scene, result, record);
   });
@@ -114,14 +161,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   remove_earlier_results(command.common.out, {"grasps.json", "timings.json"}, loaded.scene.scene,
                          command.grasps);
   if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
-  constexpr std::size_t kMostRows = 20;
-  std::cout << grasp_table(loaded.scene, result, kMostRows);
-  if (result.grasps.size() > kMostRows) {
-    std::cout << "... and " << result.grasps.size() - kMostRows << " more\n";
-  }
-  std::cout << outcome_line(result) << "\n"
-            << untested_line(result) << "wrote " << command.common.out.string()
-            << ": grasps.json, timings.json" << (report.empty() ? "" : ", report.html") << "\n";
+  print_result(given, result, command.common.out, !report.empty());
   return 0;
 }
 
