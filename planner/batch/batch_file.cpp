@@ -217,7 +217,11 @@ double read_positive(const JsonField& field) {
 std::string read_hand_name(const JsonField& field) {
   const fs::path beside = fs::absolute(field.file()).parent_path() / field.text();
   if (is_file(beside)) return beside.lexically_normal().string();
-  return made_of(field, [&] { return robot_source(field.text()); });
+  const std::vector<std::string> known = library_robot_names();
+  if (std::find(known.begin(), known.end(), field.text()) == known.end()) {
+    field.fail("neither a robot of the library nor a file");
+  }
+  return field.text();
 }
 
 BatchScene read_scene_name(const JsonField& field) {

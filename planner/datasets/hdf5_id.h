@@ -3,7 +3,10 @@
 #pragma once
 
 #include <hdf5.h>
+#include <string>
 #include <utility>
+
+#include "sim/base/formatted.h"
 
 namespace prehend {
 
@@ -28,6 +31,10 @@ class Hdf5Id {
   hid_t id_;
   Close close_;
 };
+
+// The name of a file in memory that lives as long as `owner`. HDF5 takes two open files of one name
+// for the same file, also those of two threads.
+inline std::string memory_name(const void* owner) { return formatted("memory %p", owner); }
 
 // While one lives, HDF5 prints nothing to stderr about calls of this thread that fail.
 class QuietHdf5 {

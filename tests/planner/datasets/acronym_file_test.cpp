@@ -1,6 +1,8 @@
 #include "planner/datasets/acronym_file.h"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <span>
 
@@ -9,6 +11,7 @@
 #include "planner/datasets/hdf5_reader.h"
 #include "planner/datasets/hdf5_writer.h"
 #include "sim/base/input_error.h"
+#include "sim/parallel/parallel.h"
 #include "tests/planner/datasets/sample_sets.h"
 #include "tests/support/refusal_of.h"
 
@@ -91,6 +94,30 @@ TEST(AcronymFile, ManySmallSetsReadBackTheSame) {
   for (int i = 0; i < 100; ++i) {
     const GraspSet set = test::random_set(random, random.index(20));
     test::expect_same(read_acronym(file_with(acronym_bytes(set), ".h5")), set);
+  }
+}
+
+// HDF5 would take files in memory of one name for one file.
+TEST(AcronymFile, ManyAreWrittenAndReadAtOnce) {
+  constexpr std::size_t kSets = 64;
+  std::vector<std::string> bytes(kSets);
+  std::vector<std::string> again(kSets);
+  std::vector<std::filesystem::path> files;
+  std::vector<GraspSet> sets;
+  Random random(13);
+  for (std::size_t i = 0; i < kSets; ++i) {
+    sets.push_back(test::random_set(random, 20));
+    files.push_back(std::filesystem::path(testing::TempDir()) /
+                    ("set_of_many_" + std::to_string(i) + ".h5"));
+    std::ofstream(files.back(), std::ios::binary) << acronym_bytes(sets.back());
+  }
+  for_each_in_parallel(kSets, 4, [&](std::size_t i) {
+    bytes[i] = acronym_bytes(sets[i]);
+    again[i] = acronym_bytes(read_acronym(files[i]));
+  });
+  for (std::size_t i = 0; i < kSets; ++i) {
+    EXPECT_EQ(bytes[i], acronym_bytes(sets[i]));
+    EXPECT_EQ(again[i], bytes[i]);
   }
 }
 
