@@ -19,7 +19,8 @@ class PathCommands : public ::testing::Test {
 
   void plan(const std::string& scene, bool paths) {
     client_.result({{"command", "scene.load"}, {"scene", scene}});
-    client_.result({{"command", "plan.start"}, {"trials", 60}, {"top", 3}, {"paths", paths}});
+    client_.result(
+        {{"command", "plan.start"}, {"trials", 60}, {"top", paths ? 2 : 1}, {"paths", paths}});
     EXPECT_EQ(client_.next_event("plan")["status"], "complete");
     grasps_ = client_.result({{"command", "plan.results"}})["grasps"];
     ASSERT_FALSE(grasps_.empty());
