@@ -54,16 +54,24 @@ class GraspPathPlanner {
   // The trial's own line comes first: other lines cost a search by inverse kinematics, which is
   // left out where the first succeeds.
   std::optional<GraspPath> plan() {
+    int tried = 0;
+    tell(tried);
     if (!trial_.arm_line.empty()) {
       if (std::optional<GraspPath> path = along(trial_.arm_line)) return path;
+      tell(++tried);
     }
     for (const std::vector<DofValues>& line : other_lines()) {
       if (std::optional<GraspPath> path = along(line)) return path;
+      tell(++tried);
     }
     return std::nullopt;
   }
 
  private:
+  void tell(int tried) const {
+    if (context_.progress) context_.progress({Stage::paths, tried, options_.alternatives, 0});
+  }
+
   // Approaches of the arm along the same line of the hand in other inverse kinematics branches than
   // the trial's. At most `alternatives` are tried in all, that of the trial included.
   std::vector<std::vector<DofValues>> other_lines() const {

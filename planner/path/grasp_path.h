@@ -49,10 +49,10 @@ struct GraspPath {
 // closed), both with the object in the hand. Joints are those of the platform, in its order.
 //
 // All but the closing is proven free of collision (first_blocked), and the whole path is tested
-// again by check_path. A path is one also where lift or retreat fail: GraspPath::lift says so.
-// Returns nothing when no such path was found. The scene must have an arm, and
-// the trial must be stable. Throws InputError for a degree of freedom that moves and has no
-// velocity or acceleration limit, and Cancelled.
+// again by check_path. `context` is told how many of the alternatives were tried (Stage::paths). A
+// path is one also where lift or retreat fail: GraspPath::lift says so. Returns nothing when no
+// such path was found. The scene must have an arm, and the trial must be stable. Throws InputError
+// for a degree of freedom that moves and has no velocity or acceleration limit, and Cancelled.
 std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
                                          const Trial& trial, const GraspPathOptions& options = {},
                                          const RunContext& context = {});

@@ -39,8 +39,9 @@ void check_type(const JsonField& field, FieldType type) {
 const std::vector<Command>& commands() {
   static const std::vector<Command> known = [] {
     std::vector<Command> all;
-    for (auto part : {scene_commands(), move_commands(), hand_commands(), judging_commands(),
-                      grasp_commands(), plan_commands(), view_commands(), time_commands()}) {
+    for (auto part :
+         {scene_commands(), move_commands(), hand_commands(), judging_commands(), grasp_commands(),
+          path_commands(), plan_commands(), view_commands(), time_commands()}) {
       std::move(part.begin(), part.end(), std::back_inserter(all));
     }
     return all;

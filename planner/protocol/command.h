@@ -44,9 +44,10 @@ enum class CommandKind {
 // What commands are carried out on.
 struct CommandScope {
   Session& session;
-  // Makes the listener of a plan that starts.
+  // Makes the listener of a plan or a path that starts.
   std::function<PlanListener()> listener = {};
-  // Whether plan.cancel ends the plan; a recorded session says itself how its plans ended.
+  // Whether plan.cancel and path.cancel end what runs; a recorded session says itself how that
+  // ended.
   bool cancels = true;
 };
 
@@ -78,6 +79,7 @@ std::vector<Command> view_commands();
 std::vector<Command> time_commands();
 std::vector<Command> move_commands();
 std::vector<Command> grasp_commands();
+std::vector<Command> path_commands();
 
 // The field of a request that names a gesture (Gesture), and what it says.
 CommandField gesture_field();

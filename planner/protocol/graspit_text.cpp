@@ -1,6 +1,8 @@
 #include "planner/protocol/graspit_text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -10,6 +12,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/dynamics/solids.h"
+#include "sim/robot/robot.h"
 
 namespace prehend {
 namespace {
@@ -26,6 +29,9 @@ constexpr double kWay = 0.03;
 // hand on an arm on a mobile base.
 constexpr int kRobot = 0;
 constexpr int kCarriedRobot = 2;
+
+// Gestures of moveDOFs are numbered so that no two that follow each other have the same.
+constexpr std::uint64_t kMostGestures = 1U << 30U;
 
 std::string number_text(double value) { return formatted("%.9g", value); }
 
@@ -56,6 +62,23 @@ std::vector<BodyContact> contacts_of(const MovingWorld& moving, const Solids& so
     found.push_back({kForce * rate * (X_SW.linear() * contact.impulse_W),
                      kTorque * rate * contact.spin_impulse * (X_SW.linear() * contact.normal_W),
                      kLength * (X_SW * contact.position_W), kLength * contact.gap});
+  }
+  return found;
+}
+
+// Of a hand that rests, before time runs: without forces.
+std::vector<BodyContact> resting_contacts_of(const Session& session, const SolidId& id) {
+  std::vector<BodyContact> found;
+  const SessionState& state = session.state();
+  if (!state.world->is_ready() || (id != kObjectSolid && id.robot < 0)) return found;
+  std::vector<Pose> X_HL;
+  link_poses(state.world->scene().hand, state.hand.joints, X_HL);
+  for (const GraspContact& contact : session.contacts()) {
+    if (id != kObjectSolid && index(contact.link) != index(id.index)) continue;
+    const Pose X_OS =
+        id == kObjectSolid ? Pose::Identity() : state.hand.X_OH * X_HL[index(contact.link)];
+    found.push_back({.position = kLength * (X_OS.inverse() * contact.point.position),
+                     .gap = kLength * contact.gap});
   }
   return found;
 }
@@ -138,15 +161,18 @@ class GraspitLine {
     return list.numbers.size();
   }
 
-  // Contacts of the last step of time for each body, then `tell` of them.
+  // Contacts of the last step of time for each body, or of the hand that rests, then `tell` of
+  // them.
   template <typename Tell>
   void tell_contacts(const std::vector<GraspitBody>& bodies, const Tell& tell) {
     std::optional<Solids> solids;
     if (session_.is_moving()) solids.emplace(session_.time().world());
     for (const GraspitBody& body : bodies) {
       std::vector<BodyContact> contacts;
-      const bool is_there = solids && body.solid.index >= 0;
-      if (is_there) contacts = contacts_of(session_.time(), *solids, body.solid);
+      if (body.solid.index >= 0) {
+        contacts = solids ? contacts_of(session_.time(), *solids, body.solid)
+                          : resting_contacts_of(session_, body.solid);
+      }
       tell(contacts);
     }
   }
@@ -219,13 +245,41 @@ class GraspitLine {
     const int robot = words_.at_end() ? -1 : words_.integer("the robot");
     if (robot != kRobot && robot != kCarriedRobot) throw InputError("Robot does not exist.");
     require_dof_count();
-    std::vector<double> dofs = dof_numbers("a value");
-    (void)dof_numbers("a step");
+    std::vector<double> targets = dof_numbers("a value");
+    std::vector<double> steps = dof_numbers("a step");
     words_.end();
-    for (std::size_t d = 0; d < dofs.size(); ++d) dofs[d] /= unit_of(d);
+    for (std::size_t d = 0; d < targets.size(); ++d) {
+      const DegreeOfFreedom& dof = hand().dofs[d];
+      targets[d] = std::clamp(targets[d] / unit_of(d), dof.lower, dof.upper);
+      steps[d] /= unit_of(d);
+    }
     stop_time();
-    session_.set_dofs(dofs);
+    move_in_step(targets, steps);
     say_dofs();
+  }
+
+  // All degrees of freedom at once, each as much faster than the others as its step is longer,
+  // until a link touches: straight between the moments at which some of them arrive. Those without
+  // a step come first. One step of undo.
+  void move_in_step(const std::vector<double>& targets, const std::vector<double>& steps) {
+    const std::vector<double> from = session_.state().hand.dofs;
+    std::vector<double> counts;  // of steps until each arrives
+    for (std::size_t d = 0; d < from.size(); ++d) {
+      const double way = std::abs(targets[d] - from[d]);
+      counts.push_back(steps[d] > 0.0 ? way / steps[d] : 0.0);
+    }
+    std::vector<double> moments = counts;
+    std::sort(moments.begin(), moments.end());
+    moments.erase(std::unique(moments.begin(), moments.end()), moments.end());
+    const int gesture = -1 - static_cast<int>(session_.revision() % kMostGestures);
+    for (const double moment : moments) {
+      std::vector<double> dofs = targets;
+      for (std::size_t d = 0; d < dofs.size(); ++d) {
+        if (counts[d] > moment) dofs[d] = from[d] + moment / counts[d] * (targets[d] - from[d]);
+      }
+      if (dofs == session_.state().hand.dofs) continue;
+      if (session_.set_dofs(dofs, gesture).end != MotionEnd::arrived) return;
+    }
   }
 
   void set_forces() {

@@ -86,7 +86,8 @@ std::vector<Command> judging_commands() {
        "`object`, `obstacles`, `platform`, `robots` (as of `view.robots`), `hand`, `arm` (its "
        "`joints` with values and limits, whether it has `reached` the hand without a collision, "
        "and the `problem` where not; null without a platform), `outcome` of the last auto-grasp "
-       "while the hand stays there, `switches`, `planning`, how many `results`, `pins`, and how "
+       "while the hand stays there, `switches`, `planning`, `finding_path`, how many `results`, "
+       "`pins`, and how "
        "often to `undo` "
        "and `redo`",
        state_of},

@@ -51,6 +51,12 @@ ProtocolJson plan_cancel(const CommandScope& scope, const JsonField& /*request*/
   return {{"cancelled", running.has_value()}};
 }
 
+// [s]; null without a path.
+ProtocolJson duration_of_path(const ScoredGrasp& grasp) {
+  if (!grasp.path || grasp.path->times.empty()) return nullptr;
+  return grasp.path->times.back();
+}
+
 ProtocolJson plan_results(const CommandScope& scope, const JsonField& request) {
   const int first = request.has("first") ? integer_within(request["first"], 0, kMostTop) : 0;
   const int count = request.has("count") ? integer_within(request["count"], 0, kMostTop) : kMostTop;
@@ -61,6 +67,7 @@ ProtocolJson plan_results(const CommandScope& scope, const JsonField& request) {
     ProtocolJson grasp = found_json(results->grasps[i].trial);
     grasp["volume"] =
         results->grasps[i].volume ? ProtocolJson(*results->grasps[i].volume) : ProtocolJson();
+    grasp["path"] = duration_of_path(results->grasps[i]);
     list.push_back(std::move(grasp));
   }
   return {{"status", results ? ProtocolJson(plan_status_name(results->status)) : ProtocolJson()},
@@ -139,7 +146,9 @@ std::vector<Command> plan_commands() {
            {{"first", FieldType::integer, false, "number of the first, from 0; 0"},
             {"count", FieldType::integer, false, "how many at most; all"}},
            "`status`, the `size` of the whole list, and `grasps`, each with `outcome`, `epsilon`, "
-           "`volume`, `X_object_hand`, `dofs` and `joints` [rad or m]",
+           "`volume`, `X_object_hand`, `dofs` and `joints` [rad or m], and how long its `path` "
+           "takes [s], "
+           "null without one (`path.result` has it)",
            plan_results},
           {"plan.go",
            CommandKind::change,

@@ -11,15 +11,31 @@ namespace prehend {
 namespace {
 
 constexpr const char* kPlanFinished = "plan.finished";
+constexpr const char* kPathFinished = "path.finished";
 
 // A line that tells of something else than a request.
 bool is_note(const JsonFile& line) {
   return line.root().is_object() && line.root().has("recorded");
 }
 
+void follow_end_of_path(const JsonField& note, Session& session) {
+  note.allow_only({"recorded", "cancelled"});
+  if (!session.is_finding_path()) note["recorded"].fail("no path is looked for");
+  if (note.has("cancelled") && note["cancelled"].boolean()) {
+    session.give_up_path();
+  } else {
+    (void)session.finish_path();
+  }
+}
+
 void follow_note(const JsonField& note, Session& session) {
+  const std::string what = note["recorded"].text();
+  if (what == kPathFinished) {
+    follow_end_of_path(note, session);
+    return;
+  }
   note.allow_only({"recorded", "results"});
-  if (note["recorded"].text() != kPlanFinished) note["recorded"].fail("unknown");
+  if (what != kPlanFinished) note["recorded"].fail("unknown");
   if (!session.is_planning()) note["recorded"].fail("no plan is running");
   if (note.has("results")) {
     session.keep_results(note["results"].text());
@@ -47,6 +63,12 @@ std::string recorded_request(const Request& request) { return request.json->root
 std::string recorded_end_of_plan(const std::string& results) {
   ProtocolJson note{{"recorded", kPlanFinished}};
   if (!results.empty()) note["results"] = results;
+  return message_text(note);
+}
+
+std::string recorded_end_of_path(PathEnd end) {
+  ProtocolJson note{{"recorded", kPathFinished}};
+  if (end == PathEnd::cancelled) note["cancelled"] = true;
   return message_text(note);
 }
 

@@ -1,7 +1,9 @@
 // Recorded sessions: one JSON text a line. A line is a request as a client sent it, or tells that a
-// plan ended there:
+// plan, or the search for a path, ended there:
 //   {"recorded": "plan.finished"}                      with all that it was to do
 //   {"recorded": "plan.finished", "results": "..."}    cut short: what it had found (grasps.json)
+//   {"recorded": "path.finished"}                      with all that it was to do
+//   {"recorded": "path.finished", "cancelled": true}   cut short, without a path
 #pragma once
 
 #include <functional>
@@ -18,6 +20,7 @@ using RecordLine = std::function<void(const std::string&)>;
 // The lines of a recording.
 std::string recorded_request(const Request& request);
 std::string recorded_end_of_plan(const std::string& results);
+std::string recorded_end_of_path(PathEnd end);
 
 // What a replayed session comes to.
 struct Replayed {

@@ -14,7 +14,7 @@ SessionEndpoint::~SessionEndpoint() {
   {
     const std::lock_guard hold(tasks_lock_);
     is_over_ = true;
-    if (running_) running_->request();
+    if (running_) running_->cancellation.request();
   }
   has_task_.notify_one();
   worker_.join();
@@ -50,8 +50,10 @@ void SessionEndpoint::receive(ClientId client, std::string message) {
 void SessionEndpoint::put(Task task) {
   {
     const std::lock_guard hold(tasks_lock_);
-    // The thread of commands may be busy for long; a cancelled plan should not wait for that.
-    if (running_ && task.request.command == "plan.cancel") running_->request();
+    // The thread of commands may be busy for long; what is cancelled should not wait for that.
+    if (running_ && task.request.command == running_->cancelled_by) {
+      running_->cancellation.request();
+    }
     tasks_.push_back(std::move(task));
   }
   has_task_.notify_one();
@@ -70,36 +72,39 @@ void SessionEndpoint::work() {
     if (task.client) {
       carry_out(task);
     } else {
-      end_plan();
+      end_running();
     }
   }
 }
 
 void SessionEndpoint::carry_out(const Task& task) {
   const std::uint64_t revision = session_.revision();
-  const bool was_planning = session_.is_planning();
+  const bool was_running = running().has_value();
   const CommandScope scope{session_, [this] { return listener(); }, true};
   if (record_ && !task.request.error) record_(recorded_request(task.request));
   const std::string reply = reply_to(task.request, scope);
   {
     const std::lock_guard hold(tasks_lock_);
-    running_ = session_.plan_cancellation();
+    running_ = running();
   }
   send_to(*task.client, reply);
-  if (session_.revision() != revision || session_.is_planning() != was_planning) tell_state();
+  if (session_.revision() != revision || running().has_value() != was_running) tell_state();
 }
 
-void SessionEndpoint::end_plan() {
-  ProtocolJson event{{"event", "plan"}};
+std::optional<SessionEndpoint::Running> SessionEndpoint::running() const {
+  if (const auto plan = session_.plan_cancellation()) return Running{*plan, "plan.cancel"};
+  if (const auto path = session_.path_cancellation()) return Running{*path, "path.cancel"};
+  return std::nullopt;
+}
+
+void SessionEndpoint::end_running() {
+  const bool is_path = session_.is_finding_path();
+  ProtocolJson event;
   try {
-    const std::string results = session_.finish_plan();
-    if (record_) record_(recorded_end_of_plan(results));
-    const PlanResult& kept = *session_.state().results;
-    event["status"] = plan_status_name(kept.status);
-    event["size"] = kept.grasps.size();
+    event = is_path ? end_path() : end_plan();
   } catch (const std::exception& error) {
-    event["status"] = "failed";
-    event["size"] = 0;
+    event = {{"event", is_path ? "path" : "plan"}, {"status", "failed"}};
+    if (!is_path) event["size"] = 0;
     event["problem"] = on_one_line(error.what());
   }
   {
@@ -108,6 +113,20 @@ void SessionEndpoint::end_plan() {
   }
   send_all(message_text(event));
   tell_state();
+}
+
+ProtocolJson SessionEndpoint::end_plan() {
+  const std::string results = session_.finish_plan();
+  if (record_) record_(recorded_end_of_plan(results));
+  const PlanResult& kept = *session_.state().results;
+  return {
+      {"event", "plan"}, {"status", plan_status_name(kept.status)}, {"size", kept.grasps.size()}};
+}
+
+ProtocolJson SessionEndpoint::end_path() {
+  const PathEnd end = session_.finish_path();
+  if (record_) record_(recorded_end_of_path(end));
+  return {{"event", "path"}, {"status", path_end_name(end)}};
 }
 
 void SessionEndpoint::send_to(ClientId client, const std::string& text) {

@@ -7,8 +7,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <thread>
 
+#include "planner/protocol/command.h"
 #include "planner/protocol/endpoint.h"
 #include "planner/protocol/recording.h"
 #include "planner/session/session.h"
@@ -19,12 +21,13 @@ namespace prehend {
 inline constexpr std::size_t kMostWaiting = 1000;
 
 // All clients work on the same session. Commands are carried out one after the other on a thread of
-// their own, in the order in which they came; plan.cancel ends the plan already when it comes.
+// their own, in the order in which they came; plan.cancel ends the plan already when it comes, as
+// path.cancel does the search for a path.
 // After a change every client gets the event `state`, the one that made it after its reply.
 //
-// A plan runs beside that: commands that change the scene, undo and redo are refused until it has
-// ended, all others work. Events tell of it: `progress`, `grasps` as they are found, `plan` when
-// the results are there.
+// A plan or the search for a path runs beside that: commands that change the scene, undo and redo
+// are refused until it has ended, all others work. Events tell of it: `progress`, `grasps` as they
+// are found, `plan` or `path` when the results are there.
 class SessionEndpoint : public Endpoint {
  public:
   // `record` gets every line of the session (recording.h), one after the other; may be empty. Like
@@ -41,10 +44,16 @@ class SessionEndpoint : public Endpoint {
   void disconnect(ClientId client) override;
 
  private:
-  // What the thread of commands has to do: a request of a client, or none for a plan that ended.
+  // What the thread of commands has to do: a request of a client, or none for a plan or a path that
+  // ended.
   struct Task {
     std::optional<ClientId> client;
     Request request;
+  };
+  // A plan or the search for a path.
+  struct Running {
+    Cancellation cancellation;
+    std::string_view cancelled_by;  // the command
   };
   struct Client {
     std::function<void(std::string)> send;
@@ -53,7 +62,10 @@ class SessionEndpoint : public Endpoint {
 
   void work();
   void carry_out(const Task& task);
-  void end_plan();
+  std::optional<Running> running() const;
+  void end_running();
+  ProtocolJson end_plan();
+  ProtocolJson end_path();
   void put(Task task);
   void send_to(ClientId client, const std::string& text);
   void send_all(const std::string& text);
@@ -68,9 +80,9 @@ class SessionEndpoint : public Endpoint {
   std::condition_variable has_task_;
   std::deque<Task> tasks_;
   bool is_over_ = false;
-  std::optional<Cancellation> running_;  // of the plan; guarded by tasks_lock_
-  Session session_;                      // of the thread of commands
-  std::thread worker_;                   // last: it uses all others
+  std::optional<Running> running_;  // guarded by tasks_lock_
+  Session session_;                 // of the thread of commands
+  std::thread worker_;              // last: it uses all others
 };
 
 }  // namespace prehend

@@ -110,6 +110,7 @@ ProtocolJson state_json(const Session& session) {
                       {"soft_fingers", state.switches.soft_fingers}};
   json["time"] = time_of(session);
   json["planning"] = session.is_planning();
+  json["finding_path"] = session.is_finding_path();
   json["results"] = state.results ? state.results->grasps.size() : std::size_t{0};
   json["pins"] = pins_of(state);
   json["undo"] = session.undo_count();

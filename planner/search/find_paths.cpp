@@ -53,7 +53,10 @@ class PathSearch {
     path.transfer.seed = derived_seed(options_.seed, i);
     if (is_over(context_)) return false;
     try {
-      auto found = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, context_);
+      // Told of are whole paths, not what each of them tries.
+      RunContext own = context_;
+      own.progress = {};
+      auto found = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, own);
       if (found) {
         grasp.path = std::move(found->motion);
         grasp.lift = found->lift;

@@ -105,6 +105,15 @@ TriedGrasp grasp_taken_back(const CompiledScene& scene, const HandPosture& close
   return grasp;
 }
 
+GraspPlayback played_path(const CompiledScene& scene, const TriedGrasp& grasp,
+                          const GraspPath& path) {
+  GraspPlayback playback;
+  playback.found = true;
+  playback.lift = path.lift;
+  playback.motion = divided(grasp_motion(scene, grasp.candidate, grasp.trial, &path.motion));
+  return playback;
+}
+
 GraspPlayback play_grasp(const CompiledScene& scene, const TriedGrasp& grasp,
                          const GraspPathOptions& options, const RunContext& context) {
   GraspPlayback playback;
@@ -119,10 +128,7 @@ GraspPlayback play_grasp(const CompiledScene& scene, const TriedGrasp& grasp,
     playback.problem = "no path from the start posture of the robot was found";
     return playback;
   }
-  playback.found = true;
-  playback.lift = path->lift;
-  playback.motion = divided(grasp_motion(scene, grasp.candidate, grasp.trial, &path->motion));
-  return playback;
+  return played_path(scene, grasp, *path);
 }
 
 }  // namespace prehend

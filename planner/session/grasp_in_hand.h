@@ -33,9 +33,14 @@ struct GraspPlayback {
 
 inline constexpr double kPlaybackStep = 0.05;  // s
 
+// That of a path to the grasp, which was planned for it (plan_grasp_path).
+GraspPlayback played_path(const CompiledScene& scene, const TriedGrasp& grasp,
+                          const GraspPath& path);
+
 // With an arm a path from its start posture (plan_grasp_path). A free hand goes straight from the
 // pre-grasp to the grasp and closes (grasp_motion); that it overlaps nothing is tested at each
-// frame. Throws InputError as plan_grasp_path, and Cancelled.
+// frame. Tells `context` of its progress as plan_grasp_path does. Throws InputError as
+// plan_grasp_path, and Cancelled.
 GraspPlayback play_grasp(const CompiledScene& scene, const TriedGrasp& grasp,
                          const GraspPathOptions& options, const RunContext& context = {});
 

@@ -114,6 +114,10 @@ class HandSweep {
 
 }  // namespace
 
+bool is_same(const HandPosture& a, const HandPosture& b) {
+  return a.X_OH.matrix() == b.X_OH.matrix() && a.dofs == b.dofs && a.joints == b.joints;
+}
+
 HandPosture between(const HandPosture& from, const HandPosture& to, double share) {
   if (share >= 1.0) return to;
   if (share <= 0.0) return from;

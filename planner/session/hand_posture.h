@@ -19,6 +19,8 @@ struct HandPosture {
   std::vector<double> joints;
 };
 
+bool is_same(const HandPosture& a, const HandPosture& b);
+
 // `share` of the way from one posture to the other, in 0 .. 1: the base moves along a straight line
 // while it turns evenly about one axis through itself, the joints move evenly. 1 gives `to` itself.
 HandPosture between(const HandPosture& from, const HandPosture& to, double share);

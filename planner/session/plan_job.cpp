@@ -5,30 +5,24 @@
 namespace prehend {
 
 PlanJob::PlanJob(std::shared_ptr<const CompiledScene> scene, const PlanOptions& options,
-                 int threads, PlanListener listener)
-    : scene_(std::move(scene)), options_(options) {
-  thread_ = std::thread([this, threads, heard = std::move(listener)] { run(threads, heard); });
-}
+                 int threads, const PlanListener& listener)
+    : scene_(std::move(scene)),
+      options_(options),
+      job_(
+          [scene = scene_, options, threads, listener](const Cancellation& cancellation) {
+            const RunContext context{threads, cancellation, listener.progress, {}};
+            return plan(*scene, options, context, listener.found);
+          },
+          listener.ended) {}
 
-PlanJob::~PlanJob() {
-  cancel();
-  if (thread_.joinable()) thread_.join();
-}
-
-void PlanJob::run(int threads, const PlanListener& listener) {
-  try {
-    const RunContext context{threads, cancellation_, listener.progress, {}};
-    result_ = plan(*scene_, options_, context, listener.found);
-  } catch (...) {
-    error_ = std::current_exception();
-  }
-  if (listener.ended) listener.ended();
-}
-
-PlanResult PlanJob::take() {
-  if (thread_.joinable()) thread_.join();
-  if (error_) std::rethrow_exception(error_);
-  return std::move(result_);
-}
+PathJob::PathJob(EditedScenePtr world, TriedGrasp grasp, const GraspPathOptions& options,
+                 const PlanListener& listener)
+    : job_(
+          [world = std::move(world), grasp = std::move(grasp), options,
+           listener](const Cancellation& cancellation) {
+            const RunContext context{.cancellation = cancellation, .progress = listener.progress};
+            return play_grasp(world->compiled(), grasp, options, context);
+          },
+          listener.ended) {}
 
 }  // namespace prehend

@@ -1,16 +1,17 @@
-// A plan that runs while the session goes on.
+// Plans of grasps, and of the robot's path to one, that run while the session goes on.
 #pragma once
 
-#include <exception>
 #include <functional>
 #include <memory>
-#include <thread>
 
 #include "planner/search/plan.h"
+#include "planner/session/edited_scene.h"
+#include "planner/session/grasp_in_hand.h"
+#include "planner/session/job.h"
 
 namespace prehend {
 
-// What is told of a running plan, from its own thread; each may be empty.
+// What is told of a running plan or path, from its own thread; each may be empty.
 struct PlanListener {
   std::function<void(const Progress&)> progress = {};
   std::function<void(const Candidate&, const Trial&)> found = {};  // of each stable trial
@@ -21,32 +22,36 @@ class PlanJob {
  public:
   // Begins at once. `threads`: 0, one per processor.
   PlanJob(std::shared_ptr<const CompiledScene> scene, const PlanOptions& options, int threads,
-          PlanListener listener);
-  // Cancels, and waits for the end.
-  ~PlanJob();
-  PlanJob(const PlanJob&) = delete;
-  PlanJob& operator=(const PlanJob&) = delete;
+          const PlanListener& listener);
 
-  // The plan ends soon, with what it has; from any thread.
-  void cancel() const { cancellation_.request(); }
-  // A flag that does the same.
-  const Cancellation& cancellation() const { return cancellation_; }
-
+  // A flag by which the plan ends soon, with what it has.
+  const Cancellation& cancellation() const { return job_.cancellation(); }
   // Waits for the result and takes it, once. Throws what plan() has thrown.
-  PlanResult take();
+  PlanResult take() { return job_.take(); }
 
   const CompiledScene& scene() const { return *scene_; }
   const PlanOptions& options() const { return options_; }
 
  private:
-  void run(int threads, const PlanListener& listener);
-
   std::shared_ptr<const CompiledScene> scene_;
   PlanOptions options_;
-  Cancellation cancellation_;
-  PlanResult result_;
-  std::exception_ptr error_;
-  std::thread thread_;  // last: it uses the others
+  Job<PlanResult> job_;
+};
+
+// The robot's path to a grasp of a scene.
+class PathJob {
+ public:
+  // Begins at once.
+  PathJob(EditedScenePtr world, TriedGrasp grasp, const GraspPathOptions& options,
+          const PlanListener& listener);
+
+  // A flag by which the search ends soon, without a path.
+  const Cancellation& cancellation() const { return job_.cancellation(); }
+  // Waits for the result and takes it, once. Throws what play_grasp has thrown, Cancelled as well.
+  GraspPlayback take() { return job_.take(); }
+
+ private:
+  Job<GraspPlayback> job_;
 };
 
 }  // namespace prehend

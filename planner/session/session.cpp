@@ -112,6 +112,9 @@ void Session::require_no_running_plan() const {
   require(!is_planning(), {.field = "command",
                            .problem = "a plan is running, which this would change the scene of: "
                                       "wait for its end, or plan.cancel"});
+  require(!is_finding_path(), {.field = "command",
+                               .problem = "a path is looked for, which this would change the scene "
+                                          "of: wait for its end, or path.cancel"});
 }
 
 bool Session::undo() {
@@ -186,11 +189,10 @@ void Session::set_switches(const Switches& switches) {
   push(std::move(next));
 }
 
-void Session::start_plan(const PlanOptions& options, PlanListener listener) {
+void Session::start_plan(const PlanOptions& options, const PlanListener& listener) {
   require_no_plan();
   (void)state_.world->compiled();
-  job_ = std::make_unique<PlanJob>(state_.world->shared(), options, options_.threads,
-                                   std::move(listener));
+  job_ = std::make_unique<PlanJob>(state_.world->shared(), options, options_.threads, listener);
 }
 
 std::optional<Cancellation> Session::plan_cancellation() const {
@@ -230,10 +232,14 @@ std::string Session::grasps_text() const {
   return grasps_json(state_.world->compiled(), *state_.results, record_of_session(state_, {}));
 }
 
-void Session::go_to(std::size_t result) {
+const ScoredGrasp& Session::result_at(std::size_t result) const {
   const bool is_there = state_.results && result < state_.results->grasps.size();
   require_fits(is_there, "grasp", "no result has this number", std::to_string(result));
-  const ScoredGrasp& scored = state_.results->grasps[result];
+  return state_.results->grasps[result];
+}
+
+void Session::go_to(std::size_t result) {
+  const ScoredGrasp& scored = result_at(result);
   const Trial& trial = scored.trial;
   SessionState next = state_;
   next.hand = {hand_in_scene(trial), trial.dofs, trial.joints};

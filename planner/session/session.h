@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/session/arm_posture.h"
@@ -65,6 +66,16 @@ inline constexpr std::size_t kMostUndoScenes = 64;
 // that follow each other with the same number are one step for undo(). Nothing: a step of its own.
 using Gesture = std::optional<int>;
 
+// How a path to the grasp in hand was found, and in which world.
+struct PlannedPath {
+  EditedScenePtr world;
+  HandPosture hand;
+  GraspPlayback playback;
+};
+
+enum class PathEnd { found, not_found, cancelled };
+std::string_view path_end_name(PathEnd end);  // the names above
+
 // A refinement of the grasp in hand.
 struct Refined {
   double before = 0.0;  // epsilon, lower bound
@@ -72,10 +83,10 @@ struct Refined {
   int trials = 0;       // that were made
 };
 
-// Not for several threads at once, but for the flag of plan_cancellation. Every
-// function that changes the session either succeeds or throws and leaves all as it was. It throws
-// InputError for what is not there or does not fit, of the field that the protocol calls it by.
-// The same calls give the same session, byte for byte, on any number of threads.
+// Not for several threads at once, but for the flags of plan_cancellation and path_cancellation.
+// Every function that changes the session either succeeds or throws and leaves all as it was. It
+// throws InputError for what is not there or does not fit, of the field that the protocol calls it
+// by. The same calls give the same session, byte for byte, on any number of threads.
 class Session {
  public:
   // Begins with a free hand (kDefaultHand) and no object.
@@ -86,13 +97,14 @@ class Session {
   // Counts changes, undone ones as well.
   std::uint64_t revision() const { return revision_; }
 
-  // Undo and redo of every change but those of a running plan. False where there is nothing.
+  // Undo and redo of every change. False where there is nothing.
   bool undo();
   bool redo();
   std::size_t undo_count() const { return undo_.size(); }
   std::size_t redo_count() const { return redo_.size(); }
 
-  // --- The world. While a plan runs these are refused, and so are undo() and redo().
+  // --- The world. While a plan or a path is looked for these are refused, and so are undo() and
+  // redo().
   // A new scene; the hand stands at its start (start_posture).
   void set_scene(Scene scene);
   // From now on there is nothing to undo or redo.
@@ -154,12 +166,9 @@ class Session {
   ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
   // Of the hand and, where it holds the hand, of the arm.
   std::vector<Overlap> collisions() const;
-  // How the robot comes to the grasp in hand. Throws InputError for a hand that does not hold the
-  // object.
-  GraspPlayback playback(std::uint64_t seed, bool lift) const;
 
-  // --- Plans. One at a time.
-  void start_plan(const PlanOptions& options, PlanListener listener = {});
+  // --- Plans and paths. One at a time, either of them.
+  void start_plan(const PlanOptions& options, const PlanListener& listener = {});
   bool is_planning() const { return job_ != nullptr; }
   // A flag that ends the running plan early, from any thread; nothing where none runs.
   std::optional<Cancellation> plan_cancellation() const;
@@ -169,6 +178,22 @@ class Session {
   std::string finish_plan();
   // Ends the running plan, if any, and keeps the results that a file of grasps has instead.
   void keep_results(const std::string& grasps_file);
+  // How the robot comes to the grasp in hand (play_grasp). Throws InputError for a hand that does
+  // not hold the object.
+  void start_path(std::uint64_t seed, bool lift, const PlanListener& listener = {});
+  bool is_finding_path() const { return path_job_ != nullptr; }
+  std::optional<Cancellation> path_cancellation() const;
+  // Waits for the search and keeps what it has found. What play_grasp refuses is a problem of the
+  // playback.
+  PathEnd finish_path();
+  // Ends the search as one that was cancelled, whatever it has found.
+  void give_up_path();
+  // The last that was found or not. Throws InputError of the field "command" where there is none or
+  // the hand or the scene have changed since it was started.
+  const PlannedPath& path() const;
+  // That of a result, counted from 0. Throws InputError of the field "grasp" where it has none.
+  PlannedPath path_of(std::size_t result) const;
+
   // The hand as in a result, counted from 0.
   void go_to(std::size_t result);
   // The results as files of a format (export_files), or grasps.json.
@@ -225,6 +250,7 @@ class Session {
   void settle_arm(SessionState& next) const;
   void hold_arm(SessionState& next, const DofValues& dofs) const;
   TriedGrasp grasp_in_hand() const;
+  const ScoredGrasp& result_at(std::size_t result) const;
   TrialOptions trial_options() const;
   Trial as_trial() const;
   PlanResult as_read(const std::string& text) const;
@@ -241,7 +267,9 @@ class Session {
   std::optional<Dragged> dragged_;  // by the last change
   std::uint64_t revision_ = 0;
   std::unique_ptr<PlanJob> job_;
-  std::unique_ptr<Time> time_;  // null: nothing moves
+  std::unique_ptr<PlannedPath> path_;  // of the last search, from its start on
+  std::unique_ptr<PathJob> path_job_;  // that is to give its playback
+  std::unique_ptr<Time> time_;         // null: nothing moves
 };
 
 }  // namespace prehend

@@ -52,12 +52,4 @@ Refined Session::refine(int trials, std::uint64_t seed) {
   return refined;
 }
 
-GraspPlayback Session::playback(std::uint64_t seed, bool lift) const {
-  GraspPathOptions options;
-  options.reach.kinematics.seed = derived_seed(seed);
-  options.transfer.seed = derived_seed(seed);
-  if (!lift) options.lift.height = 0.0;
-  return play_grasp(state_.world->compiled(), grasp_in_hand(), options);
-}
-
 }  // namespace prehend

@@ -5,13 +5,6 @@
 
 // What a session does with time.
 namespace prehend {
-namespace {
-
-bool is_same(const HandPosture& a, const HandPosture& b) {
-  return a.X_OH.matrix() == b.X_OH.matrix() && a.dofs == b.dofs && a.joints == b.joints;
-}
-
-}  // namespace
 
 void Session::require_still() const {
   require(!is_moving(), {.field = "command",

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {inStudio, sceneBytes} from './in_studio.mjs';
+import {anotherTab, inStudio, sceneBytes} from './in_studio.mjs';
 
 test('time plays: the object falls, is put back, and stays where it was', async () => {
   await inStudio(['mug'], async (page) => {
@@ -59,6 +59,69 @@ test('the arm follows the hand, and says where it cannot', async () => {
   });
 });
 
+// A plan of so many candidates, waited for.
+async function planned(page, trials) {
+  await page.page.locator('#plan-trials').fill(String(trials));
+  await page.page.locator('#plan').click();
+  await page.until(
+      () => window.studio.live.state.results > 0 && !window.studio.live.state.planning);
+  await page.settle();
+}
+
+// Asks for a path by the button, and cancels the search by the other as soon as it has begun: the
+// search takes a second, so nothing may come in between.
+function cancelPath() {
+  const {live} = window.studio;
+  let pressed = false;
+  live.on('state', ({finding_path}) => {
+    if (finding_path && !pressed) document.getElementById('cancel').click();
+    pressed = pressed || finding_path;
+  });
+  document.getElementById('path').click();
+}
+
+test('the search for a path is cancelled, and all pages hear of it', async () => {
+  await inStudio(['living_room'], async (page, session) => {
+    await planned(page, 100);
+    await page.click('#results button[data-grasp="0"]');
+    const other = await anotherTab(session);
+    await other.page.evaluate(() => {
+      window.seen = [];
+      window.studio.live.on('state', ({finding_path}) => {
+        const byButtons = ['path', 'plan'].map((id) => document.getElementById(id).disabled);
+        window.seen.push([finding_path, ...byButtons]);
+      });
+    });
+    await page.page.evaluate(cancelPath);
+    await page.until(() => document.getElementById('status').textContent === 'no path: cancelled');
+    await other.until(() => window.seen.length > 0 && !window.seen[window.seen.length - 1][0]);
+    const seen = await other.page.evaluate(() => window.seen);
+    assert.deepEqual(seen, [[true, true, true], [false, false, false]]);
+    await page.until(() => !window.studio.live.state.finding_path);
+    assert.ok(await page.page.locator('#path-player').isHidden());
+    await other.close();
+  });
+});
+
+test('results that were planned with paths play them', async () => {
+  await inStudio(['panda_on_table'], async (page) => {
+    await page.page.locator('#plan-paths').check();
+    await planned(page, 100);
+    const {grasps} = await page.call('plan.results');
+    assert.ok(grasps.length > 0 && grasps.every(({path}) => path > 0));
+    const seconds = grasps[0].path.toFixed(1);
+    assert.match(await page.text('#results [data-grasp="0"]'), new RegExp(`path ${seconds} s`));
+    await page.page.locator('#results [aria-label="play the path of grasp 1"]').click();
+    await page.page.locator('#path-player:not([hidden])').waitFor();
+    await page.until(() => window.studio.path.player.playing === false);
+    const {hand} = await page.state();
+    assert.deepEqual(hand.joints, grasps[0].joints);
+    assert.equal(await page.text('#status'), `a path of ${seconds} s`);
+    const {samples} = await page.page.evaluate(() => window.studio.path.path);
+    assert.ok(Math.abs(samples[samples.length - 1].time - grasps[0].path) < 1e-9);
+  });
+});
+
 test('an object that is dragged stops at the hand, and one undo takes all of it back', async () => {
   await inStudio(['mug'], async (page) => {
     const before = await page.state();
@@ -73,4 +136,43 @@ test('an object that is dragged stops at the hand, and one undo takes all of it 
     await page.click('#undo');
     assert.deepEqual((await page.state()).object, before.object);
   });
+});
+
+// The share of places on the rim of each joint's handle at which the pointer takes that joint.
+function sharesOfRims() {
+  const {handles, stage} = window.studio.handling;
+  const box = stage.canvas.getBoundingClientRect();
+  stage.camera.updateMatrixWorld();
+  const places = [...Array(72).keys()].map((k) => k * Math.PI / 36);
+  return handles.handles.map(({joint, group}) => {
+    group.updateMatrixWorld(true);
+    const own = places.filter((angle) => {
+      const at = new window.THREE.Vector3(Math.cos(angle), Math.sin(angle), 0)
+                     .applyMatrix4(group.matrixWorld)
+                     .project(stage.camera);
+      const event = {
+        clientX: box.left + (at.x + 1) / 2 * box.width,
+        clientY: box.top + (1 - at.y) / 2 * box.height
+      };
+      return handles.pick(event) === joint;
+    });
+    return own.length / places.length;
+  });
+}
+
+test('each joint of an arm can be taken hold of', async () => {
+  for (const [scene, joints] of [['panda_on_table', 7], ['ur5e_on_table', 6], ['shelf', 6]]) {
+    await inStudio([scene], async (page) => {
+      await page.page.evaluate(() => window.studio.handling.select('arm'));
+      await page.settle();
+      for (const view of ['1', '3', '5', '7']) {
+        await page.page.keyboard.press(view);
+        await page.page.keyboard.press('Shift+F');
+        await page.settle();
+        const shares = await page.page.evaluate(sharesOfRims);
+        assert.equal(shares.length, joints);
+        for (const share of shares) assert.ok(share > 0.25, `${scene}, view ${view}: ${shares}`);
+      }
+    });
+  }
 });

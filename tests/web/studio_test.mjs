@@ -255,6 +255,40 @@ test('everything can be done by keys', async () => {
   });
 });
 
+// Walks through the tour; answers how many steps it has, and how many words.
+async function walkThroughTour(page) {
+  await page.click('#tour');
+  let words = 0;
+  let steps = 0;
+  while (await page.page.locator('#tour-box').isVisible()) {
+    words += (await page.text('#tour-words')).split(/\s+/).length;
+    ++steps;
+    const [place, box] = await page.page.evaluate(
+        () => ['.pointed', '#tour-box'].map(
+            (name) => document.querySelector(name).getBoundingClientRect().toJSON()));
+    const {width, height} = page.page.viewportSize();
+    const beside = place.right <= box.left || place.left >= box.right;
+    const lowest = Math.min(place.bottom, beside ? height : box.top);
+    assert.ok(lowest - Math.max(place.top, 0) > 100, `step ${steps}: ${place.top} to ${lowest}`);
+    assert.ok(Math.min(place.right, width) - Math.max(place.left, 0) > 100, `step ${steps}`);
+    assert.ok(box.left >= 0 && box.right <= width && box.bottom <= height, `step ${steps}`);
+    await page.page.locator('#tour-next').click();
+  }
+  assert.equal(await page.page.locator('.pointed').count(), 0);
+  return {steps, words};
+}
+
+test('the tour takes about a minute, and what it points at is seen', async () => {
+  for (const viewport of [{width: 1280, height: 900}, {width: 390, height: 800}]) {
+    await inStudio(['mug'], async (page) => {
+      const {steps, words} = await walkThroughTour(page);
+      // Read at 200 words a minute, with two seconds to find each place.
+      const seconds = words / 200 * 60 + 2 * steps;
+      assert.ok(seconds > 45 && seconds < 75, `${steps} steps, ${words} words, ${seconds} s`);
+    }, {viewport});
+  }
+});
+
 test('every control has a name for screen readers', async () => {
   await inStudio(['mug'], async (page) => {
     const nameless = await page.page.evaluate(

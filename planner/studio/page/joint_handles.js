@@ -1,40 +1,60 @@
 // Handles on the joints of a robot: a disc that turns a revolute joint, an arrow that slides a
 // prismatic one.
 
-const handleSize = 0.07;  // of the distance from the eye
+// Radii on the screen, as shares of the distance from the eye: at most so large, smaller where
+// other joints are close, and of those at the same place each so many times the one inside it.
+const handleSizes = {
+  most: 0.06,
+  least: 0.025,
+  nested: 1.4
+};
+const handleReach = 8;  // pixels from a rim or an arrow that still take it
 
 const handleColors = {
-  still: new THREE.Color(data.palette.axes[2]),
+  still: data.palette.axes.map((color) => new THREE.Color(color)),  // in turn
   held: new THREE.Color(data.palette.pointed_at.color),
 };
 
-function handleMaterial(opacity) {
-  return new THREE.MeshBasicMaterial({
-    color: handleColors.still,
-    depthTest: false,
-    transparent: true,
-    opacity,
-    side: THREE.DoubleSide,
-  });
+function handleMaterial(color, opacity) {
+  return new THREE.MeshBasicMaterial(
+      {color, depthTest: false, transparent: true, opacity, side: THREE.DoubleSide});
 }
 
 // Of size 1, about or along z.
-function handleGroup(turns) {
+function handleGroup(turns, color) {
   const group = new THREE.Group();
   if (turns) {
-    const ring = new THREE.Mesh(new THREE.TorusBufferGeometry(1, 0.07, 8, 48), handleMaterial(0.9));
-    const disc = new THREE.Mesh(new THREE.CircleBufferGeometry(1, 48), handleMaterial(0.18));
+    const ring =
+        new THREE.Mesh(new THREE.TorusBufferGeometry(1, 0.045, 8, 64), handleMaterial(color, 0.9));
+    const disc = new THREE.Mesh(new THREE.CircleBufferGeometry(1, 48), handleMaterial(color, 0.12));
+    disc.userData.filling = true;
     group.add(ring, disc);
   } else {
     const along = new THREE.Vector3(0, 0, 1.3);
     group.add(
-        arrow(new THREE.Vector3(), along, 0.09, handleMaterial(0.9)),
-        arrow(new THREE.Vector3(), along.clone().negate(), 0.09, handleMaterial(0.9)));
+        arrow(new THREE.Vector3(), along, 0.09, handleMaterial(color, 0.9)),
+        arrow(new THREE.Vector3(), along.clone().negate(), 0.09, handleMaterial(color, 0.9)));
   }
   group.traverse((node) => {
     node.renderOrder = 40;
   });
   return group;
+}
+
+// Corners of the line that a pointer takes a handle by, of size 1.
+function handleLine(turns) {
+  if (!turns) return [new THREE.Vector3(0, 0, -1.3), new THREE.Vector3(0, 0, 1.3)];
+  return [...Array(49).keys()].map((k) => {
+    const angle = k * Math.PI / 24;
+    return new THREE.Vector3(Math.cos(angle), Math.sin(angle), 0);
+  });
+}
+
+// Of a point from a line between two others, in the plane.
+function distanceFromLine(point, from, to) {
+  const way = to.clone().sub(from);
+  const share = way.lengthSq() > 0 ? point.clone().sub(from).dot(way) / way.lengthSq() : 0;
+  return from.clone().addScaledVector(way, Math.min(Math.max(share, 0), 1)).distanceTo(point);
 }
 
 class JointHandles {
@@ -46,10 +66,12 @@ class JointHandles {
     this.group = new THREE.Group();
     this.handles = [];
     this.dragged = null;
+    this.hovered = null;  // the joint whose handle is under the pointer
     stage.scene.add(this.group);
     stage.listeners.push(() => this.follow());
     const area = stage.canvas.parentElement;
     area.addEventListener('pointerdown', (event) => this.take(event), true);
+    area.addEventListener('pointermove', (event) => this.hover(event));
     window.addEventListener('pointermove', (event) => this.drag(event));
     window.addEventListener('pointerup', () => this.letGo());
     window.addEventListener('pointercancel', () => this.letGo());
@@ -60,13 +82,14 @@ class JointHandles {
     this.hide();
     this.model = model;
     this.valueOf = valueOf;
-    for (const joint of joints) {
+    for (const [i, joint] of joints.entries()) {
       const {turns} = model.motions[joint];
-      const group = handleGroup(turns);
+      const still = handleColors.still[i % handleColors.still.length];
+      const group = handleGroup(turns, still);
       group.traverse((node) => {
         node.userData.joint = joint;
       });
-      this.handles.push({joint, turns, group});
+      this.handles.push({joint, turns, group, still, line: handleLine(turns)});
       this.group.add(group);
     }
     this.follow();
@@ -77,6 +100,7 @@ class JointHandles {
     dispose(this.group);
     this.group.remove(...this.group.children);
     this.handles = [];
+    this.hovered = null;
     this.model = null;
     this.stage.draw();
   }
@@ -90,36 +114,95 @@ class JointHandles {
     return {origin, axis: axis.clone().transformDirection(frame.matrixWorld)};
   }
 
-  // The handles stay at their joints, and of one size on the screen.
+  // The handles stay at their joints, and of much the same size on the screen.
   follow() {
     if (!this.model) return;
-    const {camera} = this.stage;
-    for (const {joint, group} of this.handles) {
-      const {origin, axis} = this.lineOf(joint);
-      const size = camera.isOrthographicCamera ?
-          3.5 * handleSize * this.stage.orthoSize / camera.zoom :
-          handleSize * camera.position.distanceTo(origin);
+    const lines = this.handles.map(({joint}) => this.lineOf(joint));
+    const sizes = [];
+    this.handles.forEach(({group}, i) => {
+      const {origin, axis} = lines[i];
+      const ways = lines.map((other) => this.acrossView(origin, other.origin));
+      const distance = this.distanceTo(origin);
+      const least = handleSizes.least * distance;
+      const beside = ways.filter((way) => way > least).map((way) => way / 2);
+      let size = Math.max(Math.min(handleSizes.most * distance, ...beside), least);
+      for (let k = 0; k < i; ++k) {
+        if (ways[k] <= least) size = Math.max(size, handleSizes.nested * sizes[k]);
+      }
+      sizes.push(size);
       group.position.copy(origin);
       group.scale.setScalar(Math.max(size, 1e-6));
       group.quaternion.setFromUnitVectors(new THREE.Vector3(0, 0, 1), axis);
-    }
+    });
+  }
+
+  // From the eye, or as far as an eye would be that sees as much as an orthographic camera.
+  distanceTo(origin) {
+    const {camera} = this.stage;
+    return camera.isOrthographicCamera ? 3.5 * this.stage.orthoSize / camera.zoom :
+                                         camera.position.distanceTo(origin);
+  }
+
+  // How far two points are from each other across the line of sight [m].
+  acrossView(a, b) {
+    const {camera} = this.stage;
+    const sight = camera.isOrthographicCamera ? camera.getWorldDirection(new THREE.Vector3()) :
+                                                a.clone().sub(camera.position).normalize();
+    return b.clone().sub(a).projectOnPlane(sight).length();
+  }
+
+  // The joint whose handle is under the pointer, or null. The rim or arrow that is nearest counts
+  // before the filling of a disc, which others are seen through, and of fillings the smallest.
+  pick(event) {
+    const near = this.handles.map((handle) => this.pixelsFrom(handle, event));
+    const least = Math.min(...near);
+    if (least < handleReach) return this.handles[near.indexOf(least)].joint;
+    const [hit] = this.stage.ray(event)
+                      .intersectObject(this.group, true)
+                      .filter(({object}) => object.userData.filling)
+                      .sort((a, b) => a.object.parent.scale.x - b.object.parent.scale.x);
+    return hit ? hit.object.userData.joint : null;
+  }
+
+  // Of the pointer from the line of a handle.
+  pixelsFrom({group, line}, {clientX, clientY}) {
+    const {camera, canvas} = this.stage;
+    const box = canvas.getBoundingClientRect();
+    camera.updateMatrixWorld();
+    group.updateMatrixWorld(true);
+    const corners = line.map((corner) => {
+      const at = corner.clone().applyMatrix4(group.matrixWorld).project(camera);
+      return new THREE.Vector2((at.x + 1) / 2 * box.width, (1 - at.y) / 2 * box.height);
+    });
+    const pointer = new THREE.Vector2(clientX - box.left, clientY - box.top);
+    const ways = corners.slice(1).map((to, k) => distanceFromLine(pointer, corners[k], to));
+    return Math.min(...ways);
+  }
+
+  // The handle that a press would take is seen before.
+  hover(event) {
+    if (this.dragged || this.handles.length === 0) return;
+    const joint = event.buttons === 0 ? this.pick(event) : null;
+    if (joint === this.hovered) return;
+    this.color(this.hovered, false);
+    this.color(joint, true);
+    this.hovered = joint;
   }
 
   take(event) {
     if (event.button !== 0 || this.handles.length === 0) return;
-    const [hit] = this.stage.ray(event).intersectObject(this.group, true);
-    if (!hit) return;
+    const joint = this.pick(event);
+    if (joint === null) return;
     // Neither the camera nor the gizmo shall hear of it: without its default, a pointer event is
     // not followed by those of a mouse.
     event.preventDefault();
     event.stopPropagation();
     this.stage.controls.enabled = false;
-    const {joint} = hit.object.userData;
     const handle = this.handles.find((one) => one.joint === joint);
     const line = this.lineOf(joint);
     this.dragged = {...handle, line, value: this.valueOf(joint), at: null};
     this.dragged.at = this.along(event);
-    this.color(joint, handleColors.held);
+    this.color(joint, true);
     this.on.begin();
   }
 
@@ -168,17 +251,18 @@ class JointHandles {
 
   letGo() {
     if (!this.dragged) return;
-    this.color(this.dragged.joint, handleColors.still);
+    this.color(this.dragged.joint, false);
+    this.hovered = null;
     this.dragged = null;
     this.stage.controls.enabled = true;
     this.on.end();
   }
 
-  color(joint, color) {
-    for (const {joint: own, group} of this.handles) {
+  color(joint, held) {
+    for (const {joint: own, group, still} of this.handles) {
       if (own !== joint) continue;
       group.traverse(({material}) => {
-        if (material) material.color.copy(color);
+        if (material) material.color.copy(held ? handleColors.held : still);
       });
     }
     this.stage.draw();

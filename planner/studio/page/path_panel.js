@@ -5,6 +5,7 @@ class PathPanel {
     this.stage = stage;
     this.live = live;
     this.path = null;
+    this.asked = false;  // this page has asked for the path that is looked for
     this.player = new Player((time) => this.show(time), (playing) => {
       byId('path-play').textContent = playing ? 'pause' : 'play';
     });
@@ -15,7 +16,12 @@ class PathPanel {
       this.player.stop();
       this.show(Number(byId('path-time').value));
     });
-    live.on('state', () => this.forget());
+    live.on('path', (event) => this.end(event));
+    live.on('play', (grasp) => this.take(grasp));
+    live.on('state', (state) => {
+      byId('path').disabled = state.planning || state.finding_path;
+      if (this.path && state.revision !== this.path.revision) this.forget();
+    });
     live.on('hand', () => this.forget());
   }
 
@@ -30,12 +36,28 @@ class PathPanel {
   }
 
   async plan() {
-    this.live.tell('said', 'looking for a path…');
-    const found = await this.live.ask('path.plan');
+    this.asked = await this.live.ask('path.plan') !== null;
+    if (this.asked) this.live.tell('said', 'looking for a path…');
+  }
+
+  async end({status, problem}) {
+    if (!this.asked) return;
+    this.asked = false;
+    if (status === 'cancelled' || status === 'failed') {
+      this.live.tell('said', `no path: ${problem || status}`);
+    } else {
+      await this.take();
+    }
+  }
+
+  // Plays the path that was found, or that of a result.
+  async take(grasp) {
+    const found = await this.live.ask('path.result', grasp === undefined ? {} : {grasp});
     if (!found) return;
     this.live.tell('said', found.problem || `a path of ${this.endOf(found).toFixed(1)} s`);
     if (found.status !== 'found' || found.samples.length === 0) return;
-    this.path = {...found, motion: this.motionOf(found)};
+    this.forget();
+    this.path = {...found, motion: this.motionOf(found), revision: this.live.state.revision};
     byId('path-player').hidden = false;
     byId('path-time').max = this.endOf(found);
     this.play();

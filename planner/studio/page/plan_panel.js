@@ -11,12 +11,15 @@ class PlanPanel {
     this.current = -1;
     this.pictures = new Map();  // of pins
     byId('plan').addEventListener('click', () => this.start());
-    byId('cancel').addEventListener('click', () => live.ask('plan.cancel'));
+    byId('cancel').addEventListener('click', () => this.cancel());
     byId('export').addEventListener('click', () => this.save());
     byId('pin').addEventListener('click', () => this.pin());
     live.on('progress', (event) => this.progress(event));
     live.on('grasps', ({grasps}) => this.add(grasps));
     live.on('plan', (event) => this.end(event));
+    live.on('path', () => {
+      byId('plan-words').textContent = '';
+    });
     live.on('state', (state) => this.follow(state));
   }
 
@@ -27,13 +30,20 @@ class PlanPanel {
       if (value !== null) fields[name] = value;
     }
     fields.accuracy = byId('plan-accuracy').value;
+    if (this.live.state.platform && byId('plan-paths').checked) fields.paths = true;
     await this.live.ask('plan.start', fields);
+  }
+
+  cancel() {
+    return this.live.ask(this.live.state.finding_path ? 'path.cancel' : 'plan.cancel');
   }
 
   progress({stage, done, total, stable}) {
     byId('plan-progress').max = total || 1;
     byId('plan-progress').value = done;
-    byId('plan-words').textContent = `${stage}: ${done} of ${total}, ${stable} hold`;
+    byId('plan-words').textContent = this.planning ?
+        `${stage}: ${done} of ${total}, ${stable} hold` :
+        `a path: ${done} of ${total} ways tried`;
   }
 
   add(grasps) {
@@ -48,9 +58,11 @@ class PlanPanel {
   }
 
   async follow(state) {
-    byId('plan').disabled = state.planning || state.problem !== null;
-    byId('cancel').disabled = !state.planning;
-    byId('plan-progress').hidden = !state.planning;
+    const busy = state.planning || state.finding_path;
+    byId('plan').disabled = busy || state.problem !== null;
+    byId('cancel').disabled = !busy;
+    byId('plan-progress').hidden = !busy;
+    byId('plan-paths').parentElement.hidden = state.platform === null;
     if (state.planning && !this.planning) this.found = [];
     const ended = this.planning && !state.planning;
     this.planning = state.planning;
@@ -81,15 +93,28 @@ class PlanPanel {
     const grasps =
         live ? this.found.sort((a, b) => b.epsilon - a.epsilon).slice(0, mostShown) : this.results;
     byId('plan-count').textContent = live ? `${this.found.length} found so far` : '';
-    byId('results').replaceChildren(
-        ...grasps.map((grasp, i) => element('li', {}, this.resultButton(grasp, i, live))));
+    byId('results').replaceChildren(...grasps.map(
+        (grasp, i) =>
+            element('li', {}, this.resultButton(grasp, i, live), this.pathButton(grasp, i))));
   }
 
   resultButton(grasp, i, live) {
     const words = `${i + 1}. ε ${numberText(grasp.epsilon, 3)}` +
-        (grasp.volume ? `, volume ${numberText(grasp.volume, 2)}` : '');
+        (grasp.volume ? `, volume ${numberText(grasp.volume, 2)}` : '') +
+        (grasp.path ? `, path ${grasp.path.toFixed(1)} s` : '');
     const action = live ? () => this.preview(grasp) : () => this.go(i);
     return button(words, action, {'data-grasp': i, 'aria-current': i === this.current && !live});
+  }
+
+  // Of a result that was planned with a path.
+  pathButton(grasp, i) {
+    if (!grasp.path) return null;
+    return button('▶', () => this.playPath(i), {'aria-label': `play the path of grasp ${i + 1}`});
+  }
+
+  async playPath(i) {
+    await this.go(i);
+    this.live.tell('play', i);
   }
 
   // A grasp that the session does not have yet: the hand is drawn there, and not moved.

@@ -110,6 +110,66 @@ TEST_F(GraspitProtocol, DegreesOfFreedomMoveUntilContact) {
   EXPECT_EQ(client_.answer("setDOFForces 1 0 3 0 0 0"), Lines({"Error: robot has 4 DOF."}));
 }
 
+// What two fingers came to that closed from 0 until something was touched.
+std::vector<double> closed_by(LineListening& client, const std::string& steps) {
+  const Lines reached = client.answer("moveDOFs 0 4 0 2.4 2.4 0 0 " + steps + " 0");
+  EXPECT_EQ(reached.size(), 4U);
+  return {numbers_in(reached.at(1)).at(0), numbers_in(reached.at(2)).at(0)};
+}
+
+TEST_F(GraspitProtocol, StepsSayHowFastDegreesOfFreedomGo) {
+  client_.answer("moveToContacts");
+  const Reply start = json_.result({{"command", "state"}})["hand"]["dofs"];
+  for (const double ratio : {1.0, 2.0, 4.0}) {
+    const std::vector<double> closed = closed_by(client_, "0.01 " + std::to_string(0.01 * ratio));
+    EXPECT_GT(closed[0], 0.05);
+    EXPECT_LT(closed[1], 2.4);
+    EXPECT_NEAR(closed[1], ratio * closed[0], 1e-9);
+    // One step of undo.
+    json_.result({{"command", "undo"}});
+    EXPECT_EQ(json_.result({{"command", "state"}})["hand"]["dofs"], start);
+  }
+  // Where the faster one has arrived, the other goes on; without a step it is there first.
+  EXPECT_EQ(client_.answer("moveDOFs 0 4 0 0.3 0.2 0 0 0.1 0.1 0"),
+            Lines({"0", "0.3", "0.2", "0"}));
+  const std::vector<double> first = closed_by(client_, "0.01 0");
+  EXPECT_NEAR(first[0], 0.3, 1e-6);
+  EXPECT_GT(first[1], 0.3);
+}
+
+TEST_F(GraspitProtocol, AHandThatRestsHasContactsWithoutForces) {
+  EXPECT_EQ(client_.answer("getContacts 3 2 0 6"), Lines({"0", "0"}));
+  json_.result({{"command", "hand.approach"}});
+  json_.result({{"command", "hand.auto_grasp"}});
+  const Reply told = json_.result({{"command", "contacts"}})["contacts"];
+  ASSERT_FALSE(told.empty());
+  const Lines lines = client_.answer("getContacts 3 1 0");
+  ASSERT_EQ(lines.size(), 1 + 3 * told.size());
+  EXPECT_EQ(lines[0], std::to_string(told.size()));
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    EXPECT_EQ(lines[1 + 3 * i], "0 0 0 0 0 0");
+    const std::vector<double> place = numbers_in(lines[2 + 3 * i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(place.at(axis), 1e3 * told[i]["position_object"][axis].get<double>(), 1e-5);
+    }
+    EXPECT_NEAR(numbers_in(lines[3 + 3 * i]).at(0), 1e3 * told[i]["gap"].get<double>(), 1e-6);
+  }
+  // Those of the links are the same, and near the link's own origin.
+  std::size_t of_links = 0;
+  for (int body = 3; body < 13; ++body) {
+    const Lines own = client_.answer("getContacts 2 1 " + std::to_string(body));
+    const auto count = std::stoul(own.at(0));
+    ASSERT_EQ(own.size(), 1 + 2 * count);
+    of_links += count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::vector<double> place = numbers_in(own[2 + 2 * i]);
+      EXPECT_LT(Vector3(place.at(0), place.at(1), place.at(2)).norm(), 120.0) << body;
+    }
+  }
+  EXPECT_EQ(of_links, told.size());
+  EXPECT_TRUE(json_.result({{"command", "state"}})["time"].is_null());
+}
+
 TEST_F(GraspitProtocol, ForcesAreClampedAndTimeBegins) {
   // 50, 2.5, 2.5 and 5 N m at most, in 1e-6 N mm.
   EXPECT_EQ(client_.answer("setDOFForces 1 0 4 1e9 -9e9 2e9 1e12"),

@@ -80,7 +80,9 @@ TEST(Moves, GraspsAreRefinedAndPlayedBack) {
   const Reply refined = client.result({{"command", "grasp.refine"}, {"trials", 40}});
   EXPECT_EQ(refined["outcome"], "stable");
   EXPECT_EQ(refined["improved"].get<bool>(), refined["epsilon"] > refined["epsilon_before"]);
-  const Reply path = client.result({{"command", "path.plan"}});
+  client.result({{"command", "path.plan"}});
+  EXPECT_EQ(client.next_event("path")["status"], "found");
+  const Reply path = client.result({{"command", "path.result"}});
   ASSERT_EQ(path["status"], "found") << path["problem"];
   ASSERT_GT(path["samples"].size(), 2U);
   EXPECT_EQ(path["samples"][0]["joints"].size(), path["joints"].size());
@@ -111,6 +113,10 @@ TEST(Moves, MistakesAreToldWithTheirFields) {
   EXPECT_EQ(refused(client, {{"command", "grasp.refine"}}), "scene");
   EXPECT_EQ(refused(client, {{"command", "grasp.refine"}, {"trials", 100000}}), "trials");
   EXPECT_EQ(refused(client, {{"command", "path.plan"}}), "scene");
+  EXPECT_EQ(refused(client, {{"command", "path.result"}}), "command");
+  EXPECT_EQ(refused(client, {{"command", "path.result"}, {"grasp", 0}}), "grasp");
+  EXPECT_EQ(refused(client, {{"command", "path.result"}, {"grasp", -1}}), "grasp");
+  EXPECT_EQ(client.result({{"command", "path.cancel"}})["cancelled"], false);
   EXPECT_EQ(refused(client, {{"command", "plan.start"}, {"paths", true}}), "command");
   client.result({{"command", "scene.load"}, {"scene", "ur5e_on_table"}});
   EXPECT_EQ(refused(client, {{"command", "arm.choose"}, {"branch", 1000}}), "branch");
@@ -175,6 +181,8 @@ TEST(Moves, DraggedScenesReplayToTheSameBytes) {
     client.next_event("plan");
     replies.push_back(client.reply({{"command", "plan.go"}, {"grasp", 0}}));
     replies.push_back(client.reply({{"command", "path.plan"}}));
+    EXPECT_EQ(client.next_event("path")["status"], "found");
+    replies.push_back(client.reply({{"command", "path.result"}}));
     EXPECT_EQ(replies.back()["result"]["status"], "found");
     while (replies.size() < 150) replies.push_back(client.reply(random_move(random, near)));
     state = client.result({{"command", "state"}});

@@ -104,8 +104,10 @@ TEST(Recording, TwoHundredRandomCommandsReplayToTheSameBytes) {
 }
 
 TEST(Recording, LinesThatNoRecordingHasAreNamed) {
-  for (const char* bad : {"garbage", R"({"recorded": "tea"})", R"({"recorded": "plan.finished"})",
-                          R"({"recorded": "plan.finished", "more": 1})"}) {
+  for (const char* bad :
+       {"garbage", R"({"recorded": "tea"})", R"({"recorded": "plan.finished"})",
+        R"({"recorded": "plan.finished", "more": 1})", R"({"recorded": "path.finished"})",
+        R"({"recorded": "path.finished", "results": ""})"}) {
     const std::string recording = std::string("{\"command\": \"state\"}\n\n") + bad + "\n";
     const InputError error = refusal_of([&] { (void)replay(recording, "r.jsonl", {}); });
     EXPECT_EQ(error.file(), "r.jsonl") << bad;

@@ -52,18 +52,24 @@ TEST(GraspInHand, RefinementMakesItBetterInOneStepAndTheSameOnAnyNumberOfThreads
   EXPECT_EQ(session.state().hand.X_OH.matrix(), before.X_OH.matrix());
 }
 
+GraspPlayback path_to_grasp(Session& session, bool lift) {
+  session.start_path(1, lift);
+  (void)session.finish_path();
+  return session.path().playback;
+}
+
 TEST(GraspInHand, HandsThatHoldNothingAreRefused) {
   Session session = holding_session(1);
   session.back_off(0.2);
   EXPECT_EQ(refusal_of([&] { session.refine(20, 1); }).field(), "hand");
-  EXPECT_EQ(refusal_of([&] { (void)session.playback(1, true); }).field(), "hand");
+  EXPECT_EQ(refusal_of([&] { session.start_path(1, true); }).field(), "hand");
   EXPECT_EQ(refusal_of([&] { session.refine(1, 1); }).field(), "trials");
 }
 
 TEST(GraspInHand, AFreeHandComesBackAndClosesToWhereItIs) {
   Session session = holding_session(1);
   const HandPosture closed = session.state().hand;
-  const GraspPlayback played = session.playback(1, true);
+  const GraspPlayback played = path_to_grasp(session, true);
   ASSERT_TRUE(played.found) << played.problem;
   const std::vector<MotionFrame>& frames = played.motion.frames;
   ASSERT_GT(frames.size(), 10U);
@@ -84,7 +90,7 @@ TEST(GraspInHand, AHandThatWasClosedByItsDegreesOfFreedomOpensAsFarAsItCan) {
   // The same posture, of which nobody knows how it came about.
   session.set_dofs(session.state().hand.dofs);
   ASSERT_EQ(session.state().grasp, nullptr);
-  const GraspPlayback played = session.playback(1, true);
+  const GraspPlayback played = path_to_grasp(session, true);
   ASSERT_TRUE(played.found) << played.problem;
   EXPECT_EQ(played.motion.frames.back().joints, session.state().hand.joints);
   EXPECT_GT(session.refine(40, 1).after, 0.0);
@@ -106,7 +112,7 @@ TEST(GraspInHand, ResultsWithoutAnApproachArePlayedBackToo) {
     if (grasps[i].candidate.approach_distance > 0.0 || in_place == 2) continue;
     ++in_place;
     session.go_to(i);
-    const GraspPlayback played = session.playback(1, false);
+    const GraspPlayback played = path_to_grasp(session, false);
     EXPECT_EQ(played.found, played.problem.empty());
     EXPECT_EQ(played.found, !played.motion.frames.empty());
   }
@@ -125,7 +131,7 @@ TEST(GraspInHand, AnArmComesFromItsStartPosture) {
   session.go_to(0);
   ASSERT_TRUE(session.state().arm->reached()) << session.state().arm->problem;
   const CompiledArm& arm = session.require_arm();
-  const GraspPlayback played = session.playback(1, false);
+  const GraspPlayback played = path_to_grasp(session, false);
   ASSERT_TRUE(played.found) << played.problem;
   const std::vector<MotionFrame>& frames = played.motion.frames;
   EXPECT_EQ(frames.front().arm_joints, joint_values(arm.robot(), arm.start));
@@ -133,7 +139,7 @@ TEST(GraspInHand, AnArmComesFromItsStartPosture) {
     EXPECT_LE(frames[i].time - frames[i - 1].time, kPlaybackStep + 1e-9);
   }
   EXPECT_LT((frames.back().X_OH.matrix() - session.state().hand.X_OH.matrix()).norm(), 1e-6);
-  const GraspPlayback again = session.playback(1, false);
+  const GraspPlayback again = path_to_grasp(session, false);
   ASSERT_EQ(again.motion.frames.size(), frames.size());
   EXPECT_EQ(again.motion.frames.back().arm_joints, frames.back().arm_joints);
   // A refined grasp is one that the arm reaches.
