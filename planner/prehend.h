@@ -56,6 +56,11 @@
 //   grasps_file.h         grasps.json
 //   export_files.h        files for other programs
 //   plan_report.h         what a report says of a plan
+//   grasp_set.h           all grasps that were tried of an object, as data sets hold them
+//   acronym_file.h        such a set as a file of ACRONYM, HDF5, written and read
+//   graspgen_file.h       such a set as a file of GraspGen, JSON, written and read
+//   grasp_table.h         such sets as one table
+//   set_candidates.h      the grasps of such a set, to be tried again
 //   contacts_file.h       contacts from a file
 //   contacts_report.h     what a report says of contacts without a hand
 //   report_html.h         a report as one file for a browser
@@ -88,6 +93,11 @@
 //   quality.h             contacts in, numbers out
 #pragma once
 
+#include "planner/datasets/acronym_file.h"
+#include "planner/datasets/grasp_set.h"
+#include "planner/datasets/grasp_table.h"
+#include "planner/datasets/graspgen_file.h"
+#include "planner/datasets/set_candidates.h"
 #include "planner/exports/export_files.h"
 #include "planner/files/contacts_file.h"
 #include "planner/files/grasps_file.h"

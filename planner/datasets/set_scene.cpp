@@ -38,6 +38,8 @@ std::string mesh_beside(const GraspSet& set, const std::filesystem::path& file) 
 }
 
 std::string fitting_hand(const GraspSet& set, const std::filesystem::path& file) {
+  require(!set.hand.empty(),
+          {.file = file.string(), .problem = "names no hand: name one with --hand"});
   std::string hand = library_hand_called(set.hand);
   if (!hand.empty()) return hand;
   throw InputError({file.string(), "gripper.type",

@@ -12,10 +12,10 @@ namespace prehend {
 
 // What is asked for in the place of what the set says; empty: as it says.
 struct SetSceneSource {
-  std::string scene;   // of a mesh file the set's scale is applied, of a scene nothing
-  std::string hand;    // a name of the library or a robot file
-  std::string unit;    // of a mesh file, before it is scaled; empty: m
-  bool repair = true;  // of a mesh file
+  std::string scene = {};  // of a mesh file the set's scale is applied, of a scene nothing
+  std::string hand = {};   // a name of the library or a robot file
+  std::string unit = {};   // of a mesh file, before it is scaled; empty: m
+  bool repair = true;      // of a mesh file
 };
 
 struct SetScene {
