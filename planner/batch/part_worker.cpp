@@ -151,10 +151,12 @@ GraspSet PartWorker::run(const Batch& batch, const BatchInputs& inputs, const Ba
       search_grasps(compiled, primitives(compiled, options, part, context), options.candidates,
                     options.search, options.trial, context);
   context.cancellation.check();
+  const FeatureMaker features(compiled, made_from);
   const Robot& hand = compiled.scene.hand;
   GraspSet set;
   set.object = object_of(compiled, batch, part, mesh_->unit);
-  set.hand = hand_name(batch.hands[part.hand]);
+  set.hand = hand.name;
+  set.feature_names = grasp_feature_names();
   set.configuration = opening_of(hand);
   for (const DegreeOfFreedom& dof : hand.dofs) set.dofs.push_back(dof.name);
   for (const Joint& joint : hand.joints) set.joints.push_back(joint.name);

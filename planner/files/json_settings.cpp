@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "sim/base/formatted.h"
 #include "sim/json/json_fields.h"
 
 namespace prehend {
@@ -30,6 +31,16 @@ void option_fields(auto& fields, Options& options) {
 constexpr std::array kFormerSettings = {"max_candidates", "cylinder_directions", "places",
                                         "sphere_directions", "sphere_turns"};
 
+// The order that a model gave to the candidates: by name and checksum, the model itself is a file
+// of its own.
+nlohmann::ordered_json learned_to_json(const LearnedOrder& order) {
+  FieldWriter fields;
+  fields("model", order.model->name);
+  fields("checksum", formatted("%016llx", static_cast<unsigned long long>(checksum(*order.model))));
+  option_fields(fields, order);
+  return std::move(fields).json();
+}
+
 void settings_fields(auto& fields, auto& record) {
   auto& options = record.options;
   option_fields(fields, options);
@@ -43,6 +54,12 @@ void settings_fields(auto& fields, auto& record) {
   }
   if (options.paths) {
     fields.object("paths", [&](auto& inner) { option_fields(inner, *options.paths); });
+  }
+  // Not read: it is said for people, and a model cannot be found by its name.
+  if constexpr (kReads<decltype(fields)>) {
+    (void)fields.knows("learned");
+  } else if (options.search.learned) {
+    fields.derived("learned", [&] { return learned_to_json(*options.search.learned); });
   }
 }
 
@@ -58,7 +75,7 @@ PlanOptions read_accuracy(const std::string& name_or_file) {
   if (const auto known = accuracy_named(name_or_file)) return plan_options(*known);
   const JsonFile file(name_or_file);
   const JsonField root = file.root();
-  for (const char* name : {"seed", "top"}) {
+  for (const char* name : {"seed", "top", "learned"}) {
     if (root.has(name)) root[name].fail("is no matter of accuracy");
   }
   FieldReader fields(root);

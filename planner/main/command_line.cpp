@@ -39,6 +39,7 @@ struct CommandLine::Words {
   QualityCommand quality;
   TruthCommand truth;
   ConvertCommand convert;
+  LearnCommand learn;
   ReplayCommand replay;
   ServeCommand serve;
   StudioCommand studio;
@@ -58,6 +59,7 @@ struct CommandLine::Words {
     add_quality();
     add_truth();
     add_convert();
+    add_learn();
     add_replay();
     add_serve();
     add_studio();
@@ -78,6 +80,8 @@ struct CommandLine::Words {
         ->check(CLI::Range(1, 1000000));
     command.add_option("--enough", plan.enough, "grasps that hold after which the search ends")
         ->check(CLI::Range(1, 1000000));
+    command.add_option("--model", plan.model,
+                       "file of a model that orders the candidates (docs/learning.md)");
     command.add_option("--primitive-tolerance", plan.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_flag("--path", plan.path, "plan the arm's way to each grasp as well");
@@ -222,6 +226,20 @@ struct CommandLine::Words {
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](Interrupts& interrupts) { return run_convert(convert, interrupts); };
+    });
+  }
+
+  void add_learn() {
+    CLI::App& command = *app.add_subcommand("learn", "learn from data sets what to try first");
+    command.add_option("sets", learn.sets, "data sets (.h5), or folders with such files")
+        ->required();
+    command.add_option("-o,--out", learn.model, "model to write (docs/learning.md)")->required();
+    command.add_flag("--any-hand", learn.any_hand,
+                     "the model may be used for hands that it was not trained on");
+    command.add_option("--seed", learn.seed, "of the training")->capture_default_str();
+    add_limits(command, limits);
+    command.callback([this] {
+      chosen = [this](Interrupts& interrupts) { return run_learn(learn, interrupts); };
     });
   }
 

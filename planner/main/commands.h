@@ -37,6 +37,7 @@ struct PlanCommand {
   int top = 10;
   std::optional<int> trials;  // empty: those of the accuracy
   std::optional<int> enough;  // grasps that hold, after which the search ends; as above
+  std::string model;          // file of a model that orders the candidates; empty: none
   bool path = false;          // paths of the arm as well
   std::string path_planner = "rrt_connect";
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
@@ -143,6 +144,14 @@ struct ReplayCommand {
   int threads = 0;                             // of plans; 0: all processors
 };
 
+// Arguments of `learn`.
+struct LearnCommand {
+  std::vector<std::filesystem::path> sets;  // data sets, and folders with such files
+  std::filesystem::path model;              // file to write
+  bool any_hand = false;                    // it may be used for hands that it was not trained on
+  std::uint64_t seed = 1;
+};
+
 // Arguments of `serve`.
 struct ServeCommand {
   std::uint16_t tcp = 4700;                   // port; 0: any free one
@@ -178,6 +187,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts);
 int run_quality(const QualityCommand& command, Interrupts& interrupts);
 int run_truth(const TruthCommand& command, Interrupts& interrupts);
 int run_convert(const ConvertCommand& command, Interrupts& interrupts);
+int run_learn(const LearnCommand& command, Interrupts& interrupts);
 int run_replay(const ReplayCommand& command, Interrupts& interrupts);
 int run_serve(const ServeCommand& command, Interrupts& interrupts);
 int run_studio(const StudioCommand& command, Interrupts& interrupts);

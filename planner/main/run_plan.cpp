@@ -5,6 +5,7 @@
 #include "planner/files/json_settings.h"
 #include "planner/files/result_files.h"
 #include "planner/files/timings_file.h"
+#include "planner/learn/tree_model_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
@@ -78,6 +79,19 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   return options;
 }
 
+// Has the command's model order the candidates, where it names one. Throws InputError for a model
+// that does not fit it.
+void add_model(const PlanCommand& command, const CompiledScene& scene, PlanOptions& options) {
+  if (command.model.empty()) return;
+  auto model = std::make_shared<const TreeModel>(read_tree_model(command.model));
+  try {
+    require_fit(*model, scene.scene.hand.name);
+  } catch (const InputError& error) {
+    throw error.in_file(command.model);
+  }
+  options.search.learned = LearnedOrder{.model = std::move(model)};
+}
+
 // The steps of the command, with what they share.
 class PlanProgram {
  public:
@@ -95,8 +109,9 @@ class PlanProgram {
     const CompiledScene scene = compile(std::move(loaded));
     if (protocol) require_support(scene, *protocol);
     watch_.lap(Stage::compile);
-    const RunRecord record{scene_reference(command_.scene), unit, command_.hand,
-                           options_of(command_, scene.scene.object.mesh), command_.repair};
+    RunRecord record{scene_reference(command_.scene), unit, command_.hand,
+                     options_of(command_, scene.scene.object.mesh), command_.repair};
+    add_model(command_, scene, record.options);
     PlanResult result = plan_grasps(scene, record.options);
     shake(scene, protocol, result);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);

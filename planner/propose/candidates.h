@@ -35,6 +35,8 @@ struct ProposedGrasp {
   Candidate candidate;
   int primitive = 0;  // index into the primitives
   std::string rule;   // "box faces", "cylinder end", ...: see GraspRule::name
+  double width = 0.0;      // that the rule closes on [m]
+  double stand_off = 0.0;  // how far the hand's origin stops short of the target [m]
   // Which way it is (ProposalSequence), the value of each of its freedoms and the level of detail
   // at which these values first occur.
   int way = 0;

@@ -140,6 +140,8 @@ std::optional<ProposedGrasp> ProposalSequence::proposed(std::size_t number,
   grasp.candidate.preshape = way.preshape;
   grasp.primitive = way.primitive;
   grasp.rule = rule.name;
+  grasp.width = rule.width;
+  grasp.stand_off = way.stand_off;
   grasp.way = static_cast<int>(number);
   grasp.choices = std::move(choices);
   grasp.level = level;

@@ -15,10 +15,13 @@ namespace {
 
 class GraspSearch {
  public:
-  GraspSearch(const CompiledScene& scene, ProposalSequence& sequence, const SearchOptions& options,
-              const TrialOptions& trial, const RunContext& context, const FoundListener& found)
+  // `ordered`: the proposals of the sequence by a model; null: in their own order.
+  GraspSearch(const CompiledScene& scene, ProposalSequence& sequence, OrderedProposals* ordered,
+              const SearchOptions& options, const TrialOptions& trial, const RunContext& context,
+              const FoundListener& found)
       : scene_(scene),
         sequence_(sequence),
+        ordered_(ordered),
         options_(options),
         trial_(trial),
         context_(context),
@@ -102,9 +105,13 @@ class GraspSearch {
         !served && tried >= options_.solids_first * options_.trials &&
         (curves_proposed_ < options_.curves_least * std::max(tried, asked) || curves_pay());
     curve_next_ = both && !curve_next_;
-    std::optional<ProposedGrasp> next = sequence_.next(curve_next_ ? Track::curves : Track::solids);
+    std::optional<ProposedGrasp> next = next_of(curve_next_ ? Track::curves : Track::solids);
     if (curve_next_) ++curves_proposed_;
-    return next ? std::move(next) : sequence_.next(curve_next_ ? Track::solids : Track::curves);
+    return next ? std::move(next) : next_of(curve_next_ ? Track::solids : Track::curves);
+  }
+
+  std::optional<ProposedGrasp> next_of(Track track) {
+    return ordered_ != nullptr ? ordered_->next(track) : sequence_.next(track);
   }
 
   bool curves_pay() const {
@@ -178,6 +185,7 @@ class GraspSearch {
 
   const CompiledScene& scene_;
   ProposalSequence& sequence_;
+  OrderedProposals* ordered_;
   const SearchOptions& options_;
   const TrialOptions& trial_;
   const RunContext& context_;
@@ -201,7 +209,12 @@ SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primiti
                            const TrialOptions& trial, const RunContext& context,
                            const FoundListener& found) {
   ProposalSequence sequence(scene, primitives, candidates);
-  return GraspSearch(scene, sequence, search, trial, context, found).run();
+  std::optional<OrderedProposals> ordered;
+  if (search.learned) {
+    ordered.emplace(scene, primitives, sequence, *search.learned, search.batch);
+  }
+  return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found)
+      .run();
 }
 
 }  // namespace prehend

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "planner/learn/ordered_proposals.h"
 #include "planner/propose/candidates.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
@@ -36,12 +38,16 @@ struct SearchOptions {
   double well_served = 0.15;
   double solids_first = 0.2;
   double curves_least = 0.06;
+  // Set: a model that was learnt from earlier trials orders the proposals of the sequence
+  // (docs/learning.md).
+  std::optional<LearnedOrder> learned = {};
 };
 
+// The settings of a learned order, where there is one, are visited through LearnedOrder.
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [trials, most_blocked, enough, batch, follow, followed, well_served, solids_first,
-         curves_least] = options;
+         curves_least, learned] = options;
   visit("trials", trials, kAtLeast1);
   visit("most_blocked", most_blocked, kAtLeast0);
   visit("enough", enough, kAtLeast0);
@@ -81,7 +87,7 @@ using FoundListener = std::function<void(const Candidate&, const Trial&)>;
 // Tries candidates until there are enough trials, the context is cancelled, or its deadline has
 // passed. The same arguments give the same proposals and trials on any number of threads. Cut short
 // by time or cancellation, they are a beginning of them, without those of the last batch that were
-// not finished.
+// not finished. Throws InputError where a learned order does not fit the scene's hand.
 SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                            const CandidateOptions& candidates, const SearchOptions& search,
                            const TrialOptions& trial, const RunContext& context = {},

@@ -1,0 +1,40 @@
+#include <iostream>
+
+#include "planner/learn/tree_model_file.h"
+#include "planner/main/commands.h"
+#include "planner/train/data_sets.h"
+#include "planner/train/train_order.h"
+#include "sim/base/input_error.h"
+#include "sim/base/output_file.h"
+
+namespace prehend {
+
+int run_learn(const LearnCommand& command, Interrupts& interrupts) {
+  require_training();
+  const std::filesystem::path folder = std::filesystem::absolute(command.model).parent_path();
+  require_writable(folder);
+  const GraspSetReader read = data_set_reader();
+  const std::vector<std::filesystem::path> files = data_set_files(command.sets);
+  require(static_cast<bool>(read),
+          {.file = files.front().string(), .problem = "this prehend cannot read data sets"});
+  TrainOptions options;
+  options.any_hand = command.any_hand;
+  options.boost.seed = command.seed;
+  OrderTraining training(options);
+  for (const std::filesystem::path& file : files) {
+    try {
+      training.add(read(file));
+    } catch (const InputError& error) {
+      throw error.in_file(file.string());
+    }
+  }
+  const TreeModel model = training.train();
+  make_folder(folder);
+  interrupts.write(command.model, tree_model_json(model));
+  std::cout << "learnt from " << model.trials << " trials of " << model.objects << " objects and "
+            << model.hands.size() << " hands" << (model.any_hand ? ", for any hand" : "")
+            << "\nwrote " << command.model.string() << "\n";
+  return 0;
+}
+
+}  // namespace prehend

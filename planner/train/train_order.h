@@ -1,0 +1,48 @@
+// From sets of grasps that were tried to a model that orders candidates.
+#pragma once
+
+#include <vector>
+
+#include "planner/datasets/grasp_set.h"
+#include "planner/train/boost_trees.h"
+
+namespace prehend {
+
+// What the model learns of a trial. A grasp that does not hold counts as an epsilon of 0.
+enum class OrderLabel {
+  epsilon,  // its epsilon
+  share,    // its epsilon over the largest of its set
+};
+
+struct TrainOptions {
+  OrderLabel label = OrderLabel::share;
+  BoostOptions boost;
+  bool any_hand = false;  // the model may be used for hands that it was not trained on
+};
+
+// So many hands make a model one for any hand without being asked.
+inline constexpr int kManyHands = 3;
+
+// Collects examples set by set, so that not all sets have to be in memory.
+class OrderTraining {
+ public:
+  explicit OrderTraining(const TrainOptions& options) : options_(options) {}
+
+  // Adds the grasps of a set that have features, except those that only the arm kept from being
+  // tried. A set without any stable grasp tells nothing of an order and is left out. Throws
+  // InputError where the features are not those of this version (grasp_features.h).
+  void add(const GraspSet& set);
+
+  // The model of all sets so far. Throws InputError where no set had examples, and as boost_trees.
+  TreeModel train() const;
+
+ private:
+  TrainOptions options_;
+  BoostRows rows_;
+  std::vector<std::string> hands_;    // sorted
+  std::vector<std::string> objects_;  // sorted
+};
+
+TreeModel train_order(const std::vector<GraspSet>& sets, const TrainOptions& options = {});
+
+}  // namespace prehend
