@@ -5,6 +5,7 @@
 #include "planner/batch/batch.h"
 #include "planner/batch/batch_part.h"
 #include "planner/files/json_settings.h"
+#include "planner/learn/tree_model_file.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_file.h"
 #include "sim/geometry/object_generator.h"
@@ -238,9 +239,18 @@ BatchScene read_scene_name(const JsonField& field) {
   return scene;
 }
 
+LearnedOrder read_model(const JsonField& field) {
+  const fs::path file = fs::absolute(field.file()).parent_path() / field.text();
+  LearnedOrder order;
+  order.model =
+      made_of(field, [&] { return std::make_shared<const TreeModel>(read_tree_model(file)); });
+  return order;
+}
+
 // An accuracy by its name or file, or an object that says more.
 BatchSetting read_setting(const JsonField& field) {
-  if (field.is_object()) field.allow_only({"name", "accuracy", "trials", "enough", "contacts"});
+  if (field.is_object())
+    field.allow_only({"name", "accuracy", "trials", "enough", "contacts", "model"});
   const std::string words =
       field.is_object() ? field.text_or("accuracy", "standard") : field.text();
   const JsonField at = field.is_object() && field.has("accuracy") ? field["accuracy"] : field;
@@ -263,6 +273,7 @@ BatchSetting read_setting(const JsonField& field) {
       if (contacts != "soft" && contacts != "hard") field["contacts"].fail("is soft or hard");
       setting.options.trial.soft_fingers = contacts == "soft";
     }
+    if (field.has("model")) setting.options.search.learned = read_model(field["model"]);
   }
   require_good_name(field, setting.name);
   return setting;

@@ -45,6 +45,18 @@ Scene scene_with(const BatchScene& named, const std::string& hand) {
   return load_scene(named.scene, source);
 }
 
+// A model that orders candidates has to be one for each of the hands.
+void require_fitting_model(const BatchSetting& setting, const std::vector<SceneTemplate>& scenes) {
+  if (!setting.options.search.learned) return;
+  for (const SceneTemplate& scene : scenes) {
+    try {
+      require_fit(*setting.options.search.learned->model, scene.scene.hand.name);
+    } catch (const InputError& error) {
+      throw error.under("settings \"" + setting.name + "\"");
+    }
+  }
+}
+
 }  // namespace
 
 BatchInputs::BatchInputs(const Batch& batch)
@@ -57,6 +69,7 @@ BatchInputs::BatchInputs(const Batch& batch)
     }
   }
   for (const BatchSetting& setting : batch.settings) {
+    require_fitting_model(setting, scenes_);
     for (const std::uint64_t seed : batch.seeds) {
       RunRecord record;
       record.options = setting.options;

@@ -5,6 +5,7 @@
 
 #include "planner/batch/content_key.h"
 #include "planner/batch/object_in_scene.h"
+#include "planner/learn/grasp_features.h"
 #include "planner/search/object_primitives.h"
 #include "planner/search/search_grasps.h"
 #include "sim/geometry/object_generator.h"
@@ -87,6 +88,14 @@ std::optional<double> opening_of(const Robot& hand) {
   return widest->dofs.front();
 }
 
+void describe_hand(const Robot& hand, GraspSet& set) {
+  set.hand = hand.name;
+  set.configuration = opening_of(hand);
+  for (const DegreeOfFreedom& dof : hand.dofs) set.dofs.push_back(dof.name);
+  for (const Joint& joint : hand.joints) set.joints.push_back(joint.name);
+  for (const Link& link : hand.links) set.links.push_back(link.name);
+}
+
 }  // namespace
 
 std::string PartWorker::key(const Batch& batch, const BatchInputs& inputs, const BatchPart& part) {
@@ -147,24 +156,22 @@ GraspSet PartWorker::run(const Batch& batch, const BatchInputs& inputs, const Ba
                          const RunContext& context) {
   const PlanOptions& options = inputs.options_of(part);
   const CompiledScene compiled = compile(scene(batch, inputs, part), context);
-  const SearchResult found =
-      search_grasps(compiled, primitives(compiled, options, part, context), options.candidates,
-                    options.search, options.trial, context);
+  const std::vector<Primitive>& made_from = primitives(compiled, options, part, context);
+  const SearchResult found = search_grasps(compiled, made_from, options.candidates, options.search,
+                                           options.trial, context);
   context.cancellation.check();
-  const FeatureMaker features(compiled, made_from);
-  const Robot& hand = compiled.scene.hand;
   GraspSet set;
   set.object = object_of(compiled, batch, part, mesh_->unit);
-  set.hand = hand.name;
-  set.feature_names = grasp_feature_names();
-  set.configuration = opening_of(hand);
-  for (const DegreeOfFreedom& dof : hand.dofs) set.dofs.push_back(dof.name);
-  for (const Joint& joint : hand.joints) set.joints.push_back(joint.name);
-  for (const Link& link : hand.links) set.links.push_back(link.name);
+  describe_hand(compiled.scene.hand, set);
   set.version = "prehend " PREHEND_VERSION;
   set.settings = inputs.settings_of(part);
+  set.feature_names = grasp_feature_names();
+  const FeatureMaker features(compiled, made_from);
   for (std::size_t i = 0; i < found.trials.size(); ++i) {
-    set.grasps.push_back(entry_of(found.proposed[found.candidates[i]].candidate, found.trials[i]));
+    const ProposedGrasp& proposed = found.proposed[found.candidates[i]];
+    set.grasps.push_back(entry_of(proposed.candidate, found.trials[i]));
+    const GraspFeatures values = features.features(proposed);
+    set.grasps.back().features.assign(values.begin(), values.end());
   }
   return set;
 }

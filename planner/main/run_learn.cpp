@@ -1,5 +1,6 @@
 #include <iostream>
 
+#include "planner/datasets/acronym_file.h"
 #include "planner/learn/tree_model_file.h"
 #include "planner/main/commands.h"
 #include "planner/train/data_sets.h"
@@ -13,17 +14,14 @@ int run_learn(const LearnCommand& command, Interrupts& interrupts) {
   require_training();
   const std::filesystem::path folder = std::filesystem::absolute(command.model).parent_path();
   require_writable(folder);
-  const GraspSetReader read = data_set_reader();
   const std::vector<std::filesystem::path> files = data_set_files(command.sets);
-  require(static_cast<bool>(read),
-          {.file = files.front().string(), .problem = "this prehend cannot read data sets"});
   TrainOptions options;
   options.any_hand = command.any_hand;
   options.boost.seed = command.seed;
   OrderTraining training(options);
   for (const std::filesystem::path& file : files) {
     try {
-      training.add(read(file));
+      training.add(read_acronym(file));
     } catch (const InputError& error) {
       throw error.in_file(file.string());
     }

@@ -27,7 +27,4 @@ std::vector<std::filesystem::path> data_set_files(const std::vector<std::filesys
   return files;
 }
 
-// A reader of HDF5 is to be named here.
-GraspSetReader data_set_reader() { return {}; }
-
 }  // namespace prehend
