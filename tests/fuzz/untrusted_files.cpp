@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 19> kKinds{{
+constexpr std::array<FileKind, 20> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -28,6 +28,7 @@ constexpr std::array<FileKind, 19> kKinds{{
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},
     {"truth", Grammar::json, read_truth_file},
+    {"graspgen", Grammar::json, read_graspgen_file},
 }};
 
 // A message is one line that can be printed to a terminal.
