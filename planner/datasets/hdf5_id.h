@@ -3,7 +3,10 @@
 #pragma once
 
 #include <hdf5.h>
+#include <string>
 #include <utility>
+
+#include "sim/base/formatted.h"
 
 namespace prehend {
 
@@ -28,6 +31,10 @@ class Hdf5Id {
   hid_t id_;
   Close close_;
 };
+
+// The name of a file in memory that belongs to the object at this address. HDF5 takes two of the
+// same name, open at the same time, for the same file.
+inline std::string name_in_memory(const void* owner) { return formatted("memory %p", owner); }
 
 // While one lives, HDF5 prints nothing to stderr about calls of this thread that fail.
 class QuietHdf5 {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +93,23 @@ TEST(AcronymFile, ManySmallSetsReadBackTheSame) {
     const GraspSet set = test::random_set(random, random.index(20));
     test::expect_same(read_acronym(file_with(acronym_bytes(set), ".h5")), set);
   }
+}
+
+TEST(AcronymFile, IsWrittenAndReadOnSeveralThreads) {
+  Random random(12);
+  std::vector<GraspSet> sets;
+  for (std::size_t i = 0; i < 8; ++i) sets.push_back(test::random_set(random, 50 * i));
+  std::vector<std::string> together(sets.size());
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      threads.emplace_back([&, i] {
+        const auto file = file_with(acronym_bytes(sets[i]), std::to_string(i) + ".h5");
+        together[i] = acronym_bytes(read_acronym(file));
+      });
+    }
+  }
+  for (std::size_t i = 0; i < sets.size(); ++i) EXPECT_EQ(together[i], acronym_bytes(sets[i]));
 }
 
 TEST(AcronymFile, HasTheNamesTypesAndShapesOfAcronym) {
