@@ -17,6 +17,6 @@ std::string acronym_bytes(const GraspSet& set);
 // a grasp holds where "object_in_gripper" of the quality "flex" says so, or of the only quality.
 // Needed are transforms, these labels, and file and scale of the object. Throws InputError that
 // names the file and the data set.
-GraspSet read_acronym(const std::filesystem::path& file);
+GraspSet read_acronym(const std::filesystem::path& path);
 
 }  // namespace prehend

@@ -33,15 +33,19 @@ std::vector<Pose> read_poses(const Hdf5Reader& file, const std::string& path, st
   return poses;
 }
 
+std::string in_qualities(const std::string& name) {
+  return std::string(acronym::kQualities).append("/").append(name);
+}
+
 // Ours, else theirs, else the only one.
 std::string quality_group(const Hdf5Reader& file) {
   const std::vector<std::string> names = file.members(acronym::kQualities);
   for (const std::string& name : {acronym::kOurQuality, acronym::kTheirQuality}) {
     if (std::find(names.begin(), names.end(), name) != names.end()) {
-      return acronym::kQualities + "/" + name;
+      return in_qualities(name);
     }
   }
-  if (names.size() == 1) return acronym::kQualities + "/" + names.front();
+  if (names.size() == 1) return in_qualities(names.front());
   throw file.error(acronym::kQualities, "must have a group prehend or flex, or one group only");
 }
 

@@ -68,9 +68,10 @@ GraspSetObject read_scaled_object(const JsonField& field) {
 // A grasp a line; as one JSON value all of them would take many times the memory of their text.
 std::string graspgen_text(const GraspSet& set) {
   require_sound(set);
-  std::string text =
-      "{\"object\": " + one_line({{"file", set.object.file}, {"scale", set.object.scale}}) +
-      ",\n\"grasps\": {\"transforms\": [";
+  Json object;
+  if (!set.object.file.empty()) object["file"] = set.object.file;
+  object["scale"] = set.object.scale;
+  std::string text = "{\"object\": " + one_line(object) + ",\n\"grasps\": {\"transforms\": [";
   std::string labels;
   for (const GraspSetEntry& grasp : set.grasps) {
     const bool first = &grasp == set.grasps.data();

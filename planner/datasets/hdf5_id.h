@@ -32,9 +32,9 @@ class Hdf5Id {
   Close close_;
 };
 
-// The name of a file in memory that lives as long as `owner`. HDF5 takes two open files of one name
-// for the same file, also those of two threads.
-inline std::string memory_name(const void* owner) { return formatted("memory %p", owner); }
+// The name of a file in memory that belongs to the object at this address. HDF5 takes two of the
+// same name, open at the same time, for the same file.
+inline std::string name_in_memory(const void* owner) { return formatted("memory %p", owner); }
 
 // While one lives, HDF5 prints nothing to stderr about calls of this thread that fail.
 class QuietHdf5 {

@@ -32,11 +32,11 @@ std::string words_of(const Hdf5Shape& shape) {
 
 bool is_scalar(const Hdf5Shape& shape) { return shape.empty() || shape == Hdf5Shape{1}; }
 
-Hdf5Id open_in_memory(std::string& bytes, const void* owner) {
+Hdf5Id open_in_memory(const std::string& name, std::string& bytes) {
   const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   H5Pset_fapl_core(access.id(), kSlack, false);
   H5Pset_file_image(access.id(), bytes.data(), bytes.size());
-  return {H5Fopen(memory_name(owner).c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose};
+  return {H5Fopen(name.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose};
 }
 
 }  // namespace
@@ -48,7 +48,9 @@ struct Hdf5Reader::File {
   Hdf5Id id;
 
   File(std::string name, std::string bytes)
-      : path(std::move(name)), size(bytes.size()), id(open_in_memory(bytes, this)) {}
+      : path(std::move(name)),
+        size(bytes.size()),
+        id(open_in_memory(name_in_memory(this), bytes)) {}
 
   InputError error(const std::string& field, const std::string& problem,
                    const std::string& value = {}) const {

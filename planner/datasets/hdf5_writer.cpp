@@ -77,7 +77,7 @@ Hdf5Id text_type() {
   return type;
 }
 
-Hdf5Id file_in_memory(const void* owner) {
+Hdf5Id file_in_memory(const std::string& name) {
   constexpr std::size_t kGrowth = std::size_t{1} << 16U;
   const Hdf5Id access = checked(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fapl_core(access.id(), kGrowth, false));
@@ -86,15 +86,14 @@ Hdf5Id file_in_memory(const void* owner) {
   const Hdf5Id creation = group_properties(H5P_FILE_CREATE);
   check(H5Pset_istore_k(creation.id(), kIndexNode));
   // No file of this name is made.
-  return checked(H5Fcreate(memory_name(owner).c_str(), H5F_ACC_TRUNC, creation.id(), access.id()),
-                 H5Fclose);
+  return checked(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
 }
 
 }  // namespace
 
 struct Hdf5Writer::File {
   QuietHdf5 quiet;
-  Hdf5Id id = file_in_memory(this);
+  Hdf5Id id = file_in_memory(name_in_memory(this));
 
   void write(const std::string& path, const Hdf5Shape& shape, hid_t stored, hid_t given,
              const Hdf5Id& how, const void* values) const {

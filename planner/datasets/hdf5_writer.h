@@ -15,7 +15,8 @@ using Hdf5Shape = std::vector<std::size_t>;
 // Paths are those of HDF5 ("grasps/transforms"); the group in which something is made has to be
 // there. What a call makes must not be there yet. Arrays of more than a few hundred bytes are
 // compressed. Files can be read by HDF5 1.8 and later. Nothing that the machine, the time or the
-// memory before says gets into the bytes. Throws std::runtime_error where HDF5 fails (no memory).
+// memory before says gets into the bytes. Several threads may write files at the same time, one
+// each: Debian's HDF5 takes turns. Throws std::runtime_error where HDF5 fails (no memory).
 class Hdf5Writer {
  public:
   Hdf5Writer();
