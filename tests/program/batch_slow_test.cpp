@@ -117,20 +117,23 @@ TEST_F(BatchProgram, OutOfRoomItEndsInOneLineAndGoesOnLater) {
 }
 
 TEST_F(BatchProgram, InterruptedItKeepsWhatIsDone) {
+  write(kLargeBatch);
   RunningProgram program(
       {"batch", file(), "-o", (home_ / "out").string(), "--threads", "1", "--progress"}, home_);
-  ASSERT_TRUE(program.wait_for_line("1 of "));
+  // The first line says that nothing is done yet.
+  ASSERT_TRUE(program.wait_for_line("0 of 120 parts"));
+  ASSERT_TRUE(program.wait_for_line(""));
   program.send(SIGTERM);
   std::string rest;
   EXPECT_EQ(program.wait(rest), 143);
   EXPECT_NE(rest.find("the same command goes on"), std::string::npos) << rest;
   const ProgramRun status = run_program("batch status" + words("out"));
   EXPECT_EQ(status.status, 0);
-  EXPECT_EQ(status.out.find("0 of 9 parts"), std::string::npos) << status.out;
+  EXPECT_EQ(status.out.find("0 of 120 parts"), std::string::npos) << status.out;
   const ProgramRun again = run_program("batch" + words("out"));
   EXPECT_EQ(again.status, 0);
-  EXPECT_EQ(again.out.find("9 in this run"), std::string::npos) << again.out;
-  EXPECT_NE(again.out.find("9 of 9 parts have a result"), std::string::npos) << again.out;
+  EXPECT_EQ(again.out.find("120 in this run"), std::string::npos) << again.out;
+  EXPECT_NE(again.out.find("120 of 120 parts have a result"), std::string::npos) << again.out;
 }
 
 TEST_F(BatchProgram, RefusesInOneLineAndWritesNothing) {
