@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "planner/exports/export_files.h"
 #include "planner/protocol/command.h"
 #include "planner/protocol/session_json.h"
@@ -116,9 +118,7 @@ ProtocolJson pin_remove(const CommandScope& scope, const JsonField& request) {
   return state_json(scope.session);
 }
 
-}  // namespace
-
-std::vector<Command> plan_commands() {
+std::vector<Command> of_plans() {
   return {{"plan.start",
            CommandKind::query,
            "Begins to plan grasps of the scene as it is. Events tell how far it is. One plan at a "
@@ -161,8 +161,11 @@ std::vector<Command> plan_commands() {
            "The results as files.",
            {{"format", FieldType::text, false, "json, csv, isaac, moveit or mjcf; json"}},
            "`files`, each with `name` and `text`",
-           plan_export},
-          {"pin.add",
+           plan_export}};
+}
+
+std::vector<Command> of_pins() {
+  return {{"pin.add",
            CommandKind::change,
            "Keeps the hand as it is, to compare it with others.",
            {{"name", FieldType::text, true, "a name that no other pin has"}},
@@ -180,6 +183,14 @@ std::vector<Command> plan_commands() {
            {{"name", FieldType::text, true, "which"}},
            "the state, as of `state`",
            pin_remove}};
+}
+
+}  // namespace
+
+std::vector<Command> plan_commands() {
+  std::vector<Command> all = of_plans();
+  for (Command& command : of_pins()) all.push_back(std::move(command));
+  return all;
 }
 
 }  // namespace prehend

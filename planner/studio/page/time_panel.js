@@ -79,6 +79,8 @@ class TimePanel {
       const now = await new Promise((done) => requestAnimationFrame(done));
       const seconds = Number(byId('time-speed').value) * (now - last) / 1000;
       last = now;
+      // The first frame may have begun before the clock was read.
+      if (!(seconds > 0)) continue;
       if (!await this.advance(Math.min(seconds, longestStep))) this.running = false;
     }
     byId('time-play').textContent = 'play';
