@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "planner/main/batch_commands.h"
 #include "planner/main/option_values.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
@@ -40,6 +42,7 @@ struct CommandLine::Words {
   ReplayCommand replay;
   ServeCommand serve;
   StudioCommand studio;
+  ClusterCommands cluster;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(Interrupts&)> chosen;
@@ -58,6 +61,7 @@ struct CommandLine::Words {
     add_replay();
     add_serve();
     add_studio();
+    add_batch();
   }
 
   void add_plan() {
@@ -264,6 +268,14 @@ struct CommandLine::Words {
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](Interrupts& interrupts) { return run_studio(studio, interrupts); };
+    });
+  }
+
+  void add_batch() {
+    CLI::App& command = *app.add_subcommand("batch", "many objects and hands on many machines");
+    command.require_subcommand(1);
+    add_cluster_commands(command, cluster, [this](std::function<int()> run) {
+      chosen = [run = std::move(run)](Interrupts&) { return run(); };
     });
   }
 
