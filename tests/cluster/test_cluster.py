@@ -102,7 +102,11 @@ class SlurmTest(Batch):
         wait_until(runs_there, f"a task runs on {node}")
 
     def wait_for_end(self):
-        wait_until(lambda: not self.slurm.tasks(), "the queue is empty")
+        def is_empty():
+            self.slurm.start_waiting_tasks()
+            return not self.slurm.tasks()
+
+        wait_until(is_empty, "the queue is empty")
 
     def test_a_node_that_fails(self):
         self.assertIn(f"submitted {SHARDS} shards: Slurm job ", self.submit_to_slurm())
@@ -122,6 +126,19 @@ class SlurmTest(Batch):
         self.slurm.ask("sbatch", "--partition=urgent", "--nodes=2", "--output=/dev/null", "--wrap=true")
         wait_until(lambda: any(row[3] > 0 for row in self.slurm.tasks()), "a task starts again")
         self.wait_for_end()
+        self.expect_merged_as_without_a_cluster()
+
+    def test_time_that_ends(self):
+        """What Slurm sends before the time limit, which is minutes away at least, is sent here by hand."""
+        self.submit_to_slurm()
+        self.wait_for_task_on("n1")
+        array = json.loads((self.out / "job.json").read_text())["ids"][0]
+        task = next(row[0] for row in self.slurm.tasks() if row[1:3] == ["RUNNING", "n1"])
+        self.slurm.ask("scancel", "--batch", "--signal=USR1", f"{array}_{task}")
+        wait_until(lambda: any(row[0] == task and row[3] == 1 for row in self.slurm.tasks()),
+                   "the task starts again")
+        self.wait_for_end()
+        self.assertIn("time limit is near", (self.out / "log" / f"{task}.txt").read_text())
         self.expect_merged_as_without_a_cluster()
 
     def test_cancel_and_go_on(self):
