@@ -159,6 +159,17 @@ class Slurm:
             stop(pid)
         self.daemons.pop(node).wait()
 
+    def signal_task(self, node, number):
+        """Signals the script of the task that runs on the node, and it alone; returns the task."""
+        own = set(self.own_processes())
+        for pid, words, environment in processes():
+            variables = dict(line.split(b"=", 1) for line in environment if b"=" in line)
+            is_script = any(word.endswith(b"/slurm_script") for word in words)
+            if pid in own and is_script and variables.get(b"SLURMD_NODENAME") == node.encode():
+                os.kill(pid, number)
+                return variables[b"SLURM_ARRAY_TASK_ID"].decode()
+        raise LookupError(f"no task runs on {node}")
+
     def ask(self, *words):
         return subprocess.run(words, env=self.environment, check=True, capture_output=True, text=True).stdout
 

@@ -132,9 +132,7 @@ class SlurmTest(Batch):
         """What Slurm sends before the time limit, which is minutes away at least, is sent here by hand."""
         self.submit_to_slurm()
         self.wait_for_task_on("n1")
-        array = json.loads((self.out / "job.json").read_text())["ids"][0]
-        task = next(row[0] for row in self.slurm.tasks() if row[1:3] == ["RUNNING", "n1"])
-        self.slurm.ask("scancel", "--batch", "--signal=USR1", f"{array}_{task}")
+        task = self.slurm.signal_task("n1", signal.SIGUSR1)
         wait_until(lambda: any(row[0] == task and row[3] == 1 for row in self.slurm.tasks()),
                    "the task starts again")
         self.wait_for_end()
