@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "planner/main/batch_words.h"
+#include "planner/main/cluster_commands.h"
 #include "planner/main/option_values.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
@@ -44,6 +45,7 @@ struct CommandLine::Words {
   ServeCommand serve;
   StudioCommand studio;
   BatchCommand batch;
+  ClusterCommands cluster;
   Limits limits;
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(Interrupts&)> chosen;
@@ -63,7 +65,7 @@ struct CommandLine::Words {
     add_replay();
     add_serve();
     add_studio();
-    add_batch(app, batch, limits, [this](auto run) { chosen = std::move(run); });
+    add_batches();
   }
 
   void add_plan() {
@@ -289,6 +291,14 @@ struct CommandLine::Words {
     add_limits(command, limits);
     command.callback([this] {
       chosen = [this](Interrupts& interrupts) { return run_studio(studio, interrupts); };
+    });
+  }
+
+  void add_batches() {
+    CLI::App& command =
+        add_batch(app, batch, limits, [this](auto run) { chosen = std::move(run); });
+    add_cluster_commands(command, cluster, [this](std::function<int()> run) {
+      chosen = [run = std::move(run)](Interrupts&) { return run(); };
     });
   }
 

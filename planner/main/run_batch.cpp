@@ -2,28 +2,15 @@
 
 #include <iostream>
 
+#include "planner/cluster/submit_job.h"
+#include "planner/main/asked_batch.h"
 #include "planner/main/batch_bar.h"
 #include "planner/main/batch_words.h"
 #include "sim/base/formatted.h"
 #include "sim/base/output_file.h"
-#include "sim/json/json_field.h"
 
 namespace prehend {
 namespace {
-
-// What the commands below `batch` work on. Nothing is written while it is read.
-struct AskedBatch {
-  Batch batch;
-  BatchFolder folder;
-  BatchInputs inputs;
-
-  explicit AskedBatch(const BatchCommand& command)
-      : batch(read_batch(JsonFile(command.file))),
-        folder(command.common.out.empty() ? std::filesystem::path("out") / batch.name
-                                          : command.common.out,
-               batch),
-        inputs(batch) {}
-};
 
 RunContext context_of(const BatchCommand& command, Interrupts& interrupts) {
   RunContext context;
@@ -48,7 +35,7 @@ int run_batch(const BatchCommand& command, Interrupts& interrupts) {
   BatchRunOptions options;
   options.shard = read_shard(command.shard);
   options.retry = command.retry;
-  const AskedBatch asked(command);
+  const AskedBatch asked(command.file, command.common.out);
   require_writable(asked.folder.path());
   interrupts.cancel_first();
   BatchBar bar(command.common.progress);
@@ -70,7 +57,7 @@ int run_batch(const BatchCommand& command, Interrupts& interrupts) {
 }
 
 int run_batch_merge(const BatchCommand& command, Interrupts& interrupts) {
-  const AskedBatch asked(command);
+  const AskedBatch asked(command.file, command.common.out);
   require_writable(asked.folder.path());
   interrupts.cancel_first();
   BatchBar bar(command.common.progress);
@@ -96,13 +83,15 @@ int run_batch_merge(const BatchCommand& command, Interrupts& interrupts) {
 }
 
 int run_batch_status(const BatchCommand& command, Interrupts& interrupts) {
-  const AskedBatch asked(command);
+  const AskedBatch asked(command.file, command.common.out);
   const BatchCount count =
       batch_status(asked.batch, asked.inputs, asked.folder, {}, context_of(command, interrupts),
                    [](const FailedPart& part) {
                      std::cout << "failed: " << part.name << ": " << part.reason << "\n";
                    });
   std::cout << parts_words(count) << "\n";
+  const auto job = cluster_status(std::filesystem::absolute(asked.folder.path()));
+  if (job) std::cout << status_text(*job);
   return 0;
 }
 
