@@ -16,7 +16,7 @@ constexpr std::string_view kBatchStyle = R"(
 .share i { display: block; height: 100%; background: var(--held); }
 .plots, .pictures { display: flex; flex-wrap: wrap; gap: 1.5rem; }
 .plots figure, .pictures figure { margin: 0; } figcaption { color: var(--pale); max-width: 30rem; }
-.bar { fill: var(--held); } .axis { stroke: var(--pale); } .words { fill: var(--pale);
+td:last-child, th:last-child { text-align: left; } .bar { fill: var(--held); } .axis { stroke: var(--pale); } .words { fill: var(--pale);
   font-size: 12px; }
 .pictures img { max-width: 100%; height: auto; border: 1px solid var(--rule); }
 )";
