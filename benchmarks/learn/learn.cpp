@@ -7,7 +7,7 @@
 //
 // Lists are written with commas. `collect` searches each object of the folders and of the generator
 // with each hand, and appends the trials to the file. `compare` searches every EVERYth object
-// again, ordered by a model of other objects (five folds; objects of the same kind are in the same
+// again, ordered by a model of other objects (three folds; objects of the same kind are in the same
 // one), once of all hands in the file and once of the others only, and prints a line for each
 // search:
 //
@@ -16,7 +16,6 @@
 //   best then without it (0: never reached).
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -37,7 +36,7 @@
 namespace prehend::bench {
 namespace {
 
-constexpr int kFolds = 5;
+constexpr int kFolds = 3;
 
 std::vector<std::string> split(const std::string& list) {
   std::vector<std::string> parts;
@@ -154,11 +153,6 @@ class Comparison {
       search.seed = seed;
       search.trials = trials_;
       search.learned = LearnedOrder{.model = model(fold_of(object.name), known ? "" : hand)};
-      if (const char* value = std::getenv("CHOOSE_FROM")) {
-        search.learned->choose_from = std::stod(value);
-      }
-      if (const char* value = std::getenv("UNORDERED"))
-        search.learned->unordered = std::stod(value);
       const std::optional<LearnRun> learned = run_learn_case(object, hand, search);
       if (learned) print_comparison(known ? "known" : "unknown", *base, *learned);
     }
