@@ -21,8 +21,8 @@ struct LearnedOrder {
   // Of so many successive proposals (>= 1), the best `chosen` (1 .. choose_from) are tried, the
   // others wait. Only neighbours in the sequence compete: it spreads any beginning of itself over
   // all ways to grasp, and the best of all proposals would be many times nearly the same grasp.
-  int choose_from = 8;
-  int chosen = 2;
+  int choose_from = 4;
+  int chosen = 1;
   // The part of the proposals, in 0 .. 1, that are those that wait, in the order of the sequence:
   // what the model judges badly is tried as well, later.
   double unordered = 0.2;
