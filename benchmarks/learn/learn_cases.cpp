@@ -102,9 +102,10 @@ std::vector<double> best_so_far(const GraspSet& set) {
   return best;
 }
 
-int trials_to_reach(const std::vector<double>& best, double epsilon) {
+int trials_to_reach(const std::vector<double>& best, double epsilon, double within) {
   constexpr double kSame = 1e-6;
-  const auto first = std::lower_bound(best.begin(), best.end(), epsilon - kSame);
+  const double enough = (1.0 - within) * epsilon - kSame;
+  const auto first = std::lower_bound(best.begin(), best.end(), enough);
   return first == best.end() ? 0 : static_cast<int>(first - best.begin()) + 1;
 }
 

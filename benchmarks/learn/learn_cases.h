@@ -46,7 +46,8 @@ std::optional<LearnRun> run_learn_case(const LearnObject& object, const std::str
 // The largest epsilon after each trial of the set that was not blocked.
 std::vector<double> best_so_far(const GraspSet& set);
 
-// The number of the first trial that reached this epsilon, to a millionth; 0: none did.
-int trials_to_reach(const std::vector<double>& best, double epsilon);
+// The number of the first trial that reached this epsilon, up to a part `within` of it (0 .. 1) and
+// a millionth; 0: none did.
+int trials_to_reach(const std::vector<double>& best, double epsilon, double within);
 
 }  // namespace prehend::bench

@@ -211,7 +211,7 @@ SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primiti
   ProposalSequence sequence(scene, primitives, candidates);
   std::optional<OrderedProposals> ordered;
   if (search.learned) {
-    ordered.emplace(scene, primitives, sequence, *search.learned, search.batch);
+    ordered.emplace(scene, primitives, sequence, *search.learned);
   }
   return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found)
       .run();

@@ -1,6 +1,8 @@
 #include "planner/train/train_order.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "planner/learn/grasp_features.h"
 #include "sim/base/input_error.h"
@@ -41,9 +43,8 @@ void OrderTraining::add(const GraspSet& set) {
     require(grasp.features.size() == kGraspFeatures.size(),
             {.field = "features", .problem = "needs a number for each name"});
     rows_.values.insert(rows_.values.end(), grasp.features.begin(), grasp.features.end());
-    const double epsilon = epsilon_of(grasp);
-    rows_.labels.push_back(
-        static_cast<float>(options_.label == OrderLabel::share ? epsilon / best : epsilon));
+    const double share = epsilon_of(grasp) / best;
+    rows_.labels.push_back(static_cast<float>(std::pow(share, options_.power)));
   }
   rows_.groups.push_back(count);
   add_name(hands_, set.hand);

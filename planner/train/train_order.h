@@ -8,14 +8,11 @@
 
 namespace prehend {
 
-// What the model learns of a trial. A grasp that does not hold counts as an epsilon of 0.
-enum class OrderLabel {
-  epsilon,  // its epsilon
-  share,    // its epsilon over the largest of its set
-};
-
 struct TrainOptions {
-  OrderLabel label = OrderLabel::share;
+  // A trial is learnt as its epsilon over the largest of its set, to this power (> 0). A grasp that
+  // does not hold counts as an epsilon of 0. The larger the power, the more the model cares for the
+  // best alone.
+  double power = 4.0;
   BoostOptions boost;
   bool any_hand = false;  // the model may be used for hands that it was not trained on
 };

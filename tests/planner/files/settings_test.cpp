@@ -1,4 +1,5 @@
 // The settings of a run in its grasp file: every option of every struct, under one name.
+#include <memory>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -108,6 +109,30 @@ TEST(Settings, ThoseOfEarlierVersionsArePermitted) {
   RunRecord record;
   read_settings(file.root(), record);
   EXPECT_EQ(record.options.seed, 5U);
+}
+
+TEST(Settings, AModelIsInTheFileByNameAndChecksum) {
+  auto model = std::make_shared<TreeModel>();
+  model->name = "mine";
+  PlanOptions options;
+  options.search.learned = LearnedOrder{};
+  options.search.learned->model = model;
+  const json learned = settings_of(options)["learned"];
+  EXPECT_EQ(learned["model"], "mine");
+  EXPECT_EQ(learned["choose_from"], options.search.learned->choose_from);
+  EXPECT_EQ(learned["chosen"], options.search.learned->chosen);
+  EXPECT_EQ(learned["unordered"], options.search.learned->unordered);
+  const std::string before = learned["checksum"];
+  EXPECT_EQ(before.size(), 16U);
+  model->base = 1.0;
+  EXPECT_NE(settings_of(options)["learned"]["checksum"], before);
+  EXPECT_FALSE(settings_of({}).contains("learned"));
+  // Reading does not stumble over it.
+  const JsonFile file("settings.json", R"({"learned": {"model": "mine"}, "seed": 3})");
+  RunRecord record;
+  read_settings(file.root(), record);
+  EXPECT_EQ(record.options.seed, 3U);
+  EXPECT_FALSE(record.options.search.learned.has_value());
 }
 
 // Names that files of earlier versions have, which programs may read.

@@ -3,6 +3,7 @@
 #include "planner/learn/ordered_proposals.h"
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <set>
 #include <string>
@@ -24,7 +25,7 @@ struct Ordering {
   std::vector<Primitive> primitives = {{Box{{0.05, 0.06, 0.09}}, Pose::Identity()},
                                        {Cylinder{0.03, 0.09}, Pose::Identity()}};
 
-  LearnedOrder likes(const char* name, double unordered, double choose_from = 4.0) const {
+  LearnedOrder likes(const char* name, double unordered) const {
     auto model = std::make_shared<TreeModel>();
     model->features_version = kGraspFeaturesVersion;
     model->features = grasp_feature_names();
@@ -35,7 +36,7 @@ struct Ordering {
       model->trees.push_back(
           {{feature, threshold, 1, 2, 0.0F}, {-1, 0.0F, -1, -1, 0.0F}, {-1, 0.0F, -1, -1, 1.0F}});
     }
-    return {model, choose_from, unordered};
+    return {.model = model, .choose_from = 8, .chosen = 2, .unordered = unordered};
   }
 
   std::vector<ProposedGrasp> in_sequence(int count) const {
@@ -45,9 +46,9 @@ struct Ordering {
     return grasps;
   }
 
-  std::vector<ProposedGrasp> ordered(const LearnedOrder& order, int count, int batch = 8) const {
+  std::vector<ProposedGrasp> ordered(const LearnedOrder& order, int count) const {
     ProposalSequence sequence(scene, primitives, {});
-    OrderedProposals proposals(scene, primitives, sequence, order, batch);
+    OrderedProposals proposals(scene, primitives, sequence, order);
     std::vector<ProposedGrasp> grasps;
     for (int i = 0; i < count; ++i) grasps.push_back(*proposals.next(Track::solids));
     return grasps;
@@ -64,68 +65,74 @@ std::set<Key> keys(const std::vector<ProposedGrasp>& grasps, std::size_t first, 
   return found;
 }
 
+// What is taken are proposals of the sequence; how many of these were drawn for it follows from the
+// numbers of the order.
 TEST(OrderedProposals, EveryProposalComesOnceAndNoneIsLost) {
   const Ordering scene;
   constexpr int kTaken = 150;
-  constexpr int kPool = 32;  // 4 batches of 8
   for (const double unordered : {0.2, 0.5}) {
     const auto ordered = scene.ordered(scene.likes("thickness", unordered), kTaken);
-    const auto sequence = scene.in_sequence(kTaken + kPool);
+    const auto sequence = scene.in_sequence(4 * kTaken + 8);
     const std::set<Key> taken = keys(ordered, 0, kTaken);
     EXPECT_EQ(taken.size(), static_cast<std::size_t>(kTaken));
     const std::set<Key> drawn = keys(sequence, 0, sequence.size());
     EXPECT_TRUE(std::includes(drawn.begin(), drawn.end(), taken.begin(), taken.end()));
-    // What waits longest is the next of the unordered part: a fifth of what was taken is enough for
-    // the beginning of the sequence to have come.
-    const auto begun = static_cast<std::size_t>(unordered * kTaken);
-    const std::set<Key> first = keys(sequence, 0, begun);
+    // Of what the model did not choose, the first were taken: none is put off for ever.
+    const std::set<Key> first = keys(sequence, 0, static_cast<std::size_t>(unordered * kTaken) - 1);
     EXPECT_TRUE(std::includes(taken.begin(), taken.end(), first.begin(), first.end()));
   }
 }
 
-TEST(OrderedProposals, AllUnorderedIsTheSequence) {
-  const Ordering scene;
-  const auto ordered = scene.ordered(scene.likes("thickness", 1.0), 100);
-  const auto sequence = scene.in_sequence(100);
-  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(key(ordered[i]), key(sequence[i])) << i;
-}
-
-TEST(OrderedProposals, TheBestOfThePoolComesFirst) {
+// Each of its parts is one proposal of the eight that follow each other in the sequence.
+TEST(OrderedProposals, TheBestOfEveryEightComeFirst) {
   const Ordering scene;
   const LearnedOrder order = scene.likes("before", 0.0);
-  const auto ordered = scene.ordered(order, 32);
+  const auto ordered = scene.ordered(order, 20);
+  const auto sequence = scene.in_sequence(80);
   const FeatureMaker maker(scene.scene, scene.primitives);
   const auto score_of = [&](const ProposedGrasp& grasp) {
     return score(*order.model, maker.features(grasp));
   };
-  const auto sequence = scene.in_sequence(32);
-  double best = 0.0;
-  for (const ProposedGrasp& grasp : sequence) best = std::max(best, score_of(grasp));
-  EXPECT_EQ(score_of(ordered.front()), best);
-  // What was worse than another of the pool came after it.
-  double first = 0.0;
-  double all = 0.0;
-  for (std::size_t i = 0; i < 32; ++i) {
-    if (i < 16) first += score_of(ordered[i]) / 16.0;
-    all += score_of(sequence[i]) / 32.0;
+  bool one_was_better = false;
+  for (std::size_t round = 0; round < 10; ++round) {
+    std::vector<double> scores;
+    for (std::size_t i = 8 * round; i < 8 * round + 8; ++i) scores.push_back(score_of(sequence[i]));
+    std::sort(scores.begin(), scores.end(), std::greater<>());
+    EXPECT_EQ(score_of(ordered[2 * round]), scores[0]);
+    EXPECT_EQ(score_of(ordered[2 * round + 1]), scores[1]);
+    one_was_better = one_was_better || scores[1] > scores[2];
+    const std::set<Key> eight = keys(sequence, 8 * round, 8 * round + 8);
+    EXPECT_EQ(eight.count(key(ordered[2 * round])), 1U);
+    EXPECT_EQ(eight.count(key(ordered[2 * round + 1])), 1U);
   }
-  EXPECT_GT(first, all);
+  EXPECT_TRUE(one_was_better);
 }
 
-TEST(OrderedProposals, AShareKeepsTheOrderOfTheSequence) {
+TEST(OrderedProposals, AShareIsWhatWaitsInTheOrderOfTheSequence) {
   const Ordering scene;
+  const auto chosen = scene.ordered(scene.likes("before", 0.0), 60);
   const auto ordered = scene.ordered(scene.likes("before", 0.25), 80);
-  const auto sequence = scene.in_sequence(80);
-  // Every fourth is the earliest proposal that was not taken before.
-  std::set<Key> taken;
-  std::size_t earliest = 0;
-  for (std::size_t i = 0; i < 80; ++i) {
-    while (taken.count(key(sequence[earliest])) > 0) ++earliest;
-    if (i % 4 == 3) {
-      EXPECT_EQ(key(ordered[i]), key(sequence[earliest])) << i;
+  const auto sequence = scene.in_sequence(240);
+  const std::set<Key> preferred = keys(chosen, 0, chosen.size());
+  std::size_t next_chosen = 0;
+  std::size_t next_waiting = 0;
+  for (std::size_t i = 0; i < ordered.size(); ++i) {
+    if (i % 4 != 3) {
+      EXPECT_EQ(key(ordered[i]), key(chosen[next_chosen++])) << i;
+      continue;
     }
-    taken.insert(key(ordered[i]));
+    while (preferred.count(key(sequence[next_waiting])) > 0) ++next_waiting;
+    EXPECT_EQ(key(ordered[i]), key(sequence[next_waiting++])) << i;
   }
+}
+
+TEST(OrderedProposals, ChoosingAllIsTheSequenceInRounds) {
+  const Ordering scene;
+  LearnedOrder order = scene.likes("before", 0.0);
+  order.choose_from = 1;
+  const auto ordered = scene.ordered(order, 100);
+  const auto sequence = scene.in_sequence(100);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_EQ(key(ordered[i]), key(sequence[i])) << i;
 }
 
 TEST(OrderedProposals, RefusesAModelOfAnotherHand) {

@@ -2,7 +2,9 @@
 #include "planner/search/search_grasps.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -48,6 +50,58 @@ TEST(SearchGrasps, TriesTheSameOnAnyNumberOfThreads) {
   ASSERT_EQ(two.trials.size(), 200U);
   EXPECT_EQ(one.end, SearchEnd::trials);
   expect_same(one, two, 200);
+}
+
+// Likes thick places, of this hand.
+LearnedOrder order_by_thickness(const CompiledScene& scene) {
+  auto model = std::make_shared<TreeModel>();
+  model->features_version = kGraspFeaturesVersion;
+  model->features = grasp_feature_names();
+  model->hands = {scene.scene.hand.name};
+  const auto at = std::find(model->features.begin(), model->features.end(), "thickness");
+  const auto feature = static_cast<int>(at - model->features.begin());
+  for (const float threshold : {0.1F, 0.2F, 0.4F, 0.6F}) {
+    model->trees.push_back(
+        {{feature, threshold, 1, 2, 0.0F}, {-1, 0.0F, -1, -1, 0.0F}, {-1, 0.0F, -1, -1, 1.0F}});
+  }
+  LearnedOrder order;
+  order.model = std::move(model);
+  return order;
+}
+
+TEST(SearchGrasps, ALearnedOrderIsTheSameOnAnyNumberOfThreads) {
+  const Searched mug = mug_to_search();
+  SearchOptions options{.trials = 160};
+  options.learned = order_by_thickness(mug.scene);
+  const SearchResult one = mug.search(options, {.threads = 1});
+  ASSERT_EQ(one.trials.size(), one.candidates.size());
+  for (const int threads : {2, 4}) {
+    const SearchResult many = mug.search(options, {.threads = threads});
+    ASSERT_EQ(many.trials.size(), one.trials.size());
+    expect_same(one, many, one.trials.size());
+  }
+  // It does choose others than the search without it.
+  const SearchResult without = mug.search({.trials = 160});
+  int different = 0;
+  for (std::size_t i = 0; i < 100; ++i) {
+    if (one.proposed[i].candidate.X_OH.matrix() != without.proposed[i].candidate.X_OH.matrix()) {
+      ++different;
+    }
+  }
+  EXPECT_GT(different, 50);
+}
+
+// With nothing to choose from, the order is that of the sequence, and the search the one without a
+// model.
+TEST(SearchGrasps, AnOrderThatChangesNothingChangesNothing) {
+  const Searched mug = mug_to_search();
+  SearchOptions options{.trials = 128};
+  options.learned = order_by_thickness(mug.scene);
+  options.learned->choose_from = 1;
+  const SearchResult with = mug.search(options);
+  const SearchResult without = mug.search({.trials = 128});
+  ASSERT_EQ(with.trials.size(), without.trials.size());
+  expect_same(with, without, with.trials.size());
 }
 
 // Whole batches of a shorter search are those of a longer one, so that more trials never lose a
