@@ -15,6 +15,7 @@
 #include "planner/search/object_primitives.h"
 #include "planner/search/run_trials.h"
 #include "planner/search/search_grasps.h"
+#include "sim/base/formatted.h"
 #include "sim/base/output_file.h"
 #include "sim/json/json_field.h"
 
@@ -26,13 +27,13 @@ constexpr int kThreads = 2;
 
 // Seven objects with three hands: 21 parts for each seed.
 std::string batch_text(int seeds) {
-  std::string text =
+  std::string list = "1";
+  for (int i = 2; i <= seeds; ++i) list += formatted(",%d", i);
+  return formatted(
       R"({"objects": [{"generate": ["mug", "wine_glass", "phone", "flask", "bottle", "bowl", "box"]}],
-          "hands": ["franka_hand", "barrett", "robotiq_2f85"],
-          "settings": [{"trials": )" +
-      std::to_string(kTrialsOfAPart) + R"(}], "seeds": [)";
-  for (int i = 1; i <= seeds; ++i) text += (i > 1 ? "," : "") + std::to_string(i);
-  return text + "]}";
+          "hands": ["franka_hand", "barrett", "robotiq_2f85"], "settings": [{"trials": %d}],
+          "seeds": [%s]})",
+      kTrialsOfAPart, list.c_str());
 }
 
 double seconds_since(Clock::time_point start) { return 1e-3 * milliseconds_since(start); }
