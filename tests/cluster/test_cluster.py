@@ -119,14 +119,6 @@ class SlurmTest(Batch):
         self.assertRegex(self.queue(), r"has ended: 8 completed of 8 shards; merge completed\n$")
         self.expect_merged_as_without_a_cluster()
 
-    def test_preemption(self):
-        self.submit_to_slurm("--partition", "main")
-        self.wait_for_task_on("n1")
-        self.slurm.ask("sbatch", "--partition=urgent", "--nodes=2", "--output=/dev/null", "--wrap=true")
-        wait_until(lambda: any(row[3] > 0 for row in self.slurm.tasks()), "a task starts again")
-        self.wait_for_end()
-        self.expect_merged_as_without_a_cluster()
-
     def test_time_that_ends(self):
         """What Slurm sends before the time limit, which is minutes away at least, is sent here by hand."""
         self.submit_to_slurm()

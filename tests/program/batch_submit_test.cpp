@@ -38,7 +38,7 @@ TEST_F(BatchSubmit, RefusesInOneLine) {
   expect_refused(submit("--dry-run --engine other"), "--engine");
   expect_refused(submit("--dry-run --partition 'a b'"), "partition: ");
   expect_refused(run_program("batch submit /no-such-file -o " + folder.string() + " --shards 1"),
-                 "/no-such-file: there is no such file");
+                 "/no-such-file: cannot be read: no such file");
 }
 
 // Where a program of the engine is looked for, but is not.
