@@ -44,8 +44,11 @@ bool OrderedProposals::is_turn_of_waiting(const Drawn& drawn) const {
 
 std::optional<ProposedGrasp> OrderedProposals::next(Track track) {
   Drawn& drawn = drawn_[static_cast<std::size_t>(track)];
+  const bool ordered = static_cast<double>(drawn.returned) < order_.ordered_first;
+  if (!ordered && drawn.chosen.empty() && drawn.waiting.empty()) return sequence_->next(track);
   const bool waiting_first = is_turn_of_waiting(drawn);
-  if (drawn.chosen.empty() && !(waiting_first && !drawn.waiting.empty())) draw(track, drawn);
+  if (ordered && drawn.chosen.empty() && !(waiting_first && !drawn.waiting.empty()))
+    draw(track, drawn);
   const bool from_waiting = !drawn.waiting.empty() && (waiting_first || drawn.chosen.empty());
   std::deque<ProposedGrasp>& from = from_waiting ? drawn.waiting : drawn.chosen;
   if (from.empty()) return std::nullopt;

@@ -26,14 +26,19 @@ struct LearnedOrder {
   // The part of the proposals, in 0 .. 1, that are those that wait, in the order of the sequence:
   // what the model judges badly is tried as well, later.
   double unordered = 0.2;
+  // So many proposals of solids, and of curves, are ordered (>= 0). Behind them come all that wait,
+  // and then the sequence goes on, in its own order: a model helps a search to begin, and later on
+  // the neighbours of what was found are better advice.
+  int ordered_first = 100;
 };
 
 template <SettingsOf<LearnedOrder> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [model, choose_from, chosen, unordered] = options;
+  auto& [model, choose_from, chosen, unordered, ordered_first] = options;
   visit("choose_from", choose_from, kAtLeast1);
   visit("chosen", chosen, kAtLeast1);
   visit("unordered", unordered, Range{0.0, 1.0});
+  visit("ordered_first", ordered_first, kAtLeast0);
 }
 
 // The proposals of a sequence, each exactly once as long as it is asked for more. Of equal scores

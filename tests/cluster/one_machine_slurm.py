@@ -25,8 +25,6 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 SlurmdParameters=config_overrides
 SchedulerParameters=sched_min_interval=0,bf_interval=1
-PreemptType=preempt/partition_prio
-PreemptMode=REQUEUE
 JobRequeue=1
 ReturnToService=2
 SlurmdTimeout=5
@@ -38,8 +36,7 @@ SlurmdPidFile={folder}/%n.pid
 SlurmctldLogFile={folder}/slurmctld.log
 SlurmdLogFile={folder}/%n.log
 {nodes}
-PartitionName=main Nodes=ALL Default=YES State=UP PriorityTier=1
-PartitionName=urgent Nodes=ALL State=UP PriorityTier=2
+PartitionName=main Nodes=ALL Default=YES State=UP
 """
 
 

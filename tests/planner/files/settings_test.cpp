@@ -122,6 +122,7 @@ TEST(Settings, AModelIsInTheFileByNameAndChecksum) {
   EXPECT_EQ(learned["choose_from"], options.search.learned->choose_from);
   EXPECT_EQ(learned["chosen"], options.search.learned->chosen);
   EXPECT_EQ(learned["unordered"], options.search.learned->unordered);
+  EXPECT_EQ(learned["ordered_first"], options.search.learned->ordered_first);
   const std::string before = learned["checksum"];
   EXPECT_EQ(before.size(), 16U);
   model->base = 1.0;

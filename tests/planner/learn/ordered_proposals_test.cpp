@@ -36,7 +36,11 @@ struct Ordering {
       model->trees.push_back(
           {{feature, threshold, 1, 2, 0.0F}, {-1, 0.0F, -1, -1, 0.0F}, {-1, 0.0F, -1, -1, 1.0F}});
     }
-    return {.model = model, .choose_from = 8, .chosen = 2, .unordered = unordered};
+    return {.model = model,
+            .choose_from = 8,
+            .chosen = 2,
+            .unordered = unordered,
+            .ordered_first = 1000};
   }
 
   std::vector<ProposedGrasp> in_sequence(int count) const {
@@ -123,6 +127,28 @@ TEST(OrderedProposals, AShareIsWhatWaitsInTheOrderOfTheSequence) {
     }
     while (preferred.count(key(sequence[next_waiting])) > 0) ++next_waiting;
     EXPECT_EQ(key(ordered[i]), key(sequence[next_waiting++])) << i;
+  }
+}
+
+// Behind the ordered ones, all that wait come in the order of the sequence, and then the sequence.
+TEST(OrderedProposals, BehindTheFirstTheSequenceGoesOn) {
+  const Ordering scene;
+  LearnedOrder order = scene.likes("before", 0.25);
+  order.ordered_first = 16;
+  const auto ordered = scene.ordered(order, 200);
+  const auto sequence = scene.in_sequence(200);
+  EXPECT_EQ(keys(ordered, 0, 200), keys(sequence, 0, 200));
+  order.ordered_first = 1000;
+  const auto always = scene.ordered(order, 16);
+  std::set<Key> taken;
+  for (std::size_t i = 0; i < 16; ++i) {
+    EXPECT_EQ(key(ordered[i]), key(always[i])) << i;
+    taken.insert(key(ordered[i]));
+  }
+  std::size_t next = 0;
+  for (std::size_t i = 16; i < 200; ++i) {
+    while (taken.count(key(sequence[next])) > 0) ++next;
+    EXPECT_EQ(key(ordered[i]), key(sequence[next++])) << i;
   }
 }
 

@@ -47,7 +47,8 @@ TEST(PrimitiveExtent, IsThatOfTheSurface) {
     const double h = random.uniform(0.01, 0.2);
     EXPECT_NEAR(primitive_extent({Sphere{b}, X_OP}, d_O), 2.0 * b, 1e-12);
     EXPECT_NEAR(primitive_extent({Cylinder{b, h}, X_OP}, d_O), spread(ends(b, b, h), d), 1e-3 * b);
-    EXPECT_NEAR(primitive_extent({Cone{a, b, h}, X_OP}, d_O), spread(ends(a, b, h), d), 1e-3 * b);
+    EXPECT_NEAR(primitive_extent({Cone{a, b, h}, X_OP}, d_O), spread(ends(a, b, h), d),
+                1e-3 * (a + b));
     const Vector3 size(a, b, h);
     std::vector<Vector3> corners;
     for (int c = 0; c < 8; ++c) {

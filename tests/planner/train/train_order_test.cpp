@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -48,12 +49,11 @@ BoostRows rows_of(const GraspSet& set) {
   return rows;
 }
 
-#define PREHEND_NEEDS_XGBOOST() \
-  if (!can_boost()) GTEST_SKIP() << "built without xgboost (libxgboost-dev)"
+constexpr const char* kNoXgboost = "built without xgboost (libxgboost-dev)";
 
 // xgboost adds leaves in single precision; a hundred of them differ by a few of its last digits.
 TEST(TrainOrder, ScoresAreWhatXgboostPredicts) {
-  PREHEND_NEEDS_XGBOOST();
+  if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   const BoostRows rows = rows_of(made_up_set("hand", "object", 4));
   const BoostOptions options;
   BoostedTrees boosted = boost_trees(rows, options);
@@ -75,13 +75,13 @@ TEST(TrainOrder, ScoresAreWhatXgboostPredicts) {
 }
 
 TEST(TrainOrder, TheSameSetsGiveTheSameModel) {
-  PREHEND_NEEDS_XGBOOST();
+  if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   const std::vector<GraspSet> sets = {made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)};
   EXPECT_EQ(tree_model_json(train_order(sets)), tree_model_json(train_order(sets)));
 }
 
 TEST(TrainOrder, LearnsWhatHoldsBest) {
-  PREHEND_NEEDS_XGBOOST();
+  if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   const TreeModel model = train_order({made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)});
   const GraspSet other = made_up_set("hand", "c", 3);
   const auto best = std::max_element(other.grasps.begin(), other.grasps.end(),
@@ -93,7 +93,7 @@ TEST(TrainOrder, LearnsWhatHoldsBest) {
 }
 
 TEST(TrainOrder, SaysWhatItWasTrainedOn) {
-  PREHEND_NEEDS_XGBOOST();
+  if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   GraspSet nothing_holds = made_up_set("third", "c", 3);
   for (GraspSetEntry& grasp : nothing_holds.grasps) grasp.outcome = Outcome::not_force_closure;
   GraspSet arm = made_up_set("second", "a", 2);
