@@ -72,7 +72,8 @@ std::uintmax_t bytes_below(const std::filesystem::path& folder) {
 }
 
 void measure(const std::filesystem::path& folder, int trials) {
-  const int seeds = std::max(1, trials / (21 * kTrialsOfAPart));
+  const int of_a_seed = 21 * kTrialsOfAPart;
+  const int seeds = std::max(1, (trials + of_a_seed - 1) / of_a_seed);
   const Batch batch = read_batch(JsonFile("batch.json", batch_text(seeds)));
   const BatchInputs inputs(batch);
   const BatchFolder out(folder, batch);

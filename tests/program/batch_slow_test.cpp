@@ -9,16 +9,12 @@
 #include "sim/base/random.h"
 #include "tests/program/program.h"
 #include "tests/program/running_program.h"
+#include "tests/support/file_tree.h"
 
 namespace prehend::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* const kCube =
-    "v -0.02 -0.02 0\nv 0.02 -0.02 0\nv 0.02 0.02 0\nv -0.02 0.02 0\n"
-    "v -0.02 -0.02 0.05\nv 0.02 -0.02 0.05\nv 0.02 0.02 0.05\nv -0.02 0.02 0.05\n"
-    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
 // 20 objects, 3 hands, 2 coefficients of friction.
 const char* const kLargeBatch = R"({
@@ -31,23 +27,14 @@ const char* const kSmallBatch = R"({
   "objects": ["meshes/", {"generate": "box", "triangles": 100}], "hands": ["franka_hand"],
   "settings": [{"accuracy": "draft", "trials": 6}], "seeds": [1, 2, 3]})";
 
-std::map<std::string, std::string> all_files(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    files[entry.path().lexically_relative(folder).string()] = content(entry.path());
-  }
-  return files;
-}
-
 class BatchProgram : public testing::Test {
  protected:
   void SetUp() override {
     const auto* test = testing::UnitTest::GetInstance()->current_test_info();
     home_ = fresh_folder(std::string("batch_program_") + test->name());
     fs::create_directories(home_ / "meshes");
-    std::ofstream(home_ / "meshes/cube.obj") << kCube;
-    std::ofstream(home_ / "meshes/tall.obj") << kCube;
+    std::ofstream(home_ / "meshes/cube.obj") << kBoxObj;
+    std::ofstream(home_ / "meshes/tall.obj") << kBoxObj;
     write(kSmallBatch);
   }
 
@@ -82,9 +69,9 @@ TEST_F(BatchProgram, KilledTwentyTimesEndsWithTheSameBytes) {
   EXPECT_EQ(killed, 20) << "the batch was done before it was killed often enough";
   ASSERT_EQ(run_program("batch" + words("killed")).status, 0);
   ASSERT_EQ(run_program("batch merge" + words("killed")).status, 0);
-  const auto expected = all_files(home_ / "whole/merged");
+  const auto expected = files_below(home_ / "whole/merged");
   EXPECT_EQ(expected.size(), 2 * 120U + 4U + 16U);
-  EXPECT_TRUE(all_files(home_ / "killed/merged") == expected);
+  EXPECT_TRUE(files_below(home_ / "killed/merged") == expected);
 }
 
 TEST_F(BatchProgram, OutOfRoomItEndsInOneLineAndGoesOnLater) {
@@ -112,7 +99,7 @@ TEST_F(BatchProgram, OutOfRoomItEndsInOneLineAndGoesOnLater) {
   EXPECT_NE(limited.status, 0);
   ASSERT_EQ(run_program("batch" + words("limited")).status, 0);
   ASSERT_EQ(run_program("batch merge" + words("limited")).status, 0);
-  EXPECT_TRUE(all_files(home_ / "limited/merged") == all_files(home_ / "whole/merged"));
+  EXPECT_TRUE(files_below(home_ / "limited/merged") == files_below(home_ / "whole/merged"));
 }
 
 TEST_F(BatchProgram, InterruptedItKeepsWhatIsDone) {
@@ -154,17 +141,50 @@ TEST_F(BatchProgram, RefusesInOneLineAndWritesNothing) {
   expect_refused(run_program("batch" + words("meshes")), "not of a batch");
   expect_refused(run_program("batch"), "batch file");
   expect_refused(run_program("batch '" + (home_ / "none.json").string() + "'"), "none.json");
-  EXPECT_EQ(all_files(home_ / "meshes").size(), 2U);
+  EXPECT_EQ(files_below(home_ / "meshes").size(), 2U);
 }
 
 TEST_F(BatchProgram, OfAnotherBatchIsRefused) {
   ASSERT_EQ(run_program("batch" + words("out") + " --shard 1/9").status, 0);
-  const auto before = all_files(home_ / "out");
+  const auto before = files_below(home_ / "out");
   fs::copy(file(), home_ / "other.json");
   expect_refused(run_program("batch '" + (home_ / "other.json").string() + "' -o '" +
                              (home_ / "out").string() + "'"),
                  "belongs to another batch");
-  EXPECT_TRUE(all_files(home_ / "out") == before);
+  EXPECT_TRUE(files_below(home_ / "out") == before);
+}
+
+// From a batch to a model to a plan that uses it.
+TEST_F(BatchProgram, IsLearntFrom) {
+  write(R"({"objects": ["meshes/", {"generate": ["bottle", "box"], "triangles": 200}],
+            "hands": ["franka_hand"], "settings": [{"accuracy": "draft", "trials": 60}]})");
+  ASSERT_EQ(run_program("batch" + words("out")).status, 0);
+  ASSERT_EQ(run_program("batch merge" + words("out") + " --formats acronym --pictures 0").status,
+            0);
+  const std::string model = (home_ / "model.json").string();
+  const std::string learn =
+      "learn '" + (home_ / "out/merged/acronym").string() + "' -o '" + model + "'";
+  const ProgramRun learnt = run_program(learn);
+  if (learnt.err.find("libxgboost-dev") != std::string::npos) {
+    GTEST_SKIP() << "built without xgboost";
+  }
+  ASSERT_EQ(learnt.status, 0) << learnt.err;
+  EXPECT_NE(learnt.out.find("4 objects and 1 hands"), std::string::npos) << learnt.out;
+  const std::string first = content(model);
+  ASSERT_EQ(run_program(learn).status, 0);
+  EXPECT_EQ(content(model), first);
+
+  const std::string plan = "plan mug --trials 40 --no-report --model '" + model + "' --out '" +
+                           (home_ / "plan").string() + "' --hand ";
+  ASSERT_EQ(run_program(plan + "franka_hand").status, 0);
+  EXPECT_NE(content(home_ / "plan/grasps.json").find("\"learned\""), std::string::npos);
+  std::filesystem::remove_all(home_ / "plan");
+  expect_refused(run_program(plan + "barrett"), "model.json");
+  EXPECT_FALSE(fs::exists(home_ / "plan"));
+  // A batch with a hand that the model does not know writes nothing, either.
+  write(R"({"objects": ["meshes/"], "hands": ["barrett"], "settings": [{"model": "model.json"}]})");
+  expect_refused(run_program("batch" + words("other")), "settings \"standard\"");
+  EXPECT_FALSE(fs::exists(home_ / "other"));
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 // Batches that are run in parts, interrupted, continued and merged.
 #include "planner/batch/run_batch.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 #include "planner/datasets/acronym_file.h"
 #include "sim/base/output_file.h"
 #include "sim/json/json_field.h"
+#include "tests/support/file_tree.h"
 #include "tests/support/refusal_of.h"
 
 namespace prehend {
@@ -19,31 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const kCube =
-    "v -0.02 -0.02 0\nv 0.02 -0.02 0\nv 0.02 0.02 0\nv -0.02 0.02 0\n"
-    "v -0.02 -0.02 0.05\nv 0.02 -0.02 0.05\nv 0.02 0.02 0.05\nv -0.02 0.02 0.05\n"
-    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+using test::bytes_of;
+using test::files_below;
+using test::kBoxObj;
 
 const char* const kBatch = R"({
   "objects": ["meshes/", {"generate": ["ball", "box"], "triangles": 200}],
   "hands": ["franka_hand", "robotiq_2f85"], "frictions": [0.5, 1.0],
   "settings": [{"accuracy": "draft", "trials": 12}]})";
-
-std::string bytes_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-// All files below the folder, by their path in it.
-std::map<std::string, std::string> files_below(const fs::path& folder) {
-  std::map<std::string, std::string> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    files[entry.path().lexically_relative(folder).string()] = bytes_of(entry.path());
-  }
-  return files;
-}
 
 class RunBatch : public testing::Test {
  protected:
@@ -52,7 +35,7 @@ class RunBatch : public testing::Test {
     home_ = fs::path(testing::TempDir()) / (std::string("batch_") + test->name());
     fs::remove_all(home_);
     make_folder(home_ / "meshes");
-    write_file(home_ / "meshes/cube.obj", kCube);
+    write_file(home_ / "meshes/cube.obj", kBoxObj);
   }
 
   Batch batch(const std::string& text = kBatch) const {
@@ -120,7 +103,7 @@ TEST_F(RunBatch, GoesOnWhereItWasCancelled) {
 TEST_F(RunBatch, ChangedInputIsDoneAnew) {
   const Batch all = batch();
   run(all, "out");
-  write_file(home_ / "meshes/cube.obj", std::string(kCube) + "# changed\n");
+  write_file(home_ / "meshes/cube.obj", std::string(kBoxObj) + "# changed\n");
   EXPECT_EQ(run(all, "out").made, 4U);
 }
 
