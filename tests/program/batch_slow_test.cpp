@@ -115,7 +115,7 @@ TEST_F(BatchProgram, InterruptedItKeepsWhatIsDone) {
   EXPECT_NE(rest.find("the same command goes on"), std::string::npos) << rest;
   const ProgramRun status = run_program("batch status" + words("kept"));
   EXPECT_EQ(status.status, 0);
-  EXPECT_EQ(status.out.find("0 of 120 parts"), std::string::npos) << status.out;
+  EXPECT_FALSE(status.out.starts_with("0 of 120 parts")) << status.out;
   const ProgramRun again = run_program("batch" + words("kept"));
   EXPECT_EQ(again.status, 0);
   EXPECT_EQ(again.out.find("120 in this run"), std::string::npos) << again.out;
