@@ -30,7 +30,7 @@ double share_of(std::size_t part, std::size_t whole) {
 }
 
 std::string share_bar(const OutcomeCounts& counts) {
-  return formatted("<span class=\"share\"><i style=\"width: %.1f%%\"></i></span>",
+  return formatted(R"(<span class="share"><i style="width: %.1f%%"></i></span>)",
                    100.0 * share_of(counts.stable(), counts.all()));
 }
 
@@ -76,21 +76,21 @@ std::string histogram_figure(const Histogram& histogram, const std::string& titl
   const std::size_t most =
       std::max<std::size_t>(1, *std::max_element(histogram.bins.begin(), histogram.bins.end()));
   const double step = static_cast<double>(kWidth) / static_cast<double>(histogram.bins.size());
-  std::string svg = formatted(
-      "<figure><svg role=\"img\" aria-label=\"%s\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d "
-      "%d\">",
-      markup_text(title).c_str(), kWidth, kHeight + kMargin, kWidth, kHeight + kMargin);
+  std::string svg =
+      formatted(R"(<figure><svg role="img" aria-label="%s" width="%d" height="%d" viewBox="0 0 %d )"
+                R"(%d">)",
+                markup_text(title).c_str(), kWidth, kHeight + kMargin, kWidth, kHeight + kMargin);
   for (std::size_t i = 0; i < histogram.bins.size(); ++i) {
     const double height = kHeight * share_of(histogram.bins[i], most);
-    svg += formatted("<rect class=\"bar\" x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\"/>",
+    svg += formatted(R"(<rect class="bar" x="%.2f" y="%.2f" width="%.2f" height="%.2f"/>)",
                      step * static_cast<double>(i) + 0.5, kHeight - height, step - 1.0, height);
   }
   const double end = histogram.width * static_cast<double>(histogram.bins.size());
-  svg += formatted("<path class=\"axis\" d=\"M0 %dH%d\"/>", kHeight, kWidth);
-  svg += formatted("<text class=\"words\" x=\"0\" y=\"%d\">0</text>", kHeight + 18);
-  svg += formatted("<text class=\"words\" x=\"%d\" y=\"%d\" text-anchor=\"middle\">%.4g</text>",
+  svg += formatted(R"(<path class="axis" d="M0 %dH%d"/>)", kHeight, kWidth);
+  svg += formatted(R"(<text class="words" x="0" y="%d">0</text>)", kHeight + 18);
+  svg += formatted(R"(<text class="words" x="%d" y="%d" text-anchor="middle">%.4g</text>)",
                    kWidth / 2, kHeight + 18, 0.5 * end);
-  svg += formatted("<text class=\"words\" x=\"%d\" y=\"%d\" text-anchor=\"end\">%.4g</text></svg>",
+  svg += formatted(R"(<text class="words" x="%d" y="%d" text-anchor="end">%.4g</text></svg>)",
                    kWidth, kHeight + 18, end);
   return svg + formatted("<figcaption>%s; the highest bar is %zu</figcaption></figure>\n",
                          markup_text(title).c_str(), most);
@@ -101,10 +101,10 @@ std::string picture_section(const BatchSummary& summary) {
   std::string figures;
   for (std::size_t i = 0; i < summary.pictures.size(); ++i) {
     const std::string title = markup_text(summary.pictures[i]);
-    figures += formatted(
-        "<figure><img src=\"pictures/%02zu.png\" alt=\"%s\" loading=\"lazy\"><figcaption>%s"
-        "</figcaption></figure>\n",
-        i + 1, title.c_str(), title.c_str());
+    figures +=
+        formatted(R"(<figure><img src="pictures/%02zu.png" alt="%s" loading="lazy"><figcaption>%s)"
+                  "</figcaption></figure>\n",
+                  i + 1, title.c_str(), title.c_str());
   }
   return "<h2>Grasps chosen at random</h2>\n<div class=\"pictures\">\n" + figures + "</div>\n";
 }

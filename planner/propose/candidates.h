@@ -33,8 +33,8 @@ void for_each_setting(Options& options, const Visit& visit) {
 // A candidate, and what it was derived from.
 struct ProposedGrasp {
   Candidate candidate;
-  int primitive = 0;  // index into the primitives
-  std::string rule;   // "box faces", "cylinder end", ...: see GraspRule::name
+  int primitive = 0;       // index into the primitives
+  std::string rule;        // "box faces", "cylinder end", ...: see GraspRule::name
   double width = 0.0;      // that the rule closes on [m]
   double stand_off = 0.0;  // how far the hand's origin stops short of the target [m]
   // Which way it is (ProposalSequence), the value of each of its freedoms and the level of detail
