@@ -67,6 +67,8 @@ OURS = {
     "prehend/approach": ("<f8", (3, 3)),
     "prehend/dof_names": ("|O", (1,)),
     "prehend/dofs": ("<f8", (3, 1)),
+    "prehend/joint_names": ("|O", (2,)),
+    "prehend/joints": ("<f8", (3, 2)),
     "prehend/feature_names": ("|O", (2,)),
     "prehend/features": ("<f4", (3, 2)),
     "prehend/contacts/start": ("<i8", (4,)),
@@ -139,6 +141,7 @@ class Acronym(DataSets):
             links = file["prehend/contacts/link_names"].asstr()[:]
             self.assertEqual(list(links[file["prehend/contacts/link"][0:2]]), ["left_pad", "right_pad"])
             np.testing.assert_array_equal(file["prehend/dofs"][:, 0], [0.02, np.nan, np.nan])
+            np.testing.assert_array_equal(file["prehend/joints"][0], [0.02, -0.02])
             self.assertEqual(json.loads(file["prehend/settings"].asstr()[()]), {"seed": 7})
 
     def write(self, name, **kinds):

@@ -22,6 +22,7 @@ GraspSet sample_set() {
   set.hand = "panda";
   set.configuration = 0.08;
   set.dofs = {"opening"};
+  set.joints = {"left", "right"};
   set.links = {"left_pad", "right_pad"};
   set.feature_names = {"distance", "width"};
   set.version = "prehend test";
@@ -34,6 +35,7 @@ GraspSet sample_set() {
   held.outcome = Outcome::stable;
   held.epsilon = {0.125, 0.25};
   held.dofs = {0.02};
+  held.joints = {0.02, -0.02};
   held.contacts = {{{0.02, 0.0, 0.0}, -Vector3::UnitX(), 0}, {{-0.02, 0.0, 0.0}, {1, 0, 0}, 1}};
   held.closing = ObjectMotion{0.001, 0.01};
   held.features = {0.5F, 0.75F};

@@ -1,5 +1,6 @@
 #include "planner/picture/image.h"
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -126,7 +127,10 @@ TEST_F(PngTest, FullDiskIsAnError) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this system";
   const fs::path file = folder_ / "picture.png";
   fs::path partial = file;
-  partial += ".part" + std::to_string(getpid());
+  // As write_file names what is not whole yet: after the process and its machine.
+  std::array<char, 256> machine{};
+  ASSERT_EQ(gethostname(machine.data(), machine.size() - 1), 0);
+  partial += ".part" + std::to_string(getpid()) + "@" + machine.data();
   fs::create_symlink("/dev/full", partial);
   EXPECT_NE(write_error(file, plain(600, 600, 7)), "");
   EXPECT_EQ(files_in_folder(), 0);
