@@ -101,13 +101,18 @@ std::string slurm_script(const ClusterJob& job) {
   std::string text = "#!/bin/bash\n" + option_line("--job-name=" + job.name) +
                      option_line(array_range(job)) + common_options(job) +
                      option_line("--signal=B:USR1@60") + log_option(job, "%a.txt");
-  text += extra_text(job) + command_start(job, shell_word, "") +
-          " \\\n  --shard \"$SLURM_ARRAY_TASK_ID/" + std::to_string(job.shards) + "\" --threads " +
-          std::to_string(job.cores) + " &\n";
-  text += R"(shard=$!
+  // Signals may come as soon as the program runs, before its number is known here.
+  text += extra_text(job) + R"(shard=
+came=
 near_end=
-trap 'came=yes near_end=yes; kill -TERM "$shard" 2> /dev/null' USR1
-trap 'came=yes; kill -TERM "$shard" 2> /dev/null' TERM
+stop() { [[ -z $shard ]] || kill -TERM "$shard" 2> /dev/null; }
+trap 'came=yes near_end=yes; stop' USR1
+trap 'came=yes; stop' TERM
+)";
+  text += command_start(job, shell_word, "") + " \\\n  --shard \"$SLURM_ARRAY_TASK_ID/" +
+          std::to_string(job.shards) + "\" --threads " + std::to_string(job.cores) + " &\n";
+  text += R"(shard=$!
+[[ -z $came ]] || stop
 # A signal ends the wait before the program has ended.
 came=yes
 while [[ -n $came ]]; do
