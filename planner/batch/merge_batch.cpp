@@ -1,9 +1,7 @@
 #include "planner/batch/merge_batch.h"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
-#include <set>
 #include <sstream>
 #include <utility>
 

@@ -25,7 +25,7 @@ GraspableBody grasped_object(const Batch& batch, const BatchPart& part, const Tr
   return object;
 }
 
-// What hides the material of a fingertip from the object's friction.
+// The coefficient of the object's material with every other one, whether it sticks or slides.
 void set_friction(Scene& scene, double friction) {
   for (const Material other : kMaterials) {
     scene.friction.set(scene.object.material, other, friction);
