@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "sim/contact/triangle_overlap.h"
 #include "sim/geometry/nearest_point.h"
@@ -89,8 +90,38 @@ Vector3 nearest_on_patch(const Vector3& p, const std::vector<PressedPart>& parts
   return nearest;
 }
 
-// Sums up the forces of one patch. Their centre may lie off a curved surface: the contact is put at
-// the point of the patch nearest to it.
+// How far from `center` against `normal` the line of the resultant force meets a part, if it does.
+std::optional<double> way_out_through(const PressedPart& part, const Vector3& center,
+                                      const Vector3& normal) {
+  // A line through an edge, as where a plate lies on an edge of the object, has to meet one of its
+  // two parts in spite of rounding; still far below the contact threshold [m].
+  constexpr double kBeside = 1e-9;
+  // Parts that the line would only graze.
+  constexpr double kLeastCosine = 1e-3;
+  const double cosine = part.normal.dot(normal);
+  if (cosine < kLeastCosine) return std::nullopt;
+  Corners flat = part.corners;  // seen along the line
+  for (Vector3& corner : flat) corner -= (corner - center).dot(normal) * normal;
+  if ((nearest_point_on(flat, center) - center).norm() > kBeside) return std::nullopt;
+  return (center - part.corners[0]).dot(part.normal) / cosine;
+}
+
+// The place of a contact with this resultant force. The centre of pressure lies off a curved
+// surface; along the line of the force it is moved onto the patch, which changes no torque. (The
+// point of the patch nearest to the centre would be beside that line, and under an edge of the
+// object on either side of it, as rounding has it.)
+Vector3 on_patch(const Vector3& center, const Vector3& normal,
+                 const std::vector<PressedPart>& parts) {
+  std::optional<double> out;
+  for (const PressedPart& part : parts) {
+    const std::optional<double> way = way_out_through(part, center, normal);
+    if (way && (!out || *way > *out)) out = way;
+  }
+  // The line passes beside a patch with a hole.
+  return out ? Vector3(center - *out * normal) : nearest_on_patch(center, parts);
+}
+
+// Sums up the forces of one patch.
 SoftPatch resultant(const std::vector<PressedPart>& parts) {
   SoftPatch patch;
   Vector3 normal = Vector3::Zero();
@@ -113,7 +144,7 @@ SoftPatch resultant(const std::vector<PressedPart>& parts) {
       patch.torsion += part.force[i] * arm.cross(patch.normal).norm() / patch.force;
     }
   }
-  patch.position = nearest_on_patch(center, parts);
+  patch.position = on_patch(center, patch.normal, parts);
   return patch;
 }
 

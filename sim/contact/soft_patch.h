@@ -14,8 +14,10 @@ namespace prehend {
 
 // The resultant of the pressure over one contact patch, in the object's frame O.
 struct SoftPatch {
-  Vector3 position = Vector3::Zero();  // on the object, nearest to the centre of pressure [m]
-  Vector3 normal = Vector3::UnitZ();   // unit, from the link into the object: mean by pressure
+  // On the object, where the line of the resultant force leaves it; nearest to the centre of
+  // pressure where that line passes through a hole of the patch [m].
+  Vector3 position = Vector3::Zero();
+  Vector3 normal = Vector3::UnitZ();  // unit, from the link into the object: mean by pressure
   // Mean distance of the pressure from the normal through its centre. By Coulomb friction at every
   // point, that is the largest torque about the normal over the largest friction force [m].
   double torsion = 0.0;

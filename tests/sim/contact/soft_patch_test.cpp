@@ -87,6 +87,36 @@ TEST(SoftPatch, TwoFeetAreTwoPatches) {
   EXPECT_NEAR(patches[0].force, 2.0 * patches[1].force, 1e-12);
 }
 
+// Under an edge the centre of pressure is as far from the face on the one side as from that on the
+// other: rounding must not choose between them.
+TEST(SoftPatch, UnderAnEdgeThePlaceDoesNotDependOnRounding) {
+  Random random(8);
+  // Lying along y on one of its 60 edges.
+  const Matrix3 lying{{0, -1, 0}, {0, 0, 1}, {-1, 0, 0}};
+  const TriangleMesh prism =
+      transformed(make_cylinder(0.03, 0.01, 60), pose_from(lying, {0, 0, 0.03}));
+  const auto level = patches_of(prism, Pose::Identity());
+  ASSERT_EQ(level.size(), 1U);
+  EXPECT_NEAR(level[0].position.norm(), 0.0, 1e-9);
+  for (int i = 0; i < 20; ++i) {
+    const auto patches = patches_of(prism, random.pose(1.0));
+    ASSERT_EQ(patches.size(), 1U);
+    EXPECT_LT((patches[0].position - level[0].position).norm(), 1e-9);
+  }
+}
+
+// The moment of the pressure about any point is that of the resultant at the patch's position.
+TEST(SoftPatch, ThePlaceIsOnTheLineOfTheForce) {
+  const TriangleMesh ball = transformed(make_sphere(0.03, 6), translation({0.0095, 0.001, 0.03}));
+  const auto patches = patches_of(ball, Pose::Identity());
+  ASSERT_EQ(patches.size(), 1U);
+  // The pad ends at x = 10 mm: the cap is cut off, and the force leans. All normals of the ball
+  // pass through its centre, so that the line of the resultant does too.
+  const Vector3 arm = patches[0].position - Vector3(0.0095, 0.001, 0.03);
+  EXPECT_LT(arm.cross(patches[0].normal).norm(), 1e-4);
+  EXPECT_GT(patches[0].normal.x(), 1e-3);
+}
+
 TEST(SoftPatch, NothingWithinTheDepthIsNoPatch) {
   const TriangleMesh far = transformed(make_box({0.01, 0.01, 0.01}), translation({0, 0, 0.0065}));
   EXPECT_TRUE(patches_of(far, Pose::Identity()).empty());
