@@ -24,22 +24,13 @@ namespace fs = std::filesystem;
 constexpr const char* kBatchFormat = "prehend batch 1";
 constexpr int kGeneratedTriangles = 5000;
 
-bool is_mesh_name(const fs::path& file) {
-  static constexpr std::array<std::string_view, 9> kEndings = {
-      ".obj", ".stl", ".ply", ".off", ".gltf", ".glb", ".dae", ".iv", ".wrl"};
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
-}
-
 // The meshes below a folder, at any depth.
 std::vector<fs::path> meshes_below(const JsonField& field, const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end;
        it.increment(error)) {
-    if (is_mesh_name(it->path()) && is_file(it->path())) files.push_back(it->path());
+    if (has_mesh_format(it->path()) && is_file(it->path())) files.push_back(it->path());
   }
   if (error) field.fail("cannot be read as a folder: " + error.message());
   if (files.empty()) field.fail("a folder without a mesh");
@@ -52,7 +43,7 @@ std::vector<fs::path> meshes_like(const JsonField& field, const fs::path& patter
   std::vector<fs::path> files;
   for (std::size_t i = 0; status == 0 && i < found.gl_pathc; ++i) {
     const fs::path file = found.gl_pathv[i];  // NOLINT(*-pointer-arithmetic): as glob returns it
-    if (is_mesh_name(file) && is_file(file)) files.push_back(file);
+    if (has_mesh_format(file) && is_file(file)) files.push_back(file);
   }
   ::globfree(&found);
   if (files.empty()) field.fail("no mesh has such a name");
@@ -145,7 +136,7 @@ class ObjectList {
     } else if (is_pattern(words) && !is_file(path)) {
       files = meshes_like(field, path);
       common = fixed_part(path);
-    } else if (is_file(path) && is_mesh_name(path)) {
+    } else if (is_file(path) && has_mesh_format(path)) {
       files.push_back(path);
     } else {
       field.fail(is_file(path) ? "no format of meshes has such an ending"

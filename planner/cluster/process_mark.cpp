@@ -1,18 +1,13 @@
 #include "planner/cluster/process_mark.h"
 
-#include <array>
 #include <fstream>
 #include <sstream>
 #include <unistd.h>
 
+#include "sim/base/host_name.h"
+
 namespace prehend {
 namespace {
-
-std::string host_name() {
-  std::array<char, 256> name{};
-  ::gethostname(name.data(), name.size() - 1);
-  return name.data();
-}
 
 std::string first_word(const char* file) {
   std::ifstream stream(file);

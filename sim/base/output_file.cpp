@@ -1,7 +1,6 @@
 #include "sim/base/output_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <csignal>
@@ -10,6 +9,7 @@
 #include <unistd.h>
 #include <vector>
 
+#include "sim/base/host_name.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {
@@ -23,11 +23,7 @@ constexpr const char* kPart = ".part";
 
 // The end of the names of this machine's parts: on a file system that machines share, the id of a
 // process says nothing about those of others.
-std::string machine() {
-  std::array<char, 256> name{};
-  if (::gethostname(name.data(), name.size() - 1) != 0) return "@";
-  return std::string("@") + name.data();
-}
+std::string machine() { return "@" + host_name(); }
 
 // Removes what killed programs left of earlier attempts to write `file`: its parts, whose names end
 // in the id of a process of this machine that is gone.

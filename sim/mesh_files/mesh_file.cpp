@@ -26,11 +26,21 @@ namespace {
 constexpr std::array<std::string_view, 9> kExtensions{"obj", "stl", "ply", "off", "gltf",
                                                       "glb", "dae", "iv",  "wrl"};
 
+// In lower case, without the dot.
 std::string extension_of(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   if (!extension.empty()) extension.erase(0, 1);
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (std::find(kExtensions.begin(), kExtensions.end(), extension) == kExtensions.end()) {
+  return extension;
+}
+
+bool is_known(const std::string& extension) {
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::string known_extension_of(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  if (!is_known(extension)) {
     throw InputError(
         {.problem = "unknown mesh format, known: .obj .stl .ply .off .gltf .glb .dae .iv .wrl",
          .value = "." + extension});
@@ -73,7 +83,7 @@ LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
           {.field = "metres_per_unit",
            .problem = "must be positive and finite",
            .value = std::to_string(options.metres_per_unit)});
-  const std::string extension = extension_of(file);
+  const std::string extension = known_extension_of(file);
   TriangleMesh raw = read_raw(bytes(), file, extension);
   if (raw.empty()) throw InputError("no triangles");
   // Unused vertices are removed first: they may be invalid, and they must not enlarge the bounding
@@ -95,8 +105,10 @@ double metres_per_unit(std::string_view unit) {
       {.field = "unit", .problem = "must be m, cm, mm or in", .value = std::string(unit)});
 }
 
+bool has_mesh_format(const std::filesystem::path& file) { return is_known(extension_of(file)); }
+
 bool states_unit(const std::filesystem::path& file) {
-  const std::string extension = extension_of(file);
+  const std::string extension = known_extension_of(file);
   return extension == "gltf" || extension == "glb" || extension == "dae";
 }
 

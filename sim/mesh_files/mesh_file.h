@@ -12,6 +12,9 @@ namespace prehend {
 // Length of a unit in metres: "m", "cm", "mm" or "in". Throws InputError for any other name.
 double metres_per_unit(std::string_view unit);
 
+// Whether the extension of a file is one that load_mesh knows.
+bool has_mesh_format(const std::filesystem::path& file);
+
 // Whether the format of a file, by its extension, says the unit of its coordinates (glTF, COLLADA),
 // or at least that it is the metre.
 bool states_unit(const std::filesystem::path& file);
