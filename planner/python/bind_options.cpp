@@ -56,7 +56,11 @@ void bind_proposal_options(py::module_& core) {
       .number("solids_first", &SearchOptions::solids_first,
               "The part of the trials before those of rims and bars, in 0 .. 1.")
       .number("curves_least", &SearchOptions::curves_least,
-              "The part of the trials that rims and bars then get at least, in 0 .. 1.");
+              "The part of the trials that rims and bars then get at least, in 0 .. 1.")
+      .number("patience", &SearchOptions::patience,
+              "After so many trials of which none has held, the hand backs off more (>= 0).")
+      .number("patient_back_offs", &SearchOptions::patient_back_offs,
+              "How often it backs off then, if a trial does not anyway (>= 0).");
 }
 
 void bind_contact_options(py::module_& core) {

@@ -135,6 +135,9 @@ class GraspSearch {
 
   // Adds the trials of the batch that were finished in time; false where some were not.
   bool try_batch(const std::vector<ProposedGrasp>& batch) {
+    if (stable_ == 0 && counted_ >= options_.patience) {
+      trial_.back_off_tries = std::max(trial_.back_off_tries, options_.patient_back_offs);
+    }
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : batch) candidates.push_back(grasp.candidate);
     const Progress before{Stage::trials, counted_, options_.trials, stable_};
@@ -187,7 +190,7 @@ class GraspSearch {
   ProposalSequence& sequence_;
   OrderedProposals* ordered_;
   const SearchOptions& options_;
-  const TrialOptions& trial_;
+  TrialOptions trial_;
   const RunContext& context_;
   const FoundListener& found_;
   TrialWorkers workers_;

@@ -38,6 +38,11 @@ struct SearchOptions {
   double well_served = 0.15;
   double solids_first = 0.2;
   double curves_least = 0.06;
+  // Where after so many trials (>= 0) none has held, the hand backs off more often in those that
+  // follow: patient_back_offs times (>= 0), if a trial does not anyway. Fingers that swing while
+  // they close, as those of the Robotiq 2F-85, may hold a box only at their tips.
+  int patience = 100;
+  int patient_back_offs = 4;
   // Set: a model that was learnt from earlier trials orders the proposals of the sequence
   // (docs/learning.md).
   std::optional<LearnedOrder> learned = {};
@@ -47,7 +52,7 @@ struct SearchOptions {
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [trials, most_blocked, enough, batch, follow, followed, well_served, solids_first,
-         curves_least, learned] = options;
+         curves_least, patience, patient_back_offs, learned] = options;
   visit("trials", trials, kAtLeast1);
   visit("most_blocked", most_blocked, kAtLeast0);
   visit("enough", enough, kAtLeast0);
@@ -57,6 +62,8 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("well_served", well_served, kAtLeast0);
   visit("solids_first", solids_first, Range{0.0, 1.0});
   visit("curves_least", curves_least, Range{0.0, 1.0});
+  visit("patience", patience, kAtLeast0);
+  visit("patient_back_offs", patient_back_offs, kAtLeast0);
 }
 
 // Why a search ended.

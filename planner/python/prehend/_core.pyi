@@ -94,6 +94,8 @@ class SearchOptions:
     well_served: float
     solids_first: float
     curves_least: float
+    patience: int
+    patient_back_offs: int
     def __init__(
         self,
         *,
@@ -106,6 +108,8 @@ class SearchOptions:
         well_served: float = ...,
         solids_first: float = ...,
         curves_least: float = ...,
+        patience: int = ...,
+        patient_back_offs: int = ...,
     ) -> None: ...
     def __copy__(self) -> SearchOptions: ...
     def __deepcopy__(self, memo: Dict[Any, Any], /) -> SearchOptions: ...

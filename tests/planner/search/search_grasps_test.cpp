@@ -153,6 +153,25 @@ TEST(SearchGrasps, EndsOnceEnoughGraspsHold) {
   }
 }
 
+// The knuckles of the open Robotiq 2F-85 meet the upper edges of a wide box before its pads do: it
+// holds the box only farther out than a trial backs off.
+TEST(SearchGrasps, BacksOffMoreWhereNothingHolds) {
+  const CompiledScene scene = compile(make_scene(
+      make_graspable("box", make_box({0.06, 0.1, 0.16}), Material::plastic), "robotiq_2f85"));
+  const Searched box{scene, decompose(scene.scene.object.mesh).primitives};
+  const SearchResult never = box.search({.trials = 120, .patience = 120});
+  EXPECT_EQ(std::count_if(never.trials.begin(), never.trials.end(),
+                          [](const Trial& t) { return t.outcome == Outcome::stable; }),
+            0);
+  const SearchResult soon = box.search({.trials = 120, .patience = 60}, {.threads = 2});
+  expect_same(never, soon, 64);
+  for (std::size_t i = 64; i < soon.trials.size(); ++i) {
+    const Trial& trial = soon.trials[i];
+    EXPECT_TRUE(trial.outcome != Outcome::stable || trial.back_offs > 1) << i;
+  }
+  EXPECT_EQ(soon.trials.back().outcome, Outcome::stable);
+}
+
 TEST(SearchGrasps, BeginsNothingAfterItsDeadline) {
   const Searched mug = mug_to_search();
   RunContext context;
