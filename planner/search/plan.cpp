@@ -16,6 +16,7 @@
 #include "planner/search/object_primitives.h"
 #include "planner/search/run_trials.h"
 #include "planner/search/search_settings.h"
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -361,14 +362,23 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   return result;
 }
 
+namespace {
+
+// Three digits, and all there are from a metre on.
+std::string in_millimetres(double length) {
+  const double number = 1000.0 * length;
+  return formatted(number < 999.5 ? "%.3g mm" : "%.0f mm", number);
+}
+
+}  // namespace
+
 std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result) {
   std::ostringstream message;
-  message.precision(3);
   message << scene.scene.object.name << unit_hint(scene.scene.object)
           << ": no grasp to try with hand " << scene.scene.hand.name;
   if (std::isfinite(result.smallest_width)) {
-    message << ": the smallest size to close on is " << 1000.0 * result.smallest_width
-            << " mm, the hand opens to " << 1000.0 * result.largest_opening << " mm";
+    message << ": the smallest size to close on is " << in_millimetres(result.smallest_width)
+            << ", the hand opens to " << in_millimetres(result.largest_opening);
   }
   // The words above end with the hint about the unit.
   for (const Advice& advice : result.advice) {
