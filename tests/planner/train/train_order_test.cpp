@@ -92,6 +92,17 @@ TEST(TrainOrder, LearnsWhatHoldsBest) {
   EXPECT_GT(best->features[1], 0.0F);
 }
 
+// Only the order of the epsilons within a set counts.
+TEST(TrainOrder, LearnsTheRankInTheSet) {
+  if (!can_boost()) GTEST_SKIP() << kNoXgboost;
+  const std::vector<GraspSet> sets = {made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)};
+  std::vector<GraspSet> others = sets;
+  for (GraspSetEntry& grasp : others[1].grasps) grasp.epsilon.lower *= 10.0 * grasp.epsilon.lower;
+  EXPECT_EQ(tree_model_json(train_order(sets)), tree_model_json(train_order(others)));
+  std::swap(others[1].grasps[0].features, others[1].grasps[1].features);
+  EXPECT_NE(tree_model_json(train_order(sets)), tree_model_json(train_order(others)));
+}
+
 TEST(TrainOrder, SaysWhatItWasTrainedOn) {
   if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   GraspSet nothing_holds = made_up_set("third", "c", 3);
