@@ -34,8 +34,8 @@ struct LearnedOrder {
   // was found are better advice.
   int ordered_first = 200;
   // Before them come so many in the order of the sequence (>= 0) where the model was not trained on
-  // the scene's hand: what is easy is found by these, so that a model that misjudges the hand costs
-  // little.
+  // the scene's hand. What is easy is found by these, and what becomes of them tells whether the
+  // model can judge the hand: where its scores do not rank them, nothing is ordered.
   int unknown_hand_first = 32;
 };
 
@@ -53,15 +53,19 @@ void for_each_setting(Options& options, const Visit& visit) {
 // earlier proposal is chosen, a solid before a curve. The same arguments give the same order.
 class OrderedProposals {
  public:
-  // `sequence` and `scene` must outlive it. Throws InputError where the model does not fit the
-  // scene's hand.
+  // `sequence` and `scene` must outlive it; the sequence is that of the other arguments. Throws
+  // InputError where the model does not fit the scene's hand.
   OrderedProposals(const CompiledScene& scene, const std::vector<Primitive>& primitives,
-                   ProposalSequence& sequence, const LearnedOrder& order);
+                   const CandidateOptions& candidates, ProposalSequence& sequence,
+                   const LearnedOrder& order);
 
-  // The next grasp. As long as they are ordered, it is of the track only where it comes in the
-  // order of the sequence; the model chooses among both tracks. Nothing where the track has no
-  // more, and nothing of the other one is to be chosen.
+  // The next grasp, which the sequence did not propose before; it is claimed there. As long as they
+  // are ordered, it is of the track only where it comes in the order of the sequence: the model
+  // chooses among both tracks. Nothing where there are no more.
   std::optional<ProposedGrasp> next(Track track);
+
+  // What became of a proposal: its epsilon, 0 where it does not hold.
+  void tell(const ProposedGrasp& grasp, double epsilon);
 
  private:
   // A proposal that was drawn and not returned.
@@ -71,18 +75,36 @@ class OrderedProposals {
     double likeness = 0.0;  // to the most alike of those that were returned
   };
 
-  void draw();
-  std::optional<ProposedGrasp> next_in_sequence(Track track);
-  std::optional<ProposedGrasp> best_waiting();
-  ProposedGrasp take(std::deque<Waiting>& from, std::size_t place);
-  bool is_turn_of_sequence() const;
+  struct Place {
+    Track track = Track::solids;
+    std::size_t at = 0;
+  };
+  struct Told {
+    double score = 0.0;
+    double epsilon = 0.0;
+  };
 
+  std::deque<Waiting>& waiting(Track track) { return waiting_[static_cast<std::size_t>(track)]; }
+  void draw();
+  bool is_turn_of_sequence() const;
+  std::optional<Place> best_waiting();
+  std::optional<Place> choose(Track track, bool in_sequence);
+  std::optional<ProposedGrasp> take(const Place& place);
+  std::optional<ProposedGrasp> next_in_sequence(Track track);
+  bool ranks_what_was_told() const;
+
+  // Looks ahead on its own, so that neighbours of what was tried are not taken for proposed because
+  // they wait.
+  ProposalSequence ahead_;
   ProposalSequence* sequence_;
   FeatureMaker features_;
   LearnedOrder order_;
-  std::size_t in_sequence_first_ = 0;           // proposals before the ordered ones
   std::array<std::deque<Waiting>, 2> waiting_;  // of each track, in the order of the sequence
-  std::vector<Judgement> returned_;             // while they are ordered
+  std::vector<Judgement> returned_;             // until the last ordered one
+  int ordered_ = 0;                             // proposals so far whose turn was the model's
+  std::size_t to_tell_ = 0;                     // before any is ordered
+  std::vector<Told> told_;                      // the first of them
+  bool is_trusted_ = true;                      // the model
 };
 
 }  // namespace prehend

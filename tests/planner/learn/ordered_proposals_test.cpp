@@ -52,7 +52,7 @@ struct Ordering {
 
   std::vector<ProposedGrasp> ordered(const LearnedOrder& order, int count) const {
     ProposalSequence sequence(scene, primitives, {});
-    OrderedProposals proposals(scene, primitives, sequence, order);
+    OrderedProposals proposals(scene, primitives, {}, sequence, order);
     std::vector<ProposedGrasp> grasps;
     for (int i = 0; i < count; ++i) grasps.push_back(*proposals.next(Track::solids));
     return grasps;
@@ -178,21 +178,51 @@ TEST(OrderedProposals, BehindTheFirstTheSequenceGoesOn) {
   }
 }
 
-TEST(OrderedProposals, AnUnknownHandBeginsWithTheSequence) {
+// A model is used for an unknown hand where its scores rank the first proposals, which are those of
+// the sequence; where it ranks them the other way round, all are.
+TEST(OrderedProposals, AnUnknownHandChecksTheModelFirst) {
   const Ordering scene;
   LearnedOrder order = scene.likes("before", 0.0);
-  order.variety = 2.0;
   auto model = std::make_shared<TreeModel>(*order.model);
   model->hands = {"another"};
   model->any_hand = true;
   order.model = model;
   order.unknown_hand_first = 20;
-  const auto ordered = scene.ordered(order, 60);
-  const auto sequence = scene.in_sequence(100);
-  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(key(ordered[i]), key(sequence[i])) << i;
-  EXPECT_NE(keys(ordered, 0, 60), keys(sequence, 0, 60));
-  order.unknown_hand_first = 0;
-  EXPECT_NE(keys(scene.ordered(order, 20), 0, 20), keys(sequence, 0, 20));
+  const auto in_order = scene.in_sequence(100);
+  const std::vector<Judgement> judged = scene.judged(order, in_order);
+  for (const double sign : {1.0, -1.0}) {
+    ProposalSequence sequence(scene.scene, scene.primitives, {});
+    OrderedProposals proposals(scene.scene, scene.primitives, {}, sequence, order);
+    bool all_in_order = true;
+    for (std::size_t i = 0; i < 60; ++i) {
+      const ProposedGrasp grasp = *proposals.next(Track::solids);
+      all_in_order = all_in_order && key(grasp) == key(in_order[i]);
+      if (i < 20) {
+        EXPECT_TRUE(all_in_order) << i;
+        proposals.tell(grasp, 10.0 + sign * judged[i].score);
+      }
+    }
+    EXPECT_EQ(all_in_order, sign < 0.0);
+  }
+}
+
+// What waits counts as proposed only when it comes, and what was proposed beside a grasp does not
+// come again.
+TEST(OrderedProposals, WhatWaitsIsStillBesideOthers) {
+  const Ordering scene;
+  ProposalSequence plain(scene.scene, scene.primitives, {});
+  const ProposedGrasp first = *plain.next(Track::solids);
+  const std::vector<ProposedGrasp> expected = plain.beside(first);
+  ASSERT_FALSE(expected.empty());
+  LearnedOrder order = scene.likes("before", 1.0);
+  order.choose_from = 2000;
+  ProposalSequence sequence(scene.scene, scene.primitives, {});
+  OrderedProposals proposals(scene.scene, scene.primitives, {}, sequence, order);
+  ASSERT_EQ(key(*proposals.next(Track::solids)), key(first));
+  const std::vector<ProposedGrasp> beside = sequence.beside(first);
+  ASSERT_EQ(keys(beside, 0, beside.size()), keys(expected, 0, expected.size()));
+  const std::set<Key> found = keys(beside, 0, beside.size());
+  for (int i = 0; i < 800; ++i) EXPECT_EQ(found.count(key(*proposals.next(Track::solids))), 0U);
 }
 
 // The model chooses a curve although a solid was asked for; in the order of the sequence it is a
