@@ -1,19 +1,20 @@
 // How many trials an order that was learnt saves: the tables of docs/learning.md, and the model
 // that is shipped.
 //
-//   learn_benchmark collect RUNS SEED TRIALS HANDS FOLDER...
-//   learn_benchmark compare RUNS[,RUNS...] SEEDS TRIALS HANDS EVERY FOLDER...
+//   learn_benchmark collect RUNS FIRST LAST TRIALS HANDS FOLDER...
+//   learn_benchmark compare RUNS[,RUNS...] SEEDS TRIALS HANDS FIRST EVERY FOLDER...
 //   learn_benchmark train RUNS[,RUNS...] MODEL
 //
-// Lists are written with commas. `collect` searches each object of the folders and of the generator
-// with each hand, and appends the trials to the file. `compare` searches every EVERYth object
-// again, ordered by a model of other objects (three folds; objects of the same kind are in the same
-// one), once of all hands in the file and once of the others only, and prints a line for each
-// search:
+// Lists are written with commas. `collect` tries the first candidates of the sequence of each
+// object of the folders and of the generator, without following the good ones, with each hand, and
+// appends the trials to the file; of each object in the variants FIRST to LAST (learn_cases.h).
+// `compare` searches every EVERYth object from number FIRST on, without a model and ordered by a
+// model of other objects (three folds; objects of the same kind are in the same one): once of all
+// hands in the file and once of the others only. It prints a line for each pair:
 //
-//   known|unknown OBJECT HAND SEED, then for each number of trials (25, 50, ... 800) the best
-//   epsilon without and with the model, and after "reach" how many trials each took for what is
-//   best then without it (0: never reached), and after "nearly" for what is at most 1 % less.
+//   known|unknown OBJECT HAND SEED without TRIAL EPSILON ... with TRIAL EPSILON ...
+//
+// the trials that were better than all before them, and their epsilon. table.py makes the table.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -81,44 +82,48 @@ std::shared_ptr<const TreeModel> model_of(const std::vector<LearnRun>& runs, con
   return std::make_shared<const TreeModel>(training.train());
 }
 
+void collect_run(const LearnObject& object, const std::string& hand, const LearnSearch& search,
+                 std::ofstream& file) {
+  const std::optional<LearnRun> run = run_learn_case(object, hand, search);
+  if (!run) return;
+  write_run(*run, file);
+  std::fprintf(stderr, "%s %s %d %.4f\n", run->object.c_str(), run->hand.c_str(), search.variant,
+               run->best.empty() ? 0.0 : run->best.back());
+}
+
 void collect(const std::vector<std::string>& words) {
   std::ofstream file(words.at(0), std::ios::app);
-  const LearnSearch search{.seed = std::stoull(words.at(1)),
-                           .trials = std::stoi(words.at(2)),
-                           .learned = {},
-                           .features = true,
-                           .threads = 1};
-  for (const LearnObject& object : learn_objects({words.begin() + 4, words.end()})) {
-    for (const std::string& hand : split(words.at(3))) {
-      const std::optional<LearnRun> run = run_learn_case(object, hand, search);
-      if (!run) continue;
-      write_run(*run, file);
-      std::fprintf(stderr, "%s %s %.4f\n", run->object.c_str(), run->hand.c_str(),
-                   run->best.empty() ? 0.0 : run->best.back());
+  const std::vector<LearnObject> objects = learn_objects({words.begin() + 5, words.end()});
+  for (int variant = std::stoi(words.at(1)); variant <= std::stoi(words.at(2)); ++variant) {
+    const LearnSearch search{.seed = static_cast<std::uint64_t>(variant),
+                             .trials = std::stoi(words.at(3)),
+                             .variant = variant,
+                             .follow = false,
+                             .learned = {},
+                             .features = true,
+                             .threads = 1};
+    for (const LearnObject& object : objects) {
+      for (const std::string& hand : split(words.at(4))) {
+        collect_run(object, hand, search, file);
+      }
     }
   }
 }
 
-double best_after(const std::vector<double>& best, int trials) {
-  if (best.empty()) return 0.0;
-  return best[std::min(best.size(), static_cast<std::size_t>(trials)) - 1];
+void print_improvements(const char* what, const std::vector<double>& best) {
+  std::printf(" %s", what);
+  double before = 0.0;
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    if (best[i] > before) std::printf(" %d %.7f", static_cast<int>(i) + 1, best[i]);
+    before = best[i];
+  }
 }
 
 void print_comparison(const char* what, const LearnRun& base, const LearnRun& learned) {
   std::printf("%s %s %s %d", what, base.object.c_str(), base.hand.c_str(),
               static_cast<int>(base.seed));
-  constexpr int kMostTrials = 800;
-  for (int trials = 25; trials <= kMostTrials; trials *= 2) {
-    std::printf(" %.5f %.5f", best_after(base.best, trials), best_after(learned.best, trials));
-  }
-  for (const double within : {0.0, 0.01}) {
-    std::printf(within > 0.0 ? " nearly" : " reach");
-    for (int trials = 25; trials <= kMostTrials; trials *= 2) {
-      const double epsilon = best_after(base.best, trials);
-      std::printf(" %d %d", trials_to_reach(base.best, epsilon, within),
-                  trials_to_reach(learned.best, epsilon, within));
-    }
-  }
+  print_improvements("without", base.best);
+  print_improvements("with", learned.best);
   std::printf("\n");
   std::fflush(stdout);
 }
@@ -130,11 +135,12 @@ class Comparison {
         seeds_(split(words.at(1))),
         trials_(std::stoi(words.at(2))),
         hands_(split(words.at(3))),
-        every_(static_cast<std::size_t>(std::stoi(words.at(4)))),
-        objects_(learn_objects({words.begin() + 5, words.end()})) {}
+        first_(static_cast<std::size_t>(std::stoi(words.at(4)))),
+        every_(static_cast<std::size_t>(std::stoi(words.at(5)))),
+        objects_(learn_objects({words.begin() + 6, words.end()})) {}
 
   void run() {
-    for (std::size_t o = 0; o < objects_.size(); o += every_) {
+    for (std::size_t o = first_; o < objects_.size(); o += every_) {
       for (const std::string& hand : hands_) {
         for (const std::string& seed : seeds_) {
           compare(objects_[o], hand, std::stoull(seed));
@@ -145,15 +151,13 @@ class Comparison {
 
  private:
   void compare(const LearnObject& object, const std::string& hand, std::uint64_t seed) {
-    const LearnRun* base = nullptr;
-    for (const LearnRun& run : runs_) {
-      if (run.object == object.name && run.hand == hand && run.seed == seed) base = &run;
-    }
-    if (base == nullptr || !(base->best.back() > 0.0)) return;
+    LearnSearch search;
+    search.seed = seed;
+    search.trials = trials_;
+    search.threads = 1;
+    const std::optional<LearnRun> base = run_learn_case(object, hand, search);
+    if (!base || base->best.empty() || !(base->best.back() > 0.0)) return;
     for (const bool known : {true, false}) {
-      LearnSearch search;
-      search.seed = seed;
-      search.trials = trials_;
       search.learned = LearnedOrder{.model = model(fold_of(object.name), known ? "" : hand)};
       const std::optional<LearnRun> learned = run_learn_case(object, hand, search);
       if (learned) print_comparison(known ? "known" : "unknown", *base, *learned);
@@ -175,6 +179,7 @@ class Comparison {
   std::vector<std::string> seeds_;
   int trials_ = 800;
   std::vector<std::string> hands_;
+  std::size_t first_ = 0;
   std::size_t every_ = 1;
   std::vector<LearnObject> objects_;
   std::map<std::pair<int, std::string>, std::shared_ptr<const TreeModel>> models_;
@@ -191,8 +196,8 @@ void train(const std::vector<std::string>& words) {
 void run(const std::vector<std::string>& words) {
   const std::string what = words.empty() ? "" : words.front();
   const std::vector<std::string> rest(words.begin() + (words.empty() ? 0 : 1), words.end());
-  if (what == "collect" && rest.size() > 4) return collect(rest);
-  if (what == "compare" && rest.size() > 5) return Comparison(rest).run();
+  if (what == "collect" && rest.size() > 5) return collect(rest);
+  if (what == "compare" && rest.size() > 6) return Comparison(rest).run();
   if (what == "train" && rest.size() == 2) return train(rest);
   throw InputError("see the head of benchmarks/learn/learn.cpp for the words");
 }

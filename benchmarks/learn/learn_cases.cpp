@@ -1,10 +1,13 @@
 #include "benchmarks/learn/learn_cases.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "planner/learn/grasp_features.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
+#include "sim/base/random.h"
 #include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
@@ -16,10 +19,32 @@ bool is_object_file(const std::filesystem::path& file) {
   return file.extension() == ".obj" || file.extension() == ".stl";
 }
 
-CompiledScene scene_of(const LearnObject& object, const std::string& hand) {
-  if (!object.file.empty()) return compile(load_scene(object.file, {.hand = hand}));
-  return compile(make_scene(
-      make_graspable(object.name, generate_object(object.name, 3000), Material::plastic), hand));
+Scene scene_as_it_is(const LearnObject& object, const std::string& hand) {
+  if (!object.file.empty()) return load_scene(object.file, {.hand = hand});
+  return make_scene(
+      make_graspable(object.name, generate_object(object.name, 3000), Material::plastic), hand);
+}
+
+TriangleMesh stretched(TriangleMesh mesh, const std::string& name, int variant) {
+  std::uint64_t seed = static_cast<std::uint64_t>(variant);
+  for (const char c : name) seed = seed * 31U + static_cast<unsigned char>(c);
+  Random random(seed);
+  constexpr double kSize = 1.6;
+  constexpr double kStretch = 1.35;
+  const double size = std::pow(kSize, random.uniform(-1.0, 1.0));
+  Vector3 scale;
+  for (double& along : scale) along = size * std::pow(kStretch, random.uniform(-1.0, 1.0));
+  for (Vector3& vertex : mesh.vertices) vertex = vertex.cwiseProduct(scale);
+  return mesh;
+}
+
+CompiledScene scene_of(const LearnObject& object, const std::string& hand, int variant) {
+  Scene scene = scene_as_it_is(object, hand);
+  if (variant == 0) return compile(std::move(scene));
+  return compile(
+      make_scene(make_graspable(object.name, stretched(scene.object.mesh, object.name, variant),
+                                Material::plastic),
+                 hand));
 }
 
 // As plan() finds them.
@@ -77,11 +102,12 @@ std::vector<LearnObject> learn_objects(const std::vector<std::filesystem::path>&
 
 std::optional<LearnRun> run_learn_case(const LearnObject& object, const std::string& hand,
                                        const LearnSearch& search) {
-  const CompiledScene scene = scene_of(object, hand);
+  const CompiledScene scene = scene_of(object, hand, search.variant);
   const std::vector<Primitive> primitives = primitives_of(scene, search.seed);
   SearchOptions options;
   options.trials = search.trials;
   options.learned = search.learned;
+  if (!search.follow) options.follow = 0.0;
   const SearchResult found =
       search_grasps(scene, primitives, {}, options, {}, {.threads = search.threads});
   if (found.trials.empty()) return std::nullopt;
@@ -100,13 +126,6 @@ std::vector<double> best_so_far(const GraspSet& set) {
     if (!is_blocked(grasp.outcome)) best.push_back(most);
   }
   return best;
-}
-
-int trials_to_reach(const std::vector<double>& best, double epsilon, double within) {
-  constexpr double kSame = 1e-6;
-  const double enough = (1.0 - within) * epsilon - kSame;
-  const auto first = std::lower_bound(best.begin(), best.end(), enough);
-  return first == best.end() ? 0 : static_cast<int>(first - best.begin()) + 1;
 }
 
 }  // namespace prehend::bench

@@ -33,6 +33,10 @@ struct LearnRun {
 struct LearnSearch {
   std::uint64_t seed = 1;
   int trials = 800;
+  // 0: the object as it is. Others: larger or smaller by up to 1.6, and stretched along each axis
+  // by up to 1.35, differently for each number.
+  int variant = 0;
+  bool follow = true;  // false: only the sequence of proposals, without neighbours of good grasps
   std::optional<LearnedOrder> learned;
   bool features = false;
   int threads = 2;
@@ -45,9 +49,5 @@ std::optional<LearnRun> run_learn_case(const LearnObject& object, const std::str
 
 // The largest epsilon after each trial of the set that was not blocked.
 std::vector<double> best_so_far(const GraspSet& set);
-
-// The number of the first trial that reached this epsilon, up to a part `within` of it (0 .. 1) and
-// a millionth; 0: none did.
-int trials_to_reach(const std::vector<double>& best, double epsilon, double within);
 
 }  // namespace prehend::bench

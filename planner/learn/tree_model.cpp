@@ -57,17 +57,31 @@ class Fnv {
 
 }  // namespace
 
-double score(const TreeModel& model, std::span<const float> features) {
-  double sum = model.base;
+Judgement judge(const TreeModel& model, std::span<const float> features) {
+  Judgement judgement;
+  judgement.score = model.base;
+  judgement.leaves.reserve(model.trees.size());
   for (const Tree& tree : model.trees) {
     std::size_t n = 0;
     while (tree[n].feature >= 0) {
       const TreeNode& node = tree[n];
       n = index(features[index(node.feature)] < node.threshold ? node.left : node.right);
     }
-    sum += tree[n].value;
+    judgement.score += tree[n].value;
+    judgement.leaves.push_back(static_cast<int>(n));
   }
-  return sum;
+  return judgement;
+}
+
+double score(const TreeModel& model, std::span<const float> features) {
+  return judge(model, features).score;
+}
+
+double likeness(const Judgement& a, const Judgement& b) {
+  if (a.leaves.empty()) return 0.0;
+  std::size_t same = 0;
+  for (std::size_t t = 0; t < a.leaves.size(); ++t) same += a.leaves[t] == b.leaves[t] ? 1 : 0;
+  return static_cast<double>(same) / static_cast<double>(a.leaves.size());
 }
 
 void check(const TreeModel& model) {

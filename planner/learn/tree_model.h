@@ -22,7 +22,7 @@ struct TreeNode {
 using Tree = std::vector<TreeNode>;
 
 // Trees that were trained on trials (planner/train). The larger the score of a candidate, the
-// better; scores order candidates and mean nothing else.
+// better; those of candidates for the same object and hand are about 0 (bad) .. 1 (the best).
 struct TreeModel {
   std::string name;  // what files of results call it
   int features_version = 0;
@@ -35,10 +35,20 @@ struct TreeModel {
   std::vector<Tree> trees;
 };
 
-// The score of a candidate, from one value for each of the model's features: base plus the leaf
-// that each tree leads to, added in the order of the trees. A value that is not a number goes
-// right.
+// What a model says of a candidate.
+struct Judgement {
+  double score = 0.0;
+  std::vector<int> leaves;  // to which each tree leads, index into its nodes
+};
+
+// From one value for each of the model's features: the score is base plus the leaf that each tree
+// leads to, added in the order of the trees. A value that is not a number goes right.
+Judgement judge(const TreeModel& model, std::span<const float> features);
 double score(const TreeModel& model, std::span<const float> features);
+
+// How much two candidates are alike to the model that judged both: the part of its trees that lead
+// both to the same leaf (the proximity of Breiman's random forests), 0 .. 1; 0 without trees.
+double likeness(const Judgement& a, const Judgement& b);
 
 // Throws InputError that names the field ("trees[3].left[5]") unless every tree has a node, every
 // inner node's feature is one of the model's, its children stand behind it in the list, and all

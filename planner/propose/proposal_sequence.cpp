@@ -60,6 +60,13 @@ Track ProposalSequence::track_of(const ProposedGrasp& grasp) const {
   return is_curve_[index(grasp.primitive)] ? Track::curves : Track::solids;
 }
 
+bool ProposalSequence::claim(const ProposedGrasp& grasp) {
+  const Way& way = ways_[index(grasp.way)];
+  Progress& track = progress_of(way);
+  if (grasp.level > track.level) begin_level(track, grasp.level);
+  return track.known.add(grasp.candidate.X_OH, way.preshape);
+}
+
 void ProposalSequence::add_ways(const Primitive& primitive, int number) {
   const std::vector<Preshape>& preshapes = scene_->scene.hand.hand->preshapes;
   for (GraspRule& rule : grasp_rules(primitive)) {

@@ -40,6 +40,10 @@ class ProposalSequence {
   // and the same with another preshape or the other depth. next() will leave them out.
   std::vector<ProposedGrasp> beside(const ProposedGrasp& grasp);
 
+  // Counts a grasp that another sequence of the same arguments proposed as proposed by this one;
+  // false where this one had proposed it before, or the same (CandidateOptions).
+  bool claim(const ProposedGrasp& grasp);
+
   // The track that proposed it.
   Track track_of(const ProposedGrasp& grasp) const;
 

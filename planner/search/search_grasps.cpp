@@ -163,6 +163,10 @@ class GraspSearch {
     const std::size_t candidate = result_.proposed.size() - 1;
     if (!is_blocked(trial.outcome)) ++counted_;
     remember_reach(trial.outcome, result_.proposed.back().candidate.X_OH);
+    if (ordered_ != nullptr) {
+      const bool holds = trial.outcome == Outcome::stable;
+      ordered_->tell(result_.proposed.back(), holds ? trial.epsilon.lower : 0.0);
+    }
     if (trial.outcome == Outcome::stable) {
       ++stable_;
       add_parent({trial.epsilon.lower, candidate, false});
@@ -214,7 +218,7 @@ SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primiti
   ProposalSequence sequence(scene, primitives, candidates);
   std::optional<OrderedProposals> ordered;
   if (search.learned) {
-    ordered.emplace(scene, primitives, sequence, *search.learned);
+    ordered.emplace(scene, primitives, candidates, sequence, *search.learned);
   }
   return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found)
       .run();

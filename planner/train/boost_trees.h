@@ -26,10 +26,10 @@ enum class BoostGoal {
 // How trees are grown (see the parameters of xgboost with these names).
 struct BoostOptions {
   BoostGoal goal = BoostGoal::value;
-  int trees = 100;             // >= 1
-  int depth = 5;               // >= 1
+  int trees = 300;             // >= 1
+  int depth = 9;               // >= 1
   double learning_rate = 0.1;  // in (0, 1]
-  double least_weight = 20.0;  // min_child_weight, >= 0
+  double least_weight = 10.0;  // min_child_weight, >= 0
   double rows_part = 0.7;      // subsample, in (0, 1]
   double columns_part = 0.7;   // colsample_bytree, in (0, 1]
   std::uint64_t seed = 1;

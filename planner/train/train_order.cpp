@@ -25,17 +25,22 @@ double epsilon_of(const GraspSetEntry& grasp) {
   return grasp.outcome == Outcome::stable ? grasp.epsilon.lower : 0.0;
 }
 
+// Of these, which are sorted; 0 for what does not hold.
+double part_not_better(const std::vector<double>& epsilons, double epsilon) {
+  if (!(epsilon > 0.0)) return 0.0;
+  const auto better = std::upper_bound(epsilons.begin(), epsilons.end(), epsilon);
+  return static_cast<double>(better - epsilons.begin()) / static_cast<double>(epsilons.size());
+}
+
 }  // namespace
 
 void OrderTraining::add(const GraspSet& set) {
-  double best = 0.0;
-  unsigned count = 0;
+  std::vector<double> epsilons;
   for (const GraspSetEntry& grasp : set.grasps) {
-    if (!is_example(grasp)) continue;
-    best = std::max(best, epsilon_of(grasp));
-    ++count;
+    if (is_example(grasp)) epsilons.push_back(epsilon_of(grasp));
   }
-  if (count == 0 || !(best > 0.0)) return;
+  std::sort(epsilons.begin(), epsilons.end());
+  if (epsilons.empty() || !(epsilons.back() > 0.0)) return;
   require(set.feature_names == grasp_feature_names(),
           {.field = "features", .problem = "are not those that this version computes"});
   for (const GraspSetEntry& grasp : set.grasps) {
@@ -43,10 +48,10 @@ void OrderTraining::add(const GraspSet& set) {
     require(grasp.features.size() == kGraspFeatures.size(),
             {.field = "features", .problem = "needs a number for each name"});
     rows_.values.insert(rows_.values.end(), grasp.features.begin(), grasp.features.end());
-    const double share = epsilon_of(grasp) / best;
-    rows_.labels.push_back(static_cast<float>(std::pow(share, options_.power)));
+    const double part = part_not_better(epsilons, epsilon_of(grasp));
+    rows_.labels.push_back(static_cast<float>(std::pow(part, options_.power)));
   }
-  rows_.groups.push_back(count);
+  rows_.groups.push_back(static_cast<unsigned>(epsilons.size()));
   add_name(hands_, set.hand);
   add_name(objects_, set.object.file);
 }

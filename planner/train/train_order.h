@@ -9,9 +9,9 @@
 namespace prehend {
 
 struct TrainOptions {
-  // A trial is learnt as its epsilon over the largest of its set, to this power (> 0). A grasp that
-  // does not hold counts as an epsilon of 0. The larger the power, the more the model cares for the
-  // best alone.
+  // What is learnt of a trial is the part of its set that is no better, to this power (> 0): 1 for
+  // the best of the set, 0 for a grasp that does not hold. The larger the power, the more the model
+  // cares for the best alone.
   double power = 4.0;
   BoostOptions boost;
   bool any_hand = false;  // the model may be used for hands that it was not trained on

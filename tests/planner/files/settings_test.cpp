@@ -120,9 +120,10 @@ TEST(Settings, AModelIsInTheFileByNameAndChecksum) {
   const json learned = settings_of(options)["learned"];
   EXPECT_EQ(learned["model"], "mine");
   EXPECT_EQ(learned["choose_from"], options.search.learned->choose_from);
-  EXPECT_EQ(learned["chosen"], options.search.learned->chosen);
+  EXPECT_EQ(learned["variety"], options.search.learned->variety);
   EXPECT_EQ(learned["unordered"], options.search.learned->unordered);
   EXPECT_EQ(learned["ordered_first"], options.search.learned->ordered_first);
+  EXPECT_EQ(learned["unknown_hand_first"], options.search.learned->unknown_hand_first);
   const std::string before = learned["checksum"];
   EXPECT_EQ(before.size(), 16U);
   model->base = 1.0;

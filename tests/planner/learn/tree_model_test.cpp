@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,20 @@ TEST(TreeModel, TreesAddUp) {
   EXPECT_EQ(score_of(model, 0.0F, -1.0F), 0.25 + 10.0 + 0.5);
   EXPECT_EQ(score_of(model, 3.0F, 0.0F), 0.25 + 20.0 + 1.0);
   EXPECT_EQ(score_of(model, 4.0F, 1.0F), 0.25 + 20.0 + 2.0);
+}
+
+TEST(TreeModel, AlikeIsWhatTreesLeadToTheSameLeaf) {
+  const TreeModel model = two_trees();
+  const auto judged = [&](float a, float b) {
+    const std::array<float, 2> features = {a, b};
+    return judge(model, features);
+  };
+  EXPECT_EQ(judged(3.0F, 0.0F).leaves, (std::vector<int>{2, 3}));
+  EXPECT_EQ(judged(3.0F, 0.0F).score, score_of(model, 3.0F, 0.0F));
+  EXPECT_EQ(likeness(judged(3.0F, 0.0F), judged(2.0F, 7.0F)), 1.0);
+  EXPECT_EQ(likeness(judged(3.0F, 0.0F), judged(4.0F, 1.0F)), 0.5);
+  EXPECT_EQ(likeness(judged(0.0F, -1.0F), judged(3.0F, 0.0F)), 0.0);
+  EXPECT_EQ(likeness(Judgement{}, Judgement{}), 0.0);
 }
 
 TEST(TreeModel, RefusesTreesThatWouldNotEnd) {

@@ -91,13 +91,12 @@ TEST(SearchGrasps, ALearnedOrderIsTheSameOnAnyNumberOfThreads) {
   EXPECT_GT(different, 50);
 }
 
-// With nothing to choose from, the order is that of the sequence, and the search the one without a
-// model.
+// With none that are ordered, the search is the one without a model.
 TEST(SearchGrasps, AnOrderThatChangesNothingChangesNothing) {
   const Searched mug = mug_to_search();
   SearchOptions options{.trials = 128};
   options.learned = order_by_thickness(mug.scene);
-  options.learned->choose_from = 1;
+  options.learned->ordered_first = 0;
   const SearchResult with = mug.search(options);
   const SearchResult without = mug.search({.trials = 128});
   ASSERT_EQ(with.trials.size(), without.trials.size());

@@ -49,6 +49,14 @@ BoostRows rows_of(const GraspSet& set) {
   return rows;
 }
 
+// Trees that are soon grown.
+TrainOptions small() {
+  TrainOptions options;
+  options.boost.trees = 60;
+  options.boost.depth = 5;
+  return options;
+}
+
 constexpr const char* kNoXgboost = "built without xgboost (libxgboost-dev)";
 
 // xgboost adds leaves in single precision; a hundred of them differ by a few of its last digits.
@@ -77,12 +85,14 @@ TEST(TrainOrder, ScoresAreWhatXgboostPredicts) {
 TEST(TrainOrder, TheSameSetsGiveTheSameModel) {
   if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   const std::vector<GraspSet> sets = {made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)};
-  EXPECT_EQ(tree_model_json(train_order(sets)), tree_model_json(train_order(sets)));
+  EXPECT_EQ(tree_model_json(train_order(sets, small())),
+            tree_model_json(train_order(sets, small())));
 }
 
 TEST(TrainOrder, LearnsWhatHoldsBest) {
   if (!can_boost()) GTEST_SKIP() << kNoXgboost;
-  const TreeModel model = train_order({made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)});
+  const TreeModel model =
+      train_order({made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)}, small());
   const GraspSet other = made_up_set("hand", "c", 3);
   const auto best = std::max_element(other.grasps.begin(), other.grasps.end(),
                                      [&](const GraspSetEntry& a, const GraspSetEntry& b) {
@@ -92,6 +102,19 @@ TEST(TrainOrder, LearnsWhatHoldsBest) {
   EXPECT_GT(best->features[1], 0.0F);
 }
 
+// Only the order of the epsilons within a set counts.
+TEST(TrainOrder, LearnsTheRankInTheSet) {
+  if (!can_boost()) GTEST_SKIP() << kNoXgboost;
+  const std::vector<GraspSet> sets = {made_up_set("hand", "a", 1), made_up_set("hand", "b", 2)};
+  std::vector<GraspSet> others = sets;
+  for (GraspSetEntry& grasp : others[1].grasps) grasp.epsilon.lower *= 10.0 * grasp.epsilon.lower;
+  EXPECT_EQ(tree_model_json(train_order(sets, small())),
+            tree_model_json(train_order(others, small())));
+  std::swap(others[1].grasps[0].features, others[1].grasps[1].features);
+  EXPECT_NE(tree_model_json(train_order(sets, small())),
+            tree_model_json(train_order(others, small())));
+}
+
 TEST(TrainOrder, SaysWhatItWasTrainedOn) {
   if (!can_boost()) GTEST_SKIP() << kNoXgboost;
   GraspSet nothing_holds = made_up_set("third", "c", 3);
@@ -99,13 +122,14 @@ TEST(TrainOrder, SaysWhatItWasTrainedOn) {
   GraspSet arm = made_up_set("second", "a", 2);
   arm.grasps[0].outcome = Outcome::unreachable;
   arm.grasps[1].features.clear();
-  const TreeModel model = train_order({made_up_set("first", "a", 1), arm, nothing_holds});
+  const TreeModel model = train_order({made_up_set("first", "a", 1), arm, nothing_holds}, small());
   EXPECT_EQ(model.hands, (std::vector<std::string>{"first", "second"}));
   EXPECT_EQ(model.objects, 1);
   EXPECT_EQ(model.trials, 798);
   EXPECT_FALSE(model.any_hand);
   const TreeModel many = train_order(
-      {made_up_set("first", "a", 1), made_up_set("second", "a", 2), made_up_set("third", "a", 3)});
+      {made_up_set("first", "a", 1), made_up_set("second", "a", 2), made_up_set("third", "a", 3)},
+      small());
   EXPECT_TRUE(many.any_hand);
 }
 
