@@ -158,10 +158,20 @@ Freedom along_curve(bool closed) { return closed ? Freedom::turn : Freedom::plac
 // `a` at part 0, `b` at part 1.
 Vector3 mixed(const Vector3& a, const Vector3& b, double part) { return a + part * (b - a); }
 
-// The part of `v` across the unit vector `axis`, of length 1.
+// The unit vector between two others; the first where they are opposite, as in a fold of a curve.
+Vector3 unit_between(const Vector3& a, const Vector3& b, double part) {
+  constexpr double kOpposite = 1e-6;
+  const Vector3 v = mixed(a, b, part);
+  return v.norm() > kOpposite ? Vector3(v.normalized()) : a;
+}
+
+// The part of `v` across the unit vector `axis`, of length 1; any direction across where `v` is
+// along the axis but for rounding. What is left then is not across it either: at a part 1e-6 of `v`
+// the error of the right angle is 1e-10.
 Vector3 unit_across(const Vector3& v, const Vector3& axis) {
+  constexpr double kAlong = 1e-6;
   const Vector3 flat = v - axis * axis.dot(v);
-  return flat.norm() > 0.0 ? Vector3(flat.normalized()) : any_orthogonal(axis);
+  return flat.norm() > kAlong * v.norm() ? Vector3(flat.normalized()) : any_orthogonal(axis);
 }
 
 // The target is inside the wall, so that the fingertips reach beyond its edge: how far, is left
@@ -174,7 +184,7 @@ void add_rules(const Rim& rim, Rules& rules) {
                          const Between at = between(choices[0], rim.points.size(), rim.closed);
                          const RimPoint& a = rim.points[at.before];
                          const RimPoint& b = rim.points[at.behind];
-                         const Vector3 into = mixed(a.into, b.into, at.part).normalized();
+                         const Vector3 into = unit_between(a.into, b.into, at.part);
                          const Vector3 across = mixed(a.across, b.across, at.part);
                          const Vector3 target =
                              mixed(a.p, b.p, at.part) + kDeepest * choices[1] * rim.depth * into;
@@ -189,20 +199,37 @@ struct CurveFrame {
   Vector3 across = Vector3::UnitX();
 };
 
+// The points of a curve without those that repeat the one before, as where many points were made
+// from few spots of a surface: what rounding leaves between them is no tangent.
+std::vector<Vector3> points_apart(const Bar& bar) {
+  constexpr double kLeastStep = 1e-3;  // of how far the curve reaches from its first point
+  double reach = 0.0;
+  for (const Vector3& p : bar.points) reach = std::max(reach, (p - bar.points.front()).norm());
+  std::vector<Vector3> apart = {bar.points.front()};
+  for (const Vector3& p : bar.points) {
+    if ((p - apart.back()).norm() > kLeastStep * reach) apart.push_back(p);
+  }
+  if (bar.closed && (apart.back() - apart.front()).norm() <= kLeastStep * reach) apart.pop_back();
+  return apart;
+}
+
 // The directions across turn with the curve and not about it, from the one towards the middle of
 // the curve on.
-std::vector<CurveFrame> curve_frames(const Bar& bar) {
-  const std::size_t count = bar.points.size();
+std::vector<CurveFrame> curve_frames(const std::vector<Vector3>& points, bool closed) {
+  const std::size_t count = points.size();
   Vector3 middle = Vector3::Zero();
-  for (const Vector3& p : bar.points) middle += p / static_cast<double>(count);
-  Vector3 across = middle - bar.points.front();
+  for (const Vector3& p : points) middle += p / static_cast<double>(count);
+  Vector3 across = middle - points.front();
   std::vector<CurveFrame> frames;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t before = i > 0 ? i - 1 : (bar.closed ? count - 1 : 0);
-    const std::size_t behind = i + 1 < count ? i + 1 : (bar.closed ? 0 : i);
-    const Vector3 tangent = (bar.points[behind] - bar.points[before]).normalized();
+    const std::size_t before = i > 0 ? i - 1 : (closed ? count - 1 : 0);
+    const std::size_t behind = i + 1 < count ? i + 1 : (closed ? 0 : i);
+    Vector3 along = points[behind] - points[before];
+    // Where the curve comes back to the point before.
+    if (along.isZero(0.0)) along = points[behind] - points[i];
+    const Vector3 tangent = along.normalized();
     across = unit_across(across, tangent);
-    frames.push_back({bar.points[i], tangent, across});
+    frames.push_back({points[i], tangent, across});
   }
   return frames;
 }
@@ -210,14 +237,17 @@ std::vector<CurveFrame> curve_frames(const Bar& bar) {
 // The tangent of the curve, not the step from one point to the next: fingers that are wide along a
 // bent bar touch it on both sides of its middle only if they are aligned with it.
 void add_rules(const Bar& bar, Rules& rules) {
-  if (bar.points.size() < 2) return;
+  if (bar.points.empty()) return;
+  const std::vector<Vector3> points = points_apart(bar);
+  if (points.size() < 2) return;
   rules.add_both_sides(
       "bar", bar.width, {Freedom::turn, along_curve(bar.closed)},
-      [frames = curve_frames(bar), closed = bar.closed](const std::vector<double>& choices) {
+      [frames = curve_frames(points, bar.closed),
+       closed = bar.closed](const std::vector<double>& choices) {
         const Between at = between(choices[1], frames.size(), closed);
         const CurveFrame& a = frames[at.before];
         const CurveFrame& b = frames[at.behind];
-        const Vector3 tangent = mixed(a.tangent, b.tangent, at.part).normalized();
+        const Vector3 tangent = unit_between(a.tangent, b.tangent, at.part);
         const Vector3 x = unit_across(mixed(a.across, b.across, at.part), tangent);
         const double turn = kTurn * choices[0];
         const Vector3 approach = std::cos(turn) * x + std::sin(turn) * tangent.cross(x);

@@ -237,5 +237,47 @@ TEST(GraspRules, ABarIsHeldAcrossIt) {
   }
 }
 
+// Where a curve comes back on itself there is no direction between those of two points that follow
+// each other.
+TEST(GraspRules, FoldedCurvesHaveDirectionsToo) {
+  const Pose here = Pose::Identity();
+  const Vector3 z = Vector3::UnitZ();
+  const Vector3 x = Vector3::UnitX();
+  // The tangents of the second and the third point are opposite; those of the first bar's two
+  // points have no length but for the step between them.
+  const std::vector<Primitive> folded = {
+      {Bar{{{0, 0, 0}, {0.02, 0, 0}}, 0.01, true}, here},
+      {Bar{{{0, 0, 0}, {0.02, 0, 0}, {0.001, 0, 0}}, 0.01, false}, here},
+      {Rim{{{{0, 0, 0}, z, x}, {{0.02, 0, 0}, -z, x}}, 0.003, 0.02, false}, here},
+      {Rim{{{{0, 0, 0}, z, x}, {{0.02, 0, 0}, -z, -x}}, 0.003, 0.02, true}, here}};
+  for (const Primitive& primitive : folded) {
+    const auto aims = aims_at(primitive, 3);
+    EXPECT_FALSE(aims.empty());
+    expect_orthonormal(aims);
+  }
+}
+
+// The points of the curve that the surface of a thin handle led to, most of them copies but for
+// rounding.
+TEST(GraspRules, ABarWithRepeatedPointsIsHeldAsWithoutThem) {
+  Random random(147);
+  const std::vector<Vector3> corners = {
+      {0, 0, 0}, {0.02, 0, 0.01}, {0.03, 0, 0.03}, {0.03, 0, 0.05}};
+  Bar copied{{}, 0.01, false};
+  for (const Vector3& p : corners) {
+    for (int copy = 0; copy < 5; ++copy) copied.points.push_back(p + random.in_box(1e-12));
+  }
+  const auto aims = aims_at({copied, Pose::Identity()}, 2);
+  const auto expected = aims_at({Bar{corners, 0.01, false}, Pose::Identity()}, 2);
+  expect_orthonormal(aims);
+  ASSERT_EQ(aims.size(), expected.size());
+  for (std::size_t i = 0; i < aims.size(); ++i) {
+    EXPECT_LT((aims[i].grasp.target_O - expected[i].grasp.target_O).norm(), 1e-9);
+    EXPECT_LT((aims[i].grasp.approach_O - expected[i].grasp.approach_O).norm(), 1e-9);
+  }
+  const Bar point{{corners[0], corners[0], corners[0]}, 0.01, false};
+  EXPECT_TRUE(grasp_rules({point, Pose::Identity()}).empty());
+}
+
 }  // namespace
 }  // namespace prehend
