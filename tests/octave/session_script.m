@@ -41,11 +41,14 @@ grasp = prehend_call (c, 'hand.auto_grasp');
 assert (ischar (grasp.outcome));
 assert (isfield (grasp.contacts, 'link') || isempty (grasp.contacts));
 
-% Events were kept in their order, and are given once.
+% Events were kept in their order, and are given once. The last one is on its way when the hand has
+% closed; it comes before the reply to the next command.
+state = prehend_call (c, 'state');
 events = prehend_events (c);
 assert (all (cellfun (@(e) strcmp (e.event, 'state'), events)));
 revisions = cellfun (@(e) e.state.revision, events);
 assert (numel (revisions) >= 4 && issorted (revisions));
+assert (revisions(end), state.revision);
 assert (isempty (prehend_events (c)));
 
 % A plan is waited for by its events.
