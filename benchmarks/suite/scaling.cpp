@@ -32,10 +32,10 @@ std::vector<double> times_in_contact(const CompiledScene& scene,
   const TrialOptions options = standard_setting().options.trial;
   std::vector<double> times;
   for (const Candidate& candidate : candidates) {
-    Trial trial;
+    std::optional<Trial> trial;
     const double took =
-        processor_milliseconds([&] { trial = run_trial(scene, candidate, options); });
-    if (!trial.contacts.empty()) times.push_back(took);
+        processor_milliseconds([&] { trial.emplace(run_trial(scene, candidate, options)); });
+    if (!trial->contacts.empty()) times.push_back(took);
   }
   return times;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "benchmarks/report/names.h"
 #include "benchmarks/suite/parts.h"
@@ -41,14 +42,14 @@ void measure_hand(const std::string& series, const CompiledScene& scene, int cou
   std::size_t holding = 0;
   StageSeconds stages{};
   for (const Candidate& candidate : candidates) {
-    Trial trial;
-    const double took =
-        processor_milliseconds([&] { trial = run_trial(scene, candidate, setting.options.trial); });
+    std::optional<Trial> trial;
+    const double took = processor_milliseconds(
+        [&] { trial.emplace(run_trial(scene, candidate, setting.options.trial)); });
     all += took;
-    if (trial.outcome == Outcome::stable) ++holding;
-    if (trial.contacts.empty()) continue;
+    if (trial->outcome == Outcome::stable) ++holding;
+    if (trial->contacts.empty()) continue;
     in_contact.push_back(took);
-    const StageSeconds once = stage_seconds(scene, candidate, trial, setting.options.trial);
+    const StageSeconds once = stage_seconds(scene, candidate, *trial, setting.options.trial);
     std::transform(stages.begin(), stages.end(), once.begin(), stages.begin(), std::plus<>());
   }
   if (candidates.empty() || !(all > 0.0)) return;

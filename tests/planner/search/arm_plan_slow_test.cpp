@@ -79,12 +79,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"MugStar", "mug_on_table", PathPlanner::rrt_star, 20, 800, 15}),
     [](const auto& one) { return std::string(one.param.label); });
 
+PlanResult plan_one(const CompiledScene& scene) {
+  PlanOptions options = options_of(PathPlanner::rrt_connect, 1);
+  options.search.trials = 200;
+  return plan(scene, options);
+}
+
 // A judge that finds nothing wrong must be able to: one good path, spoilt in one way at a time.
 class SpoiltPath : public testing::Test {
  protected:
   struct Good {
     CompiledScene scene = test::compiled_library_scene("mug_on_table");
-    PlanResult result = plan(scene, options_of(PathPlanner::rrt_connect, 1));
+    PlanResult result = plan_one(scene);
   };
   static const Good& good() {
     static const Good kGood;
