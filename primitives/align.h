@@ -2,8 +2,8 @@
 // object where the shape leaves them open.
 #pragma once
 
-#include "sim/geometry/primitive.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/primitive.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 

@@ -16,7 +16,7 @@
 #include "primitives/taper.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mesh_checks.h"
+#include "sim/shape/mesh_checks.h"
 
 namespace prehend {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
-#include "sim/geometry/primitive.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/primitive.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "primitives/surface_sample.h"
-#include "sim/geometry/primitive.h"
+#include "sim/shape/primitive.h"
 
 namespace prehend {
 

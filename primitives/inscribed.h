@@ -5,7 +5,7 @@
 #include <span>
 
 #include "primitives/surface_sample.h"
-#include "sim/geometry/primitive.h"
+#include "sim/shape/primitive.h"
 
 namespace prehend {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "primitives/fit.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 
 // The greedy splits (split.h) are chosen one after the other, without regard to those that follow.
 // Here the set of primitives as a whole is improved by local search with three moves: reassign all

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/geometry/primitive.h"
+#include "sim/shape/primitive.h"
 
 namespace prehend {
 

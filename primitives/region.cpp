@@ -7,7 +7,7 @@
 
 #include "primitives/fit_shapes.h"
 #include "primitives/primitive_surface.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 
 // What a region costs is its part of the objective (region.h): the misfit of its points, weighted
 // with their share of the surface, and the phantom surface of its primitive. All three kinds of

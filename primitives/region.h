@@ -8,7 +8,7 @@
 #include "primitives/near_surface.h"
 #include "primitives/surface_sample.h"
 #include "sim/base/run_context.h"
-#include "sim/geometry/primitive.h"
+#include "sim/shape/primitive.h"
 
 namespace prehend {
 

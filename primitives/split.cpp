@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "primitives/fit.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 
 // A split is found by trying: every candidate divides the points in two, and a quick fit to each
 // part tells what the two primitives would cost. The candidates are planes in a few directions at a

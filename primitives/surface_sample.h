@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 

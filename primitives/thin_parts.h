@@ -6,8 +6,8 @@
 
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
-#include "sim/geometry/primitive.h"
-#include "sim/geometry/proximity.h"
+#include "sim/shape/primitive.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 

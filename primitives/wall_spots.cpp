@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "sim/base/index.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 
 namespace prehend {
 namespace {

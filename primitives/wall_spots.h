@@ -6,7 +6,7 @@
 
 #include "primitives/surface_sample.h"
 #include "sim/base/run_context.h"
-#include "sim/geometry/proximity.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 

@@ -9,15 +9,15 @@
 
 #include "benchmarks/support/percentile.h"
 #include "benchmarks/support/resources.h"
-#include "planner/batch/merge_batch.h"
-#include "planner/batch/part_worker.h"
-#include "planner/batch/run_batch.h"
-#include "planner/search/object_primitives.h"
-#include "planner/search/run_trials.h"
-#include "planner/search/search_grasps.h"
+#include "planner/bulk/merge_batch.h"
+#include "planner/bulk/part_worker.h"
+#include "planner/bulk/run_batch.h"
+#include "planner/plan/object_primitives.h"
+#include "planner/plan/run_trials.h"
+#include "planner/plan/search_grasps.h"
 #include "sim/base/formatted.h"
+#include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
-#include "sim/json/json_field.h"
 
 namespace prehend::benchmark {
 namespace {

@@ -18,17 +18,17 @@
 #include "benchmarks/report/power_law.h"
 #include "benchmarks/support/percentile.h"
 #include "benchmarks/support/resources.h"
-#include "planner/search/plan.h"
+#include "planner/plan/plan.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 #include "sim/base/random.h"
-#include "sim/dynamics/rigid_motion.h"
-#include "sim/dynamics/world.h"
-#include "sim/formation/hand_drives.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/protocol_file.h"
+#include "sim/motion/dynamic_grasp/hand_drives.h"
+#include "sim/motion/rigid_motion.h"
+#include "sim/motion/world.h"
 #include "sim/scene/scene_file.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend::bench {
 namespace {

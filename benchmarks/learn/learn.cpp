@@ -29,8 +29,8 @@
 
 #include "benchmarks/learn/learn_cases.h"
 #include "benchmarks/learn/learn_file.h"
-#include "planner/learn/tree_model_file.h"
-#include "planner/train/train_order.h"
+#include "planner/bulk/train/train_order.h"
+#include "planner/plan/learn/tree_model_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 

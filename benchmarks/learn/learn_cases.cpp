@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "planner/learn/grasp_features.h"
+#include "planner/plan/learn/grasp_features.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/random.h"
-#include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::bench {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/datasets/grasp_set.h"
-#include "planner/search/search_grasps.h"
+#include "planner/plan/search_grasps.h"
+#include "planner/results/datasets/grasp_set.h"
 
 namespace prehend::bench {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "planner/learn/grasp_features.h"
+#include "planner/plan/learn/grasp_features.h"
 #include "sim/base/input_error.h"
 
 namespace prehend::bench {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "sim/json/json_fields.h"
+#include "sim/base/json/json_fields.h"
 
 namespace prehend::bench {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "benchmarks/shake/opinions.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mass_properties.h"
+#include "sim/shape/mass_properties.h"
 
 namespace prehend::bench {
 namespace {

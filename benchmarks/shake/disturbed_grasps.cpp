@@ -19,13 +19,13 @@
 #include <vector>
 
 #include "benchmarks/support/percentile.h"
-#include "planner/search/shake_grasps.h"
+#include "planner/plan/shake_grasps.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "sim/manipulation/protocol_file.h"
-#include "sim/mesh_files/mesh_file.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/robot_file.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/files/mesh_file.h"
 #include "tests/support/published_grasps.h"
 
 namespace prehend::bench {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "benchmarks/shake/mujoco_world.h"
-#include "sim/geometry/mass_properties.h"
 #include "sim/manipulation/base_motion.h"
+#include "sim/shape/mass_properties.h"
 
 namespace prehend::bench {
 namespace {

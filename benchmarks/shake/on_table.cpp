@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "sim/base/input_error.h"
-#include "sim/dynamics/world.h"
-#include "sim/geometry/basic_shapes.h"
+#include "sim/motion/world.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend::bench {
 namespace {

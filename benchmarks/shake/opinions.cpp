@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "benchmarks/shake/mujoco_shake.h"
-#include "planner/exports/export_files.h"
+#include "planner/show/exports/export_files.h"
 #include "sim/manipulation/shake.h"
 
 namespace prehend::bench {

@@ -4,9 +4,9 @@
 #include <filesystem>
 
 #include "benchmarks/shake/on_table.h"
-#include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::bench {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "benchmarks/shake/shake_result.h"
-#include "planner/exports/mjcf.h"
-#include "planner/search/plan.h"
+#include "planner/plan/plan.h"
+#include "planner/show/exports/mjcf.h"
 
 namespace prehend::bench {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "benchmarks/soak/random_object.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend::soak {
 namespace {

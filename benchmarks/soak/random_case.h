@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "planner/search/plan.h"
+#include "planner/plan/plan.h"
 #include "tests/support/judge_grasp.h"
 
 namespace prehend::soak {

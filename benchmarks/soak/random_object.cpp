@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/make_mesh.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/make_mesh.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::soak {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "benchmarks/support/resources.h"
-#include "planner/files/grasps_file.h"
+#include "planner/results/grasps_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "tests/support/judge_path.h"

@@ -2,8 +2,8 @@
 
 #include <memory>
 
+#include "sim/base/parallel/parallel.h"
 #include "sim/manipulation/shake.h"
-#include "sim/parallel/parallel.h"
 #include "sim/trial/disturbed_trials.h"
 
 namespace prehend::bench {

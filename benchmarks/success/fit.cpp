@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "planner/truth/ranking.h"
+#include "planner/show/validation/ranking.h"
 #include "sim/base/input_error.h"
 
 namespace prehend::bench {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/truth/calibration.h"
+#include "planner/show/validation/calibration.h"
 #include "sim/trial/success.h"
 
 namespace prehend::bench {

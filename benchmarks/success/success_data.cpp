@@ -19,9 +19,9 @@
 #include "benchmarks/success/executions.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
-#include "sim/geometry/object_generator.h"
-#include "sim/mesh_files/mesh_file.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/files/mesh_file.h"
+#include "sim/shape/object_generator.h"
 #include "sim/trial/success.h"
 
 namespace prehend::bench {

@@ -1,6 +1,6 @@
 #include "benchmarks/suite/effort.h"
 
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::bench {
 namespace {

@@ -11,10 +11,10 @@
 #include "benchmarks/suite/planning.h"
 #include "benchmarks/support/percentile.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mass_properties.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/robot_file.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
+#include "sim/shape/mass_properties.h"
 
 namespace prehend::bench {
 namespace {

@@ -8,13 +8,13 @@
 #include "benchmarks/suite/sample_grasps.h"
 #include "benchmarks/suite/sample_robots.h"
 #include "sim/base/formatted.h"
-#include "sim/contact/contact_region.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench_hull.h"
-#include "sim/robot_files/platform_file.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/platform_file.h"
+#include "sim/robot/files/robot_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
+#include "sim/shape/contact/contact_region.h"
 
 namespace prehend::bench {
 namespace {

@@ -7,7 +7,7 @@
 #include "benchmarks/suite/planning.h"
 #include "benchmarks/suite/scaling_scenes.h"
 #include "benchmarks/support/resources.h"
-#include "planner/search/run_trials.h"
+#include "planner/plan/run_trials.h"
 #include "sim/base/input_error.h"
 
 namespace prehend::bench {

@@ -1,7 +1,7 @@
 #include "benchmarks/suite/planning.h"
 
-#include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::bench {
 std::vector<AccuracySetting> accuracy_settings() {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/search/accuracy.h"
-#include "planner/search/plan.h"
+#include "planner/plan/accuracy.h"
+#include "planner/plan/plan.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 

@@ -11,7 +11,7 @@
 #include "benchmarks/suite/scaling_scenes.h"
 #include "benchmarks/support/percentile.h"
 #include "benchmarks/support/resources.h"
-#include "planner/search/run_trials.h"
+#include "planner/plan/run_trials.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench_hull.h"
 

@@ -1,8 +1,8 @@
 #include "benchmarks/suite/scaling_scenes.h"
 
 #include "sim/base/random.h"
-#include "sim/geometry/object_generator.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::bench {
 

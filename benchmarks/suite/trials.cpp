@@ -8,7 +8,7 @@
 #include "benchmarks/suite/record.h"
 #include "benchmarks/suite/trial_stages.h"
 #include "benchmarks/support/resources.h"
-#include "planner/path/check_path.h"
+#include "planner/plan/path/check_path.h"
 #include "sim/base/formatted.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"

@@ -1,6 +1,6 @@
 #include "planner/main/asked_batch.h"
 
-#include "sim/json/json_field.h"
+#include "sim/base/json/json_field.h"
 
 namespace prehend {
 

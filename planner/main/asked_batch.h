@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "planner/batch/batch.h"
-#include "planner/batch/batch_folder.h"
-#include "planner/batch/batch_inputs.h"
+#include "planner/bulk/batch.h"
+#include "planner/bulk/batch_folder.h"
+#include "planner/bulk/batch_inputs.h"
 
 namespace prehend {
 

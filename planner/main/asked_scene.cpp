@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "planner/datasets/set_scene.h"
 #include "planner/main/print_notes.h"
+#include "planner/results/datasets/set_scene.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
-#include "sim/json/json_field.h"
+#include "sim/base/json/json_field.h"
 #include "sim/manipulation/protocol_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"

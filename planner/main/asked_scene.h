@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "planner/datasets/grasp_set.h"
-#include "planner/files/grasps_file.h"
+#include "planner/results/datasets/grasp_set.h"
+#include "planner/results/grasps_file.h"
 #include "sim/manipulation/protocol.h"
 #include "sim/scene/compiled_scene.h"
 

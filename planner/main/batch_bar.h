@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "planner/batch/run_batch.h"
+#include "planner/bulk/run_batch.h"
 
 namespace prehend {
 

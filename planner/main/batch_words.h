@@ -8,7 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "planner/batch/merge_batch.h"
+#include "planner/bulk/merge_batch.h"
 #include "planner/main/command_line.h"
 #include "planner/main/commands.h"
 

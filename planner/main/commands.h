@@ -9,10 +9,10 @@
 
 #include "planner/main/interrupts.h"
 #include "planner/main/live_server.h"
-#include "planner/report/plan_report.h"
+#include "planner/show/report/plan_report.h"
 #include "primitives/decompose.h"
 #include "sim/base/deadline.h"
-#include "sim/robot_files/package_folders.h"
+#include "sim/robot/files/package_folders.h"
 
 namespace prehend {
 

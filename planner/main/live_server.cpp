@@ -10,12 +10,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/protocol/graspit_endpoint.h"
-#include "planner/protocol/graspit_text.h"
-#include "planner/protocol/session_endpoint.h"
-#include "planner/serve/server.h"
-#include "planner/serve/token.h"
-#include "planner/studio/studio_page.h"
+#include "planner/live/protocol/graspit_endpoint.h"
+#include "planner/live/protocol/graspit_text.h"
+#include "planner/live/protocol/session_endpoint.h"
+#include "planner/live/serve/server.h"
+#include "planner/live/serve/token.h"
+#include "planner/live/studio/studio_page.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 

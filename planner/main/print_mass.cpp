@@ -9,8 +9,8 @@
 #include "planner/main/printed_units.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mass_parts.h"
 #include "sim/scene/object_mass.h"
+#include "sim/shape/mass_parts.h"
 
 namespace prehend {
 namespace {

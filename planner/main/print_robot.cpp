@@ -8,9 +8,9 @@
 #include "planner/main/printed_units.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mesh_checks.h"
-#include "sim/hand/derive_hand.h"
-#include "sim/hand/fingers.h"
+#include "sim/robot/hand/derive_hand.h"
+#include "sim/robot/hand/fingers.h"
+#include "sim/shape/mesh_checks.h"
 
 namespace prehend {
 namespace {

@@ -1,7 +1,7 @@
 // What `inspect` says of robots.
 #pragma once
 
-#include "sim/hand/posture_survey.h"
+#include "sim/robot/hand/posture_survey.h"
 #include "sim/robot/platform.h"
 
 namespace prehend {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/search/grasp_words.h"
+#include "planner/plan/grasp_words.h"
 #include "sim/base/formatted.h"
 #include "sim/trial/success.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "planner/search/plan.h"
+#include "planner/plan/plan.h"
 
 namespace prehend {
 

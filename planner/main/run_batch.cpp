@@ -1,8 +1,8 @@
-#include "planner/batch/run_batch.h"
+#include "planner/bulk/run_batch.h"
 
 #include <iostream>
 
-#include "planner/cluster/submit_job.h"
+#include "planner/bulk/cluster/submit_job.h"
 #include "planner/main/asked_batch.h"
 #include "planner/main/batch_bar.h"
 #include "planner/main/batch_words.h"

@@ -1,8 +1,8 @@
 #include <iostream>
 
-#include "planner/cluster/cluster_job.h"
-#include "planner/cluster/cluster_words.h"
-#include "planner/cluster/submit_job.h"
+#include "planner/bulk/cluster/cluster_job.h"
+#include "planner/bulk/cluster/cluster_words.h"
+#include "planner/bulk/cluster/submit_job.h"
 #include "planner/main/asked_batch.h"
 #include "planner/main/cluster_commands.h"
 #include "sim/base/input_error.h"

@@ -3,7 +3,7 @@
 #include "planner/main/commands.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
-#include "sim/robot_files/converted.h"
+#include "sim/robot/files/converted.h"
 
 namespace prehend {
 

@@ -1,10 +1,10 @@
 #include <iostream>
 
-#include "planner/datasets/acronym_file.h"
-#include "planner/learn/tree_model_file.h"
+#include "planner/bulk/train/data_sets.h"
+#include "planner/bulk/train/train_order.h"
 #include "planner/main/commands.h"
-#include "planner/train/data_sets.h"
-#include "planner/train/train_order.h"
+#include "planner/plan/learn/tree_model_file.h"
+#include "planner/results/datasets/acronym_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
 

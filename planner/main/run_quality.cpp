@@ -5,14 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/exports/ply.h"
-#include "planner/files/contacts_file.h"
 #include "planner/main/commands.h"
-#include "planner/report/contacts_report.h"
-#include "planner/report/report_html.h"
+#include "planner/results/contacts_file.h"
+#include "planner/show/exports/ply.h"
+#include "planner/show/report/contacts_report.h"
+#include "planner/show/report/report_html.h"
 #include "sim/base/input_error.h"
+#include "sim/base/json/json_pose.h"
 #include "sim/base/output_file.h"
-#include "sim/json/json_pose.h"
 #include "sim/quality/ranges.h"
 #include "sim/quality/wrench_slice.h"
 

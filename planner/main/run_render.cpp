@@ -1,17 +1,17 @@
 #include <iostream>
 
-#include "planner/files/grasps_file.h"
-#include "planner/files/result_files.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
+#include "planner/results/grasps_file.h"
+#include "planner/results/result_files.h"
 #include "planner/show/contact_sheet.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
-#include "sim/json/json_field.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 
 namespace prehend {
 namespace {

@@ -1,8 +1,8 @@
 #include <iostream>
 
+#include "planner/live/protocol/recording.h"
+#include "planner/live/protocol/session_film.h"
 #include "planner/main/commands.h"
-#include "planner/protocol/recording.h"
-#include "planner/protocol/session_film.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_file.h"

@@ -2,21 +2,21 @@
 #include <optional>
 #include <utility>
 
-#include "planner/files/result_files.h"
-#include "planner/files/simulation_file.h"
 #include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
-#include "planner/report/report_html.h"
-#include "planner/report/simulation_report.h"
+#include "planner/results/result_files.h"
+#include "planner/results/simulation_file.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
+#include "planner/show/report/report_html.h"
+#include "planner/show/report/simulation_report.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
-#include "sim/json/json_field.h"
+#include "sim/base/parallel/parallel.h"
 #include "sim/manipulation/protocol_file.h"
-#include "sim/parallel/parallel.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 

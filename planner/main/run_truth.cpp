@@ -1,14 +1,14 @@
 #include <iostream>
 
-#include "planner/files/json_settings.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
-#include "planner/truth/compare_executions.h"
-#include "planner/truth/truth_page.h"
-#include "planner/truth/truth_text.h"
+#include "planner/results/json_settings.h"
+#include "planner/show/validation/compare_executions.h"
+#include "planner/show/validation/truth_page.h"
+#include "planner/show/validation/truth_text.h"
+#include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
-#include "sim/json/json_field.h"
 
 namespace prehend {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "sim/geometry/make_mesh.h"
+#include "sim/shape/make_mesh.h"
 
 namespace prehend::python {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/base/pose.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend::python {
 

@@ -9,10 +9,10 @@
 #include "planner/python/world_handle.h"
 #include "sim/base/input_error.h"
 #include "sim/base/run_context.h"
-#include "sim/control/joint_motion.h"
-#include "sim/control/run_controlled.h"
-#include "sim/control/stated_gains.h"
-#include "sim/control/wrist_impedance.h"
+#include "sim/motion/control/joint_motion.h"
+#include "sim/motion/control/run_controlled.h"
+#include "sim/motion/control/stated_gains.h"
+#include "sim/motion/control/wrist_impedance.h"
 
 namespace prehend::python {
 namespace {

@@ -2,16 +2,16 @@
 #include <pybind11/stl.h>
 #include <utility>
 
-#include "planner/exports/export_files.h"
-#include "planner/files/result_files.h"
-#include "planner/files/timings_file.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/bindings.h"
 #include "planner/python/results.h"
-#include "planner/report/plan_report.h"
-#include "planner/report/report_html.h"
+#include "planner/results/result_files.h"
+#include "planner/results/timings_file.h"
+#include "planner/show/exports/export_files.h"
 #include "planner/show/posed_grasp.h"
+#include "planner/show/report/plan_report.h"
+#include "planner/show/report/report_html.h"
 #include "planner/show/telling_side.h"
 #include "sim/base/input_error.h"
 

@@ -1,8 +1,8 @@
-#include "planner/files/json_settings.h"
+#include "planner/plan/plan.h"
+#include "planner/plan/refine_grasps.h"
 #include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
-#include "planner/search/plan.h"
-#include "planner/search/refine_grasps.h"
+#include "planner/results/json_settings.h"
 
 namespace prehend::python {
 namespace {

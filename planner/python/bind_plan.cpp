@@ -2,11 +2,11 @@
 #include <pybind11/stl.h>
 #include <utility>
 
+#include "planner/plan/plan.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/bindings.h"
 #include "planner/python/results.h"
-#include "planner/search/plan.h"
 #include "sim/base/index.h"
 
 namespace prehend::python {

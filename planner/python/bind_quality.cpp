@@ -8,7 +8,7 @@
 #include "planner/python/bindings.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 #include "sim/quality/quality.h"
 
 namespace prehend::python {

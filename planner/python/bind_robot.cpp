@@ -3,9 +3,9 @@
 #include "planner/python/arrays.h"
 #include "planner/python/bindings.h"
 #include "sim/base/index.h"
+#include "sim/robot/files/platform_file.h"
+#include "sim/robot/files/robot_file.h"
 #include "sim/robot/inverse_kinematics.h"
-#include "sim/robot_files/platform_file.h"
-#include "sim/robot_files/robot_file.h"
 
 namespace prehend::python {
 namespace {

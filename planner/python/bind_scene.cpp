@@ -6,17 +6,17 @@
 #include "planner/python/bindings.h"
 #include "planner/python/scene_handle.h"
 #include "sim/base/input_error.h"
+#include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
-#include "sim/geometry/mesh_checks.h"
-#include "sim/geometry/mesh_repair.h"
-#include "sim/json/json_field.h"
-#include "sim/mesh_files/mesh_file.h"
 #include "sim/scene/json_mass.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
+#include "sim/shape/files/mesh_file.h"
+#include "sim/shape/mesh_checks.h"
+#include "sim/shape/mesh_repair.h"
 
 namespace prehend::python {
 namespace {

@@ -4,11 +4,11 @@
 
 #include "planner/python/background.h"
 #include "planner/python/bindings.h"
-#include "planner/truth/compare_executions.h"
-#include "planner/truth/truth_page.h"
-#include "planner/truth/truth_text.h"
+#include "planner/show/validation/compare_executions.h"
+#include "planner/show/validation/truth_page.h"
+#include "planner/show/validation/truth_text.h"
 #include "sim/base/input_error.h"
-#include "sim/json/json_field.h"
+#include "sim/base/json/json_field.h"
 
 namespace prehend::python {
 namespace {

@@ -9,8 +9,8 @@
 #include "planner/python/world_handle.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
-#include "sim/dynamics/scene_bodies.h"
-#include "sim/geometry/mesh_checks.h"
+#include "sim/motion/scene_bodies.h"
+#include "sim/shape/mesh_checks.h"
 
 namespace prehend::python {
 namespace {

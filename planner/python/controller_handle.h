@@ -4,7 +4,7 @@
 #include <pybind11/pybind11.h>
 #include <string>
 
-#include "sim/control/controller.h"
+#include "sim/motion/control/controller.h"
 
 namespace prehend::python {
 

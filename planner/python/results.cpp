@@ -3,8 +3,8 @@
 #include <limits>
 #include <pybind11/stl.h>
 
+#include "planner/plan/grasp_words.h"
 #include "planner/python/arrays.h"
-#include "planner/search/grasp_words.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/trial/success.h"

@@ -5,8 +5,8 @@
 #include <memory>
 #include <pybind11/pybind11.h>
 
-#include "planner/files/grasps_file.h"
 #include "planner/python/scene_handle.h"
+#include "planner/results/grasps_file.h"
 
 namespace prehend::python {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <pybind11/pybind11.h>
 
-#include "sim/dynamics/world.h"
+#include "sim/motion/world.h"
 
 namespace prehend::python {
 

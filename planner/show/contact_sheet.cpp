@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "planner/picture/label.h"
 #include "planner/show/palette.h"
+#include "planner/show/picture/label.h"
 #include "planner/show/telling_side.h"
-#include "sim/parallel/parallel.h"
+#include "sim/base/parallel/parallel.h"
 
 namespace prehend {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "planner/picture/marks.h"
 #include "planner/show/palette.h"
+#include "planner/show/picture/marks.h"
 
 namespace prehend {
 namespace {

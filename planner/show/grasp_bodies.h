@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/picture/drawn_body.h"
+#include "planner/show/picture/drawn_body.h"
 #include "planner/show/posed_grasp.h"
 
 namespace prehend {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/picture/label.h"
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/palette.h"
+#include "planner/show/picture/label.h"
 
 namespace prehend {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "planner/picture/draw.h"
+#include "planner/show/picture/draw.h"
 #include "planner/show/posed_grasp.h"
 
 namespace prehend {

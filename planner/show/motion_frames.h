@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/path/grasp_motion.h"
+#include "planner/plan/path/grasp_motion.h"
 
 namespace prehend {
 

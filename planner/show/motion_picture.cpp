@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <numeric>
 
-#include "planner/picture/visible_pixels.h"
 #include "planner/show/grasp_bodies.h"
+#include "planner/show/picture/visible_pixels.h"
 #include "planner/show/telling_side.h"
 
 namespace prehend {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "planner/path/grasp_motion.h"
+#include "planner/plan/path/grasp_motion.h"
 #include "planner/show/grasp_picture.h"
 
 namespace prehend {

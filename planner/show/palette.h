@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "planner/picture/color.h"
+#include "planner/show/picture/color.h"
 #include "sim/trial/outcome.h"
 
 namespace prehend::palette {

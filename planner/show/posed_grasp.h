@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/path/grasp_motion.h"
-#include "planner/search/plan.h"
+#include "planner/plan/path/grasp_motion.h"
+#include "planner/plan/plan.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

@@ -4,7 +4,7 @@
 
 #include "planner/show/palette.h"
 #include "sim/base/index.h"
-#include "sim/geometry/basic_shapes.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/show/grasp_picture.h"
-#include "sim/hand/posture_survey.h"
+#include "sim/robot/hand/posture_survey.h"
 
 namespace prehend {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/picture/animated_glb.h"
+#include "planner/show/picture/animated_glb.h"
 #include "sim/scene/scene.h"
 
 namespace prehend {

@@ -7,9 +7,9 @@
 #include <span>
 #include <utility>
 
-#include "planner/picture/simplified_mesh.h"
-#include "planner/picture/visible_pixels.h"
 #include "planner/show/grasp_bodies.h"
+#include "planner/show/picture/simplified_mesh.h"
+#include "planner/show/picture/visible_pixels.h"
 #include "sim/base/index.h"
 
 namespace prehend {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/control/quintic_step.h"
+#include "sim/motion/control/quintic_step.h"
 
 namespace prehend {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "sim/formation/scene_world.h"
 #include "sim/manipulation/protocol.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

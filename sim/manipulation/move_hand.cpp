@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/base/index.h"
-#include "sim/control/stated_gains.h"
+#include "sim/motion/control/stated_gains.h"
 
 namespace prehend {
 namespace {

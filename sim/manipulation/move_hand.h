@@ -2,7 +2,7 @@
 // it.
 #pragma once
 
-#include "sim/formation/scene_world.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/robot/inverse_kinematics.h"
 
 namespace prehend {

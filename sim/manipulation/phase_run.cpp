@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "sim/base/index.h"
-#include "sim/formation/hand_drives.h"
-#include "sim/formation/object_watch.h"
 #include "sim/manipulation/base_motion.h"
+#include "sim/motion/dynamic_grasp/hand_drives.h"
+#include "sim/motion/dynamic_grasp/object_watch.h"
 
 namespace prehend {
 namespace {

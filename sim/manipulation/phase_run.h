@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/formation/resting.h"
-#include "sim/formation/scene_world.h"
 #include "sim/manipulation/move_hand.h"
 #include "sim/manipulation/protocol.h"
 #include "sim/manipulation/shake_report.h"
+#include "sim/motion/dynamic_grasp/resting.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 
 namespace prehend {
 

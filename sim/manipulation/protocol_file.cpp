@@ -5,7 +5,7 @@
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
-#include "sim/json/json_fields.h"
+#include "sim/base/json/json_fields.h"
 
 namespace prehend {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/formation/scene_world.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 
 namespace prehend {
 

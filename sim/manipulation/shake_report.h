@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/dynamics/world.h"
 #include "sim/manipulation/protocol.h"
+#include "sim/motion/world.h"
 
 namespace prehend {
 

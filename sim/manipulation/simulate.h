@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/formation/object_watch.h"
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/protocol.h"
 #include "sim/manipulation/recording.h"
 #include "sim/manipulation/shake_report.h"
+#include "sim/motion/dynamic_grasp/object_watch.h"
 
 namespace prehend {
 

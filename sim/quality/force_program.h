@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "sim/conic/conic_program.h"
+#include "sim/quality/conic/conic_program.h"
 #include "sim/quality/force_balance.h"
 
 namespace prehend {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "sim/base/input_error.h"
-#include "sim/conic/conic_program.h"
+#include "sim/quality/conic/conic_program.h"
 #include "sim/quality/force_program.h"
 #include "sim/quality/generated_forces.h"
 #include "sim/quality/ranges.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/base/index.h"
-#include "sim/conic/conic_program.h"
+#include "sim/quality/conic/conic_program.h"
 
 // The wrenches that forces of measure at most 1 can exert form a convex set, and the smallest
 // measure that balances the wrench w is the smallest factor by which the set must be scaled to hold

@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/base/input_error.h"
-#include "sim/conic/conic_program.h"
+#include "sim/quality/conic/conic_program.h"
 
 namespace prehend {
 namespace {

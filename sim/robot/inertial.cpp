@@ -2,7 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "sim/geometry/mass_properties.h"
+#include "sim/shape/mass_properties.h"
 
 namespace prehend {
 namespace {

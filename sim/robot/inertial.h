@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 

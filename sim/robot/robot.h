@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/geometry/triangle_mesh.h"
 #include "sim/robot/inertial.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 
@@ -128,7 +128,7 @@ struct Preshape {
 };
 
 // What makes a robot a hand. Without preshapes the rest may be known nevertheless, and is derived
-// before planning with the hand (sim/hand/derive_hand.h).
+// before planning with the hand (sim/robot/hand/derive_hand.h).
 struct Hand {
   // Direction in which the palm moves to the object: unit, base frame.
   Vector3 approach = Vector3::UnitZ();

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/base/index.h"
-#include "sim/geometry/wide_tree.h"
+#include "sim/shape/wide_tree.h"
 
 namespace prehend {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/base/pose.h"
-#include "sim/geometry/proximity.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 

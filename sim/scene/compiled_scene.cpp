@@ -8,7 +8,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
-#include "sim/geometry/mesh_checks.h"
+#include "sim/shape/mesh_checks.h"
 
 namespace prehend {
 namespace {

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "sim/base/index.h"
-#include "sim/hand/derive_hand.h"
-#include "sim/robot_files/graspit_body.h"
-#include "sim/robot_files/graspit_notes.h"
-#include "sim/robot_files/graspit_transform.h"
-#include "sim/robot_files/graspit_world_robots.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/graspit_body.h"
+#include "sim/robot/files/graspit_notes.h"
+#include "sim/robot/files/graspit_transform.h"
+#include "sim/robot/files/graspit_world_robots.h"
+#include "sim/robot/files/robot_file.h"
+#include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/object_mass.h"
 

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "sim/base/xml/xml_file.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_file.h"
-#include "sim/xml/xml_file.h"
 
 namespace prehend {
 

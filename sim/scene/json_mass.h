@@ -1,7 +1,7 @@
 // The mass of an object in scene files: "mass", "density", "center_of_mass" and "parts".
 #pragma once
 
-#include "sim/json/json_pose.h"
+#include "sim/base/json/json_pose.h"
 #include "sim/scene/scene.h"
 
 namespace prehend {

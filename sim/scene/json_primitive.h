@@ -1,8 +1,8 @@
 // Primitives in scene and grasp files.
 #pragma once
 
-#include "sim/geometry/primitive.h"
-#include "sim/json/json_pose.h"
+#include "sim/base/json/json_pose.h"
+#include "sim/shape/primitive.h"
 
 namespace prehend {
 

@@ -6,9 +6,9 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
-#include "sim/hand/derive_hand.h"
-#include "sim/robot_files/platform_file.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/platform_file.h"
+#include "sim/robot/files/robot_file.h"
+#include "sim/robot/hand/derive_hand.h"
 
 namespace prehend {
 namespace {

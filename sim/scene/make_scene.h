@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "sim/robot_files/package_folders.h"
+#include "sim/robot/files/package_folders.h"
 #include "sim/scene/scene.h"
 
 namespace prehend {

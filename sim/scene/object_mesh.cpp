@@ -3,9 +3,9 @@
 #include <array>
 
 #include "sim/base/formatted.h"
-#include "sim/geometry/mass_properties.h"
-#include "sim/geometry/mesh_repair.h"
-#include "sim/mesh_files/mesh_file.h"
+#include "sim/shape/files/mesh_file.h"
+#include "sim/shape/mass_properties.h"
+#include "sim/shape/mesh_repair.h"
 
 namespace prehend {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 

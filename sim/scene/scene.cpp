@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/base/formatted.h"
-#include "sim/mesh_files/mesh_file.h"
+#include "sim/shape/files/mesh_file.h"
 
 namespace prehend {
 

@@ -6,12 +6,12 @@
 #include <variant>
 #include <vector>
 
-#include "sim/geometry/mass_parts.h"
-#include "sim/geometry/mass_properties.h"
-#include "sim/geometry/primitive.h"
-#include "sim/geometry/triangle_mesh.h"
 #include "sim/robot/platform.h"
 #include "sim/scene/material.h"
+#include "sim/shape/mass_parts.h"
+#include "sim/shape/mass_properties.h"
+#include "sim/shape/primitive.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 

@@ -5,12 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "sim/robot_files/package_folders.h"
+#include "sim/robot/files/package_folders.h"
 #include "sim/scene/scene.h"
 
 namespace prehend {
 
-class JsonFile;  // sim/json/json_field.h
+class JsonFile;  // sim/base/json/json_field.h
 
 // What load_scene takes beside the file.
 struct SceneSource {

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "sim/base/input_error.h"
-#include "sim/robot_files/platform_file.h"
+#include "sim/robot/files/platform_file.h"
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/geometry/proximity.h"
+#include "sim/shape/proximity.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "sim/contact/contact_region.h"
-#include "sim/contact/soft_patch.h"
+#include "sim/shape/contact/contact_region.h"
+#include "sim/shape/contact/soft_patch.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "sim/base/settings.h"
-#include "sim/contact/surface_contact.h"
-#include "sim/formation/form_grasp.h"
-#include "sim/reach/reach.h"
+#include "sim/motion/dynamic_grasp/form_grasp.h"
+#include "sim/scene/reach/reach.h"
+#include "sim/shape/contact/surface_contact.h"
 #include "sim/trial/give_way.h"
 
 namespace prehend {

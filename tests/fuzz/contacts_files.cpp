@@ -1,8 +1,8 @@
 #include <cmath>
 #include <variant>
 
-#include "planner/files/contacts_file.h"
-#include "sim/json/json_field.h"
+#include "planner/results/contacts_file.h"
+#include "sim/base/json/json_field.h"
 #include "sim/quality/contact_map.h"
 #include "tests/fuzz/untrusted_files.h"
 

@@ -1,6 +1,6 @@
-#include "planner/datasets/grasp_set_checks.h"
-#include "planner/datasets/graspgen_file.h"
-#include "sim/json/json_field.h"
+#include "planner/results/datasets/grasp_set_checks.h"
+#include "planner/results/datasets/graspgen_file.h"
+#include "sim/base/json/json_field.h"
 #include "tests/fuzz/untrusted_files.h"
 
 namespace prehend::fuzz {

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "planner/files/grasps_file.h"
-#include "sim/json/json_field.h"
+#include "planner/results/grasps_file.h"
+#include "sim/base/json/json_field.h"
 #include "sim/scene/scene_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/same_json.h"

@@ -9,8 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "sim/base/json/json_depth.h"
 #include "sim/base/random.h"
-#include "sim/json/json_depth.h"
 
 namespace prehend::fuzz {
 namespace {

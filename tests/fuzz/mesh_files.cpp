@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "sim/geometry/mass_properties.h"
-#include "sim/geometry/mesh_checks.h"
-#include "sim/geometry/weld.h"
-#include "sim/mesh_files/mesh_file.h"
+#include "sim/shape/files/mesh_file.h"
+#include "sim/shape/mass_properties.h"
+#include "sim/shape/mesh_checks.h"
+#include "sim/shape/weld.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/untrusted_files.h"
 

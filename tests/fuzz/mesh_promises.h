@@ -1,7 +1,7 @@
 // What holds for every mesh that a reader returns.
 #pragma once
 
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend::fuzz {
 

@@ -2,13 +2,13 @@
 #include <cmath>
 #include <optional>
 
-#include "sim/json/json_field.h"
-#include "sim/robot_files/graspit_robot.h"
-#include "sim/robot_files/hand_split.h"
-#include "sim/robot_files/mjcf_file.h"
-#include "sim/robot_files/platform_file.h"
-#include "sim/robot_files/robot_file.h"
-#include "sim/robot_files/urdf_file.h"
+#include "sim/base/json/json_field.h"
+#include "sim/robot/files/graspit_robot.h"
+#include "sim/robot/files/hand_split.h"
+#include "sim/robot/files/mjcf_file.h"
+#include "sim/robot/files/platform_file.h"
+#include "sim/robot/files/robot_file.h"
+#include "sim/robot/files/urdf_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/untrusted_files.h"
 

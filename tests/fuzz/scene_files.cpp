@@ -3,11 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/json/json_field.h"
+#include "sim/base/json/json_field.h"
+#include "sim/base/xml/xml_file.h"
 #include "sim/scene/graspit_world.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_text.h"
-#include "sim/xml/xml_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/same_json.h"
 #include "tests/fuzz/untrusted_files.h"

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "planner/truth/ranking.h"
-#include "planner/truth/truth_file.h"
-#include "sim/json/json_field.h"
+#include "planner/show/validation/ranking.h"
+#include "planner/show/validation/truth_file.h"
+#include "sim/base/json/json_field.h"
 #include "sim/scene/scene_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/untrusted_files.h"

@@ -1,4 +1,4 @@
-"""Runs the tests of planner/octave, which are scripts of Octave, against servers."""
+"""Runs the tests of planner/live/octave, which are scripts of Octave, against servers."""
 
 import json
 import os

@@ -7,8 +7,8 @@
 
 #include "primitives/decompose.h"
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend {
 namespace {

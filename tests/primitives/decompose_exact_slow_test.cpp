@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "primitives/decompose.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/object_generator.h"
 #include "tests/primitives/test_meshes.h"
 
 namespace prehend {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "primitives/decompose.h"
-#include "sim/mesh_files/mesh_file.h"
+#include "sim/shape/files/mesh_file.h"
 #include "tests/primitives/expect_sound.h"
 #include "tests/support/shared_data.h"
 

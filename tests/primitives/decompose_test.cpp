@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/object_generator.h"
 #include "tests/primitives/expect_sound.h"
 #include "tests/primitives/test_meshes.h"
 #include "tests/support/refusal_of.h"

@@ -3,7 +3,7 @@
 
 #include "primitives/fit_shapes.h"
 #include "primitives/inscribed.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/object_generator.h"
 #include "tests/primitives/test_meshes.h"
 
 namespace prehend {

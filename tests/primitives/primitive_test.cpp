@@ -1,4 +1,4 @@
-#include "sim/geometry/primitive.h"
+#include "sim/shape/primitive.h"
 
 #include <numbers>
 

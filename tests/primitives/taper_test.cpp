@@ -8,7 +8,7 @@
 
 #include "primitives/decompose.h"
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {

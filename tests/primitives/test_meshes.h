@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "sim/base/random.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend::test {
 

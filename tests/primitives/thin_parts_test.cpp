@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/revolve.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/revolve.h"
 #include "tests/primitives/test_meshes.h"
 
 namespace prehend {

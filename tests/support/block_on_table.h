@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/geometry/basic_shapes.h"
+#include "sim/shape/basic_shapes.h"
 #include "sim/trial/trial.h"
 #include "tests/support/library_scenes.h"
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend::test {
 

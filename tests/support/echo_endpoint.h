@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/protocol/endpoint.h"
+#include "planner/live/protocol/endpoint.h"
 
 namespace prehend::test {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "planner/serve/server.h"
+#include "planner/live/serve/server.h"
 #include "tests/support/echo_endpoint.h"
 #include "tests/support/socket_client.h"
 #include "tests/support/web_socket_client.h"

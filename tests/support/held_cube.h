@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/path/grasp_motion.h"
+#include "planner/plan/path/grasp_motion.h"
 #include "planner/show/grasp_picture.h"
 #include "tests/support/scenes.h"
 

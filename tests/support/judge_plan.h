@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/search/plan.h"
+#include "planner/plan/plan.h"
 #include "tests/support/judge_grasp.h"
 
 namespace prehend::test {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/dynamics/world.h"
+#include "sim/motion/world.h"
 #include "tests/support/brute_force.h"
 
 namespace prehend::test {

@@ -11,9 +11,9 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
-#include "sim/dynamics/world.h"
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/motion/world.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/object_generator.h"
 
 namespace prehend::test {
 

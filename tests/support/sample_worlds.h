@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/dynamics/world.h"
-#include "sim/geometry/basic_shapes.h"
+#include "sim/motion/world.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend::test {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "sim/geometry/basic_shapes.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/robot_file.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/shape/basic_shapes.h"
 #include "sim/trial/trial.h"
 #include "tests/support/brute_force.h"
 

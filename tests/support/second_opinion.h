@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/control/trajectory.h"
+#include "sim/motion/control/trajectory.h"
 #include "sim/scene/scene.h"
 #include "tests/support/brute_force.h"
 

@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/mesh_checks.h"
-#include "sim/geometry/triangle_mesh.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/mesh_checks.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend::test {
 

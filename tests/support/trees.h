@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/robot/robot.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend::test {
 

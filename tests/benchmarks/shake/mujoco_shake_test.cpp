@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/shake/mujoco_world.h"
-#include "planner/exports/export_files.h"
-#include "planner/exports/mjcf.h"
+#include "planner/show/exports/export_files.h"
+#include "planner/show/exports/mjcf.h"
 #include "sim/base/input_error.h"
 #include "tests/support/held_cube.h"
 #include "tests/support/library_scenes.h"

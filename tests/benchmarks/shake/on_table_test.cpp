@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend::bench {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/search/plan.h"
-#include "sim/geometry/basic_shapes.h"
+#include "planner/plan/plan.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/basic_shapes.h"
 #include "tests/support/judge_plan.h"
 
 namespace prehend {

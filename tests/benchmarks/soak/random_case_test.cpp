@@ -6,7 +6,7 @@
 
 #include "benchmarks/soak/random_object.h"
 #include "benchmarks/soak/tally.h"
-#include "sim/geometry/mesh_checks.h"
+#include "sim/shape/mesh_checks.h"
 
 namespace prehend::soak {
 namespace {

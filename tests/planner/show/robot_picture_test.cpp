@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/show/palette.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/robot_file.h"
 
 namespace prehend {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/geometry/basic_shapes.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/object_mass.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/formation/hand_drives.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/protocol_file.h"
+#include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/basic_shapes.h"
 #include "tests/support/refusal_of.h"
 
 namespace prehend {

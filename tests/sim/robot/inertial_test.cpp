@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/robot/platform.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {

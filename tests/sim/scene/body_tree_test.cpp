@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
+#include "sim/shape/basic_shapes.h"
 #include "tests/support/brute_force.h"
 
 namespace prehend {

@@ -8,8 +8,8 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/robot_file.h"
+#include "sim/shape/basic_shapes.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/robot_files/platform_file.h"
+#include "sim/robot/files/platform_file.h"
 #include "sim/scene/scene_text.h"
 #include "tests/support/graspit_files.h"
 #include "tests/support/refusal_of.h"

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/object_generator.h"
-#include "sim/robot_files/robot_file.h"
+#include "sim/robot/files/robot_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/object_generator.h"
 #include "tests/support/refusal_of.h"
 
 namespace prehend {

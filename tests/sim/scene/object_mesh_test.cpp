@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/geometry/basic_shapes.h"
-#include "sim/geometry/mesh_checks.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_text.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/mesh_checks.h"
 
 namespace prehend {
 namespace {

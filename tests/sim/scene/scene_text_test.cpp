@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
-#include "sim/geometry/basic_shapes.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/scene_file.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/basic_shapes.h"
+#include "sim/shape/basic_shapes.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/object_generator.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {

@@ -6,10 +6,10 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/mesh_files/mesh_file.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/wrench.h"
 #include "sim/scene/object_mass.h"
+#include "sim/shape/files/mesh_file.h"
 #include "sim/trial/disturbed_trials.h"
 #include "sim/trial/hold_weight.h"
 #include "tests/support/published_grasps.h"

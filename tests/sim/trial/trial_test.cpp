@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
-#include "sim/geometry/object_generator.h"
+#include "sim/shape/object_generator.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trial_bytes.h"
 

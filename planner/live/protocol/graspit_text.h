@@ -1,0 +1,18 @@
+// GraspIt!'s text protocol on a session (docs/graspit-protocol.md): a line of words in, lines out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/live/session.h"
+
+namespace prehend {
+
+// "Error: " and the problem: how clients hear of everything that is wrong.
+std::string graspit_error_line(const std::string& problem);
+
+// Carries out one line. Never throws InputError: what is refused gives one line,
+// graspit_error_line.
+std::vector<std::string> graspit_reply(Session& session, const std::string& line);
+
+}  // namespace prehend

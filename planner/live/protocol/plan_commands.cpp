@@ -1,0 +1,196 @@
+#include <utility>
+
+#include "planner/live/protocol/command.h"
+#include "planner/live/protocol/session_json.h"
+#include "planner/plan/accuracy.h"
+#include "planner/show/exports/export_files.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
+
+// The commands of plans, and of what is kept to be compared.
+namespace prehend {
+namespace {
+
+constexpr int kMostTrials = 1000000;
+constexpr int kMostTop = 100000;
+
+int integer_within(const JsonField& field, int lower, int upper) {
+  const int number = field.integer();
+  if (number < lower || number > upper) {
+    field.fail("must be from " + std::to_string(lower) + " to " + std::to_string(upper));
+  }
+  return number;
+}
+
+PlanOptions options_of_plan(const JsonField& request) {
+  PlanOptions options;
+  if (request.has("accuracy")) {
+    const JsonField field = request["accuracy"];
+    const std::optional<Accuracy> accuracy = accuracy_named(field.text());
+    if (!accuracy) field.fail("must be one of draft, standard, fine");
+    options = plan_options(*accuracy);
+  }
+  if (request.has("trials")) {
+    options.search.trials = integer_within(request["trials"], 1, kMostTrials);
+  }
+  if (request.has("top")) options.rank.top = integer_within(request["top"], 1, kMostTop);
+  if (request.has("paths") && request["paths"].boolean()) options.paths.emplace();
+  if (request.has("seed")) options.seed = request["seed"].unsigned_integer();
+  return options;
+}
+
+ProtocolJson plan_start(const CommandScope& scope, const JsonField& request) {
+  PlanOptions options = options_of_plan(request);
+  if (options.paths) (void)scope.session.require_arm();
+  options.trial.soft_fingers = scope.session.state().switches.soft_fingers;
+  scope.session.start_plan(options, scope.listener ? scope.listener() : PlanListener{});
+  return {{"started", true}, {"trials", options.search.trials}};
+}
+
+ProtocolJson plan_cancel(const CommandScope& scope, const JsonField& /*request*/) {
+  const std::optional<Cancellation> running = scope.session.plan_cancellation();
+  if (running && scope.cancels) running->request();
+  return {{"cancelled", running.has_value()}};
+}
+
+// [s]; null without a path.
+ProtocolJson duration_of_path(const ScoredGrasp& grasp) {
+  if (!grasp.path || grasp.path->times.empty()) return nullptr;
+  return grasp.path->times.back();
+}
+
+ProtocolJson plan_results(const CommandScope& scope, const JsonField& request) {
+  const int first = request.has("first") ? integer_within(request["first"], 0, kMostTop) : 0;
+  const int count = request.has("count") ? integer_within(request["count"], 0, kMostTop) : kMostTop;
+  const auto& results = scope.session.state().results;
+  ProtocolJson list = ProtocolJson::array();
+  const std::size_t size = results ? results->grasps.size() : 0;
+  for (std::size_t i = index(first); i < size && list.size() < index(count); ++i) {
+    ProtocolJson grasp = found_json(results->grasps[i].trial);
+    grasp["volume"] =
+        results->grasps[i].volume ? ProtocolJson(*results->grasps[i].volume) : ProtocolJson();
+    grasp["path"] = duration_of_path(results->grasps[i]);
+    list.push_back(std::move(grasp));
+  }
+  return {{"status", results ? ProtocolJson(plan_status_name(results->status)) : ProtocolJson()},
+          {"size", size},
+          {"grasps", list}};
+}
+
+ProtocolJson plan_go(const CommandScope& scope, const JsonField& request) {
+  const int grasp = integer_within(request["grasp"], 0, kMostTop);
+  scope.session.go_to(index(grasp));
+  return {{"hand", hand_json(scope.session)}};
+}
+
+ProtocolJson plan_export(const CommandScope& scope, const JsonField& request) {
+  const std::string format = request.has("format") ? request["format"].text() : "json";
+  ProtocolJson files = ProtocolJson::array();
+  const std::string own = scope.session.grasps_text();
+  if (format == "json") {
+    files.push_back({{"name", "grasps.json"}, {"text", own}});
+    return {{"files", files}};
+  }
+  // A message is text; glTF files are bytes.
+  if (format == "gltf") request["format"].fail("cannot be sent as text");
+  const SessionState& state = scope.session.state();
+  const std::vector<ExportFile> made = made_of(request["format"], [&] {
+    return export_files(state.world->compiled(), *state.results, format);
+  });
+  for (const ExportFile& file : made) {
+    files.push_back({{"name", file.name}, {"text", file.content}});
+  }
+  return {{"files", files}};
+}
+
+ProtocolJson pin_add(const CommandScope& scope, const JsonField& request) {
+  scope.session.pin(request["name"].text());
+  return state_json(scope.session);
+}
+
+ProtocolJson pin_go(const CommandScope& scope, const JsonField& request) {
+  scope.session.go_to_pin(request["name"].text());
+  return {{"hand", hand_json(scope.session)}};
+}
+
+ProtocolJson pin_remove(const CommandScope& scope, const JsonField& request) {
+  scope.session.unpin(request["name"].text());
+  return state_json(scope.session);
+}
+
+std::vector<Command> of_plans() {
+  return {{"plan.start",
+           CommandKind::query,
+           "Begins to plan grasps of the scene as it is. Events tell how far it is. One plan at a "
+           "time.",
+           {{"trials", FieldType::integer, false, "candidates to try; those of the accuracy"},
+            {"top", FieldType::integer, false, "grasps to keep; 10"},
+            {"seed", FieldType::integer, false, "of everything random, at least 0; 1"},
+            {"accuracy", FieldType::text, false, "draft, standard or fine; standard"},
+            {"paths", FieldType::boolean, false,
+             "whether a path of the arm is planned for each, and those without one are left out; "
+             "false"}},
+           "`started`, and how many `trials`",
+           plan_start},
+          {"plan.cancel",
+           CommandKind::query,
+           "Ends the running plan at once. What it has found is kept; the event `plan` tells when "
+           "it is "
+           "there.",
+           {},
+           "`cancelled`, false where none runs",
+           plan_cancel},
+          {"plan.results",
+           CommandKind::query,
+           "What the last plan in this scene has found, best first.",
+           {{"first", FieldType::integer, false, "number of the first, from 0; 0"},
+            {"count", FieldType::integer, false, "how many at most; all"}},
+           "`status`, the `size` of the whole list, and `grasps`, each with `outcome`, `epsilon`, "
+           "`volume`, `X_object_hand`, `dofs` and `joints` [rad or m], and how long its `path` "
+           "takes [s], "
+           "null without one (`path.result` has it)",
+           plan_results},
+          {"plan.go",
+           CommandKind::change,
+           "Moves the hand to a result, through whatever is there.",
+           {{"grasp", FieldType::integer, true, "its number, from 0"}},
+           "`hand`",
+           plan_go},
+          {"plan.export",
+           CommandKind::query,
+           "The results as files.",
+           {{"format", FieldType::text, false, "json, csv, isaac, moveit or mjcf; json"}},
+           "`files`, each with `name` and `text`",
+           plan_export}};
+}
+
+std::vector<Command> of_pins() {
+  return {{"pin.add",
+           CommandKind::change,
+           "Keeps the hand as it is, to compare it with others.",
+           {{"name", FieldType::text, true, "a name that no other pin has"}},
+           "the state, as of `state`",
+           pin_add},
+          {"pin.go",
+           CommandKind::change,
+           "Moves the hand to where it was pinned, through whatever is there.",
+           {{"name", FieldType::text, true, "which"}},
+           "`hand`",
+           pin_go},
+          {"pin.remove",
+           CommandKind::change,
+           "Forgets a pin.",
+           {{"name", FieldType::text, true, "which"}},
+           "the state, as of `state`",
+           pin_remove}};
+}
+
+}  // namespace
+
+std::vector<Command> plan_commands() {
+  std::vector<Command> all = of_plans();
+  for (Command& command : of_pins()) all.push_back(std::move(command));
+  return all;
+}
+
+}  // namespace prehend

@@ -1,0 +1,142 @@
+#include "planner/live/protocol/protocol_schema.h"
+
+#include <sstream>
+
+#include "planner/live/protocol/command.h"
+#include "sim/base/json/wrapped_json.h"
+
+namespace prehend {
+namespace {
+
+using Json = ProtocolJson;
+
+Json numbers_schema(int count) {
+  Json schema{{"type", "array"}, {"items", {{"type", "number"}}}};
+  if (count > 0) schema["minItems"] = schema["maxItems"] = count;
+  return schema;
+}
+
+Json type_schema(FieldType type) {
+  switch (type) {
+    case FieldType::number:
+      return {{"type", "number"}};
+    case FieldType::integer:
+      return {{"type", "integer"}};
+    case FieldType::boolean:
+      return {{"type", "boolean"}};
+    case FieldType::text:
+      return {{"type", "string"}, {"minLength", 1}};
+    case FieldType::vector3:
+      return numbers_schema(3);
+    case FieldType::numbers:
+      return numbers_schema(0);
+    case FieldType::pose:
+      break;
+  }
+  return {{"$ref", "#/$defs/pose"}};
+}
+
+std::string_view type_words(FieldType type) {
+  switch (type) {
+    case FieldType::number:
+      return "number";
+    case FieldType::integer:
+      return "integer";
+    case FieldType::boolean:
+      return "boolean";
+    case FieldType::text:
+      return "text";
+    case FieldType::vector3:
+      return "three numbers";
+    case FieldType::numbers:
+      return "numbers";
+    case FieldType::pose:
+      break;
+  }
+  return "pose";
+}
+
+Json request_schema(const Command& command) {
+  Json properties{{"id", {{"$ref", "#/$defs/id"}}}, {"command", {{"const", command.name}}}};
+  Json required = Json::array({"command"});
+  for (const CommandField& field : command.fields) {
+    Json schema = type_schema(field.type);
+    schema["description"] = field.meaning;
+    properties[std::string(field.name)] = schema;
+    if (field.required) required.push_back(field.name);
+  }
+  return {{"description", command.summary},
+          {"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false}};
+}
+
+Json reply_schema() {
+  const Json error{{"type", "object"},
+                   {"properties",
+                    {{"field", {{"type", "string"}}},
+                     {"problem", {{"type", "string"}}},
+                     {"value", {{"type", "string"}}}}},
+                   {"required", {"field", "problem", "value"}}};
+  const Json id{{"type", {"integer", "string", "null"}}};
+  return {
+      {"oneOf",
+       {{{"type", "object"},
+         {"properties", {{"id", id}, {"ok", {{"const", true}}}, {"result", {{"type", "object"}}}}},
+         {"required", {"id", "ok", "result"}}},
+        {{"type", "object"},
+         {"properties", {{"id", id}, {"ok", {{"const", false}}}, {"error", error}}},
+         {"required", {"id", "ok", "error"}}}}}};
+}
+
+Json event_schema() {
+  return {{"type", "object"},
+          {"properties", {{"event", {{"enum", {"state", "progress", "grasps", "plan"}}}}}},
+          {"required", {"event"}}};
+}
+
+}  // namespace
+
+std::string protocol_schema() {
+  Json requests = Json::array();
+  for (const Command& command : commands()) requests.push_back(request_schema(command));
+  const Json pose{
+      {"type", "object"},
+      {"properties", {{"position", numbers_schema(3)}, {"quaternion_wxyz", numbers_schema(4)}}},
+      {"additionalProperties", false}};
+  const Json schema{
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "prehend protocol, version 1"},
+      {"description", "A message of a client is a request; those to it are replies and events."},
+      {"oneOf",
+       {{{"$ref", "#/$defs/request"}}, {{"$ref", "#/$defs/reply"}}, {{"$ref", "#/$defs/event"}}}},
+      {"$defs",
+       {{"id", {{"type", {"integer", "string"}}}},
+        {"pose", pose},
+        {"request", {{"oneOf", requests}}},
+        {"reply", reply_schema()},
+        {"event", event_schema()}}}};
+  return wrapped_json(schema);
+}
+
+std::string protocol_reference() {
+  std::ostringstream text;
+  for (const Command& command : commands()) {
+    if (&command != commands().data()) text << "\n";
+    text << "### `" << command.name << "`\n\n" << command.summary << "\n\n";
+    if (!command.fields.empty()) {
+      text << "| field | type | needed | meaning |\n|---|---|---|---|\n";
+      for (const CommandField& field : command.fields) {
+        text << "| `" << field.name << "` | " << type_words(field.type) << " | "
+             << (field.required ? "yes" : "") << " | " << field.meaning << " |\n";
+      }
+      text << "\n";
+    }
+    text << "Replies " << command.result << "."
+         << (command.kind == CommandKind::world ? " Refused while a plan runs." : "") << "\n";
+  }
+  return text.str();
+}
+
+}  // namespace prehend

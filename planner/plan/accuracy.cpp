@@ -1,0 +1,55 @@
+#include "planner/plan/accuracy.h"
+
+#include <algorithm>
+
+namespace prehend {
+namespace {
+
+// Back-offs and settling take most of the time of candidates that do not hold, and rarely lead to
+// one of the best grasps. The second half of the trials adds neighbours of grasps that the first
+// half found.
+PlanOptions draft_options() {
+  PlanOptions options;
+  options.search.trials /= 2;
+  options.trial.back_off_tries = 0;
+  options.trial.settle.steps = 12;
+  options.refine.trials = 0;
+  options.uncertainty.samples /= 4;
+  options.volumes = false;
+  return options;
+}
+
+// Sixteen edges leave 2 % of a friction cone's width out where eight leave 8 %.
+PlanOptions fine_options() {
+  PlanOptions options;
+  options.search.trials *= 4;
+  options.search.followed *= 2;
+  options.trial.back_off_tries = 3;
+  options.trial.cone_edges = 16;
+  options.uncertainty.samples *= 4;
+  options.refine.grasps = 8;
+  options.refine.trials *= 4;
+  return options;
+}
+
+}  // namespace
+
+std::optional<Accuracy> accuracy_named(std::string_view name) {
+  const auto found = std::find_if(kAccuracies.begin(), kAccuracies.end(),
+                                  [&](Accuracy a) { return accuracy_name(a) == name; });
+  return found == kAccuracies.end() ? std::nullopt : std::optional(*found);
+}
+
+PlanOptions plan_options(Accuracy accuracy) {
+  switch (accuracy) {
+    case Accuracy::draft:
+      return draft_options();
+    case Accuracy::standard:
+      break;
+    case Accuracy::fine:
+      return fine_options();
+  }
+  return {};
+}
+
+}  // namespace prehend

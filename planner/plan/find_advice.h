@@ -1,0 +1,19 @@
+// Finds out what may help where a plan has no grasp, by trying it.
+#pragma once
+
+#include <vector>
+
+#include "planner/plan/plan.h"
+
+namespace prehend {
+
+// Hints for a plan of `scene` that was completed without a grasp, in the order of Hint. `tried` are
+// the trials of the plan, in the order of result.tried. Tries a few candidates of each of a few
+// variants of the scene:
+// without an obstacle, with the other hands of the library (which are read from the data folder;
+// where there is none, no hand is suggested). The same on any number of threads. Throws Cancelled.
+std::vector<Advice> find_advice(const CompiledScene& scene, const PlanOptions& options,
+                                const PlanResult& result, const std::vector<Trial>& tried,
+                                const RunContext& context = {});
+
+}  // namespace prehend

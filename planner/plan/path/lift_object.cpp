@@ -1,0 +1,81 @@
+#include "planner/plan/path/lift_object.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "planner/plan/path/blend_transfer.h"
+#include "planner/plan/path/motion_lines.h"
+#include "sim/base/index.h"
+#include "sim/scene/carried_object.h"
+#include "sim/scene/reach/cartesian_line.h"
+#include "sim/scene/reach/leave_contact.h"
+
+namespace prehend {
+namespace {
+
+// Where a joint comes to rest at its limit, the smooth curve through the postures swings beyond
+// them by a few times 1e-4. So the line is followed inside of narrower limits [rad or m].
+constexpr double kInsideLimits = 1e-3;
+
+// Follows the line with limits that are narrower, but contain the first posture.
+FollowedLine follow_inside(CompiledArm& arm, const Pose& X_OH_from, const Pose& X_OH_to,
+                           const DofValues& first, const ReachOptions& options,
+                           const RunContext& context) {
+  std::vector<DegreeOfFreedom>& dofs = arm.platform.robot.dofs;
+  const std::vector<DegreeOfFreedom> whole = dofs;
+  for (const int d : arm.dofs) {
+    DegreeOfFreedom& dof = dofs[index(d)];
+    dof.lower = std::min(dof.lower + kInsideLimits, first[index(d)]);
+    dof.upper = std::max(dof.upper - kInsideLimits, first[index(d)]);
+  }
+  FollowedLine line = follow_line(arm, X_OH_from, X_OH_to, first, options, context);
+  dofs = whole;
+  return line;
+}
+
+}  // namespace
+
+LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
+                       const ReachOptions& reach, const TransferOptions& transfer,
+                       const JointLimits& limits, const TimePathOptions& timing,
+                       const RunContext& context) {
+  LiftedPath path;
+  if (options.height == 0.0) return path;
+  const Pose& X_WO = held.scene.scene.object.X_WO;
+  const Vector3 up_O = X_WO.linear().transpose() * Vector3::UnitZ();
+  const Pose& X_OH = held.trial.X_OH;
+  CompiledArm arm = arm_with_object(held.scene, X_OH);
+  const FollowedLine line = follow_inside(arm, X_OH, translation(options.height * up_O) * X_OH,
+                                          held.arm_dofs, reach, context);
+  path.end = LiftEnd::lift_unreachable;
+  if (line.end != LineEnd::followed) return path;
+  JointPath postures;
+  for (const DofValues& dofs : line.postures) {
+    postures.push_back(arm_joints(arm, dofs, held.trial.joints));
+  }
+  TimedPath lift = time_path(postures, PathKind::smooth, limits, timing);
+  const MotionLines motion = motion_lines(lift, 0, lift.times.size() - 1);
+  std::vector<ArmPair> pairs = arm.arm_pairs;
+  pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+  path.end = LiftEnd::lift_blocked;
+  if (first_blocked_leaving(arm, pairs, motion.lines, motion.sway,
+                            {.within = options.leave_within, .motion = transfer.motion}, context)) {
+    return path;
+  }
+  path.lift = std::move(lift);
+  path.end = LiftEnd::complete;
+  if (!options.retreat) return path;
+  // The hand stays closed, so only the degrees of freedom that carry it go back to the start.
+  DofValues home = line.postures.back();
+  for (const int d : arm.dofs) home[index(d)] = arm.start[index(d)];
+  const std::vector<DofValues> way =
+      plan_transfer(arm, {line.postures.back(), home, held.trial.joints}, transfer, context);
+  if (way.empty()) {
+    path.end = LiftEnd::retreat_blocked;
+    return path;
+  }
+  path.retreat = blend_transfer(arm, way, held.trial.joints, limits, transfer, timing, context);
+  return path;
+}
+
+}  // namespace prehend

@@ -1,0 +1,83 @@
+// What comes after a grasp: the arm lifts the object and takes it along.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "planner/plan/path/plan_transfer.h"
+#include "sim/motion/control/time_path.h"
+#include "sim/scene/reach/reach.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// Names of the segments.
+inline constexpr const char* kLift = "lift";
+inline constexpr const char* kRetreat = "retreat";
+
+struct LiftOptions {
+  // How far the hand moves straight up, away from gravity (>= 0); 0: the path ends in the grasp
+  // [m].
+  double height = 0.1;
+  // Whether the arm then takes the object back to its start posture.
+  bool retreat = true;
+  // What the object or the hand touches when the lift begins has to be apart before any point has
+  // moved by more than this (> 0) [m].
+  double leave_within = 0.02;
+};
+
+template <SettingsOf<LiftOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [height, retreat, leave_within] = options;
+  visit("height", height, kAtLeast0);
+  visit("retreat", retreat);
+  visit("leave_within", leave_within, kAbove0);
+}
+
+// How far it came.
+enum class LiftEnd {
+  not_asked,         // the path ends in the grasp, as it was to
+  complete,          // all that was asked for is there
+  lift_unreachable,  // no posture of the arm, or none without a jump, along the line upwards
+  lift_blocked,      // something collides on the way up
+  retreat_blocked,   // the object is lifted, but no way back to the start was found
+};
+
+// All of them, in the order of the enum.
+inline constexpr std::array<LiftEnd, 5> kLiftEnds = {
+    LiftEnd::not_asked, LiftEnd::complete, LiftEnd::lift_unreachable, LiftEnd::lift_blocked,
+    LiftEnd::retreat_blocked};
+
+// The name in files: the same word as the enumerator.
+constexpr std::string_view lift_end_name(LiftEnd end) {
+  constexpr std::array<std::string_view, kLiftEnds.size()> kNames = {
+      "not_asked", "complete", "lift_unreachable", "lift_blocked", "retreat_blocked"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+// The closed hand, and the posture of the arm that holds it at the grasp.
+struct HeldObject {
+  const CompiledScene& scene;
+  const Trial& trial;
+  const DofValues& arm_dofs;
+};
+
+// The motions after the grasp, as far as they were found, each from rest to rest.
+struct LiftedPath {
+  LiftEnd end = LiftEnd::not_asked;
+  std::optional<TimedPath> lift;
+  std::optional<TimedPath> retreat;
+};
+
+// Plans them for the arm with the object in its hand (carried_object.h): both are proven free of
+// collision as they are timed. The object and the hand do not collide with each other. At the
+// beginning both may touch what they stand on or beside (leave_contact.h). Throws InputError like
+// time_path, and Cancelled.
+LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
+                       const ReachOptions& reach, const TransferOptions& transfer,
+                       const JointLimits& limits, const TimePathOptions& timing,
+                       const RunContext& context = {});
+
+}  // namespace prehend

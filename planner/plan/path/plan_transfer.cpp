@@ -1,0 +1,274 @@
+#include "planner/plan/path/plan_transfer.h"
+
+#include <algorithm>
+#include <memory>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/geometric/PathSimplifier.h>
+#include <ompl/geometric/planners/prm/LazyPRM.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/geometric/planners/rrt/RRTstar.h>
+#include <ompl/util/Console.h>
+#include <utility>
+
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+// OMPL seeds its random generators in the order of their creation, counted over all threads. With
+// several searches at a time the result would depend on which of them comes first, so the classes
+// below give each generator a seed from the options.
+class SeededSampler : public ob::RealVectorStateSampler {
+ public:
+  SeededSampler(const ob::StateSpace* space, std::uint64_t seed)
+      : ob::RealVectorStateSampler(space) {
+    rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
+  }
+};
+
+// OMPL gives every space random projections to the plane, for planners that are not used here.
+// Leaving them out saves time and draws no random numbers.
+class PlainSpace : public ob::RealVectorStateSpace {
+ public:
+  using ob::RealVectorStateSpace::RealVectorStateSpace;
+  void registerProjections() override {}
+};
+
+template <typename Planner>
+class Seeded : public Planner {
+ public:
+  Seeded(const ob::SpaceInformationPtr& information, std::uint64_t seed) : Planner(information) {
+    this->rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
+  }
+};
+
+class SeededSimplifier : public og::PathSimplifier {
+ public:
+  SeededSimplifier(const ob::SpaceInformationPtr& information, std::uint64_t seed)
+      : og::PathSimplifier(information) {
+    rng_.setLocalSeed(static_cast<std::uint_fast32_t>(seed));
+  }
+};
+
+// The space that OMPL plans in, and its collision checks. Its coordinates are the degrees of
+// freedom that carry the hand, each multiplied by the farthest that any point moves per unit of it
+// [m/rad or m/m]. In these coordinates a distance says about how far the arm moves, so that a turn
+// of the base, which swings the whole arm, counts more than one of the wrist; and radians and
+// metres can be mixed.
+class TransferSpace {
+ public:
+  TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options,
+                const RunContext& context)
+      : arm_(arm), transfer_(transfer), options_(options), context_(context) {
+    pairs_ = arm.arm_pairs;
+    pairs_.insert(pairs_.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+    for (const int dof : arm.dofs) scale_.push_back(motion_of(dof));
+  }
+
+  std::size_t size() const { return scale_.size(); }
+  double lower(std::size_t k) const { return scale_[k] * dof(k).lower; }
+  double upper(std::size_t k) const { return scale_[k] * dof(k).upper; }
+
+  DofValues dofs(const ob::State* state) const {
+    const double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    DofValues result = transfer_.from;
+    for (std::size_t k = 0; k < size(); ++k) result[index(arm_.dofs[k])] = values[k] / scale_[k];
+    return result;
+  }
+
+  void set(const DofValues& dofs, ob::State* state) const {
+    double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
+    for (std::size_t k = 0; k < size(); ++k) values[k] = scale_[k] * dofs[index(arm_.dofs[k])];
+  }
+
+  // Cancellation must not be an exception here: OMPL owns states by bare pointers, which an
+  // exception thrown through it would leak. Instead every state and motion counts as blocked once
+  // the context is cancelled. The planner then soon asks its termination condition (`after`) and
+  // returns, and search() throws Cancelled.
+  bool is_free(const ob::State* state) const {
+    if (is_cancelled()) return false;
+    return !first_meeting(arm_, pairs_, joints(dofs(state)));
+  }
+
+  // Whether the straight line between two postures is proven free of collision.
+  bool is_free(const DofValues& from, const DofValues& to) const {
+    try {
+      return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion, context_);
+    } catch (const Cancelled&) {
+      return false;
+    }
+  }
+
+  bool is_cancelled() const { return context_.cancellation.requested(); }
+  void check_cancellation() const { context_.cancellation.check(); }
+
+ private:
+  const DegreeOfFreedom& dof(std::size_t k) const { return arm_.robot().dofs[index(arm_.dofs[k])]; }
+
+  std::vector<double> joints(const DofValues& dofs) const {
+    return arm_joints(arm_, dofs, transfer_.hand_joints);
+  }
+
+  // The farthest that any point of a link moves for a unit of the degree of freedom: the largest
+  // distance of a point of a link behind the joint (CompiledLink::reach) times the joint's ratio.
+  double motion_of(int dof) const {
+    double most = 1e-3;  // for one that moves nothing, so that its coordinate does not vanish
+    for (const CompiledLink& link : arm_.links) {
+      for (std::size_t k = 0; k < link.joints.size(); ++k) {
+        const Joint& joint = arm_.robot().joints[index(link.joints[k])];
+        if (joint.dof == dof) most = std::max(most, std::abs(joint.ratio) * link.reach[k]);
+      }
+    }
+    return most;
+  }
+
+  const CompiledArm& arm_;
+  const Transfer& transfer_;
+  const TransferOptions& options_;
+  const RunContext& context_;
+  std::vector<ArmPair> pairs_;
+  std::vector<double> scale_;
+};
+
+// Edges of the planner's graph are checked by the proof of motion_check.h instead of OMPL's
+// sampling at a fixed resolution, which can miss a thin obstacle.
+class FreeMotion : public ob::MotionValidator {
+ public:
+  FreeMotion(const ob::SpaceInformationPtr& information, const TransferSpace& space)
+      : ob::MotionValidator(information), space_(space) {}
+
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    return space_.is_free(space_.dofs(from), space_.dofs(to));
+  }
+  // OMPL also asks how far the motion is free. The proof does not tell, so the answer is the start.
+  bool checkMotion(const ob::State* from, const ob::State* to,
+                   std::pair<ob::State*, double>& last_valid) const override {
+    if (checkMotion(from, to)) return true;
+    if (last_valid.first != nullptr) si_->copyState(last_valid.first, from);
+    last_valid.second = 0.0;
+    return false;
+  }
+
+ private:
+  const TransferSpace& space_;
+};
+
+// OMPL's description of the space: bounds, sampler, and both collision checks.
+ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t seed) {
+  auto vectors = std::make_shared<PlainSpace>(static_cast<unsigned>(space.size()));
+  ob::RealVectorBounds bounds(static_cast<unsigned>(space.size()));
+  for (std::size_t k = 0; k < space.size(); ++k) {
+    bounds.low[k] = space.lower(k);
+    bounds.high[k] = space.upper(k);
+  }
+  vectors->setBounds(bounds);
+  vectors->setStateSamplerAllocator(
+      [seed](const ob::StateSpace* of) { return std::make_shared<SeededSampler>(of, seed); });
+  auto information = std::make_shared<ob::SpaceInformation>(vectors);
+  information->setStateValidityChecker(
+      [&space](const ob::State* state) { return space.is_free(state); });
+  information->setMotionValidator(std::make_shared<FreeMotion>(information, space));
+  information->setup();
+  return information;
+}
+
+// LazyPRM needs no seed: unlike the other two it has no generator of its own and draws from the
+// sampler of the space only.
+ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
+                          const TransferOptions& options) {
+  const auto with_range = [&options](auto planner) -> ob::PlannerPtr {
+    planner->setRange(options.longest_edge);
+    return planner;
+  };
+  switch (options.planner) {
+    case PathPlanner::roadmap:
+      return with_range(std::make_shared<og::LazyPRM>(information));
+    case PathPlanner::rrt_star:
+      return with_range(std::make_shared<Seeded<og::RRTstar>>(information, options.seed));
+    case PathPlanner::rrt_connect:
+      break;
+  }
+  return with_range(std::make_shared<Seeded<og::RRTConnect>>(information, options.seed));
+}
+
+// Ends the planner when it has asked `iterations` times whether to end, about once for each sample
+// that it draws. A count gives the same path on every machine, a time limit does not.
+ob::PlannerTerminationCondition after(int iterations, const TransferSpace& space) {
+  auto left = std::make_shared<int>(iterations);
+  return ob::PlannerTerminationCondition(
+      [left, &space] { return --*left < 0 || space.is_cancelled(); });
+}
+
+// One run of the planner, and shortening of the path that it finds. Planner and simplifier check
+// states and motions through TransferSpace, so every edge of the path is proven free. Empty when
+// the iterations were used up.
+std::vector<DofValues> search(const TransferSpace& space, const Transfer& transfer,
+                              const TransferOptions& options) {
+  const ob::SpaceInformationPtr information = information_of(space, options.seed);
+  auto problem = std::make_shared<ob::ProblemDefinition>(information);
+  ob::ScopedState<> from(information);
+  ob::ScopedState<> to(information);
+  space.set(transfer.from, from.get());
+  space.set(transfer.to, to.get());
+  problem->setStartAndGoalStates(from, to);
+  problem->setOptimizationObjective(
+      std::make_shared<ob::PathLengthOptimizationObjective>(information));
+  const ob::PlannerPtr planner = planner_of(information, options);
+  planner->setProblemDefinition(problem);
+  planner->setup();
+  planner->solve(after(options.max_iterations, space));
+  space.check_cancellation();
+  // Planners also report approximate solutions, which end near the goal but not at it.
+  if (!problem->hasExactSolution()) return {};
+  auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
+  SeededSimplifier simplifier(information, options.seed);
+  const auto steps = static_cast<unsigned>(options.simplify_steps);
+  // Dropping vertices first is cheap and leaves fewer corners to cut; cutting corners makes new
+  // vertices that can be dropped again.
+  simplifier.reduceVertices(*path, steps, steps);
+  simplifier.shortcutPath(*path, steps, steps);
+  simplifier.reduceVertices(*path, steps, steps);
+  std::vector<DofValues> waypoints;
+  for (const ob::State* state : path->getStates()) waypoints.push_back(space.dofs(state));
+  // The ends as they were given, to the bit: scaling into the planner's coordinates and back
+  // rounds.
+  waypoints.front() = transfer.from;
+  waypoints.back() = transfer.to;
+  return waypoints;
+}
+
+}  // namespace
+
+std::optional<PathPlanner> path_planner_named(std::string_view name) {
+  for (const PathPlanner planner : kPathPlanners) {
+    if (path_planner_name(planner) == name) return planner;
+  }
+  return std::nullopt;
+}
+
+std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
+                                     const TransferOptions& options, const RunContext& context) {
+  ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
+  context.cancellation.check();
+  const TransferSpace space(arm, transfer, options, context);
+  // Often the straight line is free, which saves the search and is the shortest path.
+  if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
+  std::vector<DofValues> waypoints = search(space, transfer, options);
+  // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
+  // repeated for the lines that are returned.
+  for (std::size_t i = 1; i < waypoints.size(); ++i) {
+    if (!space.is_free(waypoints[i - 1], waypoints[i])) {
+      context.cancellation.check();
+      return {};
+    }
+  }
+  context.cancellation.check();
+  return waypoints;
+}
+
+}  // namespace prehend

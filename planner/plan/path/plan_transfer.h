@@ -1,0 +1,83 @@
+// Planning of a collision-free path of the arm from one posture to another. The only files that
+// include OMPL (Sucan, Moll and Kavraki 2012, The Open Motion Planning Library) are these two.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "sim/base/run_context.h"
+#include "sim/robot/inverse_kinematics.h"
+#include "sim/scene/reach/motion_check.h"
+
+namespace prehend {
+
+// The sampling-based planner that is used.
+enum class PathPlanner {
+  rrt_connect,  // two trees that grow towards each other (Kuffner and LaValle 2000)
+  roadmap,      // lazy probabilistic roadmap (Bohlin and Kavraki 2000)
+  rrt_star,     // asymptotically optimal: uses all its iterations to shorten the path (Karaman and
+                // Frazzoli 2011)
+};
+
+// All of them, in the order of the enum.
+inline constexpr std::array<PathPlanner, 3> kPathPlanners = {
+    PathPlanner::rrt_connect, PathPlanner::roadmap, PathPlanner::rrt_star};
+
+// The planner's name on the command line and in files: "rrt_connect", "roadmap" or "rrt_star".
+constexpr std::string_view path_planner_name(PathPlanner planner) {
+  constexpr std::array<std::string_view, kPathPlanners.size()> kNames = {"rrt_connect", "roadmap",
+                                                                         "rrt_star"};
+  return kNames[static_cast<std::size_t>(planner)];
+}
+// The inverse of path_planner_name; nothing for a name that is none of these.
+std::optional<PathPlanner> path_planner_named(std::string_view name);
+
+struct TransferOptions {
+  PathPlanner planner = PathPlanner::rrt_connect;
+  // The planner gives up after this many iterations. There is no time limit, because the result
+  // would then depend on the speed of the machine.
+  int max_iterations = 3000;
+  int simplify_steps = 100;  // attempts to shorten the path that was found
+  // Longest edge that a planner adds in one step, as a length in the planner's space: each degree
+  // of freedom counts with the farthest that it moves any point of the arm [m].
+  double longest_edge = 0.8;
+  // How far the motion may pass from its corners, as the farthest that any point of the arm moves
+  // from where it is at the corner (>= 0); 0: it stops at each of them [m].
+  double corner_deviation = 0.2;
+  std::uint64_t seed = 1;
+  MotionCheckOptions motion;
+};
+
+template <SettingsOf<TransferOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [planner, max_iterations, simplify_steps, longest_edge, corner_deviation, seed, motion] =
+      options;
+  visit("planner", planner);
+  visit("max_iterations", max_iterations, kAtLeast1);
+  visit("simplify_steps", simplify_steps, kAtLeast0);
+  visit("longest_edge", longest_edge, kAbove0);
+  visit("corner_deviation", corner_deviation, kAtLeast0);
+  visit("", motion);
+}
+
+// What is asked of plan_transfer: two postures of the arm, and the posture in which it carries the
+// hand.
+struct Transfer {
+  DofValues from;                   // all degrees of freedom of the platform [rad or m]
+  DofValues to;                     // as `from`
+  std::vector<double> hand_joints;  // the hand's joints, constant along the path [rad or m]
+};
+
+// Plans a path with straight lines in joint space between its waypoints. Returns the waypoints, the
+// first `from` and the last `to`, all degrees of freedom of the platform each; empty when no path
+// was found. Every line is proven free of collision (first_blocked). The same seed gives the same
+// path, on any thread. Throws Cancelled.
+std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
+                                     const TransferOptions& options = {},
+                                     const RunContext& context = {});
+
+}  // namespace prehend

@@ -1,0 +1,61 @@
+// Candidate generation: from the primitives of an object to the hand poses and preshapes to try.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/base/run_context.h"
+#include "sim/base/settings.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/shape/primitive.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// How candidates are generated.
+struct CandidateOptions {
+  // Two candidates with the same preshape are duplicates, and only the first is proposed, when
+  // their hand poses are no farther apart than both of these, halved at each level of detail.
+  double duplicate_distance = 2e-3;  // m
+  double duplicate_angle = 0.05;     // rad
+  // Smallest distance, along the approach, between hand and object at the pre-grasp [m].
+  double start_clearance = 0.01;
+};
+
+template <SettingsOf<CandidateOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [duplicate_distance, duplicate_angle, start_clearance] = options;
+  visit("duplicate_distance", duplicate_distance, kAtLeast0);
+  visit("duplicate_angle", duplicate_angle, kAtLeast0);
+  visit("start_clearance", start_clearance, kAtLeast0);
+}
+
+// A candidate, and what it was derived from.
+struct ProposedGrasp {
+  Candidate candidate;
+  int primitive = 0;       // index into the primitives
+  std::string rule;        // "box faces", "cylinder end", ...: see GraspRule::name
+  double width = 0.0;      // that the rule closes on [m]
+  double stand_off = 0.0;  // how far the hand's origin stops short of the target [m]
+  // Which way it is (ProposalSequence), the value of each of its freedoms and the level of detail
+  // at which these values first occur.
+  int way = 0;
+  std::vector<double> choices;
+  int level = 0;
+};
+
+// The first candidates of the sequence of proposals, and two sizes that explain why there may be
+// none: rules whose width no preshape takes give no candidate.
+struct Proposals {
+  std::vector<ProposedGrasp> grasps;
+  double smallest_width = 0.0;   // smallest width of all rules; infinite without any rule [m]
+  double largest_opening = 0.0;  // largest max_width of the hand's preshapes [m]
+};
+
+// The first `count` candidates of ProposalSequence: of rims and bars every fourth, of solids the
+// others, as long as there are both. Throws Cancelled.
+Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
+                         std::size_t count, const CandidateOptions& options = {},
+                         const RunContext& context = {});
+
+}  // namespace prehend

@@ -1,0 +1,227 @@
+#include "planner/plan/search_grasps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+#include "planner/plan/propose/proposal_sequence.h"
+#include "planner/plan/reach_memory.h"
+#include "planner/plan/run_trials.h"
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+class GraspSearch {
+ public:
+  // `ordered`: the proposals of the sequence by a model; null: in their own order.
+  GraspSearch(const CompiledScene& scene, ProposalSequence& sequence, OrderedProposals* ordered,
+              const SearchOptions& options, const TrialOptions& trial, const RunContext& context,
+              const FoundListener& found)
+      : scene_(scene),
+        sequence_(sequence),
+        ordered_(ordered),
+        options_(options),
+        trial_(trial),
+        context_(context),
+        found_(found) {}
+
+  SearchResult run() {
+    result_.ways = sequence_.ways();
+    result_.smallest_width = sequence_.smallest_width();
+    result_.largest_opening = sequence_.largest_opening();
+    std::vector<bool> tested(index(sequence_.ways()), false);
+    while (counted_ < options_.trials) {
+      std::vector<ProposedGrasp> batch = next_batch();
+      if (batch.empty()) {
+        result_.end = SearchEnd::no_proposal;
+        break;
+      }
+      if (!try_batch(batch)) break;
+      if (options_.enough > 0 && stable_ >= options_.enough) {
+        result_.end = SearchEnd::enough;
+        break;
+      }
+      const auto blocked = static_cast<double>(result_.trials.size()) - counted_;
+      if (blocked > static_cast<double>(options_.most_blocked) * options_.trials) {
+        result_.end = SearchEnd::blocked;
+        break;
+      }
+    }
+    for (const std::size_t i : result_.candidates) tested[index(result_.proposed[i].way)] = true;
+    result_.ways_untested = static_cast<int>(std::count(tested.begin(), tested.end(), false));
+    return std::move(result_);
+  }
+
+ private:
+  // A grasp whose neighbours are to be tried.
+  struct Parent {
+    double epsilon = 0.0;
+    std::size_t candidate = 0;  // index into the proposals of the result
+    bool followed = false;      // its neighbours are among those that wait, or were tried
+  };
+
+  std::vector<ProposedGrasp> next_batch() {
+    const auto size = index(std::min(options_.batch, options_.trials - counted_));
+    const auto beside = static_cast<std::size_t>(options_.follow * static_cast<double>(size));
+    std::vector<ProposedGrasp> batch;
+    while (batch.size() < beside && has_neighbour()) {
+      batch.push_back(std::move(waiting_.front()));
+      waiting_.pop_front();
+    }
+    add_from_sequence(size, batch);
+    return batch;
+  }
+
+  // Goes on with the sequence until the batch has `size` candidates. Those that seem out of reach
+  // are put off until the sequence has had nothing else for a while.
+  void add_from_sequence(std::size_t size, std::vector<ProposedGrasp>& batch) {
+    const std::size_t most_put_off = 16 * size;
+    std::size_t put_off = 0;
+    while (batch.size() < size && put_off < most_put_off) {
+      std::optional<ProposedGrasp> next = next_of_sequence();
+      if (!next) break;
+      if (reach_.seems_out_of_reach(next->candidate.X_OH)) {
+        put_off_.push_back(std::move(*next));
+        ++put_off;
+      } else {
+        batch.push_back(std::move(*next));
+      }
+    }
+    while (batch.size() < size && !put_off_.empty()) {
+      batch.push_back(std::move(put_off_.front()));
+      put_off_.pop_front();
+    }
+  }
+
+  // Of the solids, and in turn with them of the curves, where the solids serve badly and the curves
+  // better.
+  std::optional<ProposedGrasp> next_of_sequence() {
+    const bool served = !parents_.empty() && parents_.front().epsilon >= options_.well_served;
+    const auto tried = static_cast<double>(result_.trials.size());
+    const auto asked = static_cast<double>(options_.trials);
+    const bool both =
+        !served && tried >= options_.solids_first * options_.trials &&
+        (curves_proposed_ < options_.curves_least * std::max(tried, asked) || curves_pay());
+    curve_next_ = both && !curve_next_;
+    std::optional<ProposedGrasp> next = next_of(curve_next_ ? Track::curves : Track::solids);
+    if (curve_next_) ++curves_proposed_;
+    return next ? std::move(next) : next_of(curve_next_ ? Track::solids : Track::curves);
+  }
+
+  std::optional<ProposedGrasp> next_of(Track track) {
+    return ordered_ != nullptr ? ordered_->next(track) : sequence_.next(track);
+  }
+
+  bool curves_pay() const {
+    return std::any_of(parents_.begin(), parents_.end(), [&](const Parent& parent) {
+      return sequence_.track_of(result_.proposed[parent.candidate]) == Track::curves;
+    });
+  }
+
+  // Whether a neighbour waits to be tried, after asking the best parents for theirs.
+  bool has_neighbour() {
+    for (Parent& parent : parents_) {
+      if (!waiting_.empty()) break;
+      if (parent.followed) continue;
+      parent.followed = true;
+      for (ProposedGrasp& grasp : sequence_.beside(result_.proposed[parent.candidate])) {
+        waiting_.push_back(std::move(grasp));
+      }
+    }
+    return !waiting_.empty();
+  }
+
+  // Adds the trials of the batch that were finished in time; false where some were not.
+  bool try_batch(const std::vector<ProposedGrasp>& batch) {
+    if (stable_ == 0 && counted_ >= options_.patience) {
+      trial_.back_off_tries = std::max(trial_.back_off_tries, options_.patient_back_offs);
+    }
+    std::vector<Candidate> candidates;
+    for (const ProposedGrasp& grasp : batch) candidates.push_back(grasp.candidate);
+    const Progress before{Stage::trials, counted_, options_.trials, stable_};
+    auto trials = run_trials(scene_, candidates, trial_, workers_, context_, before);
+    bool is_whole = true;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      result_.proposed.push_back(batch[i]);
+      if (trials[i]) {
+        add(std::move(*trials[i]));
+      } else {
+        is_whole = false;
+      }
+    }
+    if (!is_whole) {
+      result_.end =
+          context_.cancellation.requested() ? SearchEnd::cancelled : SearchEnd::out_of_time;
+    }
+    return is_whole;
+  }
+
+  // The trial of the last proposal.
+  void add(Trial trial) {
+    const std::size_t candidate = result_.proposed.size() - 1;
+    if (!is_blocked(trial.outcome)) ++counted_;
+    remember_reach(trial.outcome, result_.proposed.back().candidate.X_OH);
+    if (ordered_ != nullptr) {
+      const bool holds = trial.outcome == Outcome::stable;
+      ordered_->tell(result_.proposed.back(), holds ? trial.epsilon.lower : 0.0);
+    }
+    if (trial.outcome == Outcome::stable) {
+      ++stable_;
+      add_parent({trial.epsilon.lower, candidate, false});
+      if (found_) found_(result_.proposed.back().candidate, trial);
+    }
+    result_.candidates.push_back(candidate);
+    result_.trials.push_back(std::move(trial));
+  }
+
+  // The arm is not asked for candidates whose hand is blocked on its way.
+  void remember_reach(Outcome outcome, const Pose& X_OH) {
+    if (scene_.arm && !is_blocked(outcome)) reach_.add(X_OH, outcome != Outcome::unreachable);
+  }
+
+  // Parents are in the order of epsilon, best first, the earlier one first where it is equal.
+  void add_parent(const Parent& parent) {
+    const auto place =
+        std::upper_bound(parents_.begin(), parents_.end(), parent,
+                         [](const Parent& a, const Parent& b) { return a.epsilon > b.epsilon; });
+    parents_.insert(place, parent);
+    if (parents_.size() > index(options_.followed)) parents_.pop_back();
+  }
+
+  const CompiledScene& scene_;
+  ProposalSequence& sequence_;
+  OrderedProposals* ordered_;
+  const SearchOptions& options_;
+  TrialOptions trial_;
+  const RunContext& context_;
+  const FoundListener& found_;
+  TrialWorkers workers_;
+  SearchResult result_;
+  int counted_ = 0;  // trials that were not blocked
+  int stable_ = 0;
+  std::vector<Parent> parents_;
+  std::deque<ProposedGrasp> waiting_;  // beside the best parents
+  int curves_proposed_ = 0;            // in turn with solids
+  bool curve_next_ = false;            // the last proposal of the sequence was of a curve
+  ReachMemory reach_;
+  std::deque<ProposedGrasp> put_off_;  // seem out of reach
+};
+
+}  // namespace
+
+SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
+                           const CandidateOptions& candidates, const SearchOptions& search,
+                           const TrialOptions& trial, const RunContext& context,
+                           const FoundListener& found) {
+  ProposalSequence sequence(scene, primitives, candidates);
+  std::optional<OrderedProposals> ordered;
+  if (search.learned) {
+    ordered.emplace(scene, primitives, candidates, sequence, *search.learned);
+  }
+  return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found)
+      .run();
+}
+
+}  // namespace prehend

@@ -1,0 +1,110 @@
+#include "planner/show/exports/hand_drives.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+// The joint next to the base among those that carry this one.
+int first_joint_of(const Robot& hand, int joint) {
+  while (hand.joints[index(joint)].parent >= 0) joint = hand.joints[index(joint)].parent;
+  return joint;
+}
+
+bool moves_as_one(Coupling coupling) {
+  return coupling == Coupling::rigid || coupling == Coupling::self_centering;
+}
+
+double effort_without(const Robot& hand, int joint, const HandDriveOptions& options) {
+  double effort = 0.0;
+  for (const Joint& other : hand.joints) {
+    if (other.dof == hand.joints[index(joint)].dof) effort = std::max(effort, other.max_effort);
+  }
+  if (effort > 0.0) return effort;
+  return hand.joints[index(joint)].type == JointType::prismatic ? options.force : options.torque;
+}
+
+const Clutch* clutch_of(const std::vector<Clutch>& clutches, int joint) {
+  const auto found = std::find_if(clutches.begin(), clutches.end(), [&](const Clutch& clutch) {
+    return clutch.joints == std::vector<int>{joint};
+  });
+  return found == clutches.end() ? nullptr : &*found;
+}
+
+bool has_clutches(const Robot& hand, int dof, const std::vector<Clutch>& clutches) {
+  return hand.dofs[index(dof)].coupling == Coupling::breakaway &&
+         std::any_of(clutches.begin(), clutches.end(),
+                     [&](const Clutch& clutch) { return clutch.dof == dof; });
+}
+
+// The joints of a degree of freedom that breaks away. What its joints bear in all is what its drive
+// makes, at the joint that leads the others.
+void add_breakaway(const Robot& hand, const std::vector<int>& joints,
+                   const HandDriveOptions& options, HandDrives& found) {
+  const int leader = *std::find_if(joints.begin(), joints.end(), [&](int joint) {
+    return clutch_of(options.clutches, joint) == nullptr;
+  });
+  const Joint& leads = hand.joints[index(leader)];
+  double effort = 0.0;
+  for (const int joint : joints) {
+    const Joint& at = hand.joints[index(joint)];
+    effort += std::abs(at.ratio) * at.max_effort;
+    if (joint == leader) continue;
+    const HandCoupling coupling{joint, leader, at.ratio / leads.ratio};
+    if (const Clutch* clutch = clutch_of(options.clutches, joint)) {
+      found.clutches.push_back({coupling, clutch->effort / std::abs(at.ratio)});
+    } else {
+      found.couplings.push_back(coupling);
+    }
+  }
+  effort = effort > 0.0 ? effort / std::abs(leads.ratio) : effort_without(hand, leader, options);
+  const double way = hand.dofs[index(leads.dof)].closing_velocity * leads.ratio;
+  found.drives.push_back({leader, effort, std::copysign(effort, way)});
+}
+
+}  // namespace
+
+HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options) {
+  std::map<std::pair<int, int>, std::vector<int>> sets;  // by degree of freedom and finger
+  for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+    const int dof = hand.joints[j].dof;
+    const int joint = static_cast<int>(j);
+    const bool one =
+        moves_as_one(hand.dofs[index(dof)].coupling) || has_clutches(hand, dof, options.clutches);
+    sets[{dof, one ? -1 : first_joint_of(hand, joint)}].push_back(joint);
+  }
+  HandDrives found;
+  for (const auto& [key, joints] : sets) {
+    if (has_clutches(hand, key.first, options.clutches)) {
+      add_breakaway(hand, joints, options, found);
+      continue;
+    }
+    const auto stated = [&](int joint) { return hand.joints[index(joint)].max_effort > 0.0; };
+    const auto first = std::find_if(joints.begin(), joints.end(), stated);
+    const int leader = first == joints.end() ? joints.front() : *first;
+    const double speed = hand.dofs[index(key.first)].closing_velocity;
+    for (const int joint : joints) {
+      const Joint& at = hand.joints[index(joint)];
+      if (joint != leader) {
+        found.couplings.push_back({joint, leader, at.ratio / hand.joints[index(leader)].ratio});
+      }
+      if (joint != leader && !stated(joint)) continue;
+      const double effort = stated(joint) ? at.max_effort : effort_without(hand, joint, options);
+      const double way = speed * at.ratio;
+      found.drives.push_back({joint, effort, way > 0.0 ? effort : way < 0.0 ? -effort : 0.0});
+    }
+  }
+  const auto by_joint = [](const auto& a, const auto& b) { return a.joint < b.joint; };
+  std::sort(found.drives.begin(), found.drives.end(), by_joint);
+  std::sort(found.couplings.begin(), found.couplings.end(), by_joint);
+  std::sort(found.clutches.begin(), found.clutches.end(),
+            [](const auto& a, const auto& b) { return a.follows.joint < b.follows.joint; });
+  return found;
+}
+
+}  // namespace prehend

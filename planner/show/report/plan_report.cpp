@@ -1,0 +1,140 @@
+#include "planner/show/report/plan_report.h"
+
+#include <algorithm>
+
+#include "planner/plan/grasp_words.h"
+#include "planner/show/posed_grasp.h"
+#include "planner/show/telling_side.h"
+#include "sim/base/index.h"
+#include "sim/base/parallel/parallel.h"
+
+namespace prehend {
+namespace {
+
+// Pictures in which visible pixels are counted. Smaller than by default, because a report needs a
+// side for each of its detailed grasps.
+constexpr TellingSideOptions kSmall{96, 80};
+
+std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& scene,
+                                                          const PlanResult& result,
+                                                          const RunRecord& record) {
+  std::vector<std::pair<std::string, std::string>> facts;
+  facts.emplace_back("scene", record.scene);
+  facts.emplace_back("object", scene.scene.object.name);
+  facts.emplace_back("hand", scene.scene.hand.name);
+  if (scene.arm) facts.emplace_back("robot", scene.arm->robot().name);
+  facts.emplace_back("contacts",
+                     record.options.trial.soft_fingers ? "rubber as soft fingers" : "hard points");
+  facts.emplace_back("seed", std::to_string(record.options.seed));
+  for (const StageCount& stage : result.stages) {
+    facts.emplace_back(plan_count_name(stage.what), std::to_string(stage.count));
+  }
+  return facts;
+}
+
+ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
+                     const ScoredGrasp& scored) {
+  const Trial& trial = scored.trial;
+  ReportGrasp grasp;
+  grasp.outcome = outcome_name(trial.outcome);
+  grasp.force_closure = trial.outcome == Outcome::stable;
+  grasp.epsilon = trial.epsilon;
+  if (scored.volume) grasp.volume = Interval{*scored.volume, *scored.volume};
+  grasp.holding = scored.holding;
+  grasp.robustness = scored.robustness;
+  grasp.origin = origin_words(scored, result);
+  grasp.preshape = preshape_name(scene, scored.candidate);
+  grasp.blame = blame_words(scene, trial);
+  grasp.moved = moved_words(trial);
+  grasp.primitive = scored.primitive.value_or(-1);
+  grasp.shake = scored.shake;
+  for (const GraspContact& contact : trial.contacts) {
+    grasp.contacts.push_back({contact.point, scene.links[index(contact.link)].name, contact.gap});
+  }
+  grasp.motion =
+      grasp_motion(scene, scored.candidate, trial, scored.path ? &*scored.path : nullptr);
+  return grasp;
+}
+
+GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
+                      const ScoredGrasp& scored, const RunRecord& record,
+                      const RunContext& context) {
+  std::vector<Contact> contacts;
+  std::vector<std::string> links;
+  for (const ReportContact& contact : grasp.contacts) {
+    contacts.push_back(contact.point);
+    links.push_back(contact.link);
+  }
+  WrenchSpaceOptions space;
+  // The space in which the trial judged the grasp: L1 norm and pyramids.
+  space.edges = record.options.trial.cone_edges;
+  GraspDetail detail =
+      grasp_detail(contacts, links, scene.wrench_frame, space, record.options.seed, context);
+  // Sections were computed with the volume, from the same hull, for as many grasps as were asked
+  // for.
+  if (scored.sections) detail.sections = *scored.sections;
+  return detail;
+}
+
+void add_why_not(const CompiledScene& scene, const PlanResult& result,
+                 const PlanReportOptions& options, Report& report) {
+  for (Outcome outcome : kOutcomes) {
+    report.outcomes.push_back({std::string(outcome_name(outcome)),
+                               std::string(outcome_meaning(outcome)),
+                               result.outcomes[static_cast<std::size_t>(outcome)]});
+  }
+  for (const Blocker& blocker : result.blockers) {
+    report.blockers.push_back(
+        {std::string(outcome_name(blocker.outcome)), blocker.link, blocker.by, blocker.count});
+  }
+  for (const RuleCount& rule : result.rules) {
+    ReportRule& row = report.rules.emplace_back(ReportRule{rule.rule, {}});
+    for (const Outcome outcome : kOutcomes) {
+      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
+      if (count > 0) row.outcomes.emplace_back(outcome_name(outcome), count);
+    }
+  }
+  for (const Advice& advice : result.advice) report.advice.push_back(advice.words);
+  report.candidates_in_all = result.tried.size();
+  const std::size_t count = std::min(result.tried.size(), options.most_candidates);
+  // Candidates are in the order of primitives and rules; every n-th one represents all of them.
+  for (std::size_t i = 0; i < count; ++i) {
+    const Tried& tried = result.tried[i * result.tried.size() / count];
+    report.candidates.push_back({tried.X_OH * scene.scene.hand.hand->origin, tried.approach_O,
+                                 static_cast<std::size_t>(tried.outcome),
+                                 blame_words(tried.blame)});
+  }
+}
+
+}  // namespace
+
+Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
+                   const PlanReportOptions& options, const RunContext& context) {
+  context.cancellation.check();
+  Report report;
+  const std::string& object = scene.scene.object.name;
+  report.title = (object.empty() ? "object" : object) + ", " + scene.scene.hand.name;
+  if (scene.arm) report.title += " on " + scene.arm->robot().name;
+  report.facts = facts_of(scene, result, record);
+  report.scene = &scene;
+  report.frame = scene.wrench_frame;
+  report.primitives = result.primitives;
+  report.grasps_in_all = result.grasps.size();
+  report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
+  // Each grasp has its own place in the list, so the report is the same on any number of threads.
+  // Only the first ones are analysed in detail (PlanReportOptions).
+  for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
+    context.cancellation.check();
+    report.grasps[i] = grasp_of(scene, result, result.grasps[i]);
+    if (i < options.most_detailed) {
+      report.grasps[i].detail =
+          detail_of(scene, report.grasps[i], result.grasps[i], record, context);
+      report.grasps[i].side =
+          telling_side(scene, posed_grasp(scene, result.grasps[i]), kSmall, context);
+    }
+  });
+  add_why_not(scene, result, options, report);
+  return report;
+}
+
+}  // namespace prehend

@@ -1,0 +1,123 @@
+#include "sim/motion/contact_memory.h"
+
+#include <algorithm>
+
+#include "sim/base/index.h"
+#include "sim/shape/contact/triangle_overlap.h"
+
+namespace prehend {
+namespace {
+
+HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
+  // The normal of a surface contact points from b into a, and its position is on a.
+  const Vector3 on_b = contact.position - contact.gap * contact.normal;
+  return {.p_A = contact.position, .p_B = X_BA * on_b, .normal_A = contact.normal};
+}
+
+// The nearest contact first, then again and again the one that a body which tilts on those chosen
+// meets first: far from them, and with little more of a gap than the nearest. On an even face that
+// is the one farthest from all. `found` are sorted by gap.
+std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const Pose& X_BA,
+                                const ContactSearchOptions& options) {
+  constexpr double kEven = 2e-5;  // gaps that differ by less count as equal [m]
+  // Farther away, distance counts less: what stands on two places tilts about the line between
+  // them, and meets next what is beside that line.
+  constexpr double kFar = 5e-3;  // [m]
+  std::vector<HeldContact> contacts;
+  for (const SurfaceContact& contact : found) contacts.push_back(held(contact, X_BA));
+  std::vector<HeldContact> chosen;
+  if (contacts.empty()) return chosen;
+  std::vector<double> distance(contacts.size(), std::numeric_limits<double>::infinity());
+  std::size_t next = 0;
+  while (static_cast<int>(chosen.size()) < options.most) {
+    chosen.push_back(contacts[next]);
+    double best = 0.0;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      distance[i] = std::min(distance[i], difference(contacts[i], chosen.back(), options.arm));
+      const double lever = distance[i] / (1.0 + distance[i] / kFar);
+      const double reached = lever / (found[i].gap - found.front().gap + kEven);
+      if (distance[i] < options.apart || reached <= best) continue;
+      best = reached;
+      next = i;
+    }
+    if (best == 0.0) break;
+  }
+  return chosen;
+}
+
+// Each old impulse goes to the new contact that differs least from where it acted, if any is near.
+void take_over(const std::vector<HeldContact>& before, double arm,
+               std::vector<HeldContact>& contacts) {
+  constexpr double kNear = 5e-3;  // [m]
+  for (const HeldContact& old : before) {
+    HeldContact* nearest = nullptr;
+    double least = kNear;
+    for (HeldContact& contact : contacts) {
+      const double d = difference(contact, old, arm);
+      if (d >= least) continue;
+      least = d;
+      nearest = &contact;
+    }
+    if (nearest == nullptr) continue;
+    nearest->impulse += old.impulse;
+    nearest->slides = nearest->slides || old.slides;
+  }
+}
+
+}  // namespace
+
+double difference(const HeldContact& a, const HeldContact& b, double arm) {
+  return (a.p_A - b.p_A).norm() + arm * (a.normal_A - b.normal_A).norm();
+}
+
+void stick_here(const Pose& X_AB, HeldContact& contact) {
+  const double gap = contact.normal_A.dot(contact.p_A - X_AB * contact.p_B);
+  contact.p_B = X_AB.inverse() * (contact.p_A - gap * contact.normal_A);
+}
+
+void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
+                     const ContactSearchOptions& options, ContactWorkspace& workspace,
+                     PairMemory& memory) {
+  ContactOptions contact_options;
+  contact_options.threshold = range;
+  // Corners of a face that is not parallel are contacts as well: it may turn onto them in the step.
+  contact_options.evenness = range;
+  std::vector<SurfaceContact> found;
+  find_contact_points(a, b, X_AB, contact_options, workspace, found);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const SurfaceContact& p, const SurfaceContact& q) { return p.gap < q.gap; });
+  std::vector<HeldContact> chosen = spread(found, X_AB.inverse(), options);
+  take_over(memory.contacts, options.arm, chosen);
+  memory.contacts = std::move(chosen);
+  memory.X_AB = X_AB;
+  memory.at_least = range;
+}
+
+HeldContact nearest_contact(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                            const TrianglePair& pair) {
+  const TriangleGap gap = triangle_gap(a, b, X_AB, pair);
+  const Vector3 between = gap.p_A - X_AB * gap.p_B;
+  return {.p_A = gap.p_A, .p_B = gap.p_B, .normal_A = between.normalized()};
+}
+
+std::optional<HeldContact> crossing_contact(const ProximityMesh& a, const ProximityMesh& b,
+                                            const Pose& X_AB) {
+  std::vector<TrianglePair> pairs;
+  find_pairs_within(a, b, X_AB, 0.0, pairs);
+  Vector3 middle = Vector3::Zero();
+  Vector3 normal = Vector3::Zero();
+  for (const TrianglePair& pair : pairs) {
+    const Corners of_a = corners_of(a.mesh(), pair.a);
+    const Corners of_b = moved(corners_of(b.mesh(), pair.b), X_AB);
+    for (const Corners& corners : {of_a, of_b}) {
+      middle += (corners[0] + corners[1] + corners[2]) / 6.0;
+    }
+    normal += unit_normal(of_b) - unit_normal(of_a);
+  }
+  if (pairs.empty() || !(normal.norm() > 1e-6 * static_cast<double>(pairs.size()))) return {};
+  middle /= static_cast<double>(pairs.size());
+  return HeldContact{
+      .p_A = middle, .p_B = X_AB.inverse() * middle, .normal_A = normal.normalized()};
+}
+
+}  // namespace prehend

@@ -1,0 +1,17 @@
+#include "sim/motion/dynamic_grasp/resting.h"
+
+#include "sim/base/index.h"
+
+namespace prehend {
+
+bool Resting::look(const World& world, const WorldHand& hand, double time) {
+  const WorldBody& object = world.bodies[index(kObjectBody)];
+  const double speed =
+      object.motion.linear.norm() + object.motion.angular.norm() * object.shape.mesh.ball_radius();
+  const double joints = world.robots[index(hand.robot)].rate.lpNorm<Eigen::Infinity>();
+  const bool rests = speed < options_.slowest && joints < 10.0 * options_.slowest;
+  for_ = rests ? for_ + time : 0.0;
+  return for_ >= options_.seconds;
+}
+
+}  // namespace prehend

@@ -1,0 +1,264 @@
+#include "sim/motion/island.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/disjoint_sets.h"
+#include "sim/base/index.h"
+#include "sim/motion/joint_conditions.h"
+#include "sim/motion/joint_springs.h"
+#include "sim/motion/placed_contact.h"
+
+namespace prehend {
+namespace {
+
+using Eigen::Index;
+
+// Part of the drift of contacts that stick which a step takes back.
+constexpr double kReturn = 0.5;
+
+class IslandStep {
+ public:
+  IslandStep(const World& world, const Solids& solids, const Island& island, double time,
+             const StepOptions& options)
+      : world_(world), solids_(solids), island_(island), time_(time), options_(options) {}
+
+  IslandMotion run() {
+    for (const int mover : island_.movers) add_mover(mover);
+    for (const std::size_t p : island_.pairs) add_pair(world_.memory.pairs[p]);
+    const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
+                                      [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
+    if (!has_warm) warm_ = {};
+    motion_.solution = solve_contacts(problem_, options_.solver, warm_);
+    report();
+    return std::move(motion_);
+  }
+
+ private:
+  bool is_body(int mover) const { return index(mover) < world_.bodies.size(); }
+
+  void add_mover(int mover) {
+    const auto first = static_cast<int>(problem_.free.size());
+    motion_.first.push_back(first);
+    if (is_body(mover)) {
+      add_body(world_.bodies[index(mover)], first);
+    } else {
+      add_robot(world_.robots[index(mover) - world_.bodies.size()], first);
+    }
+  }
+
+  void add_velocities(const Eigen::VectorXd& now, const Eigen::VectorXd& free) {
+    const Index before = problem_.free.size();
+    problem_.free.conservativeResize(before + free.size());
+    problem_.free.tail(free.size()) = free;
+    warm_.velocity.conservativeResize(before + free.size());
+    warm_.velocity.tail(free.size()) = now;
+  }
+
+  void add_body(const WorldBody& body, int first) {
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(6, 6) * body.inertial.mass;
+    const Matrix3 inertia = inertia_in_world(body.inertial, body.motion.X_WB);
+    mass.topLeftCorner<3, 3>() = inertia;
+    problem_.masses.push_back({first, std::move(mass)});
+    Vector6 free;
+    Vector3 momentum = inertia * body.motion.angular;
+    if (!body.torque_W.isZero(0.0)) momentum += time_ * body.torque_W;
+    free.head<3>() = free_angular_velocity(body.inertial, body.motion.X_WB, momentum, time_);
+    free.tail<3>() =
+        body.motion.linear + time_ * (world_.gravity + body.force_W / body.inertial.mass);
+    add_velocities(spatial(body.motion.angular, body.motion.linear), free);
+  }
+
+  // Viscous friction acts at the end of the step, so that it never turns a motion round.
+  void add_robot(const WorldRobot& robot, int first) {
+    const RobotModel& model = *robot.model;
+    const Eigen::VectorXd q = joints_of(robot);
+    const Eigen::MatrixXd& C = model.joints_of;
+    Eigen::MatrixXd mass = C.transpose() * model.dynamics.mass_matrix(q) * C;
+    mass.diagonal() += model.drive_inertia;
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(mass.cols());
+    if (!robot.is_balanced)
+      push -= C.transpose() * model.dynamics.bias(q, C * robot.rate, around(robot));
+    if (robot.effort.size() > 0) push.head(model.dofs()) += robot.effort;
+    Eigen::VectorXd momentum = mass * robot.rate + time_ * push;
+    if (!robot.is_balanced) add_springs(model, q, time_, mass, momentum);
+    for (std::size_t j = 0; j < model.robot.joints.size(); ++j) {
+      const double viscous = model.robot.joints[j].friction.viscous;
+      if (viscous == 0.0) continue;
+      const auto row = C.row(static_cast<Index>(j));
+      mass += time_ * viscous * row.transpose() * row;
+    }
+    add_velocities(robot.rate, mass.llt().solve(momentum));
+    problem_.masses.push_back({first, std::move(mass)});
+    for (JointCondition& joint : joint_conditions(robot, first, time_)) {
+      const bool is_known = robot.joint_impulses.size() == joint_places(robot);
+      warm_.impulses.push_back(Eigen::Vector4d::Zero());
+      if (is_known) warm_.impulses.back()[0] = time_ * robot.joint_impulses[joint.place];
+      problem_.contacts.push_back(std::move(joint.condition));
+    }
+  }
+
+  RobotSurroundings around(const WorldRobot& robot) const {
+    const Matrix3 R_BW = robot.X_WB.linear().transpose();
+    RobotSurroundings around;
+    around.gravity_B = R_BW * world_.gravity;
+    around.base_velocity = spatial(R_BW * robot.base_angular, R_BW * robot.base_linear);
+    // The spatial acceleration of B's origin: what changes of its velocity besides the turn.
+    const Vector3 angular = (robot.base_angular - robot.last_base_angular) / time_;
+    const Vector3 linear = (robot.base_linear - robot.last_base_linear) / time_ -
+                           robot.base_angular.cross(robot.base_linear);
+    around.base_acceleration = spatial(R_BW * angular, R_BW * linear);
+    return around;
+  }
+
+  int first_of(int mover) const {
+    const auto place = std::lower_bound(island_.movers.begin(), island_.movers.end(), mover);
+    return motion_.first[static_cast<std::size_t>(place - island_.movers.begin())];
+  }
+
+  // How fast the contact may close, or has to open: an impact of a link gives back a part of its
+  // velocity, by Newton's law. Those of bodies are over (impacts.h).
+  double approach_of(const Solid& a, const Solid& b, const PlacedContact& at) const {
+    const double closing = at.directions[0].dot(b.velocity_at(at.p_W) - a.velocity_at(at.p_W));
+    const bool of_robot = a.id.robot >= 0 || b.id.robot >= 0;
+    const double restitution = of_robot ? std::max(a.restitution, b.restitution) : 0.0;
+    const double room = (at.gap - options_.rest_gap) / time_;
+    if (restitution > 0.0 && closing > options_.slowest_bounce && closing > room) {
+      return -restitution * closing;
+    }
+    return std::max(room, 0.0);
+  }
+
+  // A gap that has become too small opens slowly: at once, it would throw the bodies apart, and so
+  // it would in steps that are shortened.
+  double opening_of(const PlacedContact& at, bool crosses) const {
+    constexpr double kOpening = 0.1;
+    const double gap = crosses ? std::min(at.gap, 0.0) : at.gap;
+    const double missing = std::max(options_.rest_gap - gap, 0.0);
+    // Nearly closed, it has to open faster than edges that slide and turn close it in each step.
+    constexpr double kNearlyClosed = 0.2;  // of the gap at rest
+    constexpr double kFastest = 10.0;
+    const double hurry =
+        gap > 0.0 ? std::clamp(kNearlyClosed * options_.rest_gap / gap, 1.0, kFastest) : kFastest;
+    return -std::min(hurry * kOpening / options_.step, 1.0 / time_) * missing;
+  }
+
+  // A base that turns carries what its hand holds along an arc, and bodies move straight within a
+  // step, which would press them into the fingers outside: what is missing of the velocity at which
+  // the place of the body's centre moves from its start on the arc to its end.
+  Vector3 turning_of(const Solid& link, const Solid& body) const {
+    if (link.id.robot < 0 || body.id.robot >= 0) return Vector3::Zero();
+    const WorldBody& held = world_.bodies[index(body.id.index)];
+    if (held.is_fixed) return Vector3::Zero();
+    const WorldRobot& robot = world_.robots[index(link.id.robot)];
+    const Vector3 center = center_in_world(held.inertial, held.motion.X_WB);
+    const Vector3& turning = robot.base_angular;
+    return 0.5 * time_ * turning.cross(turning.cross(center - robot.X_WB.translation()));
+  }
+
+  void add_pair(const PairMemory& pair) {
+    constexpr double kStiffer = 1.5;  // tried again after softer contacts were needed
+    warm_.stiffness = std::min(warm_.stiffness, kStiffer * pair.stiffness);
+    const Solid& a = solids_.at(pair.a);
+    const Solid& b = solids_.at(pair.b);
+    const Vector3 turning = turning_of(a, b) - turning_of(b, a);
+    for (const HeldContact& held : pair.contacts) {
+      const PlacedContact at = placed(held, a, b);
+      ContactCondition condition;
+      condition.friction = friction_of(world_.laws, held, a, b);
+      const double arm = arm_of(world_.laws, a, b, condition.friction);
+      condition.offset = ConeVector::Zero(arm > 0.0 ? 4 : 3);
+      condition.offset[0] = approach_of(a, b, at);
+      condition.correction = ConeVector::Zero(3);
+      condition.correction[0] = opening_of(at, pair.crosses);
+      // Contacts that stick go back to where they stuck, so that what steps lose on curved ways
+      // does not add up.
+      if (!held.slides) condition.correction.tail<2>() = kReturn / options_.step * at.drift;
+      for (const auto& [solid, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
+        const int first = solid->mover >= 0 ? first_of(solid->mover) : -1;
+        solids_.add_rows(*solid, first, at.p_W, at.directions, arm, sign, condition);
+      }
+      for (int k = 0; k < 3; ++k) condition.offset[k] += at.directions[index(k)].dot(turning);
+      motion_.contacts.push_back({.a = pair.a,
+                                  .b = pair.b,
+                                  .position_W = at.p_W,
+                                  .normal_W = at.directions[0],
+                                  .gap = at.gap});
+      places_.push_back({at.directions, arm, problem_.contacts.size()});
+      warm_.impulses.push_back(time_ * held.impulse);
+      problem_.contacts.push_back(std::move(condition));
+    }
+  }
+
+  void report() {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const Place& place = places_[i];
+      const Eigen::Vector4d& impulse = motion_.solution.impulses[place.condition];
+      WorldContact& contact = motion_.contacts[i];
+      contact.impulse_W = impulse[0] * place.directions[0] + impulse[1] * place.directions[1] +
+                          impulse[2] * place.directions[2];
+      contact.spin_impulse = place.arm * impulse[3];
+      const ContactCondition& condition = problem_.contacts[place.condition];
+      Eigen::Vector2d slip = condition.offset.segment<2>(1);
+      if (motion_.solution.corrected) slip += condition.correction.tail<2>();
+      for (const JacobianBlock& block : condition.blocks) {
+        slip += block.rows.middleRows<2>(1) *
+                motion_.solution.velocity.segment(block.first, block.rows.cols());
+      }
+      contact.slip = slip.norm();
+    }
+  }
+
+  struct Place {
+    std::array<Vector3, 3> directions;
+    double arm = 0.0;
+    std::size_t condition = 0;
+  };
+
+  const World& world_;
+  const Solids& solids_;
+  const Island& island_;
+  double time_;
+  const StepOptions& options_;
+  ContactProblem problem_;
+  WarmStart warm_;
+  std::vector<Place> places_;  // of each contact
+  IslandMotion motion_;
+};
+
+}  // namespace
+
+std::vector<Island> islands_of(const Solids& solids, const ContactMemory& memory) {
+  const auto movers = static_cast<std::size_t>(solids.movers());
+  DisjointSets sets(movers);
+  for (const PairMemory& pair : memory.pairs) {
+    const int a = solids.at(pair.a).mover;
+    const int b = solids.at(pair.b).mover;
+    if (!pair.contacts.empty() && a >= 0 && b >= 0) sets.merge(index(a), index(b));
+  }
+  std::vector<Island> islands;
+  std::vector<std::size_t> island_of(movers);
+  for (std::size_t m = 0; m < movers; ++m) {
+    const std::size_t root = sets.find(m);
+    if (root == m) {
+      island_of[m] = islands.size();
+      islands.emplace_back();
+    }
+    islands[island_of[root]].movers.push_back(static_cast<int>(m));
+  }
+  for (std::size_t p = 0; p < memory.pairs.size(); ++p) {
+    if (memory.pairs[p].contacts.empty()) continue;
+    const int a = solids.at(memory.pairs[p].a).mover;
+    const int b = solids.at(memory.pairs[p].b).mover;
+    if (a < 0 && b < 0) continue;
+    islands[island_of[sets.find(index(a >= 0 ? a : b))]].pairs.push_back(p);
+  }
+  return islands;
+}
+
+IslandMotion solve_island(const World& world, const Solids& solids, const Island& island,
+                          double time, const StepOptions& options) {
+  return IslandStep(world, solids, island, time, options).run();
+}
+
+}  // namespace prehend

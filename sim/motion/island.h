@@ -1,0 +1,32 @@
+// Groups of bodies and robots that touch each other, and the velocities of one group at the end of
+// a step.
+#pragma once
+
+#include <vector>
+
+#include "sim/motion/solids.h"
+
+namespace prehend {
+
+// Movers (Solids) that contacts connect, and the pairs of the memory whose contacts do.
+struct Island {
+  std::vector<int> movers;         // ascending
+  std::vector<std::size_t> pairs;  // of ContactMemory, ascending
+};
+
+// All islands, in the order of their first movers. Each mover is in one of them.
+std::vector<Island> islands_of(const Solids& solids, const ContactMemory& memory);
+
+// What the step of an island ended with.
+struct IslandMotion {
+  ContactSolution solution;
+  std::vector<int> first;  // of each mover: where its velocities begin in the solution
+  std::vector<WorldContact> contacts;
+};
+
+// The velocities at the end of a step of `time`. Impulses that contacts and joints had are where
+// the search for the new ones begins; they are replaced.
+IslandMotion solve_island(const World& world, const Solids& solids, const Island& island,
+                          double time, const StepOptions& options);
+
+}  // namespace prehend

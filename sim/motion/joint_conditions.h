@@ -1,0 +1,24 @@
+// What the joints of a robot add to a step: drives, clutches, friction and limits, each as a
+// condition with one row.
+#pragma once
+
+#include <vector>
+
+#include "sim/motion/world.h"
+
+namespace prehend {
+
+// A condition of a joint, and its place in WorldRobot::joint_impulses.
+struct JointCondition {
+  ContactCondition condition;
+  std::size_t place = 0;
+};
+
+// The conditions of a step of `time`, on velocities that begin at `first`. Limits that are too far
+// to be reached in the step are left out.
+std::vector<JointCondition> joint_conditions(const WorldRobot& robot, int first, double time);
+
+// How many places joint_impulses has.
+std::size_t joint_places(const WorldRobot& robot);
+
+}  // namespace prehend

@@ -1,0 +1,270 @@
+#include "sim/motion/multiplier_method.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/motion/contact_violation.h"
+#include "sim/motion/newton_matrix.h"
+#include "sim/motion/smoothed_contacts.h"
+
+namespace prehend {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+// How much stiffer than the inertia that a contact feels its smoothed form is: in the first round,
+// where Newton's steps have far to go, and at most. Each round takes the error of sticking contacts
+// down by about this factor, and its Newton steps lose as many digits.
+constexpr double kFirstStiffness = 10.0;
+constexpr double kStiffness = 1e5;
+constexpr double kStiffer = 30.0;
+// Where contacts jam, impulses are far larger than what the velocities alone would need, and change
+// little in a round; then up to this.
+constexpr double kJammed = 1e9;
+// Newton steps end where they change the velocities by less than this part of those that occur.
+constexpr double kNothing = 1e-13;
+// The same of the coupled form.
+constexpr double kConverged = 1e-12;
+
+// Minimises the smoothed energy from v on. Returns the number of steps.
+int minimise(const SmoothedContacts& smoothed, int most, double scale, VectorXd& v) {
+  constexpr double kEnough = 1e-4;  // of the decrease that the slope promises (Armijo)
+  VectorXd gradient;
+  NewtonMatrix matrix;
+  double energy = smoothed.energy(v);
+  for (int step = 0; step < most; ++step) {
+    smoothed.linearise(v, gradient, matrix);
+    const VectorXd d = -matrix.solve_symmetric(gradient);
+    if (!(d.lpNorm<Eigen::Infinity>() > kNothing * scale)) return step;
+    const double slope = gradient.dot(d);
+    double length = 1.0;
+    VectorXd next = v + d;
+    double reached = smoothed.energy(next);
+    while (reached > energy + kEnough * length * slope && length > 1e-10) {
+      length *= 0.5;
+      next = v + length * d;
+      reached = smoothed.energy(next);
+    }
+    // No more than rounding is left to gain.
+    if (!(reached < energy)) return step + 1;
+    v = next;
+    energy = reached;
+  }
+  return most;
+}
+
+// Newton's method for momentum with the lifts that the velocities cause. There is no energy to go
+// down, so steps are shortened until the residual shrinks; false, and v as it was, where that
+// fails.
+bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, VectorXd& v) {
+  constexpr int kSteps = 25;
+  constexpr double kShortest = 1e-3;
+  VectorXd at = v;
+  VectorXd residual;
+  VectorXd next;
+  NewtonMatrix matrix;
+  smoothed.linearise_coupled(at, residual, matrix);
+  for (int step = 0; step < kSteps; ++step) {
+    ++steps;
+    const VectorXd d = -matrix.solve(residual);
+    if (!d.allFinite()) return false;
+    next = at + d;
+    if (d.lpNorm<Eigen::Infinity>() <= kConverged * scale) {
+      v = next;
+      return true;
+    }
+    const double size = residual.norm();
+    smoothed.linearise_coupled(next, residual, matrix);
+    if (!(residual.norm() < size)) {
+      double length = 1.0;
+      while (!(residual.norm() < size) && length > kShortest) {
+        length *= 0.5;
+        next = at + length * d;
+        smoothed.residual_coupled(next, residual);
+      }
+      if (!(residual.norm() < size)) return false;
+      smoothed.linearise_coupled(next, residual, matrix);
+    }
+    at = next;
+  }
+  return false;
+}
+
+Eigen::Vector4d filled(const ConeVector& impulse) {
+  Eigen::Vector4d all = Eigen::Vector4d::Zero();
+  all.head(impulse.size()) = impulse;
+  return all;
+}
+
+// Successive estimates of the lifts mu |w_t|, which depend on themselves through the velocities:
+// Aitken's extrapolation for vectors (Anderson's with one step of memory).
+class Extrapolation {
+ public:
+  // `given` were the lifts, `found` is what they became.
+  VectorXd next(const VectorXd& given, const VectorXd& found) {
+    const VectorXd residual = found - given;
+    VectorXd result = found;
+    if (last_residual_.size() == residual.size()) {
+      const VectorXd change = residual - last_residual_;
+      const double size = change.squaredNorm();
+      if (size > 0.0) result -= residual.dot(change) / size * (found - last_found_);
+    }
+    last_residual_ = residual;
+    last_found_ = found;
+    return result.cwiseMax(0.0);
+  }
+
+ private:
+  VectorXd last_residual_;
+  VectorXd last_found_;
+};
+
+// Rounds of the proximal method of multipliers: velocities at given multipliers, then multipliers
+// at these velocities.
+class MultiplierRounds {
+ public:
+  MultiplierRounds(const ContactProblem& problem, const ContactSolverOptions& options,
+                   const WarmStart& warm)
+      : problem_(problem),
+        options_(options),
+        masses_(mass_factors(problem)),
+        inertias_(felt_inertias(problem, masses_)),
+        smoothed_(problem, inertias_),
+        velocity_(warm.velocity.size() > 0 ? warm.velocity : problem.free),
+        lifts_(VectorXd::Zero(static_cast<Index>(problem.contacts.size()))),
+        scale_(velocity_scale(problem, problem.free)),
+        is_cold_(warm.impulses.empty()),
+        stiffness_(is_cold_ ? kFirstStiffness
+                            : std::clamp(warm.stiffness, kFirstStiffness, kStiffness)) {
+    for (std::size_t i = 0; i < warm.impulses.size(); ++i) {
+      smoothed_.set_centre(i,
+                           warm.impulses[i].head(problem.contacts[i].blocks.front().rows.rows()));
+    }
+    impulses_.resize(problem.contacts.size());
+    is_near_ = !is_cold_;
+  }
+
+  ContactSolution run() {
+    // Rounds without much progress, of a solution that will do and of one that will not.
+    constexpr int kPatience = 2;
+    constexpr int kMostPatience = 8;
+    ContactSolution best;
+    best.violation = std::numeric_limits<double>::infinity();
+    for (int round = 0; round < options_.max_rounds; ++round) {
+      move();
+      if (round == 0 && !is_cold_) best.stiffness = stiffness_;
+      update_multipliers();
+      const double found = violation();
+      if (!std::isfinite(found)) break;
+      stalled_ = found < 0.5 * best.violation ? 0 : stalled_ + 1;
+      if (found < best.violation) keep(found, best);
+      // Where impulses may be shared in many ways, rounding and slow shifts between these are all
+      // that is left to gain.
+      if (found <= options_.tolerance) break;
+      if (stalled_ >= (found <= options_.acceptable ? kPatience : kMostPatience)) break;
+      adapt_stiffness();
+      update_lifts();
+    }
+    if (impulses_at_best_.empty()) keep(best.violation, best);
+    const bool is_solved = best.violation <= options_.acceptable;
+    best.outcome = is_solved ? ContactOutcome::solved : ContactOutcome::not_converged;
+    best.newton_steps = steps_;
+    for (const ConeVector& impulse : impulses_at_best_) best.impulses.push_back(filled(impulse));
+    return best;
+  }
+
+ private:
+  void adapt_stiffness() {
+    if (!coupled_) {
+      soften();
+    } else {
+      stiffness_ = std::min(kStiffer * stiffness_,
+                            stalled_ > 0 ? kJammed : std::max(kStiffness, stiffness_));
+    }
+  }
+
+  void keep(double violation, ContactSolution& best) {
+    best.violation = violation;
+    best.velocity = velocity_;
+    impulses_at_best_ = impulses_;
+  }
+
+  // Velocities at the multipliers as they are. Stiff contacts may keep Newton's steps for the
+  // coupled form from converging, where softer ones do not. Where these do not either, or rounds
+  // bring no progress, the convex form with the lifts of the round before leads there: it always
+  // has a solution, but takes many steps.
+  void move() {
+    constexpr int kLeastStalls = 2;
+    coupled_ = is_near_ && moves_coupled();
+    while (!coupled_ && is_near_ && stalled_ < kLeastStalls && stiffness_ > kFirstStiffness) {
+      soften();
+      coupled_ = moves_coupled();
+    }
+    if (!coupled_) {
+      smoothed_.set_stiffness(stiffness_);
+      steps_ += minimise(smoothed_, options_.max_newton, scale_, velocity_);
+      coupled_ = moves_coupled();
+    }
+    is_near_ = coupled_;
+  }
+
+  bool moves_coupled() {
+    smoothed_.set_stiffness(stiffness_);
+    return solve_coupled(smoothed_, scale_, steps_, velocity_);
+  }
+
+  void soften() { stiffness_ = std::max(stiffness_ / kStiffer, kFirstStiffness); }
+
+  void update_multipliers() {
+    for (std::size_t i = 0; i < impulses_.size(); ++i) {
+      impulses_[i] = smoothed_.impulse(i, velocity_, coupled_);
+    }
+    for (std::size_t i = 0; i < impulses_.size(); ++i) smoothed_.set_centre(i, impulses_[i]);
+  }
+
+  void update_lifts() {
+    VectorXd slips(lifts_.size());
+    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) {
+      const ContactCondition& condition = problem_.contacts[i];
+      slips[static_cast<Index>(i)] =
+          condition.friction * slip_of(relative_velocity(condition, velocity_));
+    }
+    lifts_ = coupled_ ? slips : extrapolation_.next(lifts_, slips);
+    for (std::size_t i = 0; i < problem_.contacts.size(); ++i) {
+      smoothed_.set_lift(i, lifts_[static_cast<Index>(i)]);
+    }
+  }
+
+  double violation() const {
+    return violation_of(problem_, masses_, inertias_, velocity_, impulses_);
+  }
+
+  const ContactProblem& problem_;
+  const ContactSolverOptions& options_;
+  std::vector<MassFactor> masses_;
+  std::vector<double> inertias_;
+  SmoothedContacts smoothed_;
+  std::vector<ConeVector> impulses_;
+  std::vector<ConeVector> impulses_at_best_;
+  VectorXd velocity_;
+  VectorXd lifts_;
+  double scale_;  // of the velocities that occur
+  bool is_cold_;  // no impulses were known
+  double stiffness_;
+  bool is_near_ = false;  // the velocities are probably near a solution of the coupled form
+  bool coupled_ = false;  // the last round solved the coupled form
+  int stalled_ = 0;       // rounds without much progress
+  int steps_ = 0;
+  Extrapolation extrapolation_;
+};
+
+}  // namespace
+
+ContactSolution solve_with_multipliers(const ContactProblem& problem,
+                                       const ContactSolverOptions& options, const WarmStart& warm) {
+  return MultiplierRounds(problem, options, warm).run();
+}
+
+}  // namespace prehend

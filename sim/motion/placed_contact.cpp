@@ -1,0 +1,44 @@
+#include "sim/motion/placed_contact.h"
+
+#include <cmath>
+
+namespace prehend {
+namespace {
+
+// A round value of the radius of fingertips, with which the depth of a compliant material was
+// stated (material.h) [m].
+constexpr double kPadRadius = 0.03;
+
+}  // namespace
+
+double soft_arm(double depth) {
+  return 3.0 * std::acos(-1.0) / 16.0 * std::sqrt(kPadRadius * depth);
+}
+
+PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b) {
+  const Vector3 on_a = a.X_WS * contact.p_A;
+  const Vector3 on_b = b.X_WS * contact.p_B;
+  const Matrix3& R = a.X_WS.linear();
+  const Vector3 tangent = any_orthogonal(contact.normal_A);
+  const std::array<Vector3, 3> directions = {R * contact.normal_A, R * tangent,
+                                             R * contact.normal_A.cross(tangent)};
+  const Vector3 between = on_a - on_b;
+  return {0.5 * (on_a + on_b),
+          directions,
+          directions[0].dot(between),
+          {directions[1].dot(between), directions[2].dot(between)}};
+}
+
+double friction_of(const ContactLaws& laws, const HeldContact& contact, const Solid& a,
+                   const Solid& b) {
+  const FrictionTable& table = contact.slides && laws.kinetic ? *laws.kinetic : laws.friction;
+  return table.between(a.material, b.material);
+}
+
+double arm_of(const ContactLaws& laws, const Solid& a, const Solid& b, double friction) {
+  const bool of_robot = a.id.robot >= 0 || b.id.robot >= 0;
+  if (of_robot && laws.torsion) return friction > 0.0 ? *laws.torsion / friction : 0.0;
+  return soft_arm(laws.compliant_depths.between(a.material, b.material));
+}
+
+}  // namespace prehend

@@ -1,0 +1,202 @@
+#include "sim/motion/robot_model.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
+#include "sim/robot/link_pairs.h"
+
+namespace prehend {
+namespace {
+
+Eigen::Index row(int i) { return static_cast<Eigen::Index>(i); }
+
+// Whether joint k stands somewhere before joint j; none does before the base (j = -1).
+bool stands_before(const Robot& robot, int k, int j) {
+  if (j < 0) return false;
+  for (int p = robot.joints[index(j)].parent; p >= 0; p = robot.joints[index(p)].parent) {
+    if (p == k) return true;
+  }
+  return false;
+}
+
+// The first joint of the finger that joint j belongs to: the one farthest towards the base that the
+// same degree of freedom drives.
+int finger_of(const Robot& robot, int j) {
+  int first = j;
+  for (int p = robot.joints[index(j)].parent; p >= 0; p = robot.joints[index(p)].parent) {
+    if (robot.joints[index(p)].dof == robot.joints[index(j)].dof) first = p;
+  }
+  return first;
+}
+
+std::vector<int> joints_of_dof(const Robot& robot, int dof) {
+  std::vector<int> joints;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    if (robot.joints[j].dof == dof) joints.push_back(static_cast<int>(j));
+  }
+  return joints;
+}
+
+// A finger that breaks away bends at its first joints no further while the last ones go on: the
+// last have no clutch, since nothing is left to go on behind them. Fingers that share a drive have
+// one clutch each.
+std::vector<Clutch> clutches_of(const Robot& robot) {
+  std::vector<Clutch> clutches;
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    const int dof = static_cast<int>(d);
+    const std::vector<int> joints = joints_of_dof(robot, dof);
+    if (robot.dofs[d].coupling == Coupling::breakaway) {
+      for (const int k : joints) {
+        const bool has_follower = std::any_of(joints.begin(), joints.end(),
+                                              [&](int j) { return stands_before(robot, k, j); });
+        if (!has_follower) continue;
+        const double closes = robot.joints[index(k)].ratio * robot.dofs[d].closing_velocity;
+        clutches.push_back({.dof = dof, .joints = {k}, .locks = closes < 0.0 ? -1.0 : 1.0});
+      }
+    }
+    if (robot.dofs[d].coupling == Coupling::by_finger) {
+      for (const int first : joints) {
+        if (finger_of(robot, first) != first) continue;
+        Clutch clutch{.dof = dof, .joints = {}};
+        for (const int j : joints) {
+          if (finger_of(robot, j) == first) clutch.joints.push_back(j);
+        }
+        clutches.push_back(std::move(clutch));
+      }
+    }
+  }
+  return clutches;
+}
+
+// Most that a degree of freedom moves any point of its links per unit, at its initial posture [m],
+// or 1 for those that slide.
+double farthest_reach(const Robot& robot, int dof) {
+  std::vector<Pose> X_BJ;
+  joint_poses(robot, joint_values(robot, initial_dofs(robot)), X_BJ);
+  double farthest = 0.0;
+  for (const int j : joints_of_dof(robot, dof)) {
+    const Joint& joint = robot.joints[index(j)];
+    if (joint.type == JointType::prismatic) return std::abs(joint.ratio);
+    const Vector3 center = X_BJ[index(j)] * (joint.X_JA.inverse() * Vector3::Zero());
+    for (const Link& link : robot.links) {
+      if (link.joint != j && !stands_before(robot, j, link.joint)) continue;
+      for (const Vector3& p : link.mesh.vertices) {
+        const double distance = (X_BJ[index(link.joint)] * p - center).norm();
+        farthest = std::max(farthest, std::abs(joint.ratio) * distance);
+      }
+    }
+  }
+  return farthest;
+}
+
+// The effort of a degree of freedom is what its joints may bear at most, each through its ratio.
+Eigen::VectorXd efforts_of(const Robot& robot, const RobotModelOptions& options) {
+  Eigen::VectorXd efforts = Eigen::VectorXd::Zero(row(static_cast<int>(robot.dofs.size())));
+  for (const Joint& joint : robot.joints) {
+    efforts[joint.dof] += std::abs(joint.ratio) * joint.max_effort;
+  }
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    double& effort = efforts[row(static_cast<int>(d))];
+    if (effort == 0.0) effort = options.tip_force * farthest_reach(robot, static_cast<int>(d));
+  }
+  return efforts;
+}
+
+void complete_inertials(Robot& robot, double density) {
+  for (Link& link : robot.links) {
+    if (link.mesh.empty()) throw InputError({robot.name, "link " + link.name, "has no triangles"});
+    if (link.inertial.mass == 0.0) link.inertial = inertial_of_density(link.mesh, density);
+    const std::string defect = inertia_defect(link.inertial.inertia);
+    if (link.joint >= 0 && !defect.empty()) {
+      throw InputError({robot.name, "link " + link.name, defect});
+    }
+  }
+}
+
+void set_coordinates(RobotModel& model) {
+  const Robot& robot = model.robot;
+  const auto dofs = static_cast<Eigen::Index>(robot.dofs.size());
+  const auto joints = static_cast<Eigen::Index>(robot.joints.size());
+  const auto count = dofs + static_cast<Eigen::Index>(model.clutches.size());
+  model.joints_of = Eigen::MatrixXd::Zero(joints, count);
+  model.joints_of.leftCols(dofs) = coupling_matrix(robot);
+  model.offset.resize(joints);
+  for (Eigen::Index j = 0; j < joints; ++j) model.offset[j] = robot.joints[index(int(j))].offset;
+  for (std::size_t c = 0; c < model.clutches.size(); ++c) {
+    for (const int j : model.clutches[c].joints) {
+      model.joints_of(j, dofs + static_cast<Eigen::Index>(c)) = robot.joints[index(j)].ratio;
+    }
+  }
+}
+
+// Only drives with clutches need an inertia of their own: where all their clutches slip, nothing
+// else would have to be accelerated.
+void set_drive_inertias(RobotModel& model, double part) {
+  model.drive_inertia = Eigen::VectorXd::Zero(model.coordinates());
+  const Eigen::MatrixXd mass =
+      model.joints_of.transpose() * model.dynamics.mass_matrix(model.offset) * model.joints_of;
+  for (const Clutch& clutch : model.clutches) {
+    model.drive_inertia[clutch.dof] = part * mass(clutch.dof, clutch.dof);
+  }
+}
+
+}  // namespace
+
+RobotModel make_robot_model(Robot robot, const RobotModelOptions& options) {
+  complete_inertials(robot, options.density);
+  RobotDynamics dynamics(robot);
+  RobotModel model{.robot = std::move(robot), .dynamics = std::move(dynamics)};
+  for (const Link& link : model.robot.links) {
+    model.shapes.push_back(make_collision_body(link.name, link.mesh, true));
+    model.materials.push_back(material_named(link.material));
+  }
+  model.self_pairs = checked_pairs(model.robot);
+  model.effort = efforts_of(model.robot, options);
+  model.clutches = clutches_of(model.robot);
+  for (Clutch& clutch : model.clutches) {
+    const DegreeOfFreedom& dof = model.robot.dofs[index(clutch.dof)];
+    const auto fingers = std::count_if(model.clutches.begin(), model.clutches.end(),
+                                       [&](const Clutch& c) { return c.dof == clutch.dof; });
+    const double part = dof.coupling == Coupling::by_finger ? 1.0 / static_cast<double>(fingers)
+                                                            : options.clutch_part;
+    clutch.effort =
+        dof.breakaway_effort > 0.0 ? dof.breakaway_effort : part * model.effort[clutch.dof];
+  }
+  set_coordinates(model);
+  set_drive_inertias(model, options.drive_inertia);
+  return model;
+}
+
+Eigen::VectorXd coordinates_at(const RobotModel& model, const std::vector<double>& dofs,
+                               const std::vector<double>& joints) {
+  assert(dofs.size() == model.robot.dofs.size());
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(model.coordinates());
+  for (std::size_t d = 0; d < dofs.size(); ++d) values[row(static_cast<int>(d))] = dofs[d];
+  if (joints.empty()) return values;
+  // A degree of freedom follows its joints without a clutch, and clutches make up for the rest.
+  const Eigen::Map<const Eigen::VectorXd> q(joints.data(), row(static_cast<int>(joints.size())));
+  values = model.joints_of.colPivHouseholderQr().solve(q - model.offset);
+  for (std::size_t d = 0; d < dofs.size(); ++d) {
+    const Eigen::Index column = row(static_cast<int>(d));
+    const bool all_slip =
+        std::all_of(model.robot.joints.begin(), model.robot.joints.end(), [&](const Joint& joint) {
+          if (joint.dof != static_cast<int>(d)) return true;
+          const auto j = static_cast<Eigen::Index>(&joint - model.robot.joints.data());
+          return !model.joints_of.row(j).tail(model.coordinates() - model.dofs()).isZero(0.0);
+        });
+    if (!all_slip) continue;
+    // Every joint has a clutch: the drive stands where it is said to be.
+    const double change = dofs[d] - values[column];
+    values[column] = dofs[d];
+    for (std::size_t c = 0; c < model.clutches.size(); ++c) {
+      if (model.clutches[c].dof != static_cast<int>(d)) continue;
+      values[model.dofs() + row(static_cast<int>(c))] -= change;
+    }
+  }
+  return values;
+}
+
+}  // namespace prehend

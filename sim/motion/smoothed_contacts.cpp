@@ -1,0 +1,194 @@
+#include "sim/motion/smoothed_contacts.h"
+
+#include <utility>
+
+namespace prehend {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Index rows_of(const ContactCondition& condition) { return condition.blocks.front().rows.rows(); }
+
+// Momentum that a mass takes up between the free velocities and v.
+VectorXd taken_up(const ContactProblem& problem, const ContactProblem::Mass& mass,
+                  const VectorXd& v) {
+  const Index size = mass.matrix.cols();
+  const VectorXd change = v.segment(mass.first, size) - problem.free.segment(mass.first, size);
+  return mass.matrix.lazyProduct(change);
+}
+
+}  // namespace
+
+ConeVector relative_velocity(const ContactCondition& condition, const VectorXd& v) {
+  ConeVector w = ConeVector::Zero(rows_of(condition));
+  w.head(condition.offset.size()) = condition.offset;
+  w.head(condition.correction.size()) += condition.correction;
+  for (const JacobianBlock& block : condition.blocks) {
+    w += block.rows.lazyProduct(v.segment(block.first, block.rows.cols()));
+  }
+  return w;
+}
+
+double slip_of(const ConeVector& w) { return w.size() > 1 ? w.tail(w.size() - 1).norm() : 0.0; }
+
+ConeProjection allowed_impulse(const ContactCondition& condition, const ConeVector& impulse) {
+  if (impulse.size() == 1) return project_to_interval(impulse, condition.lower, condition.upper);
+  return project_to_cone(impulse, condition.friction);
+}
+
+std::vector<MassFactor> mass_factors(const ContactProblem& problem) {
+  std::vector<MassFactor> result;
+  result.reserve(problem.masses.size());
+  for (const ContactProblem::Mass& mass : problem.masses) {
+    result.push_back({mass.first, Eigen::LLT<MatrixXd>(mass.matrix)});
+  }
+  return result;
+}
+
+std::vector<double> felt_inertias(const ContactProblem& problem,
+                                  const std::vector<MassFactor>& masses) {
+  std::vector<const MassFactor*> mass_at(static_cast<std::size_t>(problem.free.size()));
+  for (const MassFactor& mass : masses) {
+    for (Index i = 0; i < mass.factor.cols(); ++i) {
+      mass_at[static_cast<std::size_t>(mass.first + i)] = &mass;
+    }
+  }
+  std::vector<double> inertias;
+  inertias.reserve(problem.contacts.size());
+  MatrixXd rows;
+  for (const ContactCondition& condition : problem.contacts) {
+    double trace = 0.0;
+    for (const JacobianBlock& block : condition.blocks) {
+      const MassFactor& mass = *mass_at[static_cast<std::size_t>(block.first)];
+      rows.setZero(mass.factor.cols(), block.rows.rows());
+      rows.middleRows(block.first - mass.first, block.rows.cols()) = block.rows.transpose();
+      mass.factor.matrixL().solveInPlace(rows);
+      trace += rows.squaredNorm();
+    }
+    inertias.push_back(static_cast<double>(rows_of(condition)) / trace);
+  }
+  return inertias;
+}
+
+SmoothedContacts::SmoothedContacts(const ContactProblem& problem, std::vector<double> inertias)
+    : problem_(problem), inertia_(std::move(inertias)), lift_(problem.contacts.size(), 0.0) {
+  centre_.reserve(problem.contacts.size());
+  for (const ContactCondition& condition : problem.contacts) {
+    centre_.emplace_back(ConeVector::Zero(rows_of(condition)));
+  }
+}
+
+void SmoothedContacts::set_centre(std::size_t i, const ConeVector& impulse) {
+  if (problem_.contacts[i].compliance == 0.0) centre_[i] = impulse;
+}
+
+double SmoothedContacts::stiffness(std::size_t i) const {
+  const double compliance = problem_.contacts[i].compliance;
+  return compliance > 0.0 ? 1.0 / compliance : factor_ * inertia_[i];
+}
+
+ConeVector SmoothedContacts::pull(std::size_t i, ConeVector w, double lift) const {
+  w[0] += lift;
+  return centre_[i] - stiffness(i) * w;
+}
+
+ConeVector SmoothedContacts::impulse(std::size_t i, const VectorXd& v, bool coupled) const {
+  const ContactCondition& condition = problem_.contacts[i];
+  const ConeVector w = relative_velocity(condition, v);
+  const double lift = coupled ? condition.friction * slip_of(w) : lift_[i];
+  return allowed_impulse(condition, pull(i, w, lift)).point;
+}
+
+// The function whose gradient is the nearest allowed impulse P(x) is (|x|^2 - |x - P(x)|^2) / 2.
+double SmoothedContacts::energy(const VectorXd& v) const {
+  double sum = 0.0;
+  for (const ContactProblem::Mass& mass : problem_.masses) {
+    const Index size = mass.matrix.cols();
+    sum += 0.5 * taken_up(problem_, mass, v)
+                     .dot(v.segment(mass.first, size) - problem_.free.segment(mass.first, size));
+  }
+  for (std::size_t i = 0; i < centre_.size(); ++i) {
+    const ContactCondition& condition = problem_.contacts[i];
+    const ConeVector x = pull(i, relative_velocity(condition, v), lift_[i]);
+    const ConeVector p = allowed_impulse(condition, x).point;
+    // As p . (x - p / 2), since the squares would cancel far outside an interval.
+    sum += p.dot(x - 0.5 * p) / stiffness(i);
+  }
+  return sum;
+}
+
+void SmoothedContacts::start(const VectorXd& v, VectorXd& gradient) const {
+  gradient.resize(v.size());
+  for (const ContactProblem::Mass& mass : problem_.masses) {
+    gradient.segment(mass.first, mass.matrix.cols()) = taken_up(problem_, mass, v);
+  }
+}
+
+void SmoothedContacts::add_force(std::size_t i, const ConeVector& impulse,
+                                 VectorXd& gradient) const {
+  for (const JacobianBlock& block : problem_.contacts[i].blocks) {
+    gradient.segment(block.first, block.rows.cols()) -= block.rows.transpose().lazyProduct(impulse);
+  }
+}
+
+void SmoothedContacts::add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
+                                     NewtonMatrix& matrix) const {
+  if (derivative.isZero(0.0)) return;
+  const std::vector<JacobianBlock>& blocks = problem_.contacts[i].blocks;
+  for (const JacobianBlock& b : blocks) {
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, Eigen::Dynamic> pulled =
+        stiffness(i) * derivative.lazyProduct(b.rows);
+    for (const JacobianBlock& a : blocks) {
+      if (symmetric && a.first < b.first) continue;
+      matrix.add(a.first, b.first, a.rows.transpose().lazyProduct(pulled));
+    }
+  }
+}
+
+void SmoothedContacts::linearise(const VectorXd& v, VectorXd& gradient,
+                                 NewtonMatrix& matrix) const {
+  start(v, gradient);
+  matrix.start(v.size());
+  for (const ContactProblem::Mass& mass : problem_.masses) {
+    matrix.add(mass.first, mass.first, mass.matrix);
+  }
+  for (std::size_t i = 0; i < centre_.size(); ++i) {
+    const ContactCondition& condition = problem_.contacts[i];
+    const ConeProjection p =
+        allowed_impulse(condition, pull(i, relative_velocity(condition, v), lift_[i]));
+    add_force(i, p.point, gradient);
+    add_stiffness(i, p.derivative, true, matrix);
+  }
+}
+
+void SmoothedContacts::residual_coupled(const VectorXd& v, VectorXd& residual) const {
+  start(v, residual);
+  for (std::size_t i = 0; i < centre_.size(); ++i) add_force(i, impulse(i, v, true), residual);
+}
+
+void SmoothedContacts::linearise_coupled(const VectorXd& v, VectorXd& residual,
+                                         NewtonMatrix& matrix) const {
+  start(v, residual);
+  matrix.start(v.size());
+  for (const ContactProblem::Mass& mass : problem_.masses) {
+    matrix.add(mass.first, mass.first, mass.matrix);
+  }
+  for (std::size_t i = 0; i < centre_.size(); ++i) {
+    const ContactCondition& condition = problem_.contacts[i];
+    const ConeVector w = relative_velocity(condition, v);
+    const double slip = slip_of(w);
+    const ConeProjection p = allowed_impulse(condition, pull(i, w, condition.friction * slip));
+    ConeMatrix derivative = p.derivative;
+    if (slip > 0.0) {
+      const Index tangents = w.size() - 1;
+      derivative.rightCols(tangents) +=
+          condition.friction / slip * p.derivative.col(0) * w.tail(tangents).transpose();
+    }
+    add_force(i, p.point, residual);
+    add_stiffness(i, derivative, false, matrix);
+  }
+}
+
+}  // namespace prehend

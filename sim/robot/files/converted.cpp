@@ -1,0 +1,48 @@
+#include "sim/robot/files/converted.h"
+
+#include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
+#include "sim/robot/files/platform_file.h"
+#include "sim/robot/files/urdf_text.h"
+#include "sim/shape/files/mesh_file.h"
+#include "sim/shape/files/mesh_text.h"
+
+namespace prehend {
+namespace {
+
+void require_another_file(const std::string& source, const std::filesystem::path& target) {
+  std::error_code error;
+  if (is_there(source) && std::filesystem::equivalent(source, target, error)) {
+    throw InputError({.file = target.string(), .problem = "is the file that would be converted"});
+  }
+}
+
+}  // namespace
+
+std::vector<RobotTextFile> converted(const std::string& source, const std::filesystem::path& target,
+                                     const ConvertOptions& options,
+                                     std::vector<std::string>& notes) {
+  require_another_file(source, target);
+  const std::string extension = target.extension().string();
+  if (is_written_mesh_name(target)) {
+    const LoadedMesh loaded = load_mesh(source, {.metres_per_unit = metres_per_unit(options.unit)});
+    if (loaded.degenerate_removed + loaded.duplicates_removed > 0) {
+      notes.push_back(std::to_string(loaded.degenerate_removed) + " triangles without area and " +
+                      std::to_string(loaded.duplicates_removed) + " duplicates are left out");
+    }
+    return {{target.filename(), mesh_text(loaded.mesh, target)}};
+  }
+  if (extension != ".json" && extension != ".urdf") {
+    throw InputError({.file = target.string(),
+                      .problem = "unknown format to write, known are .json and .urdf for robots, "
+                                 ".obj .stl .ply .off for meshes",
+                      .value = extension});
+  }
+  const Platform platform = find_platform(source, options.foreign);
+  for (const MountedRobot& mounted : platform.robots) {
+    notes.insert(notes.end(), mounted.robot.notes.begin(), mounted.robot.notes.end());
+  }
+  return extension == ".urdf" ? urdf_text(platform, target) : platform_text(platform, target);
+}
+
+}  // namespace prehend

@@ -1,0 +1,138 @@
+#include "sim/robot/files/foreign_robot.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
+
+#include "sim/base/index.h"
+#include "sim/base/input_file.h"
+#include "sim/base/xml/xml_file.h"
+#include "sim/robot/files/graspit_robot.h"
+#include "sim/robot/files/graspit_world_robots.h"
+#include "sim/robot/files/hand_split.h"
+#include "sim/robot/files/mjcf_file.h"
+#include "sim/robot/files/robot_sidecar.h"
+#include "sim/robot/files/srdf_file.h"
+#include "sim/robot/files/urdf_file.h"
+
+namespace prehend {
+namespace {
+
+bool looks_like_xml(const std::string& text) {
+  std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;  // a byte order mark
+  while (at < text.size() && std::isspace(static_cast<unsigned char>(text[at]))) ++at;
+  return at < text.size() && text[at] == '<';
+}
+
+// Beside NAME.urdf: NAME.srdf.
+std::filesystem::path srdf_of(const std::filesystem::path& file,
+                              const ForeignRobotOptions& options) {
+  if (!options.srdf.empty()) return options.srdf;
+  std::filesystem::path beside = file;
+  beside.replace_extension(".srdf");
+  return is_file(beside) ? beside : std::filesystem::path();
+}
+
+int link_of_name(const JointTree& tree, const std::string& name,
+                 const std::filesystem::path& sidecar) {
+  for (std::size_t l = 0; l < tree.links.size(); ++l) {
+    if (tree.links[l].name == name) return static_cast<int>(l);
+  }
+  throw InputError({sidecar.string(), "hand_root", "no link of this name", name});
+}
+
+// Where the hand begins, as the sidecar or the SRDF file say or as it is inferred, with a note.
+std::optional<int> hand_of_tree(JointTree& tree, const std::optional<RobotSidecar>& sidecar,
+                                const std::optional<int>& of_srdf) {
+  const auto note = [&](int link, const std::string& why) {
+    tree.notes.push_back("the hand begins with link " + tree.links[index(link)].name + why);
+    return link;
+  };
+  if (const auto said = sidecar ? sidecar->hand_root() : std::nullopt) {
+    if (said->empty()) return std::nullopt;
+    const std::filesystem::path file = RobotSidecar::path_beside(tree.file);
+    const int link = link_of_name(tree, *said, file);
+    if (!can_be_parted(tree, link)) {
+      throw InputError(
+          {file.string(), "hand_root", "no hand can be parted from the rest here", *said});
+    }
+    return link;
+  }
+  if (of_srdf && can_be_parted(tree, *of_srdf)) {
+    return note(*of_srdf, ", as the SRDF file says; what carries it is the arm");
+  }
+  const std::optional<int> inferred = inferred_hand(tree);
+  if (!inferred) return std::nullopt;
+  return note(*inferred, ", on which several joints branch; what carries it is taken as the arm");
+}
+
+Platform platform_of(JointTree tree, const std::filesystem::path& srdf,
+                     const std::optional<RobotSidecar>& sidecar) {
+  (void)root_of(tree);
+  std::optional<int> of_srdf;
+  if (!srdf.empty()) of_srdf = read_srdf(XmlFile(srdf), tree);
+  if (sidecar) sidecar->complete(tree);
+  const std::optional<int> hand = hand_of_tree(tree, sidecar, of_srdf);
+  Platform platform;
+  if (hand) {
+    platform = parted(tree, *hand);
+  } else {
+    platform.name = tree.name;
+    platform.robots.push_back({.name = tree.name, .robot = to_robot(tree)});
+  }
+  if (sidecar) {
+    sidecar->complete(platform);
+  } else {
+    platform.robots.back().robot.notes.push_back(
+        "materials are not in the file: all links count as plastic");
+  }
+  return platform;
+}
+
+// A GraspIt! robot, which is one whole; the sidecar may say more of it.
+Platform graspit_platform(const XmlFile& xml, const std::optional<RobotSidecar>& sidecar) {
+  Platform platform;
+  Robot robot = read_graspit_robot(xml);
+  platform.name = robot.name;
+  platform.robots.push_back({.name = platform.name, .robot = std::move(robot)});
+  if (sidecar) sidecar->complete(platform);
+  return platform;
+}
+
+}  // namespace
+
+bool has_foreign_robot_name(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".urdf" || extension == ".mjcf" || extension == ".xml";
+}
+
+std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
+                                           const ForeignRobotOptions& options) {
+  const std::string text = read_file(file);
+  if (!looks_like_xml(text)) return std::nullopt;
+  const XmlFile xml(file, text);
+  const std::filesystem::path beside = RobotSidecar::path_beside(file);
+  std::optional<RobotSidecar> sidecar;
+  if (is_file(beside)) sidecar.emplace(beside);
+  const ForeignRobotOptions all = sidecar ? sidecar->options(options) : options;
+  const std::string kind = xml.root().name();
+  if (is_graspit_robot(xml)) return graspit_platform(xml, sidecar);
+  if (kind == "world") return read_graspit_platform(xml);
+  if (kind == "robot") return platform_of(read_urdf(xml, all), srdf_of(file, all), sidecar);
+  if (kind == "mujoco") return platform_of(read_mjcf(xml), {}, sidecar);
+  xml.root().fail(
+      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), GraspIt! robots "
+      "(<robot> with <palm>) and worlds (<world>)");
+}
+
+Robot robot_alone(Platform platform) {
+  Robot robot = std::move(platform.robots.back().robot);
+  if (platform.robots.size() > 1) {
+    robot.notes.push_back("of " + platform.name + " the hand is used alone, without its arm");
+  }
+  return robot;
+}
+
+}  // namespace prehend

@@ -1,0 +1,85 @@
+#include "sim/robot/files/urdf_geometry.h"
+
+#include "sim/robot/files/shape_mesh.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/files/mesh_file.h"
+#include "sim/shape/weld.h"
+
+namespace prehend {
+namespace {
+
+// Shapes that programs added to the format are written with a prefix: drake:capsule.
+std::string without_prefix(const std::string& tag) {
+  const std::size_t colon = tag.find(':');
+  return colon == std::string::npos ? tag : tag.substr(colon + 1);
+}
+
+}  // namespace
+
+Pose urdf_origin(const XmlElement& element) {
+  const std::optional<XmlElement> origin = element.child("origin");
+  if (!origin) return Pose::Identity();
+  const Vector3 p = origin->vector3_or("xyz", Vector3::Zero());
+  const Vector3 rpy = origin->vector3_or("rpy", Vector3::Zero());
+  if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) {
+    origin->fail("is farther away than 1e6 m", origin->text("xyz"));
+  }
+  return translation(p) * Eigen::AngleAxisd(rpy.z(), Vector3::UnitZ()) *
+         Eigen::AngleAxisd(rpy.y(), Vector3::UnitY()) *
+         Eigen::AngleAxisd(rpy.x(), Vector3::UnitX());
+}
+
+TriangleMesh UrdfGeometry::read(const XmlElement& link) {
+  TriangleMesh mesh;
+  for (const char* tag : {"collision", "visual"}) {
+    for (const XmlElement& element : link.children(tag)) {
+      const TriangleMesh shape = read_shape(element["geometry"]);
+      append(mesh, transformed(shape, urdf_origin(element)));
+      if (spent_ > kMostShapeTriangles) {
+        element.fail("the shapes of the file have more than " +
+                     std::to_string(kMostShapeTriangles) + " triangles");
+      }
+    }
+    if (mesh.empty()) continue;
+    if (std::string_view(tag) == "visual") visual_links_.push_back(link.text("name"));
+    break;
+  }
+  for (const Vector3& p : mesh.vertices) {
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) link.fail("reaches beyond 1e6 m");
+  }
+  return mesh;
+}
+
+TriangleMesh UrdfGeometry::read_shape(const XmlElement& geometry) {
+  const std::vector<XmlElement> shapes = geometry.children();
+  if (shapes.size() != 1) geometry.fail("must have one shape inside");
+  const XmlElement& shape = shapes.front();
+  const std::string kind = without_prefix(shape.name());
+  if (kind == "mesh") return mesh_of(shape);
+  TriangleMesh mesh = made_of(shape, [&] {
+    if (kind == "box") return make_box(shape.vector3("size"));
+    if (kind == "sphere") return sphere_mesh(shape.number("radius"));
+    if (kind == "cylinder") return cylinder_mesh(shape.number("radius"), shape.number("length"));
+    if (kind == "capsule") return capsule_mesh(shape.number("radius"), shape.number("length"));
+    if (kind == "ellipsoid") {
+      return ellipsoid_mesh({shape.number("a"), shape.number("b"), shape.number("c")});
+    }
+    shape.fail("unknown shape, known are mesh, box, cylinder, sphere, capsule and ellipsoid");
+  });
+  spent_ += mesh.triangles.size();
+  return mesh;
+}
+
+TriangleMesh UrdfGeometry::mesh_of(const XmlElement& shape) const {
+  return made_of(shape, [&] {
+    const std::filesystem::path file =
+        resolved_uri(shape.text("filename"), shape.file(), *packages_);
+    TriangleMesh mesh = load_mesh(file).mesh;
+    if (!shape.has("scale")) return mesh;
+    const std::vector<double> factors = shape.numbers("scale");
+    if (factors.size() == 1) return scaled(std::move(mesh), Vector3::Constant(factors[0]));
+    return scaled(std::move(mesh), shape.vector3("scale"));
+  });
+}
+
+}  // namespace prehend

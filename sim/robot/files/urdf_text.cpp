@@ -1,0 +1,257 @@
+#include "sim/robot/files/urdf_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "sim/base/index.h"
+#include "sim/base/json/wrapped_json.h"
+#include "sim/robot/files/robot_text_parts.h"
+#include "sim/robot/files/urdf_form.h"
+#include "sim/shape/files/mesh_text.h"
+
+namespace prehend {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The shortest text that reads back as the same number.
+std::string digits(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string digits(const Vector3& v) {
+  return digits(v.x()) + " " + digits(v.y()) + " " + digits(v.z());
+}
+
+std::string quoted(const std::string& text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (static_cast<unsigned char>(c) < ' ')
+      out += ' ';
+    else
+      out += c;
+  }
+  return out + "\"";
+}
+
+// Angles about the fixed axes x, y, z. The yaw is taken out before the others are found, so that
+// they make up for its rounding where the pitch is near a right angle.
+Vector3 roll_pitch_yaw(const Matrix3& R) {
+  const double yaw = std::hypot(R(0, 0), R(1, 0)) > 0.0 ? std::atan2(R(1, 0), R(0, 0)) : 0.0;
+  const Matrix3 rest = Eigen::AngleAxisd(-yaw, Vector3::UnitZ()).toRotationMatrix() * R;
+  return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
+}
+
+std::string origin_xml(const Pose& pose) {
+  if (pose.matrix() == Pose::Identity().matrix()) return "";
+  std::string xml = "<origin xyz=\"" + digits(Vector3(pose.translation())) + "\"";
+  if (pose.linear() != Matrix3::Identity()) {
+    xml += " rpy=\"" + digits(roll_pitch_yaw(pose.linear())) + "\"";
+  }
+  return xml + "/>";
+}
+
+std::string inertial_xml(const Inertial& inertial) {
+  if (!(inertial.mass > 0.0)) return "";
+  const Matrix3& I = inertial.inertia;
+  return "    <inertial><origin xyz=\"" + digits(inertial.center_of_mass) + "\"/><mass value=\"" +
+         digits(inertial.mass) + "\"/><inertia ixx=\"" + digits(I(0, 0)) + "\" ixy=\"" +
+         digits(I(0, 1)) + "\" ixz=\"" + digits(I(0, 2)) + "\" iyy=\"" + digits(I(1, 1)) +
+         "\" iyz=\"" + digits(I(1, 2)) + "\" izz=\"" + digits(I(2, 2)) + "\"/></inertial>\n";
+}
+
+class UrdfWriter {
+ public:
+  UrdfWriter(const Platform& platform, const std::filesystem::path& name)
+      : platform_(platform), name_(name), folder_(name.stem().string() + "_meshes") {}
+
+  std::vector<RobotTextFile> write();
+
+ private:
+  void write_robot(const Robot& robot);
+  void write_joint(const Robot& robot, std::size_t j);
+  void write_link(const Link& link);
+  void write_mount(const MountedRobot& mounted, const Robot& robot);
+  void write_fixed(const std::string& name, const std::string& parent, const std::string& child,
+                   const Pose& X);
+  std::string mesh_file(const std::string& link);
+  std::string sidecar() const;
+
+  // `wanted`, or the first of wanted_2, wanted_3, ... that no link has.
+  std::string new_link(const std::string& wanted);
+  void write_frame(const std::string& link) { xml_ += "  <link name=" + quoted(link) + "/>\n"; }
+
+  const Platform& platform_;
+  std::filesystem::path name_;
+  std::string folder_;
+  std::string xml_;
+  std::vector<RobotTextFile> files_;
+  std::set<std::string> links_;
+  std::set<std::string> mesh_names_;
+  std::vector<Robot> robots_;                     // in the form of URDF
+  std::vector<std::vector<std::string>> frames_;  // of each robot: the link after each joint
+};
+
+std::string UrdfWriter::new_link(const std::string& wanted) {
+  std::string name = wanted;
+  for (int k = 2; !links_.insert(name).second; ++k) name = wanted + "_" + std::to_string(k);
+  return name;
+}
+
+// Names of links may hold what names of files may not.
+std::string UrdfWriter::mesh_file(const std::string& link) {
+  std::string base = link.substr(0, 100);
+  for (char& c : base) {
+    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') c = '_';
+  }
+  std::string name = base;
+  for (int k = 2; !mesh_names_.insert(name).second; ++k) name = base + "_" + std::to_string(k);
+  return folder_ + "/" + name + ".obj";
+}
+
+void UrdfWriter::write_link(const Link& link) {
+  const std::string file = mesh_file(link.name);
+  files_.push_back({file, obj_text(link.mesh)});
+  const std::string geometry = "<geometry><mesh filename=" + quoted(file) + "/></geometry>";
+  xml_ += "  <link name=" + quoted(link.name) + ">\n" + inertial_xml(link.inertial) +
+          "    <visual>" + geometry + "</visual>\n    <collision>" + geometry +
+          "</collision>\n  </link>\n";
+}
+
+void UrdfWriter::write_fixed(const std::string& name, const std::string& parent,
+                             const std::string& child, const Pose& X) {
+  xml_ += "  <joint name=" + quoted(name) + " type=\"fixed\">" + origin_xml(X) +
+          "<parent link=" + quoted(parent) + "/><child link=" + quoted(child) + "/></joint>\n";
+}
+
+void UrdfWriter::write_joint(const Robot& robot, std::size_t j) {
+  const Joint& joint = robot.joints[j];
+  const std::vector<std::string>& frames = frames_.back();
+  const bool turns = joint.type == JointType::revolute;
+  Joint at_zero = joint;
+  at_zero.X_JA = Pose::Identity();
+  const bool has_after = joint.X_JA.matrix() != Pose::Identity().matrix();
+  const std::string child = has_after ? new_link(joint.name + "_axis") : frames[j];
+  if (has_after) {
+    write_frame(child);
+    write_fixed(joint.name + "_after", child, frames[j], joint.X_JA);
+  }
+  const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
+  const std::string parent = joint.parent < 0 ? robot.links[0].name : frames[index(joint.parent)];
+  xml_ += "  <joint name=" + quoted(joint.name) + " type=\"" + (turns ? "revolute" : "prismatic") +
+          "\">\n    " + origin_xml(joint.X_PJ * across(at_zero, 0.0)) +
+          "<parent link=" + quoted(parent) + "/><child link=" + quoted(child) + "/><axis xyz=\"" +
+          digits(joint.axis) + "\"/>\n    <limit lower=\"" + digits(joint.lower) + "\" upper=\"" +
+          digits(joint.upper) + "\" effort=\"" + digits(joint.max_effort) + "\" velocity=\"" +
+          digits(dof.max_velocity * std::abs(joint.ratio)) + "\"/>";
+  if (joint.friction.coulomb > 0.0 || joint.friction.viscous > 0.0) {
+    xml_ += "<dynamics damping=\"" + digits(joint.friction.viscous) + "\" friction=\"" +
+            digits(joint.friction.coulomb) + "\"/>";
+  }
+  if (dof.name != joint.name) {
+    xml_ += "<mimic joint=" + quoted(dof.name) + " multiplier=\"" + digits(joint.ratio) +
+            "\" offset=\"" + digits(joint.offset) + "\"/>";
+  }
+  xml_ += "\n  </joint>\n";
+}
+
+void UrdfWriter::write_robot(const Robot& robot) {
+  std::vector<std::string>& frames = frames_.emplace_back(robot.joints.size());
+  for (const Link& link : robot.links) links_.insert(link.name);
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    const Link& link = robot.links[l];
+    write_link(link);
+    if (l == 0) continue;
+    std::string none;
+    std::string& frame = link.joint < 0 ? none : frames[index(link.joint)];
+    if (link.joint >= 0 && frame.empty()) {
+      frame = link.name;
+    } else {
+      write_fixed(link.name + "_fixed", link.joint < 0 ? robot.links[0].name : frame, link.name,
+                  Pose::Identity());
+    }
+  }
+  for (std::size_t j = 0; j < frames.size(); ++j) {
+    if (!frames[j].empty()) continue;
+    frames[j] = new_link(robot.joints[j].name + "_link");
+    write_frame(frames[j]);
+  }
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) write_joint(robot, j);
+}
+
+// What holds a robot to the one that carries it.
+void UrdfWriter::write_mount(const MountedRobot& mounted, const Robot& robot) {
+  const Robot& parent = robots_[index(mounted.parent)];
+  const Chain& chain = parent.chains[index(mounted.chain)];
+  const std::string& carrier =
+      frames_[index(mounted.parent)][index(chain.first_joint + chain.joint_count - 1)];
+  write_fixed(mounted.name + "_mounted", carrier, robot.links[0].name, mounted.X_MR);
+  if (!mounted.mount) return;
+  Link mount = *mounted.mount;
+  mount.name = new_link(mounted.name + "_" + mount.name);
+  write_link(mount);
+  write_fixed(mount.name + "_fixed", carrier, mount.name, Pose::Identity());
+}
+
+std::string UrdfWriter::sidecar() const {
+  Json json{{"materials", Json::object()}, {"hand_root", nullptr}, {"dofs", Json::array()}};
+  for (std::size_t r = 0; r < robots_.size(); ++r) {
+    const Robot& robot = robots_[r];
+    const MountedRobot& mounted = platform_.robots[r];
+    for (const Link& link : robot.links) json["materials"][link.name] = link.material;
+    if (mounted.mount) {
+      json["materials"][mounted.name + "_" + mounted.mount->name] = mounted.mount->material;
+    }
+    for (const DegreeOfFreedom& dof : robot.dofs) {
+      Json of_dof{{"name", dof.name}, {"coupling", "rigid"}};
+      of_dof.update(motion_json(dof));
+      json["dofs"].push_back(of_dof);
+    }
+    for (const Joint& joint : robot.joints) {
+      if (joint.spring.stiffness > 0.0) json["springs"][joint.name] = spring_json(joint.spring);
+    }
+    for (const auto& [a, b] : robot.exempt_pairs) {
+      json["exempt_collisions"].push_back({robot.links[index(a)].name, robot.links[index(b)].name});
+    }
+    if (!robot.hand) continue;
+    if (mounted.parent >= 0) json["hand_root"] = robot.links[0].name;
+    json["hand"] = hand_json(robot);
+  }
+  return wrapped_json(json);
+}
+
+std::vector<RobotTextFile> UrdfWriter::write() {
+  xml_ = "<?xml version=\"1.0\"?>\n<robot name=" + quoted(platform_.name) + ">\n";
+  for (const MountedRobot& mounted : platform_.robots) {
+    require_tree(mounted.robot);
+    const std::string prefix = platform_.robots.size() > 1 ? mounted.name + "_" : "";
+    robots_.push_back(urdf_form(mounted.robot, prefix));
+    write_robot(robots_.back());
+    if (mounted.parent >= 0) write_mount(mounted, robots_.back());
+  }
+  xml_ += "</robot>\n";
+  std::filesystem::path beside = name_.filename();
+  files_.push_back({beside.replace_extension(".prehend.json"), sidecar()});
+  files_.push_back({name_.filename(), std::move(xml_)});
+  return std::move(files_);
+}
+
+}  // namespace
+
+std::vector<RobotTextFile> urdf_text(const Platform& platform, const std::filesystem::path& name) {
+  return UrdfWriter(platform, name).write();
+}
+
+}  // namespace prehend

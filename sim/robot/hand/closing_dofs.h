@@ -1,0 +1,43 @@
+// Which degrees of freedom close a hand, in which direction, and from where.
+#pragma once
+
+#include <vector>
+
+#include "sim/robot/hand/fingers.h"
+
+namespace prehend {
+
+// One entry per degree of freedom of the robot.
+struct ClosingDofs {
+  // Signed, 0: it does not move when the hand closes [rad/s or m/s].
+  std::vector<double> velocity;
+  // The value of the open hand; the initial one of what does not close [rad or m].
+  std::vector<double> open;
+  bool stated = false;  // the velocities are the robot's own
+
+  bool closes(std::size_t dof) const { return velocity[dof] != 0.0; }
+};
+
+// Those that the robot states where it has any that closes, else inferred. A finger is closed by
+// the joints whose axes are within 45 degrees of that of its last one, in the initial posture; what
+// turns it sideways or about its length does not close it. Each closes towards the limit at which
+// the tips are nearer to each other and to the palm. Inferred joints turn at 1 rad/s or slide at
+// 0.05 m/s.
+//
+// A degree of freedom is open at the limit opposite to closing. Where a finger has several joints
+// that bend it, the limit counts only up to 0.35 rad beyond the initial value: fingers do not grasp
+// from bent backwards.
+ClosingDofs find_closing_dofs(const Robot& robot, const HandParts& parts);
+
+// Values of the degrees of freedom `time` seconds [s] after the open hand began to close; what does
+// not close is as in `from`.
+std::vector<double> closed_for(const Robot& robot, const ClosingDofs& closing, double time,
+                               const std::vector<double>& from);
+
+// The direction of a joint's axis in the base frame; `X_BJ` as from joint_poses.
+Vector3 axis_in_base(const Robot& robot, int joint, const std::vector<Pose>& X_BJ);
+
+// When the last degree of freedom arrives at its limit [s].
+double closing_time(const Robot& robot, const ClosingDofs& closing);
+
+}  // namespace prehend

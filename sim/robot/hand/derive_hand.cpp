@@ -1,0 +1,220 @@
+#include "sim/robot/hand/derive_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "sim/base/formatted.h"
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
+#include "sim/robot/hand/hand_axes.h"
+#include "sim/robot/hand/measure_preshape.h"
+
+namespace prehend {
+namespace {
+
+// Less opposition than this and nothing is held between the fingers.
+constexpr double kLeastScore = -0.6;
+// A preshape beside the best one may oppose less well, but not by more than this.
+constexpr double kScoreGivenUp = 1.0;
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+[[noreturn]] void refuse(const Robot& robot, const std::string& why) {
+  throw InputError({robot.name, "hand", "nothing that could grasp: " + why});
+}
+
+std::string shown(const char* what, const Vector3& v, double unit = 1.0) {
+  const Vector3 u = v / unit;
+  // Nothing is shown as -0.000.
+  const auto rounded = [](double x) { return std::round(1e3 * x) / 1e3 + 0.0; };
+  return formatted("%s (%.3f, %.3f, %.3f)", what, rounded(u.x()), rounded(u.y()), rounded(u.z()));
+}
+
+// Pairs that collide at the start, open and half closed always do.
+void exempt_always_colliding(const ClosingDofs& closing, const Opposition& best,
+                             SelfCollision& collision, Robot& robot) {
+  const double end = closing_time(robot, closing);
+  std::vector<std::pair<int, int>> always = collision.colliding(best.dofs);
+  for (const auto& dofs : {initial_dofs(robot), closed_for(robot, closing, 0.25 * end, best.dofs),
+                           closed_for(robot, closing, 0.5 * end, best.dofs)}) {
+    const auto now = collision.colliding(dofs);
+    std::erase_if(always, [&](const auto& pair) {
+      return std::find(now.begin(), now.end(), pair) == now.end();
+    });
+  }
+  for (const auto& [a, b] : always) {
+    collision.leave_out({a, b});
+    robot.exempt_pairs.emplace_back(a, b);
+    robot.notes.push_back("links " + robot.links[index(a)].name + " and " +
+                          robot.links[index(b)].name +
+                          " overlap in every posture: their collision is not checked");
+  }
+}
+
+void state_velocities(const ClosingDofs& closing, Robot& robot) {
+  if (closing.stated) return;
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    robot.dofs[d].closing_velocity = closing.velocity[d];
+    if (robot.dofs[d].lower == robot.dofs[d].upper) continue;
+    robot.notes.push_back("inferred: degree of freedom " + robot.dofs[d].name +
+                          (!closing.closes(d)          ? " does not close the hand"
+                           : closing.velocity[d] > 0.0 ? " closes towards its upper limit"
+                                                       : " closes towards its lower limit"));
+  }
+}
+
+void note_preshapes(Robot& robot) {
+  for (const Preshape& preshape : robot.hand->preshapes) {
+    robot.notes.push_back("inferred: preshape " + preshape.name +
+                          formatted(" holds %.1f to %.1f mm, fingers meet at %.1f mm",
+                                    1000.0 * preshape.min_width, 1000.0 * preshape.max_width,
+                                    1000.0 * preshape.depth));
+  }
+}
+
+// Degrees of freedom that take part in one way to spread a hand, and its name.
+struct Spread {
+  std::string name;
+  std::vector<std::size_t> dofs;
+};
+
+// The posing degrees of freedom that leave the thumb alone spread the fingers together, each
+// towards its farther limit; each of the thumb's is a way of its own.
+std::vector<Spread> spreads_of(const Robot& robot, const HandParts& parts,
+                               const ClosingDofs& closing, const Opposition& best) {
+  const std::vector<int>& thumb = parts.fingers[best.thumb].joints;
+  std::vector<Spread> spreads = {{"spread", {}}};
+  for (const std::size_t d : posing_dofs(robot, parts, closing)) {
+    const bool of_thumb = std::any_of(thumb.begin(), thumb.end(), [&](int joint) {
+      return index(robot.joints[index(joint)].dof) == d;
+    });
+    if (of_thumb) {
+      spreads.push_back({robot.dofs[d].name, {d}});
+    } else {
+      spreads.front().dofs.push_back(d);
+    }
+  }
+  if (spreads.front().dofs.empty()) spreads.erase(spreads.begin());
+  return spreads;
+}
+
+struct Opening {
+  std::string name;
+  Opposition opposition;
+};
+
+// The best opening, and those beside it at parts of the way towards each spread's limit.
+std::vector<Opening> openings_of(const Robot& robot, const HandParts& parts,
+                                 const ClosingDofs& closing, const Opposition& best) {
+  std::vector<Opening> openings = {{"open", best}};
+  if (parts.fingers.size() < 2) return openings;
+  for (const Spread& spread : spreads_of(robot, parts, closing, best)) {
+    for (const double part : {0.25, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1.0}) {
+      std::vector<double> dofs = best.dofs;
+      for (const std::size_t d : spread.dofs) {
+        const DegreeOfFreedom& dof = robot.dofs[d];
+        const bool up = dof.upper - best.dofs[d] >= best.dofs[d] - dof.lower;
+        dofs[d] += part * ((up ? dof.upper : dof.lower) - best.dofs[d]);
+      }
+      Opposition other = opposition_of(robot, parts, closing, best.thumb, dofs);
+      if (other.score < best.score - kScoreGivenUp) continue;
+      const double angle = std::abs(dofs[spread.dofs.front()]) / kDegree;
+      openings.push_back({spread.name + formatted("_%.0f", angle), std::move(other)});
+    }
+  }
+  std::stable_sort(openings.begin() + 1, openings.end(), [](const Opening& a, const Opening& b) {
+    return a.opposition.score > b.opposition.score;
+  });
+  return openings;
+}
+
+bool bends(const Robot& robot, const HandParts& parts, const ClosingDofs& closing) {
+  return std::any_of(parts.fingers.begin(), parts.fingers.end(), [&](const Finger& finger) {
+    return std::count_if(finger.joints.begin(), finger.joints.end(), [&](int joint) {
+             const Joint& j = robot.joints[index(joint)];
+             return j.type == JointType::revolute && closing.closes(index(j.dof));
+           }) > 1;
+  });
+}
+
+// How the hand closes, and with which thumb.
+struct Grip {
+  ClosingDofs closing;
+  Opposition best;
+};
+
+Grip grip_of(const Robot& robot, const HandParts& parts) {
+  Grip grip{.closing = find_closing_dofs(robot, parts), .best = {}};
+  if (!(closing_time(robot, grip.closing) > 0.0)) refuse(robot, "no finger can move");
+  if (parts.fingers.size() > 1) {
+    grip.best = best_opposition(robot, parts, grip.closing);
+  } else {
+    grip.best.dofs = grip.closing.open;
+    grip.best.score = 1.0;
+  }
+  return grip;
+}
+
+// Stated velocities count if the fingers close on each other with them. In files of other programs
+// they may open the hand, or leave it to the user which way to go.
+Grip find_grip(const HandParts& parts, Robot& robot) {
+  Grip grip = grip_of(robot, parts);
+  if (grip.best.score < kLeastScore && grip.closing.stated) {
+    for (DegreeOfFreedom& dof : robot.dofs) dof.closing_velocity = 0.0;
+    robot.notes.push_back(
+        "its fingers do not close on each other with the velocities that it states");
+    grip = grip_of(robot, parts);
+  }
+  if (grip.best.score < kLeastScore) refuse(robot, "its fingers do not close on each other");
+  return grip;
+}
+
+}  // namespace
+
+Robot with_derived_hand(Robot robot, const DeriveHandOptions& options) {
+  require_tree(robot);
+  const HandParts parts = find_hand_parts(robot);
+  if (parts.fingers.empty()) {
+    refuse(robot, robot.joints.empty() ? "it has no joints" : "its joints branch nowhere");
+  }
+  const auto [closing, best] = find_grip(parts, robot);
+  SelfCollision collision(robot);
+  exempt_always_colliding(closing, best, collision, robot);
+  const HandAxes axes = find_hand_axes(robot, parts, closing, best, options.stated, collision);
+  Hand hand{
+      .approach = axes.approach, .closing = axes.closing, .origin = axes.origin, .preshapes = {}};
+  const PreshapeMeasure measure(robot, parts, closing, hand, collision);
+  const auto add = [&](const std::string& name, const Opposition& opening, double part) {
+    if (static_cast<int>(hand.preshapes.size()) >= options.most_preshapes) return;
+    if (auto preshape = measure.at(name, opening, part)) hand.preshapes.push_back(*preshape);
+  };
+  const auto openings = openings_of(robot, parts, closing, best);
+  const bool half = bends(robot, parts, closing);
+  for (std::size_t k = 0; k < openings.size(); ++k) {
+    add(openings[k].name, openings[k].opposition, 0.0);
+    if (half && k < 2) add(openings[k].name + "_half", openings[k].opposition, 0.5);
+  }
+  if (hand.preshapes.empty() && options.most_preshapes > 0) {
+    refuse(robot, "its links collide in every opening, or the fingers open no gap");
+  }
+  state_velocities(closing, robot);
+  robot.notes.push_back("inferred: " + shown("approach", hand.approach) + ", " +
+                        shown("closing axis", hand.closing) + ", " +
+                        shown("grasp origin", hand.origin, 1e-3) + " mm");
+  robot.hand = std::move(hand);
+  note_preshapes(robot);
+  return robot;
+}
+
+Robot with_hand(Robot robot) {
+  if (!robot.hand) return with_derived_hand(std::move(robot));
+  if (!robot.hand->preshapes.empty()) return robot;
+  StatedHand stated;
+  stated.approach = robot.hand->approach;
+  stated.origin = robot.hand->origin;
+  if (!robot.hand->closing.isZero()) stated.closing = robot.hand->closing;
+  return with_derived_hand(std::move(robot), {.stated = stated});
+}
+
+}  // namespace prehend

@@ -1,0 +1,149 @@
+#include "sim/robot/hand/hand_axes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kParallel = 0.9;      // cosine between bending axes
+constexpr double kSideways = 0.5;      // most that the closing axis may be along them
+constexpr double kNoDirection = 1e-9;  // [m]
+
+Vector3 without(const Vector3& v, const Vector3& unit) { return v - unit.dot(v) * unit; }
+
+// The common axis about which the fingers bend, if there is one: of the last joints of all fingers
+// but the thumb.
+std::optional<Vector3> bending_axis(const Robot& robot, const HandParts& parts,
+                                    const Opposition& best) {
+  std::vector<Pose> X_BJ;
+  joint_poses(robot, joint_values(robot, best.dofs), X_BJ);
+  std::vector<Vector3> axes;
+  for (std::size_t f = 0; f < parts.fingers.size(); ++f) {
+    const Joint& joint = robot.joints[index(parts.fingers[f].joints.back())];
+    if (f == best.thumb && parts.fingers.size() > 1) continue;
+    if (joint.type != JointType::revolute) return std::nullopt;
+    const Vector3 axis = axis_in_base(robot, parts.fingers[f].joints.back(), X_BJ);
+    axes.push_back(!axes.empty() && axis.dot(axes.front()) < 0.0 ? Vector3(-axis) : axis);
+  }
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3& axis : axes) sum += axis;
+  const Vector3 mean = sum.normalized();
+  for (const Vector3& axis : axes) {
+    if (axis.dot(mean) < kParallel) return std::nullopt;
+  }
+  return mean;
+}
+
+// Where the line from p against the unit direction u meets the triangle, as a distance [m].
+std::optional<double> distance_back(const Vector3& p, const Vector3& u, const Vector3& a,
+                                    const Vector3& b, const Vector3& c) {
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const Vector3 h = u.cross(ac);
+  const double det = -ab.dot(h);
+  if (std::abs(det) < 1e-18) return std::nullopt;
+  const Vector3 s = p - a;
+  const double v = -s.dot(h) / det;
+  const Vector3 q = s.cross(ab);
+  const double w = -u.dot(q) / det;
+  constexpr double kEdge = 1e-9;
+  if (v < -kEdge || w < -kEdge || v + w > 1.0 + kEdge) return std::nullopt;
+  return ac.dot(q) / det;
+}
+
+// Where the palm is behind the point g, seen along the approach.
+Vector3 palm_behind(const Robot& robot, const HandParts& parts, const Opposition& best,
+                    const Vector3& g, const Vector3& approach) {
+  std::vector<Pose> X_BL;
+  link_poses(robot, joint_values(robot, best.dofs), X_BL);
+  double back = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const int link : parts.palm_links) {
+    const TriangleMesh mesh = transformed(robot.links[index(link)].mesh, X_BL[index(link)]);
+    for (const Vector3& p : mesh.vertices) highest = std::max(highest, approach.dot(p - g));
+    for (const Triangle& t : mesh.triangles) {
+      const auto hit = distance_back(g, approach, mesh.vertices[index(t[0])],
+                                     mesh.vertices[index(t[1])], mesh.vertices[index(t[2])]);
+      if (hit && *hit >= 0.0) back = std::min(back, *hit);
+    }
+  }
+  if (!std::isfinite(back)) back = std::isfinite(highest) ? std::max(0.0, -highest) : 0.0;
+  return g - back * approach;
+}
+
+// Tip of the thumb, and of what it closes on, at a time of the closing motion.
+struct Pinch {
+  Vector3 thumb;
+  Vector3 others;
+};
+
+class Pinching {
+ public:
+  Pinching(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
+           const Opposition& best)
+      : robot_(robot), parts_(parts), closing_(closing), best_(best) {}
+
+  Pinch at(double time) const {
+    const auto tips = tips_at(robot_, parts_, closed_for(robot_, closing_, time, best_.dofs));
+    const bool alone = tips.size() < 2;
+    return {tips[best_.thumb], alone ? tips[best_.thumb] : mean_of_others(tips, best_.thumb)};
+  }
+
+ private:
+  const Robot& robot_;
+  const HandParts& parts_;
+  const ClosingDofs& closing_;
+  const Opposition& best_;
+};
+
+}  // namespace
+
+HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
+                        const Opposition& best, const StatedHand& stated,
+                        const SelfCollision& collision) {
+  const Pinching pinching(robot, parts, closing, best);
+  const bool alone = parts.fingers.size() < 2;
+  double meeting = best.meeting;
+  if (alone) {
+    // The finger goes as far as the palm lets it.
+    const double end = closing_time(robot, closing);
+    const std::vector<int>& tip = parts.fingers.front().tip_links;
+    for (int k = 1; k <= 64; ++k) {
+      const auto dofs = closed_for(robot, closing, end * k / 64, best.dofs);
+      if (collision.meet(tip, parts.palm_links, dofs)) break;
+      meeting = end * k / 64;
+    }
+  }
+  const Pinch met = pinching.at(meeting);
+  const Pinch half = pinching.at(0.5 * meeting);
+  const Joint& last = robot.joints[index(parts.fingers[best.thumb].joints.back())];
+  const std::optional<Vector3> bending = bending_axis(robot, parts, best);
+  HandAxes axes;
+  Vector3 c = half.others - half.thumb;
+  if (alone) c = met.thumb - pinching.at(0.9 * meeting).thumb;
+  if (!alone && last.type == JointType::prismatic) c = met.thumb - pinching.at(0.0).thumb;
+  if (bending && std::abs(bending->dot(c.normalized())) < kSideways) c = without(c, *bending);
+  if (stated.closing) c = *stated.closing;
+  if (stated.approach && !stated.closing) c = without(c, *stated.approach);
+  if (c.norm() < kNoDirection) c = any_orthogonal(stated.approach.value_or(Vector3::UnitZ()));
+  axes.closing = c.normalized();
+  const Vector3 g = 0.5 * (met.thumb + met.others);
+  Vector3 a = without(g - middle_of(robot, parts.palm_links), axes.closing);
+  if (bending && std::abs(bending->dot(axes.closing)) < kSideways) {
+    const Vector3 w = without(*bending, axes.closing).normalized();
+    const Vector3 in_plane = without(a, w);
+    if (in_plane.norm() > kSideways * a.norm()) a = in_plane;
+  }
+  if (stated.approach) a = *stated.approach;
+  if (a.norm() < kNoDirection) a = any_orthogonal(axes.closing);
+  axes.approach = a.normalized();
+  axes.closing = without(axes.closing, axes.approach).normalized();
+  axes.origin = stated.origin.value_or(palm_behind(robot, parts, best, g, axes.approach));
+  return axes;
+}
+
+}  // namespace prehend

@@ -1,0 +1,149 @@
+#include "sim/robot/hand/measure_preshape.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/base/index.h"
+
+namespace prehend {
+namespace {
+
+constexpr int kTimes = 64;             // postures of a closing motion that are looked at
+constexpr int kHalvings = 20;          // of a step, to find where the fingers meet
+constexpr double kLeastClosing = 0.1;  // of the opening
+constexpr double kPad = 0.1;  // of a link's thickness along the closing axis: its side is the pad
+
+struct Reach {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+};
+
+// How far links reach along a direction [m].
+Reach reach_along(const Robot& robot, const std::vector<int>& links, const std::vector<Pose>& X_BL,
+                  const Vector3& direction) {
+  Reach reach;
+  for (const int link : links) {
+    for (const Vector3& p : robot.links[index(link)].mesh.vertices) {
+      reach.add(direction.dot(X_BL[index(link)] * p));
+    }
+  }
+  return reach;
+}
+
+// The middle of the side of the links that faces along `facing`, as a height along `up` [m].
+double pad_height(const Robot& robot, const std::vector<int>& links, const std::vector<Pose>& X_BL,
+                  const Vector3& facing, const Vector3& up) {
+  const Reach thick = reach_along(robot, links, X_BL, facing);
+  Reach height;
+  for (const int link : links) {
+    for (const Vector3& p : robot.links[index(link)].mesh.vertices) {
+      const Vector3 q = X_BL[index(link)] * p;
+      if (facing.dot(q) >= thick.most - kPad * (thick.most - thick.least)) height.add(up.dot(q));
+    }
+  }
+  return 0.5 * (height.least + height.most);
+}
+
+}  // namespace
+
+double PreshapeMeasure::gap(const Opposition& opening, const std::vector<double>& dofs) const {
+  if (parts_.fingers.size() < 2) {
+    return collision_.distance(parts_.fingers.front().tip_links, parts_.palm_links, dofs);
+  }
+  std::vector<Pose> X_BL;
+  link_poses(robot_, joint_values(robot_, dofs), X_BL);
+  double thumb = 0.0;
+  double others = std::numeric_limits<double>::infinity();
+  for (std::size_t f = 0; f < parts_.fingers.size(); ++f) {
+    const Reach reach = reach_along(robot_, parts_.fingers[f].tip_links, X_BL, hand_.closing);
+    if (f == opening.thumb) {
+      thumb = reach.most;
+    } else {
+      others = std::min(others, reach.least);
+    }
+  }
+  return others - thumb;
+}
+
+double PreshapeMeasure::depth(const Opposition& opening, const std::vector<double>& dofs) const {
+  std::vector<Pose> X_BL;
+  link_poses(robot_, joint_values(robot_, dofs), X_BL);
+  const auto height = [&](const Finger& finger, const Vector3& facing) {
+    return pad_height(robot_, finger.tip_links, X_BL, facing, hand_.approach);
+  };
+  const double thumb = height(parts_.fingers[opening.thumb], hand_.closing);
+  double others = 0.0;
+  for (std::size_t f = 0; f < parts_.fingers.size(); ++f) {
+    if (f != opening.thumb) others += height(parts_.fingers[f], -hand_.closing);
+  }
+  const bool alone = parts_.fingers.size() < 2;
+  const double mean =
+      alone ? thumb : 0.5 * (thumb + others / static_cast<double>(parts_.fingers.size() - 1));
+  return std::max(0.0, mean - hand_.approach.dot(hand_.origin));
+}
+
+// Whether the thumb touches another finger (the palm, where it is the only one).
+bool PreshapeMeasure::touching(const Opposition& opening, const std::vector<double>& dofs) const {
+  const Finger& thumb = parts_.fingers[opening.thumb];
+  if (parts_.fingers.size() < 2) return collision_.meet(thumb.tip_links, parts_.palm_links, dofs);
+  for (std::size_t f = 0; f < parts_.fingers.size(); ++f) {
+    if (f != opening.thumb && collision_.meet(thumb.links, parts_.fingers[f].links, dofs)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::optional<Preshape> PreshapeMeasure::at(const std::string& name, const Opposition& opening,
+                                            double part) const {
+  const double end = closing_time(robot_, closing_);
+  const auto posture = [&](double time) {
+    return closed_for(robot_, closing_, time, opening.dofs);
+  };
+  const double meeting = parts_.fingers.size() < 2 ? end : opening.meeting;
+  double start = 0.0;
+  // Half open is where the gap is half of that of the open hand.
+  const double wanted = (1.0 - part) * gap(opening, opening.dofs);
+  while (part > 0.0 && start < meeting && gap(opening, posture(start)) > wanted) {
+    start += meeting / kTimes;
+  }
+  const double latest = 0.5 * (start + meeting);
+  while (collision_.any(posture(start))) {
+    start += meeting / kTimes;
+    if (start > latest) return std::nullopt;
+  }
+  Preshape preshape{.name = name, .dofs = posture(start)};
+  preshape.max_width = gap(opening, preshape.dofs);
+  if (!(preshape.max_width > 0.0)) return std::nullopt;
+  preshape.min_width = preshape.max_width;
+  double met = start;
+  for (int k = 1; k <= kTimes; ++k) {
+    double time = start + (end - start) * k / kTimes;
+    const auto closed = [&](double t) {
+      return gap(opening, posture(t)) <= 0.0 || touching(opening, posture(t));
+    };
+    const bool last = closed(time);
+    double before = start + (end - start) * (k - 1) / kTimes;
+    for (int halving = 0; last && halving < kHalvings; ++halving) {
+      const double middle = 0.5 * (before + time);
+      (closed(middle) ? time : before) = middle;
+    }
+    const double now = std::max(0.0, gap(opening, posture(last ? before : time)));
+    if (now < preshape.min_width) {
+      preshape.min_width = now;
+      met = last ? before : time;
+    }
+    if (last) break;
+  }
+  if (!(preshape.max_width - preshape.min_width > kLeastClosing * preshape.max_width)) {
+    return std::nullopt;
+  }
+  preshape.depth = depth(opening, posture(met));
+  return preshape;
+}
+
+}  // namespace prehend

@@ -1,0 +1,36 @@
+// The sizes that a hand holds from an opening, measured by closing it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/robot/hand/opposition.h"
+#include "sim/robot/hand/self_collision.h"
+
+namespace prehend {
+
+// Keeps references to all of its arguments.
+class PreshapeMeasure {
+ public:
+  PreshapeMeasure(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
+                  const Hand& hand, const SelfCollision& collision)
+      : robot_(robot), parts_(parts), closing_(closing), hand_(hand), collision_(collision) {}
+
+  // The preshape at which this part of the opening's gap is closed (0: open), or a little later
+  // where links collide there. Nothing where they collide until half of the rest is closed, or
+  // where the gap between thumb and fingers does not close by at least a tenth.
+  std::optional<Preshape> at(const std::string& name, const Opposition& opening, double part) const;
+
+ private:
+  double gap(const Opposition& opening, const std::vector<double>& dofs) const;
+  double depth(const Opposition& opening, const std::vector<double>& dofs) const;
+  bool touching(const Opposition& opening, const std::vector<double>& dofs) const;
+
+  const Robot& robot_;
+  const HandParts& parts_;
+  const ClosingDofs& closing_;
+  const Hand& hand_;
+  const SelfCollision& collision_;
+};
+
+}  // namespace prehend

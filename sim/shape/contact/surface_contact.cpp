@@ -1,0 +1,229 @@
+#include "sim/shape/contact/surface_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/index.h"
+#include "sim/shape/contact/contact_copies.h"
+#include "sim/shape/contact/triangle_overlap.h"
+#include "sim/shape/weld.h"
+
+// Every pair of triangles within the threshold is asked for contacts in three ways: points of the
+// link's triangle over the face of the object's, points of the object's over the face of the
+// link's, and the nearest points of the pair. Points found by mistake, because a pair of triangles
+// is only a part of the two surfaces, are rejected by `supports`, which looks at the neighbouring
+// triangles on both bodies: a contact is real if both surfaces stay on their sides of the tangent
+// plane. The same contact is found by many pairs of triangles (all faces around a vertex, for
+// example); the copies are merged at the end.
+namespace prehend {
+namespace {
+
+// Points nearer than this to an edge or a vertex are on it [m]. A guard against rounding, no choice
+// of accuracy: coordinates below a metre are known to 1e-16 m, and distances of meshes are far
+// above it.
+constexpr double kOnFeature = 1e-7;
+
+double distance_to_segment(const Vector3& p, const Vector3& a, const Vector3& b) {
+  const Vector3 ab = b - a;
+  const double s = std::clamp((p - a).dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+  return (p - a - s * ab).norm();
+}
+
+// True when the triangle rises, from its point p, above the plane through p with normal n by an
+// angle whose sine exceeds `slope`. Only directions that stay in the triangle count: all from a
+// point inside, half of them from one on an edge, those between two edges from a corner.
+bool rises(const Corners& c, const Vector3& p, const Vector3& n, double slope) {
+  const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+  // If the sine of the angle between the plane and the triangle is at most `slope`, no direction in
+  // the triangle rises more. Compared as squares, since this early exit takes no root and is the
+  // usual case. A triangle that faces the other way counts as parallel too.
+  const double along_normal = n.dot(area);
+  const bool nearly_parallel =
+      along_normal * along_normal >= (1.0 - slope * slope) * area.squaredNorm();
+  if (nearly_parallel) return false;
+  const Vector3 face_normal = area.normalized();
+  const Vector3 uphill = n - n.dot(face_normal) * face_normal;
+  // `uphill` is the steepest direction in the triangle's plane, its length the sine of the angle by
+  // which it rises. If it stays in the triangle from p on, it is the answer; if it leaves across an
+  // edge that p is on, the steepest directions that stay are along the edges at p.
+  bool leaves = false;
+  double along_edges = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3& a = c[k];
+    const Vector3& b = c[(k + 1) % 3];
+    if (distance_to_segment(p, a, b) > kOnFeature) continue;
+    const Vector3 edge = (b - a).normalized();
+    if (uphill.dot(face_normal.cross(edge)) < 0.0) leaves = true;
+    // Along the edge one can go forward unless p is at its end b, and back unless p is at a.
+    const double forward = uphill.dot(edge);
+    if ((p - b).norm() > kOnFeature) along_edges = std::max(along_edges, forward);
+    if ((p - a).norm() > kOnFeature) along_edges = std::max(along_edges, -forward);
+  }
+  return !leaves || along_edges > slope;
+}
+
+// True when the surface around p, a point of triangle t, lies below the plane with normal n: around
+// a point inside a face that is the face, on an edge the faces of that edge, on a vertex all its
+// faces. A contact where this fails has a nearer one beside it (figure 7 of the paper).
+bool supports(const ProximityMesh& body, int t, const Vector3& p, const Vector3& n, double slope) {
+  const TriangleMesh& mesh = body.mesh();
+  const auto is_below = [&](int u) {
+    return !rises(corners_of(mesh, u), p, n, slope) || is_degenerate(mesh, index(u));
+  };
+  if (!is_below(t)) return false;
+  const Triangle& v = mesh.triangles[index(t)];
+  for (int vk : v) {
+    if ((p - mesh.vertices[index(vk)]).norm() > kOnFeature) continue;
+    const auto around = body.triangles_at(vk);
+    return std::all_of(around.begin(), around.end(), is_below);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int va = v[k];
+    const int vb = v[(k + 1) % 3];
+    if (distance_to_segment(p, mesh.vertices[index(va)], mesh.vertices[index(vb)]) > kOnFeature) {
+      continue;
+    }
+    for (int u : body.triangles_at(va)) {
+      const Triangle& w = mesh.triangles[index(u)];
+      const bool shares_edge = std::find(w.begin(), w.end(), vb) != w.end();
+      if (shares_edge && !is_below(u)) return false;
+    }
+  }
+  return true;
+}
+
+// Whether the segment ab passes through the triangle or its border: where it meets an edge between
+// two triangles, rounding must not find it outside of both.
+bool passes_through(const Vector3& a, const Vector3& b, const Corners& c) {
+  const Vector3 area = (c[1] - c[0]).cross(c[2] - c[0]);
+  const double above = (a - c[0]).dot(area);
+  const double below = (b - c[0]).dot(area);
+  if (above * below >= 0.0) return false;
+  const Vector3 p = a + (above / (above - below)) * (b - a);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3 edge = c[(k + 1) % 3] - c[k];
+    // Twice an area: how far inside of the edge, times its length and the normal's.
+    const double inside = area.dot(edge.cross(p - c[k]));
+    if (inside < -kOnFeature * edge.norm() * area.norm()) return false;
+  }
+  return true;
+}
+
+// Collects the contacts of pairs of triangles, one of the object and one of the link.
+class PairContacts {
+ public:
+  PairContacts(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+               const ContactOptions& options, ContactWorkspace& workspace)
+      : object_(object),
+        link_(link),
+        X_OL_(X_OL),
+        X_LO_(X_OL.inverse()),
+        options_(options),
+        walls_(workspace.walls),
+        points_(workspace.points) {}
+
+  void add(TrianglePair pair) {
+    const Corners on_object = corners_of(object_.mesh(), pair.a);
+    const Corners on_link = moved(corners_of(link_.mesh(), pair.b), X_OL_);
+    // A triangle without area has no normal; its edges still have nearest points.
+    if (!is_degenerate(object_.mesh(), index(pair.a))) {
+      add_face_points(pair, on_object, unit_normal(on_object), on_link, true);
+    }
+    if (!is_degenerate(link_.mesh(), index(pair.b))) {
+      add_face_points(pair, on_link, unit_normal(on_link), on_object, false);
+    }
+    add_nearest_point(pair);
+  }
+
+ private:
+  // Contacts with the normal of `face`, which belongs to the object or to the link.
+  void add_face_points(TrianglePair pair, const Corners& face, const Vector3& face_normal,
+                       const Corners& other, bool face_is_objects) {
+    // The part of the other triangle above the face is a polygon, and its distance from the face is
+    // linear, so that the nearest points are among its corners.
+    const Polygon polygon = over_face(face, face_normal, other);
+    double lowest = options_.threshold;
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+      lowest = std::min(lowest, (polygon.corner[i] - face[0]).dot(face_normal));
+    }
+    if (lowest < 0.0) return;  // the other triangle reaches behind the face
+    // All corners that are as low as the lowest, up to the evenness: a face lying flat on the other
+    // has several.
+    const double limit = std::min(options_.threshold, lowest + options_.evenness);
+    for (std::size_t i = 0; i < polygon.size; ++i) {
+      const Vector3& p = polygon.corner[i];
+      const double height = (p - face[0]).dot(face_normal);
+      if (height > limit) continue;
+      const Vector3 foot = p - height * face_normal;
+      if (face_is_objects) {
+        add_if_supported(pair, foot, p, -face_normal, height);
+      } else {
+        add_if_supported(pair, p, foot, face_normal, height);
+      }
+    }
+  }
+
+  // Edge and vertex contacts: the nearest points and the direction between them.
+  void add_nearest_point(TrianglePair pair) {
+    const TriangleGap gap = triangle_gap(object_, link_, X_OL_, pair);
+    if (gap.distance <= kOnFeature) return;  // too near for a reliable direction
+    const Vector3 p_link = X_OL_ * gap.p_B;
+    const Vector3 normal = (gap.p_A - p_link) / gap.distance;
+    add_if_supported(pair, gap.p_A, p_link, normal, gap.distance);
+  }
+
+  // Both points in O; `normal` from the link into the object.
+  void add_if_supported(TrianglePair pair, const Vector3& on_object, const Vector3& on_link,
+                        const Vector3& normal, double gap) {
+    const double slope = options_.angular_tolerance;
+    if (!supports(object_, pair.a, on_object, -normal, slope)) return;
+    if (!supports(link_, pair.b, X_LO_ * on_link, X_LO_.linear() * normal, slope)) return;
+    if (gap > 3.0 * kOnFeature && is_behind_a_wall(on_object, on_link, normal)) return;
+    points_.push_back({on_object, normal, gap});
+  }
+
+  // Behind a wall that is thinner than the threshold, its far side is within the threshold, too,
+  // and so may be another wall. Nothing of the object lies between the link and a real contact.
+  bool is_behind_a_wall(const Vector3& on_object, const Vector3& on_link, const Vector3& normal) {
+    // So far before the contact that the triangles around it, whose borders are widened by
+    // kOnFeature, are not taken for a wall.
+    const Vector3 before = on_object - 3.0 * kOnFeature * normal;
+    const Vector3 border = Vector3::Constant(10.0 * kOnFeature);
+    find_triangles_in(
+        object_, {on_link.cwiseMin(before) - border, on_link.cwiseMax(before) + border}, walls_);
+    return std::any_of(walls_.begin(), walls_.end(), [&](int wall) {
+      return passes_through(on_link, before, corners_of(object_.mesh(), wall));
+    });
+  }
+
+  const ProximityMesh& object_;
+  const ProximityMesh& link_;
+  const Pose X_OL_;
+  const Pose X_LO_;
+  const ContactOptions& options_;
+  std::vector<int>& walls_;
+  std::vector<SurfaceContact>& points_;
+};
+
+// Nearest first. Ties are decided by position, not by the order of the pairs.
+bool nearer(const SurfaceContact& a, const SurfaceContact& b) {
+  if (a.gap != b.gap) return a.gap < b.gap;
+  return std::lexicographical_compare(a.position.data(), a.position.data() + 3, b.position.data(),
+                                      b.position.data() + 3);
+}
+
+}  // namespace
+
+void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+                         const ContactOptions& options, ContactWorkspace& workspace,
+                         std::vector<SurfaceContact>& points) {
+  find_pairs_within(object, link, X_OL, options.threshold, workspace.pairs);
+  workspace.points.clear();
+  PairContacts contacts(object, link, X_OL, options, workspace);
+  for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
+  // The nearest of several copies comes first and is the one that stays.
+  std::sort(workspace.points.begin(), workspace.points.end(), nearer);
+  first_copies(workspace.points, options, workspace.copies, points);
+}
+
+}  // namespace prehend

@@ -1,0 +1,87 @@
+// The points and normals at which a link touches an object.
+#pragma once
+
+#include <vector>
+
+#include "sim/base/settings.h"
+#include "sim/shape/proximity.h"
+
+namespace prehend {
+
+// A point contact, in the object's frame O. `normal` is unit and points from the link into the
+// object.
+struct SurfaceContact {
+  Vector3 position = Vector3::Zero();  // on the object's surface [m]
+  Vector3 normal = Vector3::UnitZ();
+  double gap = 0.0;  // between the surfaces along the normal [m]
+};
+
+// When surfaces touch, and how the contacts of an area are reduced to a few points.
+struct ContactOptions {
+  // Surfaces closer than this touch [m].
+  double threshold = 1e-4;
+  // Points of a face contact whose gap exceeds the smallest one by at most this belong to it: two
+  // faces that should be parallel are not exactly so in floating point [m].
+  double evenness = 1e-5;
+  // Sine of an angle. A surface may rise above the tangent plane of a contact by up to this angle,
+  // and normals that differ by no more count as equal.
+  double angular_tolerance = 0.02;
+  // A region keeps at most this many corners (>= 3); those whose removal costs the least area are
+  // dropped first.
+  int max_region_corners = 8;
+  // Contacts with the same normal that are nearer to each other than this part of the threshold are
+  // merged. Small, so that merging does not move the corners of a region noticeably.
+  double same_place = 0.01;
+  // Corners of a region that stand out from the line between their neighbours by less than this
+  // part of the threshold are left out.
+  double flat_corner = 0.1;
+  // Patches of a soft link that bear less than this part of the force of the strongest are left
+  // out.
+  double weakest_patch = 0.1;
+};
+
+template <SettingsOf<ContactOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [threshold, evenness, angular_tolerance, max_region_corners, same_place, flat_corner,
+         weakest_patch] = options;
+  visit("threshold", threshold, kAbove0);
+  visit("evenness", evenness, kAtLeast0);
+  visit("angular_tolerance", angular_tolerance, kAtLeast0);
+  visit("max_region_corners", max_region_corners, Range{.lower = 3.0});
+  visit("same_place", same_place, kAtLeast0);
+  visit("flat_corner", flat_corner, kAtLeast0);
+  visit("weakest_patch", weakest_patch, kAtLeast0);
+}
+
+// A contact of a list by its height along a fixed direction (contact_copies.h).
+struct ContactHeight {
+  double height = 0.0;      // [m]
+  std::size_t contact = 0;  // index in the list
+  bool kept = false;
+};
+struct ContactCopies {
+  std::vector<ContactHeight> by_height;
+  std::vector<std::size_t> place;  // of each contact of the list in by_height
+};
+
+// Buffers of find_contact_points, to allocate less; one for each thread.
+struct ContactWorkspace {
+  std::vector<TrianglePair> pairs;
+  std::vector<SurfaceContact> points;
+  std::vector<int> walls;
+  ContactCopies copies;
+};
+
+// All point contacts between an object and a link that do not intersect, before they are reduced to
+// regions; replaces `points`. Each pair of triangles within the threshold gives the points of its
+// face contacts (one triangle projected on the other's plane and clipped to it, nearest points
+// only), and the nearest points of the pair for edge and vertex contacts. A point is left out where
+// the surface around it rises above the contact's tangent plane, since there is then a nearer
+// contact beside it, and behind a wall that is thinner than the threshold. Points at the same place
+// with the same normal are given once. Sorted by gap, nearest first. `X_OL` is the link's pose in
+// O. Source: Miller and Allen 2004, "Contact Determination", figures 6 and 7.
+void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
+                         const ContactOptions& options, ContactWorkspace& workspace,
+                         std::vector<SurfaceContact>& points);
+
+}  // namespace prehend

@@ -1,0 +1,47 @@
+#include "sim/shape/contact/triangle_overlap.h"
+
+namespace prehend {
+
+Corners corners_of(const TriangleMesh& mesh, int triangle) {
+  const Triangle& v = mesh.triangles[static_cast<std::size_t>(triangle)];
+  const auto vertex = [&](int k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
+  return {vertex(v[0]), vertex(v[1]), vertex(v[2])};
+}
+
+Corners moved(const Corners& corners, const Pose& X) {
+  return {X * corners[0], X * corners[1], X * corners[2]};
+}
+
+Vector3 unit_normal(const Corners& corners) {
+  return (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+}
+
+// Sutherland and Hodgman's polygon clipping against one plane. Corners on the plane are kept; an
+// edge that crosses it from one side to the other adds the crossing point.
+Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward) {
+  Polygon rest;
+  for (std::size_t i = 0; i < polygon.size; ++i) {
+    const Vector3& p = polygon.corner[i];
+    const Vector3& q = polygon.corner[(i + 1) % polygon.size];
+    const double dp = (p - a).dot(inward);
+    const double dq = (q - a).dot(inward);
+    if (dp >= 0.0) rest.push(p);
+    if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0)) rest.push(p + (dp / (dp - dq)) * (q - p));
+  }
+  return rest;
+}
+
+// Clips the triangle to the infinite prism over the face, which is bounded by the planes through
+// the edges of the face along its normal. For an edge in counter-clockwise order, normal x edge
+// points into the prism. Parts below the face are kept as well.
+Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other) {
+  Polygon polygon;
+  for (const Vector3& p : other) polygon.push(p);
+  for (std::size_t k = 0; k < 3 && polygon.size > 0; ++k) {
+    const Vector3 edge = face[(k + 1) % 3] - face[k];
+    polygon = cut(polygon, face[k], normal.cross(edge).normalized());
+  }
+  return polygon;
+}
+
+}  // namespace prehend

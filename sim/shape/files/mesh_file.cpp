@@ -1,0 +1,132 @@
+#include "sim/shape/files/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+
+#include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
+#include "sim/shape/files/assimp_reader.h"
+#include "sim/shape/files/inventor_reader.h"
+#include "sim/shape/files/mesh_bytes.h"
+#include "sim/shape/files/obj_reader.h"
+#include "sim/shape/files/off_reader.h"
+#include "sim/shape/files/ply_reader.h"
+#include "sim/shape/files/stl_reader.h"
+#include "sim/shape/weld.h"
+
+// A mesh file is read in steps: the bytes as a whole, their validation and parsing by format, then,
+// in the same way for all formats, units and welding. Errors are thrown without the file's name,
+// which load_mesh adds to all of them.
+namespace prehend {
+namespace {
+
+constexpr std::array<std::string_view, 9> kExtensions{"obj", "stl", "ply", "off", "gltf",
+                                                      "glb", "dae", "iv",  "wrl"};
+
+// In lower case, without the dot.
+std::string extension_of(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  if (!extension.empty()) extension.erase(0, 1);
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+bool is_known(const std::string& extension) {
+  return std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+}
+
+std::string known_extension_of(const std::filesystem::path& file) {
+  const std::string extension = extension_of(file);
+  if (!is_known(extension)) {
+    throw InputError(
+        {.problem = "unknown mesh format, known: .obj .stl .ply .off .gltf .glb .dae .iv .wrl",
+         .value = "." + extension});
+  }
+  return extension;
+}
+
+void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    Vector3& p = mesh.vertices[i];
+    if (!p.allFinite()) throw InputError("vertex " + std::to_string(i) + " is not finite");
+    p *= metres_per_unit;
+    if (p.cwiseAbs().maxCoeff() > kFarthestVertex) {
+      throw InputError("vertex " + std::to_string(i) + " is farther out than 1e6 m");
+    }
+  }
+}
+
+TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
+                      const std::string& extension) {
+  if (extension == "obj") return read_obj(bytes);
+  if (extension == "stl") return read_stl(bytes);
+  if (extension == "ply") return read_ply(bytes);
+  if (extension == "off") {
+    need_text(bytes);
+    return read_off(bytes);
+  }
+  if (extension == "iv" || extension == "wrl") {
+    need_text(bytes);
+    return read_inventor(bytes);
+  }
+  return read_with_assimp(checked_mesh_bytes(extension, bytes, file.parent_path()),
+                          extension == "gltf" ? "glb" : extension);
+}
+
+// `bytes` is called for the content of the file, after everything else was checked.
+LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
+                const MeshFileOptions& options) {
+  require(options.metres_per_unit > 0.0 && std::isfinite(options.metres_per_unit),
+          {.field = "metres_per_unit",
+           .problem = "must be positive and finite",
+           .value = std::to_string(options.metres_per_unit)});
+  const std::string extension = known_extension_of(file);
+  TriangleMesh raw = read_raw(bytes(), file, extension);
+  if (raw.empty()) throw InputError("no triangles");
+  // Unused vertices are removed first: they may be invalid, and they must not enlarge the bounding
+  // box that sets the weld tolerance.
+  drop_unused_vertices(raw);
+  scale_to_metres(raw, options.metres_per_unit);
+  WeldedMesh welded = weld_to_scale(raw, options.weld_fraction);
+  return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed};
+}
+
+}  // namespace
+
+double metres_per_unit(std::string_view unit) {
+  if (unit == "m") return 1.0;
+  if (unit == "cm") return 0.01;
+  if (unit == "mm") return 0.001;
+  if (unit == "in") return 0.0254;
+  throw InputError(
+      {.field = "unit", .problem = "must be m, cm, mm or in", .value = std::string(unit)});
+}
+
+bool has_mesh_format(const std::filesystem::path& file) { return is_known(extension_of(file)); }
+
+bool states_unit(const std::filesystem::path& file) {
+  const std::string extension = known_extension_of(file);
+  return extension == "gltf" || extension == "glb" || extension == "dae";
+}
+
+LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options) {
+  try {
+    return load([&] { return read_file(file); }, file, options);
+  } catch (const InputError& error) {
+    throw error.in_file(file.string());
+  }
+}
+
+LoadedMesh read_mesh(const std::string& bytes, const std::filesystem::path& file,
+                     const MeshFileOptions& options) {
+  try {
+    return load([&]() -> const std::string& { return bytes; }, file, options);
+  } catch (const InputError& error) {
+    throw error.in_file(file.string());
+  }
+}
+
+}  // namespace prehend

@@ -1,0 +1,102 @@
+#include "sim/shape/files/obj_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/base/input_error.h"
+#include "sim/shape/files/mesh_bytes.h"
+#include "sim/shape/files/text_scan.h"
+#include "sim/shape/polygon.h"
+
+namespace prehend {
+namespace {
+
+// The next word of a statement; empty at its end or at a comment. A backslash at the end of a line
+// continues the statement on the next one.
+std::string_view next_word(TextScan& scan) {
+  std::string_view word = scan.next_word();
+  while (word == "\\" && scan.next_line()) word = scan.next_word();
+  return word.starts_with('#') ? std::string_view() : word;
+}
+
+// A face may precede its vertices, so that its indices are checked when all is read.
+struct Face {
+  std::vector<int> corners;  // from 0
+  int line = 0;
+};
+
+// Reads the rest of a face statement. Its indices count from 1, or, where negative, back from the
+// last of the `vertices` read so far. In "v/vt/vn" only v is used. Triangulation takes O(n^2) time,
+// hence the limit of corners.
+Face read_face(TextScan& scan, std::size_t vertices) {
+  constexpr std::size_t kMostCorners = 10'000;
+  Face face{.corners = {}, .line = scan.line_number()};
+  const auto known = static_cast<long long>(vertices);
+  for (auto word = next_word(scan); !word.empty(); word = next_word(scan)) {
+    const std::optional<long long> index = integer_in(word.substr(0, word.find('/')));
+    if (!index || *index == 0 || *index > std::numeric_limits<int>::max()) {
+      scan.fail("a face has the vertex " + in_quotes(word));
+    }
+    if (*index < -known) {
+      scan.fail("a face refers to vertex " + std::to_string(*index) + " of " +
+                std::to_string(known));
+    }
+    face.corners.push_back(static_cast<int>(*index < 0 ? known + *index : *index - 1));
+    if (face.corners.size() > kMostCorners) {
+      scan.fail("a face with more than " + std::to_string(kMostCorners) + " corners");
+    }
+  }
+  return face;
+}
+
+// Statements that describe a curved surface, or a file to read more from, which would be missing
+// without a word. Points and lines (p, l), groups, names, normals and materials are no surface.
+bool is_other_surface(std::string_view statement) {
+  constexpr std::array<std::string_view, 22> kOthers{
+      "vp",   "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
+      "scrv", "sp",     "end", "con",  "call", "csh",  "fo",    "bzp",  "bsp",  "cdc",  "cdp"};
+  return std::find(kOthers.begin(), kOthers.end(), statement) != kOthers.end();
+}
+
+void check_indices(const std::vector<Face>& faces, std::size_t vertices) {
+  for (const Face& face : faces) {
+    const int highest = *std::max_element(face.corners.begin(), face.corners.end());
+    require(highest < static_cast<long long>(vertices),
+            {.field = "line " + std::to_string(face.line),
+             .problem = "a face refers to vertex " + std::to_string(highest + 1LL) + " of " +
+                        std::to_string(vertices)});
+  }
+}
+
+}  // namespace
+
+TriangleMesh read_obj(std::string_view text) {
+  need_text(text);
+  TextScan scan(text);
+  std::vector<Vector3> vertices;
+  std::vector<Face> faces;
+  while (scan.next_line()) {
+    const std::string_view statement = scan.next_word();
+    if (statement == "v") {
+      Vector3& p = vertices.emplace_back();
+      for (double& x : p) x = static_cast<float>(coordinate_in(scan, next_word(scan)));
+    } else if (statement == "f") {
+      Face face = read_face(scan, vertices.size());
+      if (face.corners.size() >= 3) faces.push_back(std::move(face));
+    } else if (is_other_surface(statement)) {
+      scan.fail("only polygons are supported, not " + in_quotes(statement));
+    }
+  }
+  check_indices(faces, vertices.size());
+  if (faces.empty()) throw InputError("no faces");
+  TriangleMesh mesh{.vertices = std::move(vertices), .triangles = {}};
+  for (const Face& face : faces) add_triangles(mesh, face.corners);
+  return mesh;
+}
+
+}  // namespace prehend

@@ -1,0 +1,296 @@
+// Sessions: motions that end at contact, grasps that equal those of evaluate, undo of everything.
+#include "planner/live/session.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "planner/results/grasps_file.h"
+#include "sim/base/json/json_field.h"
+#include "sim/base/random.h"
+#include "sim/scene/make_scene.h"
+#include "sim/scene/scene_file.h"
+#include "sim/scene/scene_text.h"
+#include "tests/support/refusal_of.h"
+#include "tests/support/scenes.h"
+
+namespace prehend::test {
+namespace {
+
+// A ball of radius 30 mm at the origin and a parallel jaw above it.
+Session ball_session() {
+  Session session;
+  session.set_scene(scene_of_hand("parallel_jaw"));
+  session.edit([](Scene& scene) {
+    set_object(scene, surface_of({.generate = "ball", .triangles = 800}, {}), {.name = "ball"});
+  });
+  return session;
+}
+
+const CompiledScene& compiled_of(const Session& session) {
+  return session.state().world->compiled();
+}
+
+double smallest_gap(const Session& session) {
+  const std::vector<double> gaps =
+      object_gaps(compiled_of(session), session.state().hand.X_OH, session.state().hand.joints);
+  return *std::min_element(gaps.begin(), gaps.end());
+}
+
+// Contacts are within 0.1 mm.
+constexpr double kContact = 1e-4;
+
+TEST(Session, DraggedHandsStopAtTheObjectFromAllSides) {
+  Session session = ball_session();
+  Random random(3);
+  int touched = 0;
+  for (int i = 0; i < 30; ++i) {
+    // From a free pose through the object's middle, turning on the way.
+    session.set_switches({.stop_at_contact = false});
+    const Vector3 from = 0.4 * random.direction();
+    session.move_hand(pose_from(random.rotation(), from));
+    session.set_switches({.stop_at_contact = true});
+    const HandMotion motion = session.move_hand(pose_from(random.rotation(), -from));
+    ASSERT_NE(motion.end, MotionEnd::starts_in_collision);
+    EXPECT_EQ(
+        collision(compiled_of(session), session.state().hand.X_OH, session.state().hand.joints),
+        "");
+    if (motion.end != MotionEnd::touched) continue;
+    ++touched;
+    EXPECT_GT(motion.share, 0.0);
+    EXPECT_LT(motion.share, 1.0);
+    EXPECT_EQ(motion.by, "ball");
+    EXPECT_LE(smallest_gap(session), kContact);
+    EXPECT_GT(smallest_gap(session), 0.0);
+  }
+  EXPECT_GT(touched, 20);
+}
+
+TEST(Session, AHandThatTouchesMovesAwayAndNoFartherIn) {
+  Session session = ball_session();
+  ASSERT_EQ(session.approach(0.5).end, MotionEnd::touched);
+  const Pose there = session.state().hand.X_OH;
+  for (int i = 0; i < 10; ++i) {
+    const Pose in = session.state().hand.X_OH *
+                    translation(0.01 * compiled_of(session).scene.hand.hand->approach);
+    EXPECT_EQ(session.move_hand(in).end, MotionEnd::touched);
+    EXPECT_GT(smallest_gap(session), 0.0);
+  }
+  EXPECT_LT((session.state().hand.X_OH.translation() - there.translation()).norm(), kContact);
+  EXPECT_EQ(session.back_off(0.05).end, MotionEnd::arrived);
+  EXPECT_NEAR((session.state().hand.X_OH.translation() - there.translation()).norm(), 0.05,
+              kContact);
+}
+
+TEST(Session, WithoutTheSwitchHandsGoThroughWhatIsThere) {
+  Session session = ball_session();
+  session.set_switches({.stop_at_contact = false});
+  EXPECT_EQ(session.move_hand(Pose::Identity()).end, MotionEnd::arrived);
+  EXPECT_FALSE(session.collisions().empty());
+  // Back with the switch, a hand that overlaps something stays.
+  session.set_switches({.stop_at_contact = true});
+  EXPECT_EQ(session.move_hand(translation({0, 0, 1})).end, MotionEnd::starts_in_collision);
+  EXPECT_EQ(session.state().hand.X_OH.matrix(), Pose::Identity().matrix());
+}
+
+TEST(Session, ApproachesThatMissLeaveTheHandAndTheHistory) {
+  Session session = ball_session();
+  const std::size_t before = session.undo_count();
+  EXPECT_EQ(session.approach(0.01).share, 0.0);
+  EXPECT_EQ(session.undo_count(), before);
+}
+
+TEST(Session, JointsEndAtTheirLimitsAndCoupledOnesFollow) {
+  Session session;
+  session.set_scene(scene_of_hand("barrett"));
+  const Robot& hand = session.state().world->scene().hand;
+  std::vector<double> upper;
+  std::vector<double> lower;
+  for (const DegreeOfFreedom& dof : hand.dofs) {
+    upper.push_back(dof.upper);
+    lower.push_back(dof.lower);
+  }
+  session.set_dofs(std::vector<double>(upper.size(), 100.0));
+  EXPECT_EQ(session.state().hand.dofs, upper);
+  EXPECT_EQ(session.state().hand.joints, joint_values(hand, upper));
+  session.set_dofs(std::vector<double>(upper.size(), -100.0));
+  EXPECT_EQ(session.state().hand.dofs, lower);
+  EXPECT_EQ(session.state().hand.joints, joint_values(hand, lower));
+  EXPECT_EQ(refusal_of([&] { session.set_dofs({0.0}); }).field(), "dofs");
+}
+
+// The epsilon that evaluate gives for the posture. The pose goes through a quaternion, as in files.
+double evaluated(const Session& session, const HandPosture& posture) {
+  Candidate candidate;
+  candidate.X_OH = pose_from(quaternion_of(posture.X_OH).normalized().toRotationMatrix(),
+                             posture.X_OH.translation());
+  candidate.dofs = posture.dofs;
+  candidate.joints = posture.joints;
+  candidate.approach_O = posture.X_OH.linear() * session.state().world->scene().hand.hand->approach;
+  return evaluate(compiled_of(session), {candidate}).grasps.at(0).trial.epsilon.lower;
+}
+
+TEST(Session, EpsilonIsThatOfEvaluate) {
+  for (const char* hand : {"barrett", "parallel_jaw"}) {
+    Session session;
+    session.set_scene(scene_of_hand(hand));
+    session.edit([](Scene& scene) {
+      set_object(scene, surface_of({.generate = "cylinder", .triangles = 600}, {}), {});
+    });
+    session.approach(0.5);
+    session.back_off(0.005);
+    const HandPosture before = session.state().hand;
+    const Trial trial = session.auto_grasp();
+    EXPECT_EQ(trial.outcome, Outcome::stable) << hand;
+    const double epsilon = session.quality().epsilon.lower;
+    EXPECT_GT(epsilon, 0.0);
+    EXPECT_NEAR(trial.epsilon.lower, epsilon, 1e-9);
+    EXPECT_NEAR(evaluated(session, before), epsilon, 1e-9) << "from the open hand";
+    EXPECT_NEAR(evaluated(session, session.state().hand), epsilon, 1e-9) << "from the closed one";
+    EXPECT_EQ(
+        collision(compiled_of(session), session.state().hand.X_OH, session.state().hand.joints),
+        "");
+  }
+}
+
+// Compiled scenes are large; what shares one is not.
+TEST(Session, UndoGoesBackSoManyScenes) {
+  Session session = ball_session();
+  for (std::size_t k = 0; k < kMostUndoScenes + 5; ++k) {
+    const double mass = 0.1 + 0.01 * static_cast<double>(k);
+    session.edit([&](Scene& scene) { change_object(scene, {.mass = mass}); });
+    session.back_off(0.001);
+  }
+  // Each scene is that of two states, of which the newest is not on the stack.
+  EXPECT_EQ(session.undo_count(), 2 * kMostUndoScenes - 1);
+  while (session.undo()) {
+  }
+  EXPECT_NEAR(session.state().world->scene().object.mass, 0.1 + 0.01 * 5, 1e-12);
+  EXPECT_EQ(session.redo_count(), 2 * kMostUndoScenes - 1);
+}
+
+TEST(Session, ForcesBalanceTheLoad) {
+  Session session = ball_session();
+  session.approach(0.5);
+  session.auto_grasp();
+  ASSERT_EQ(session.quality().outcome, Outcome::stable);
+  const Vector3 load(1.0, -2.0, -3.0);
+  const ContactForces forces = session.forces(load, Vector3::Zero(), false);
+  ASSERT_EQ(forces.outcome, ForceOutcome::balanced);
+  // The forces add up to what the load takes.
+  EXPECT_LT((forces.forces.rowwise().sum() + load).norm(), 1e-6 * load.norm());
+  EXPECT_FALSE(session.quality().limiting_link.empty());
+  EXPECT_LT(session.quality().epsilon_without, session.quality().epsilon.lower);
+}
+
+// A tetrahedron with edges along the axes, 40 long.
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 40 0 0\nv 0 40 0\nv 0 0 40\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST(Session, MeshesThatAreGivenAsTextAreKeptInTheSceneFile) {
+  const BodySurface surface = surface_of({.mesh_text = kTetrahedron, .format = "obj"}, {});
+  EXPECT_NEAR(bounds(surface.mesh).size().x(), 0.04, 1e-9) << "read in mm";
+  const BodySurface metres =
+      surface_of({.mesh_text = kTetrahedron, .format = "obj", .unit = "m"}, {});
+  EXPECT_NEAR(bounds(metres.mesh).size().x(), 40.0, 1e-6);
+  Session session;
+  session.edit([&](Scene& scene) { set_object(scene, surface, {.name = "wedge", .mass = 0.2}); });
+  const std::string text = scene_text(session.state().world->scene());
+  session.set_scene(scene_of_text(text, {}));
+  EXPECT_EQ(scene_text(session.state().world->scene()), text);
+  EXPECT_EQ(session.state().world->scene().object.mass, 0.2);
+  const InputError unknown =
+      refusal_of([] { (void)surface_of({.mesh_text = kTetrahedron, .format = "gltf"}, {}); });
+  EXPECT_EQ(unknown.field(), "format");
+}
+
+TEST(Session, ScenesThatAreSavedAndLoadedKeepTheirBytes) {
+  for (const char* name : {"mug", "mug_on_table"}) {
+    Session session;
+    session.set_scene(open_scene(name, {}));
+    const std::string text = scene_text(session.state().world->scene());
+    session.set_scene(scene_of_text(text, OpenFolders()));
+    EXPECT_EQ(scene_text(session.state().world->scene()), text) << name;
+  }
+}
+
+TEST(Session, UndoLeadsBackToTheSameBytesAndRedoForward) {
+  Session session;
+  session.set_scene(load_scene("mug"));
+  const std::string start = scene_text(session.state().world->scene());
+  EXPECT_EQ(start, scene_text(load_scene("mug")));
+  const std::size_t begun = session.undo_count();
+  session.edit([](Scene& scene) { change_object(scene, {.mass = 0.5}); });
+  session.edit([](Scene& scene) {
+    add_obstacle(scene, surface_of({.generate = "box"}, {}),
+                 {.name = "box", .X_WB = translation({0.5, 0, 0})});
+  });
+  session.edit([](Scene& scene) { change_obstacle(scene, "box", {.name = "crate"}); });
+  session.edit([](Scene& scene) { change_object(scene, {.material = Material::glass}); });
+  session.edit([](Scene& scene) { choose_hand(scene, "parallel_jaw"); });
+  session.edit([](Scene& scene) { remove_obstacle(scene, "crate"); });
+  const std::string end = scene_text(session.state().world->scene());
+  EXPECT_NE(start, end);
+  while (session.undo_count() > begun) EXPECT_TRUE(session.undo());
+  EXPECT_EQ(scene_text(session.state().world->scene()), start);
+  while (session.redo_count() > 0) EXPECT_TRUE(session.redo());
+  EXPECT_EQ(scene_text(session.state().world->scene()), end);
+  EXPECT_FALSE(session.redo());
+}
+
+TEST(Session, TheHandStaysInTheWorldWhenTheObjectMoves) {
+  Session session = ball_session();
+  const Pose before = session.X_WH();
+  const Pose moved = pose_from(Random(5).rotation(), Vector3(0.1, 0.2, 0.3));
+  session.edit([&](Scene& scene) { change_object(scene, {.X_WB = moved}); });
+  EXPECT_TRUE(session.X_WH().isApprox(before, 1e-12));
+}
+
+TEST(Session, RefusedEditsChangeNothing) {
+  Session session = ball_session();
+  const std::uint64_t revision = session.revision();
+  EXPECT_EQ(refusal_of([&] {
+              session.edit([](Scene& scene) { remove_obstacle(scene, "wall"); });
+            }).field(),
+            "name");
+  EXPECT_EQ(refusal_of([&] {
+              session.edit([](Scene& scene) { change_object(scene, {.mass = -1.0}); });
+            }).field(),
+            "mass");
+  EXPECT_EQ(refusal_of([&] { session.take_preshape("none"); }).field(), "preshape");
+  EXPECT_EQ(refusal_of([&] { session.go_to(0); }).field(), "grasp");
+  EXPECT_EQ(session.revision(), revision);
+}
+
+TEST(Session, ScenesThatCannotBeUsedSayWhyAndAreEditedOn) {
+  Session session = ball_session();
+  session.edit([](Scene& scene) {
+    add_obstacle(scene, surface_of({.generate = "ball"}, {}), {.name = "inside"});
+  });
+  EXPECT_FALSE(session.state().world->is_ready());
+  EXPECT_NE(session.state().world->problem(), "");
+  EXPECT_EQ(refusal_of([&] { session.auto_grasp(); }).field(), "scene");
+  session.edit([](Scene& scene) { remove_obstacle(scene, "inside"); });
+  EXPECT_TRUE(session.state().world->is_ready());
+}
+
+TEST(Session, FilesOutsideOfOpenFoldersAreNotNamed) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / "prehend_open_folder";
+  std::filesystem::create_directories(folder / "inner");
+  const OpenFolders open({folder});
+  EXPECT_EQ(open.path_of("inner/a.json", "file"),
+            std::filesystem::canonical(folder) / "inner" / "a.json");
+  for (const char* name : {"../a.json", "/etc/passwd", "inner/../../a.json", "."}) {
+    EXPECT_EQ(refusal_of([&] { (void)open.path_of(name, "file"); }).field(), "file") << name;
+  }
+  EXPECT_EQ(open.robot_of("barrett", "hand"), "barrett");
+  EXPECT_EQ(refusal_of([&] { (void)open.robot_of("/etc/passwd", "hand"); }).field(), "hand");
+  EXPECT_EQ(refusal_of([&] { (void)OpenFolders().path_of("a", "file"); }).field(), "file");
+  const InputError mesh =
+      refusal_of([&] { (void)scene_of_text(R"({"object": {"mesh": "/etc/passwd"}})", open); });
+  EXPECT_NE(std::string(mesh.what()).find("not in a folder that is open"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace prehend::test

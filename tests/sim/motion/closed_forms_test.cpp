@@ -1,0 +1,120 @@
+// Bodies whose motion textbooks know.
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "sim/motion/world.h"
+#include "tests/support/sample_worlds.h"
+
+namespace prehend {
+namespace {
+
+using test::kG;
+
+// Friction slows a sliding sphere until it rolls, with 5/7 of its speed. The mesh is a sphere but
+// for facets of 2 mm: each one that it tips over costs a little, 1.6 % until it rolls.
+TEST(ClosedForms, ASlidingSphereEndsUpRollingAtFiveSevenths) {
+  World world = test::world_with(
+      {test::ground(), test::body_of("ball", make_sphere(0.05, 5), 1.0, {-1.0, 0.0, 0.0501})}, 0.3);
+  RigidMotion& motion = world.bodies[1].motion;
+  ASSERT_EQ(test::run(world, 0.05), StepOutcome::moved);
+  motion.linear = {1.0, 0.0, 0.0};
+  // Sliding ends after 2 v / (7 mu g) = 0.097 s.
+  ASSERT_EQ(test::run(world, 0.1), StepOutcome::moved);
+  EXPECT_NEAR(motion.linear.x(), 5.0 / 7.0, 0.02);
+  EXPECT_NEAR(0.05 * motion.angular.y(), motion.linear.x(), 0.02);
+}
+
+// Five balls of which one arrives: the last one leaves with its velocity, the others stay, although
+// they touch.
+TEST(ClosedForms, NewtonsCradlePassesTheVelocityOn) {
+  for (const int arriving : {1, 2}) {
+    std::vector<WorldBody> balls;
+    for (int i = 0; i < 5; ++i) {
+      const double gap = i < arriving ? -0.02 : 0.0;
+      balls.push_back(test::body_of("ball" + std::to_string(i), make_box(Vector3::Constant(0.1)),
+                                    0.5, {0.10005 * i + gap, 0.0, 0.0}));
+      balls.back().restitution = 1.0;
+      if (i < arriving) balls.back().motion.linear.x() = 1.0;
+    }
+    World world = test::world_with(std::move(balls), 0.0);
+    world.gravity.setZero();
+    ASSERT_EQ(test::run(world, 0.1), StepOutcome::moved);
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_NEAR(world.bodies[static_cast<std::size_t>(i)].motion.linear.x(),
+                  i >= 5 - arriving ? 1.0 : 0.0, 1e-6)
+          << arriving << " " << i;
+    }
+    EXPECT_NEAR(energy_of(world), arriving * 0.25, 1e-6);
+  }
+}
+
+// Two cards of length l lean against each other at an angle from the vertical: each foot bears the
+// weight of a card, and the moment about the top asks for friction of tan(angle) / 2 of it.
+TEST(ClosedForms, ACardHouseStandsByItsFriction) {
+  constexpr double kLength = 0.09;
+  constexpr double kThick = 0.001;
+  const double angle = 0.4;
+  for (const double part : {0.9, 1.1}) {
+    std::vector<WorldBody> bodies = {test::ground()};
+    for (const double side : {-1.0, 1.0}) {
+      const Matrix3 turned = Eigen::AngleAxisd(-side * angle, Vector3::UnitY()).toRotationMatrix();
+      bodies.push_back(test::box(side < 0.0 ? "left" : "right", {kThick, 0.06, kLength}, 0.002,
+                                 Vector3::Zero()));
+      // The inner upper edges meet in the middle.
+      const Vector3 corner = turned * Vector3(-side * 0.5 * kThick, 0.0, 0.5 * kLength);
+      const Vector3 foot = turned * Vector3(-side * 0.5 * kThick, 0.0, -0.5 * kLength);
+      bodies.back().motion.X_WB =
+          pose_from(turned, Vector3(side * 2.5e-5 - corner.x(), 0.0, 5e-5 - foot.z()));
+    }
+    World world = test::world_with(std::move(bodies), part * 0.5 * std::tan(angle));
+    const Vector3 start = world.bodies[2].motion.X_WB.translation();
+    ASSERT_EQ(test::run(world, 1.0), StepOutcome::moved);
+    const double moved = (world.bodies[2].motion.X_WB.translation() - start).norm();
+    if (part > 1.0) {
+      EXPECT_LT(moved, 2e-4);
+    } else {
+      EXPECT_GT(moved, 0.01);
+    }
+  }
+}
+
+// Painleve's rod: pushed along a rough plane at an angle where forces alone have no consistent
+// solution (mu > 4/3). Time stepping finds an impulse, or says that it did not; the rod never
+// hangs, nor goes through the plane.
+TEST(ClosedForms, PainlevesRodGoesOn) {
+  for (const double friction : {0.3, 1.5, 3.0}) {
+    for (const double degrees : {20.0, 45.0, 60.0, 80.0}) {
+      const double angle = degrees * std::acos(-1.0) / 180.0;
+      constexpr double kLength = 0.4;
+      World world = test::world_with(
+          {test::ground(), test::box("rod", {kLength, 0.01, 0.004}, 0.1, Vector3::Zero())},
+          friction);
+      const Matrix3 turned = Eigen::AngleAxisd(angle, Vector3::UnitY()).toRotationMatrix();
+      RigidMotion& motion = world.bodies[1].motion;
+      const Vector3 low = turned * Vector3(0.5 * kLength, 0.0, -0.002);
+      motion.X_WB = pose_from(turned, Vector3(-1.0, 0.0, 1e-4 - low.z()));
+      motion.linear = {2.0, 0.0, 0.0};
+      double before = energy_of(world);
+      double time = 0.0;
+      for (int step = 0; step < 4000 && time < 1.0; ++step) {
+        const StepResult result = step_world(world);
+        ASSERT_TRUE(result.outcome == StepOutcome::moved ||
+                    result.outcome == StepOutcome::not_converged)
+            << friction << " " << degrees << " " << step_outcome_name(result.outcome);
+        time += result.time;
+        const double after = energy_of(world);
+        EXPECT_LT(after, before + 1e-4) << friction << " " << degrees << " at " << time;
+        before = after;
+      }
+      EXPECT_GE(time, 1.0 - 1e-9);
+      EXPECT_GT(motion.X_WB.translation().z(), 0.0) << friction << " " << degrees;
+      EXPECT_LT(motion.linear.norm(), 1e-3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace prehend

@@ -1,0 +1,151 @@
+#include "sim/robot/hand/derive_hand.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/base/index.h"
+#include "sim/base/input_error.h"
+#include "sim/robot/files/robot_file.h"
+#include "sim/robot/hand/self_collision.h"
+
+namespace prehend {
+namespace {
+
+Robot without_hand(const char* name) {
+  Robot robot = find_robot(name);
+  robot.hand.reset();
+  for (DegreeOfFreedom& dof : robot.dofs) dof.closing_velocity = 0.0;
+  return robot;
+}
+
+// A jaw's widths follow from its strokes, its origin is on the palm, its depth the pads' middle.
+TEST(DerivedHand, OfAJawIsTheStatedOne) {
+  for (const char* name : {"parallel_jaw", "parallel_jaw_wide"}) {
+    const Robot stated = find_robot(name);
+    const Robot derived = with_hand(without_hand(name));
+    EXPECT_NEAR((derived.hand->approach - stated.hand->approach).norm(), 0.0, 1e-9) << name;
+    EXPECT_NEAR(std::abs(derived.hand->closing.dot(stated.hand->closing)), 1.0, 1e-9) << name;
+    EXPECT_NEAR((derived.hand->origin - stated.hand->origin).norm(), 0.0, 1e-9) << name;
+    ASSERT_EQ(derived.hand->preshapes.size(), 1U) << name;
+    const Preshape& open = derived.hand->preshapes.front();
+    EXPECT_NEAR(open.max_width, stated.hand->preshapes.front().max_width, 1e-9) << name;
+    EXPECT_NEAR(open.min_width, 0.0, 1e-6) << name;
+    EXPECT_NEAR(open.depth, stated.hand->preshapes.front().depth, 1e-9) << name;
+  }
+}
+
+TEST(DerivedHand, HasTheDirectionsThatTheLibraryStates) {
+  for (const char* name : {"barrett", "franka_hand"}) {
+    const Robot stated = find_robot(name);
+    const Robot derived = with_hand(without_hand(name));
+    EXPECT_NEAR(derived.hand->approach.dot(stated.hand->approach), 1.0, 1e-9) << name;
+    EXPECT_NEAR(std::abs(derived.hand->closing.dot(stated.hand->closing)), 1.0, 1e-9) << name;
+    for (std::size_t d = 0; d < stated.dofs.size(); ++d) {
+      const double a = stated.dofs[d].closing_velocity;
+      const double b = derived.dofs[d].closing_velocity;
+      EXPECT_EQ(a > 0.0, b > 0.0) << name << " " << stated.dofs[d].name;
+      EXPECT_EQ(a < 0.0, b < 0.0) << name << " " << stated.dofs[d].name;
+    }
+  }
+}
+
+TEST(DerivedHand, HasPreshapesInsideLimitsWithoutCollisionAndOrderedWidths) {
+  for (const char* name : {"barrett", "franka_hand", "parallel_jaw"}) {
+    const Robot robot = with_hand(without_hand(name));
+    const SelfCollision collision(robot);
+    for (const Preshape& preshape : robot.hand->preshapes) {
+      EXPECT_TRUE(collision.colliding(preshape.dofs).empty()) << name << " " << preshape.name;
+      EXPECT_LT(preshape.min_width, preshape.max_width) << name << " " << preshape.name;
+      EXPECT_GT(preshape.depth, 0.0) << name << " " << preshape.name;
+      for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+        EXPECT_TRUE(within_limits(robot.dofs[d], preshape.dofs[d])) << name;
+      }
+    }
+  }
+}
+
+TEST(DerivedHand, TurnsWithTheRobot) {
+  Robot turned = without_hand("barrett");
+  const Hand hand = *with_hand(turned).hand;
+  const Pose X =
+      translation({0.1, -0.2, 0.3}) * Eigen::AngleAxisd(0.7, Vector3(1.0, 2.0, -0.5).normalized());
+  for (Link& link : turned.links) {
+    if (link.joint < 0) link.mesh = transformed(link.mesh, X);
+  }
+  for (Joint& joint : turned.joints) {
+    if (joint.parent < 0) joint.X_PJ = X * joint.X_PJ;
+  }
+  const Hand other = *with_hand(turned).hand;
+  EXPECT_NEAR((other.approach - X.linear() * hand.approach).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((other.closing - X.linear() * hand.closing).norm(), 0.0, 1e-9);
+  EXPECT_NEAR((other.origin - X * hand.origin).norm(), 0.0, 1e-9);
+  ASSERT_EQ(other.preshapes.size(), hand.preshapes.size());
+  for (std::size_t k = 0; k < hand.preshapes.size(); ++k) {
+    EXPECT_NEAR(other.preshapes[k].max_width, hand.preshapes[k].max_width, 1e-9);
+    EXPECT_NEAR(other.preshapes[k].min_width, hand.preshapes[k].min_width, 1e-6);
+  }
+}
+
+// Its pads hang on linkages, whose levers are no fingers.
+TEST(DerivedHand, OfALinkageOpensAsWideAsStated) {
+  const Robot stated = find_robot("robotiq_2f85");
+  const Robot derived = with_hand(without_hand("robotiq_2f85"));
+  EXPECT_NEAR(derived.hand->preshapes.front().max_width, stated.hand->preshapes.front().max_width,
+              1e-3);
+  EXPECT_GT(derived.dofs.front().closing_velocity, 0.0);
+}
+
+// As files of GraspIt! do: approach and origin, no closing axis, no preshapes.
+TEST(DerivedHand, KeepsWhatIsStated) {
+  const Robot stated = find_robot("barrett");
+  Robot robot = stated;
+  robot.hand->closing = Vector3::Zero();
+  robot.hand->preshapes.clear();
+  const Vector3 origin = stated.hand->origin + Vector3(0.001, 0.002, 0.003);
+  robot.hand->origin = origin;
+  const Robot derived = with_hand(robot);
+  EXPECT_EQ(derived.hand->approach, stated.hand->approach);
+  EXPECT_EQ(derived.hand->origin, origin);
+  EXPECT_NEAR(std::abs(derived.hand->closing.dot(stated.hand->closing)), 1.0, 1e-9);
+  EXPECT_FALSE(derived.hand->preshapes.empty());
+  for (std::size_t d = 0; d < stated.dofs.size(); ++d) {
+    EXPECT_EQ(derived.dofs[d].closing_velocity, stated.dofs[d].closing_velocity);
+  }
+}
+
+TEST(DerivedHand, ClosesWhereTheStatedVelocitiesOpenIt) {
+  Robot robot = without_hand("parallel_jaw");
+  const Robot stated = find_robot("parallel_jaw");
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    robot.dofs[d].closing_velocity = -stated.dofs[d].closing_velocity;
+  }
+  const Robot derived = with_hand(robot);
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    EXPECT_GT(derived.dofs[d].closing_velocity * stated.dofs[d].closing_velocity, 0.0);
+  }
+  EXPECT_NEAR(derived.hand->preshapes.front().max_width, stated.hand->preshapes.front().max_width,
+              1e-9);
+}
+
+// Robots that state all of a hand stay as they are.
+TEST(DerivedHand, IsNotDerivedWhereItIsStated) {
+  for (const std::string& name : library_robot_names()) {
+    const Robot robot = find_robot(name);
+    if (!robot.hand) continue;
+    const Robot same = with_hand(robot);
+    EXPECT_EQ(same.notes, robot.notes) << name;
+    EXPECT_EQ(same.hand->preshapes.size(), robot.hand->preshapes.size()) << name;
+  }
+}
+
+TEST(DerivedHand, OfAnArmIsRefused) {
+  try {
+    (void)with_hand(find_robot("puma560"));
+    FAIL() << "an arm is no hand";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "puma560: hand: nothing that could grasp: its joints branch nowhere");
+  }
+}
+
+}  // namespace
+}  // namespace prehend
