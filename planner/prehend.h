@@ -31,7 +31,7 @@
 //   accuracy.h            options that belong together: draft, standard, fine
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
 //   advice.h              what may help where a plan has no grasp
-//   grasp_words.h         where a grasp came from, in words
+//   grasp_text.h         where a grasp came from, in words
 //   run_context.h         threads, progress and cancellation of all that takes long
 // One step alone
 //   decompose.h           an object into boxes, spheres, cylinders and cones
@@ -65,7 +65,7 @@
 //   contacts_report.h     what a report says of contacts without a hand
 //   report_html.h         a report as one file for a browser
 //   posed_grasp.h         a grasp as something to look at
-//   telling_side.h        the viewing direction that shows most of a grasp
+//   best_viewpoint.h        the viewing direction that shows most of a grasp
 //   grasp_picture.h       its picture
 //   contact_sheet.h       pictures of many grasps in one
 //   image.h               a picture as PNG
@@ -74,7 +74,7 @@
 //   input_error.h         what is thrown for a caller's mistake
 // Things that move
 //   shake_grasps.h        the grasps of a plan are closed, lifted and shaken
-//   form_grasp.h          a hand that closes in time, on an object that gives way
+//   form_dynamic_grasp.h          a hand that closes in time, on an object that gives way
 //   object_watch.h        what becomes of the object
 //   simulate.h            a scene simulated and recorded
 //   simulation_file.h     its states as files
@@ -95,7 +95,7 @@
 
 #include "planner/plan/accuracy.h"
 #include "planner/plan/advice.h"
-#include "planner/plan/grasp_words.h"
+#include "planner/plan/grasp_text.h"
 #include "planner/plan/path/check_path.h"
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/plan/path/grasp_path.h"
@@ -113,6 +113,7 @@
 #include "planner/results/datasets/set_candidates.h"
 #include "planner/results/grasps_file.h"
 #include "planner/results/simulation_file.h"
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/contact_sheet.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/grasp_picture.h"
@@ -122,7 +123,6 @@
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
 #include "planner/show/report/simulation_report.h"
-#include "planner/show/telling_side.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/data_folder.h"
@@ -130,9 +130,9 @@
 #include "sim/base/output_file.h"
 #include "sim/base/pose.h"
 #include "sim/base/run_context.h"
-#include "sim/manipulation/protocol_file.h"
 #include "sim/manipulation/shake.h"
 #include "sim/manipulation/simulate.h"
+#include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/control/controller.h"
 #include "sim/motion/control/joint_controllers.h"
 #include "sim/motion/control/joint_motion.h"
@@ -141,7 +141,7 @@
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
 #include "sim/motion/control/wrist_impedance.h"
-#include "sim/motion/dynamic_grasp/form_grasp.h"
+#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
 #include "sim/motion/scene_bodies.h"
 #include "sim/motion/world.h"

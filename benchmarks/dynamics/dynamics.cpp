@@ -23,7 +23,7 @@
 #include "sim/base/output_file.h"
 #include "sim/base/random.h"
 #include "sim/manipulation/grasp_world.h"
-#include "sim/manipulation/protocol_file.h"
+#include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/rigid_motion.h"
 #include "sim/motion/world.h"
@@ -70,9 +70,9 @@ void time_grasp(const std::string& name) {
   const CompiledScene scene = compile(load_scene(name, {}));
   const PlanResult plan = prehend::plan(scene, {});
   if (plan.grasps.empty()) return;
-  Protocol protocol = read_protocol(find_protocol("simready"));
+  TestProcedure procedure = read_test_procedure(find_test_procedure("simready"));
   GraspWorld grasped =
-      make_grasp_world(scene, hand_model(scene), posture_of(plan.grasps.front().trial), protocol);
+      make_grasp_world(scene, hand_model(scene), posture_of(plan.grasps.front().trial), procedure);
   World& world = grasped.world;
   world.gravity = {0.0, 0.0, -9.81};
   WorldRobot& hand = world.robots.front();

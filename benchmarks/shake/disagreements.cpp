@@ -36,24 +36,24 @@ std::optional<ShakeCase> with_pieces(const ShakeCase& shaken) {
 }
 
 // The protocol with the mass that it means for the object itself, whatever stands for it.
-Protocol with_mass_of(const CompiledScene& scene, Protocol protocol) {
-  if (protocol.object.density) {
-    protocol.object.mass =
-        *protocol.object.density * mass_properties(scene.scene.object.mesh).volume;
-    protocol.object.density.reset();
+TestProcedure with_mass_of(const CompiledScene& scene, TestProcedure procedure) {
+  if (procedure.object.density) {
+    procedure.object.mass =
+        *procedure.object.density * mass_properties(scene.scene.object.mesh).volume;
+    procedure.object.density.reset();
   }
-  return protocol;
+  return procedure;
 }
 
 // Ours with a change. From the opening on the hand is opened on until nothing crosses, as pieces
 // may by a little.
 std::optional<bool> survives_in_ours(const ShakeCase& shaken, const ShakenGrasp& grasp,
-                                     const Protocol& protocol, OwnRun run) {
+                                     const TestProcedure& procedure, OwnRun run) {
   constexpr double kStep = 1.0 / 400.0;
   constexpr int kTries = 20;
   for (int i = 0; i <= kTries; ++i, run.opened += kStep) {
     try {
-      return in_prehend(shaken, grasp, protocol, run).survived();
+      return in_prehend(shaken, grasp, procedure, run).survived();
     } catch (const InputError&) {  // surfaces cross
       continue;
     }
@@ -62,11 +62,11 @@ std::optional<bool> survives_in_ours(const ShakeCase& shaken, const ShakenGrasp&
 }
 
 // The friction of all pairs of materials, or that of the protocol, times a factor.
-std::pair<ShakeCase, Protocol> with_friction(const ShakeCase& shaken, const Protocol& protocol,
-                                             double factor) {
-  std::pair<ShakeCase, Protocol> changed{shaken, protocol};
-  if (protocol.friction) {
-    changed.second.friction = factor * *protocol.friction;
+std::pair<ShakeCase, TestProcedure> with_friction(const ShakeCase& shaken,
+                                                  const TestProcedure& procedure, double factor) {
+  std::pair<ShakeCase, TestProcedure> changed{shaken, procedure};
+  if (procedure.friction) {
+    changed.second.friction = factor * *procedure.friction;
     return changed;
   }
   FrictionTable& table = changed.first.scene.scene.friction;
@@ -81,29 +81,29 @@ std::pair<ShakeCase, Protocol> with_friction(const ShakeCase& shaken, const Prot
 // What is changed in one of the simulators about a grasp.
 class Changes {
  public:
-  Changes(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol)
-      : shaken_(shaken), grasp_(grasp), protocol_(protocol) {}
+  Changes(const ShakeCase& shaken, const ShakenGrasp& grasp, const TestProcedure& procedure)
+      : shaken_(shaken), grasp_(grasp), procedure_(procedure) {}
 
   Counterfactual ours(const std::string& cause, const OwnRun& run) const {
-    return {cause, true, [&shaken = shaken_, &grasp = grasp_, &protocol = protocol_, run] {
-              return survives_in_ours(shaken, grasp, protocol, run);
+    return {cause, true, [&shaken = shaken_, &grasp = grasp_, &procedure = procedure_, run] {
+              return survives_in_ours(shaken, grasp, procedure, run);
             }};
   }
 
   Counterfactual ours_on_pieces(const std::string& cause, const OwnRun& run) const {
-    const auto survives = [&shaken = shaken_, &grasp = grasp_, &protocol = protocol_,
+    const auto survives = [&shaken = shaken_, &grasp = grasp_, &procedure = procedure_,
                            run]() -> std::optional<bool> {
       const std::optional<ShakeCase> changed = with_pieces(shaken);
       if (!changed) return std::nullopt;
-      return survives_in_ours(*changed, grasp, with_mass_of(shaken.scene, protocol), run);
+      return survives_in_ours(*changed, grasp, with_mass_of(shaken.scene, procedure), run);
     };
     return {cause, true, survives};
   }
 
   Counterfactual theirs(const std::string& cause, const MujocoRun& run) const {
-    const auto survives = [&shaken = shaken_, &grasp = grasp_, &protocol = protocol_,
+    const auto survives = [&shaken = shaken_, &grasp = grasp_, &procedure = procedure_,
                            run]() -> std::optional<bool> {
-      return in_mujoco(shaken, grasp, protocol, run).survived();
+      return in_mujoco(shaken, grasp, procedure, run).survived();
     };
     return {cause, false, survives};
   }
@@ -111,9 +111,9 @@ class Changes {
   // Less friction where the grasp holds, more where it does not.
   Counterfactual friction(double part, bool in_ours, bool holds) const {
     const double factor = holds ? 1.0 - part : 1.0 + part;
-    const auto survives = [&shaken = shaken_, &grasp = grasp_, &protocol = protocol_, factor,
+    const auto survives = [&shaken = shaken_, &grasp = grasp_, &procedure = procedure_, factor,
                            in_ours]() -> std::optional<bool> {
-      const auto [changed, as_changed] = with_friction(shaken, protocol, factor);
+      const auto [changed, as_changed] = with_friction(shaken, procedure, factor);
       if (in_ours) return survives_in_ours(changed, grasp, as_changed, {});
       return in_mujoco(changed, grasp, as_changed).survived();
     };
@@ -123,7 +123,7 @@ class Changes {
  private:
   const ShakeCase& shaken_;
   const ShakenGrasp& grasp_;
-  const Protocol& protocol_;
+  const TestProcedure& procedure_;
 };
 
 bool breaks_away(const Robot& hand) {
@@ -144,9 +144,9 @@ std::optional<std::string> first_cause(const std::vector<Counterfactual>& change
 }
 
 std::vector<Counterfactual> counterfactuals(const ShakeCase& shaken, const ShakenGrasp& grasp,
-                                            const Protocol& protocol, const ShakeResult& ours,
+                                            const TestProcedure& procedure, const ShakeResult& ours,
                                             const ShakeResult& theirs) {
-  const Changes change(shaken, grasp, protocol);
+  const Changes change(shaken, grasp, procedure);
   const bool has_clutches = breaks_away(shaken.scene.scene.hand);
   std::vector<Counterfactual> changes;
   if (has_clutches) changes.push_back(change.ours("clutches", {.clutches = false}));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "benchmarks/shake/shake_cases.h"
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 
 namespace prehend::bench {
 
@@ -37,7 +37,7 @@ std::optional<std::string> first_cause(const std::vector<Counterfactual>& change
 //
 // They refer to all arguments.
 std::vector<Counterfactual> counterfactuals(const ShakeCase& shaken, const ShakenGrasp& grasp,
-                                            const Protocol& protocol, const ShakeResult& ours,
+                                            const TestProcedure& procedure, const ShakeResult& ours,
                                             const ShakeResult& theirs);
 
 // What became of a grasp in one simulator: "survived", or the tests that failed and how, as in

@@ -22,7 +22,7 @@
 #include "planner/plan/shake_grasps.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
-#include "sim/manipulation/protocol_file.h"
+#include "sim/manipulation/test_procedure_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/files/mesh_file.h"
@@ -31,13 +31,13 @@
 namespace prehend::bench {
 namespace {
 
-struct Disturbance {
+struct Perturbation {
   std::string name;
   double distance = 0.0;  // m
   double angle = 0.0;     // rad
 };
 
-std::vector<Disturbance> disturbances() {
+std::vector<Perturbation> perturbations() {
   constexpr double kDegree = 3.14159265358979323846 / 180.0;
   return {{"0"},
           {"5 mm", 0.005},
@@ -58,7 +58,7 @@ Vector3 random_direction(Random& random) {
 
 // The hand is moved along a random direction and turned about a random axis through the point
 // between its fingers.
-Candidate disturbed(Candidate grasp, const Disturbance& by, const Hand& hand, double depth,
+Candidate disturbed(Candidate grasp, const Perturbation& by, const Hand& hand, double depth,
                     Random& random) {
   const Vector3 grip_H = hand.origin + depth * hand.approach;
   const Vector3 grip_O = grasp.X_OH * grip_H;
@@ -156,13 +156,13 @@ void print_row(const std::string& name, const Tally& tally) {
               share_text(ranked_right_of_closed(tally)).c_str());
 }
 
-void print_table(const std::string& protocol, const std::vector<Disturbance>& disturbances,
+void print_table(const std::string& procedure, const std::vector<Perturbation>& perturbations,
                  const std::vector<Tally>& tallies) {
-  std::printf("\n%s\n%-8s %6s %14s %15s %9s %13s %8s %13s\n", protocol.c_str(), "off by", "tried",
+  std::printf("\n%s\n%-8s %6s %14s %15s %9s %13s %8s %13s\n", procedure.c_str(), "off by", "tried",
               "force closure", "median epsilon", "survive", "of f.c.", "AUC", "AUC in f.c.");
   Tally all;
-  for (std::size_t d = 0; d < disturbances.size(); ++d) {
-    print_row(disturbances[d].name, tallies[d]);
+  for (std::size_t d = 0; d < perturbations.size(); ++d) {
+    print_row(perturbations[d].name, tallies[d]);
     all.add(tallies[d]);
   }
   print_row("all", all);
@@ -208,7 +208,7 @@ std::vector<std::string> objects_in(const std::filesystem::path& folder) {
 
 int run(const std::vector<std::string>& words) {
   const Arguments arguments = read_arguments(words);
-  const std::vector<Disturbance> all = disturbances();
+  const std::vector<Perturbation> all = perturbations();
   std::vector<std::vector<Tally>> tallies(arguments.protocols.size(),
                                           std::vector<Tally>(all.size()));
   for (const std::string& object : objects_in(arguments.folder)) {
@@ -226,7 +226,8 @@ int run(const std::vector<std::string>& words) {
       }
       for (std::size_t p = 0; p < arguments.protocols.size(); ++p) {
         PlanResult result = evaluate(scene, grasps, {});
-        shake_grasps(scene, read_protocol(find_protocol(arguments.protocols[p])), {}, result);
+        shake_grasps(scene, read_test_procedure(find_test_procedure(arguments.protocols[p])), {},
+                     result);
         for (const ScoredGrasp& grasp : result.grasps) tallies[p][d].add(grasp);
       }
     }

@@ -16,40 +16,40 @@ constexpr double kRestTime = 0.1;
 
 class ShakeRun {
  public:
-  ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject,
+  ShakeRun(const std::string& mjcf, const TestProcedure& procedure, const ShakeSubject& subject,
            const StartOptions& start);
 
   ShakeResult run();
 
  private:
-  bool run_phases(const std::vector<ProtocolPhase>& phases, ShakeTestResult& result);
-  PhaseResult run_phase(const ProtocolPhase& phase);
+  bool run_phases(const std::vector<ProcedurePhase>& phases, ShakeTestResult& result);
+  PhaseResult run_phase(const ProcedurePhase& phase);
   void measure(const Pose& X_HO, const Vector3& p_H, double z, PhaseMeasure& measure) const;
-  Matrix3 axes_of(ProtocolFrame frame) const;
+  Matrix3 axes_of(ProcedureFrame frame) const;
   double object_mass() const;
 
-  const Protocol& protocol_;
+  const TestProcedure& procedure_;
   const ShakeSubject& subject_;
   MujocoWorld world_;
   Matrix3 R_WO_;  // at the start
   double steps_ = 0.0;
 };
 
-ShakeRun::ShakeRun(const std::string& mjcf, const Protocol& protocol, const ShakeSubject& subject,
-                   const StartOptions& start)
-    : protocol_(protocol), subject_(subject), world_(mjcf) {
-  if (protocol.object.mass) world_.set_object_mass(*protocol.object.mass);
-  if (protocol.object.density) world_.set_object_mass(*protocol.object.density * subject.volume);
-  if (protocol.friction) world_.set_friction(*protocol.friction);
-  if (protocol.torsion) world_.set_torsion(*protocol.torsion);
+ShakeRun::ShakeRun(const std::string& mjcf, const TestProcedure& procedure,
+                   const ShakeSubject& subject, const StartOptions& start)
+    : procedure_(procedure), subject_(subject), world_(mjcf) {
+  if (procedure.object.mass) world_.set_object_mass(*procedure.object.mass);
+  if (procedure.object.density) world_.set_object_mass(*procedure.object.density * subject.volume);
+  if (procedure.friction) world_.set_friction(*procedure.friction);
+  if (procedure.torsion) world_.set_torsion(*procedure.torsion);
   world_.set_locks(subject.locks);
   world_.start(start);
   R_WO_ = world_.object().linear();
 }
 
-Matrix3 ShakeRun::axes_of(ProtocolFrame frame) const {
-  if (frame == ProtocolFrame::object) return R_WO_;
-  if (frame == ProtocolFrame::hand) return world_.base().linear() * subject_.R_HG;
+Matrix3 ShakeRun::axes_of(ProcedureFrame frame) const {
+  if (frame == ProcedureFrame::object) return R_WO_;
+  if (frame == ProcedureFrame::hand) return world_.base().linear() * subject_.R_HG;
   return Matrix3::Identity();
 }
 
@@ -66,11 +66,11 @@ void ShakeRun::measure(const Pose& X_HO, const Vector3& p_H, double z,
   measure.deepest = std::max(measure.deepest, world_.overlap());
 }
 
-PhaseResult ShakeRun::run_phase(const ProtocolPhase& phase) {
+PhaseResult ShakeRun::run_phase(const ProcedurePhase& phase) {
   if (phase.kind == PhaseKind::close) world_.close();
   if (phase.kind == PhaseKind::open) world_.open();
   const Matrix3 R = axes_of(phase.frame);
-  world_.set_gravity(phase.gravity ? Vector3(R * *phase.gravity) : protocol_.gravity);
+  world_.set_gravity(phase.gravity ? Vector3(R * *phase.gravity) : procedure_.gravity);
   const Vector3 pull_W = world_.object_mass() * (R * phase.pull);
   const BaseStart start{
       .X_WH = world_.base(),
@@ -99,8 +99,8 @@ PhaseResult ShakeRun::run_phase(const ProtocolPhase& phase) {
   return result;
 }
 
-bool ShakeRun::run_phases(const std::vector<ProtocolPhase>& phases, ShakeTestResult& result) {
-  for (const ProtocolPhase& phase : phases) {
+bool ShakeRun::run_phases(const std::vector<ProcedurePhase>& phases, ShakeTestResult& result) {
+  for (const ProcedurePhase& phase : phases) {
     result.phases.push_back(run_phase(phase));
     if (!result.survived()) return false;
   }
@@ -110,9 +110,9 @@ bool ShakeRun::run_phases(const std::vector<ProtocolPhase>& phases, ShakeTestRes
 ShakeResult ShakeRun::run() {
   ShakeResult result;
   result.prepare.name = "prepare";
-  if (run_phases(protocol_.prepare, result.prepare)) {
+  if (run_phases(procedure_.prepare, result.prepare)) {
     world_.keep();
-    for (const ProtocolTest& test : protocol_.tests) {
+    for (const ProcedureTest& test : procedure_.tests) {
       world_.go_back();
       result.tests.push_back({.name = test.name, .phases = {}});
       run_phases(test.phases, result.tests.back());
@@ -134,9 +134,9 @@ ShakeSubject subject_of(const CompiledScene& scene) {
   return subject;
 }
 
-ShakeResult shake_in_mujoco(const std::string& mjcf, const Protocol& protocol,
+ShakeResult shake_in_mujoco(const std::string& mjcf, const TestProcedure& procedure,
                             const ShakeSubject& subject, const StartOptions& start) {
-  return ShakeRun(mjcf, protocol, subject, start).run();
+  return ShakeRun(mjcf, procedure, subject, start).run();
 }
 
 }  // namespace prehend::bench

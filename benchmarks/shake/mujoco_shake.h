@@ -12,7 +12,7 @@ namespace prehend::bench {
 
 // What protocols ask of a hand and an object.
 struct ShakeSubject {
-  Matrix3 R_HG = Matrix3::Identity();  // the axes of ProtocolFrame::hand in the hand's base frame
+  Matrix3 R_HG = Matrix3::Identity();  // the axes of ProcedureFrame::hand in the hand's base frame
   double volume = 0.0;                 // of the object [m^3]
   double longest_edge = 0.0;           // of the object's bounds [m]
   std::vector<JointLock> locks = {};   // of the hand
@@ -23,7 +23,7 @@ ShakeSubject subject_of(const CompiledScene& scene);
 // Carries out the protocol on a model of mjcf_text, with the time step of the model, which its
 // contacts are made for. On a support the model must have the scene's obstacles, else none. Throws
 // InputError for a model that MuJoCo refuses.
-ShakeResult shake_in_mujoco(const std::string& mjcf, const Protocol& protocol,
+ShakeResult shake_in_mujoco(const std::string& mjcf, const TestProcedure& procedure,
                             const ShakeSubject& subject, const StartOptions& start = {});
 
 }  // namespace prehend::bench

@@ -79,15 +79,15 @@ Robot without_clutches(Robot hand, const GraspPosture& posture) {
 
 }  // namespace
 
-ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol,
-                       const OwnRun& run) {
+ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                       const TestProcedure& procedure, const OwnRun& run) {
   const GraspPosture posture = opened_posture(shaken, grasp, run.opened);
   const Robot& robot = shaken.scene.scene.hand;
   RobotModel hand = make_robot_model(run.clutches ? robot : without_clutches(robot, posture));
   if (!run.locks) {
     for (Clutch& clutch : hand.clutches) clutch.locks = 0.0;
   }
-  Protocol with_step = protocol;
+  TestProcedure with_step = procedure;
   with_step.step *= run.step;
   const ShakeReport report = shake_grasp(
       shaken.scene, std::make_shared<const RobotModel>(std::move(hand)), posture, with_step);
@@ -105,12 +105,12 @@ ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp, const 
   return result;
 }
 
-ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol,
-                      const MujocoRun& run) {
+ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                      const TestProcedure& procedure, const MujocoRun& run) {
   const RobotModel hand = make_robot_model(shaken.scene.scene.hand);
   ShakeSubject subject = subject_of(shaken.scene);
   MjcfOptions options;
-  options.obstacles = protocol.on_support;
+  options.obstacles = procedure.on_support;
   options.time_step *= run.step;
   options.contact_time *= run.step;
   if (run.clutches) {
@@ -118,15 +118,19 @@ ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp, const P
     subject.locks = locks_of(hand);
   }
   const ExportGrasp exported = export_of(shaken.scene, grasp.grasp, grasp.rank);
-  return shake_in_mujoco(mjcf_text(shaken.scene, shaken.shapes, exported, options), protocol,
+  return shake_in_mujoco(mjcf_text(shaken.scene, shaken.shapes, exported, options), procedure,
                          subject, run.start);
 }
 
 std::vector<Opinion> opinions() {
-  return {{"prehend", [](const ShakeCase& shaken, const ShakenGrasp& grasp,
-                         const Protocol& protocol) { return in_prehend(shaken, grasp, protocol); }},
-          {"MuJoCo", [](const ShakeCase& shaken, const ShakenGrasp& grasp,
-                        const Protocol& protocol) { return in_mujoco(shaken, grasp, protocol); }}};
+  return {{"prehend",
+           [](const ShakeCase& shaken, const ShakenGrasp& grasp, const TestProcedure& procedure) {
+             return in_prehend(shaken, grasp, procedure);
+           }},
+          {"MuJoCo",
+           [](const ShakeCase& shaken, const ShakenGrasp& grasp, const TestProcedure& procedure) {
+             return in_mujoco(shaken, grasp, procedure);
+           }}};
 }
 
 }  // namespace prehend::bench

@@ -7,7 +7,7 @@
 
 #include "benchmarks/shake/mujoco_world.h"
 #include "benchmarks/shake/shake_cases.h"
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 
 namespace prehend::bench {
 
@@ -29,14 +29,14 @@ struct MujocoRun {
 };
 
 // Throws InputError for a world that cannot be stepped.
-ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol,
-                       const OwnRun& run = {});
-ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp, const Protocol& protocol,
-                      const MujocoRun& run = {});
+ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                       const TestProcedure& procedure, const OwnRun& run = {});
+ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                      const TestProcedure& procedure, const MujocoRun& run = {});
 
 struct Opinion {
   std::string name;
-  std::function<ShakeResult(const ShakeCase&, const ShakenGrasp&, const Protocol&)> shake;
+  std::function<ShakeResult(const ShakeCase&, const ShakenGrasp&, const TestProcedure&)> shake;
 };
 
 std::vector<Opinion> opinions();

@@ -13,7 +13,7 @@
 #include "benchmarks/shake/shake_cases.h"
 #include "benchmarks/shake/shake_table.h"
 #include "sim/base/input_error.h"
-#include "sim/manipulation/protocol_file.h"
+#include "sim/manipulation/test_procedure_file.h"
 
 namespace prehend::bench {
 namespace {
@@ -44,7 +44,7 @@ Arguments read_arguments(const std::vector<std::string>& words) {
     else
       arguments.cases.push_back(words[i]);
   }
-  if (arguments.protocols.empty()) arguments.protocols = library_protocol_names();
+  if (arguments.protocols.empty()) arguments.protocols = library_test_procedure_names();
   if (arguments.cases.empty()) {
     arguments.cases = {"mug:barrett",       "mug:robotiq_2f85", "bottle:barrett",
                        "phone:franka_hand", "box:parallel_jaw", "mug_on_table"};
@@ -54,24 +54,24 @@ Arguments read_arguments(const std::vector<std::string>& words) {
 
 // The protocols of one kind, on the support or not: each kind has grasps of its own.
 void add_case(const std::string& name, const Arguments& arguments,
-              const std::vector<Protocol>& protocols, bool on_support, ShakeTable& table) {
-  std::vector<Protocol> of_kind;
-  for (const Protocol& protocol : protocols) {
-    if (protocol.on_support == on_support) of_kind.push_back(protocol);
+              const std::vector<TestProcedure>& protocols, bool on_support, ShakeTable& table) {
+  std::vector<TestProcedure> of_kind;
+  for (const TestProcedure& procedure : protocols) {
+    if (procedure.on_support == on_support) of_kind.push_back(procedure);
   }
   if (of_kind.empty()) return;
   const ShakeCase shaken = shake_case(name, arguments.trials, arguments.grasps, on_support);
   if (shaken.grasps.empty()) std::printf("%-28s no grasp\n", name.c_str());
-  for (const Protocol& protocol : of_kind) {
-    if (!shaken.grasps.empty()) table.add(shaken, protocol);
+  for (const TestProcedure& procedure : of_kind) {
+    if (!shaken.grasps.empty()) table.add(shaken, procedure);
   }
 }
 
 int run(const std::vector<std::string>& words) {
   const Arguments arguments = read_arguments(words);
-  std::vector<Protocol> protocols;
+  std::vector<TestProcedure> protocols;
   for (const std::string& name : arguments.protocols) {
-    protocols.push_back(read_protocol(find_protocol(name)));
+    protocols.push_back(read_test_procedure(find_test_procedure(name)));
   }
   ShakeTable table(arguments.explain);
   ShakeTable::print_head();

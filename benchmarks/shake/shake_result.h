@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 
 namespace prehend::bench {
 

@@ -26,8 +26,8 @@ void print_failures(const char* who, const OpinionTally& tally) {
   }
 }
 
-void print_line(const std::string& name, const std::string& protocol, const ShakeTally& tally) {
-  std::printf("%-28s %-18s %6d", name.c_str(), protocol.c_str(), tally.grasps);
+void print_line(const std::string& name, const std::string& procedure, const ShakeTally& tally) {
+  std::printf("%-28s %-18s %6d", name.c_str(), procedure.c_str(), tally.grasps);
   print_opinion(tally.ours, tally.grasps);
   print_opinion(tally.theirs, tally.grasps);
   std::printf("   %5.1f %%", percent(tally.agreed, tally.grasps));
@@ -75,37 +75,38 @@ void ShakeTable::print_head() {
 }
 
 std::string ShakeTable::disagreement(const ShakeCase& shaken, const ShakenGrasp& grasp,
-                                     const Protocol& protocol, const ShakeResult& ours,
+                                     const TestProcedure& procedure, const ShakeResult& ours,
                                      const ShakeResult& theirs) {
   std::string cause = "not searched";
   if (explain_) {
-    cause = first_cause(counterfactuals(shaken, grasp, protocol, ours, theirs), ours.survived(),
+    cause = first_cause(counterfactuals(shaken, grasp, procedure, ours, theirs), ours.survived(),
                         theirs.survived())
                 .value_or("unexplained");
   }
   ++causes_[cause];
-  return "  " + shaken.name + " " + protocol.name + " " + std::to_string(grasp.rank) + ": " +
+  return "  " + shaken.name + " " + procedure.name + " " + std::to_string(grasp.rank) + ": " +
          cause + " (ours " + verdict_text(ours) + "; MuJoCo " + verdict_text(theirs) + ")";
 }
 
-void ShakeTable::add(const ShakeCase& shaken, const Protocol& protocol) {
+void ShakeTable::add(const ShakeCase& shaken, const TestProcedure& procedure) {
   ShakeTally tally;
   std::vector<std::string> others;
   for (const ShakenGrasp& grasp : shaken.grasps) {
-    const ShakeResult ours = timed(tally.ours, [&] { return in_prehend(shaken, grasp, protocol); });
+    const ShakeResult ours =
+        timed(tally.ours, [&] { return in_prehend(shaken, grasp, procedure); });
     const ShakeResult theirs =
-        timed(tally.theirs, [&] { return in_mujoco(shaken, grasp, protocol); });
+        timed(tally.theirs, [&] { return in_mujoco(shaken, grasp, procedure); });
     ++tally.grasps;
     if (ours.survived() == theirs.survived()) {
       ++tally.agreed;
     } else {
-      others.push_back(disagreement(shaken, grasp, protocol, ours, theirs));
+      others.push_back(disagreement(shaken, grasp, procedure, ours, theirs));
     }
   }
-  print_line(shaken.name, protocol.name, tally);
+  print_line(shaken.name, procedure.name, tally);
   for (const std::string& line : others) std::printf("%s\n", line.c_str());
   std::fflush(stdout);
-  add_to(sums_[shaken.scene.scene.hand.name + " " + protocol.name], tally);
+  add_to(sums_[shaken.scene.scene.hand.name + " " + procedure.name], tally);
 }
 
 void ShakeTable::print_sums() const {

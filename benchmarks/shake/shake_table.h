@@ -34,13 +34,13 @@ class ShakeTable {
   static void print_head();
   // Carries out the protocol on all grasps and prints its line, then one for each grasp on which
   // the simulators do not agree.
-  void add(const ShakeCase& shaken, const Protocol& protocol);
+  void add(const ShakeCase& shaken, const TestProcedure& procedure);
   // Sums over the scenes by hand and protocol, and how often each cause was found.
   void print_sums() const;
 
  private:
   std::string disagreement(const ShakeCase& shaken, const ShakenGrasp& grasp,
-                           const Protocol& protocol, const ShakeResult& ours,
+                           const TestProcedure& procedure, const ShakeResult& ours,
                            const ShakeResult& theirs);
 
   bool explain_ = true;

@@ -21,7 +21,7 @@ struct Executions {
 // swung with its weight, with the disturbed friction and centre of mass. A hand that does not close
 // on the object has not lifted it. In the order of the grasps; in parallel.
 std::vector<Executions> execute_grasps(const CompiledScene& scene, const TrialOptions& options,
-                                       const std::vector<Disturbance>& disturbances,
+                                       const std::vector<Perturbation>& perturbations,
                                        const PlanResult& result);
 
 }  // namespace prehend::bench

@@ -120,7 +120,7 @@ void write_rows(const NamedMesh& object, const char* hand, double size, double m
   UncertaintyOptions errors = options.uncertainty;
   errors.samples = kExecutions;
   const std::vector<Executions> executions =
-      execute_grasps(scene, options.trial, disturbances(scene, errors, 77), result);
+      execute_grasps(scene, options.trial, perturbations(scene, errors, 77), result);
   for (std::size_t i = 0; i < executions.size(); ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
     if (!grasp.robustness || executions[i].tried == 0) continue;

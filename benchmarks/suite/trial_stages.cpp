@@ -5,7 +5,7 @@
 
 #include "benchmarks/support/resources.h"
 #include "sim/trial/approach.h"
-#include "sim/trial/grasp_at.h"
+#include "sim/trial/close_and_score.h"
 #include "sim/trial/self_centering.h"
 #include "sim/trial/settle.h"
 
@@ -44,7 +44,7 @@ void close_once(const CompiledScene& scene, const ClosingStart& start, const Tri
   Trial trial;
   GraspWorkspace grasping;
   SettleWorkspace settling;
-  grasp_at(scene, start, options, grasping, trial);
+  close_and_score(scene, start, options, grasping, trial);
   timed(seconds.settling, [&] { settle(scene, options, settling, grasping, trial); });
 }
 

@@ -89,7 +89,7 @@ class ObjectList {
     }
     field.allow_only({"mesh", "name", "unit", "repair"});
     const std::string unit = field.text_or("unit", unit_);
-    if (field.has("unit")) made_of(field["unit"], [&] { return metres_per_unit(unit); });
+    if (field.has("unit")) with_field_errors(field["unit"], [&] { return metres_per_unit(unit); });
     const bool repair = field.has("repair") ? field["repair"].boolean() : repair_;
     add_files(field["mesh"], field["mesh"].text(), field.text_or("name", ""), unit, repair);
   }
@@ -168,7 +168,7 @@ void require_good_name(const JsonField& field, const std::string& name) {
 void read_objects(const JsonField& root, Batch& batch) {
   const JsonField list = root["objects"];
   const std::string unit = root.text_or("unit", "");
-  if (root.has("unit")) made_of(root["unit"], [&] { return metres_per_unit(unit); });
+  if (root.has("unit")) with_field_errors(root["unit"], [&] { return metres_per_unit(unit); });
   const bool repair = root.has("repair") ? root["repair"].boolean() : true;
   ObjectList objects(batch.objects, unit, repair);
   for (const JsonField& field : list.items()) objects.add(field);
@@ -222,8 +222,9 @@ BatchScene read_scene_name(const JsonField& field) {
   const fs::path beside = fs::absolute(field.file()).parent_path() / named.text();
   if (named.text() == "free") return {"free", ""};
   BatchScene scene;
-  scene.scene = is_file(beside) ? beside.lexically_normal().string()
-                                : made_of(named, [&] { return scene_reference(named.text()); });
+  scene.scene = is_file(beside)
+                    ? beside.lexically_normal().string()
+                    : with_field_errors(named, [&] { return scene_reference(named.text()); });
   const std::string own = fs::path(named.text()).stem().string();
   scene.name = field.is_object() ? field.text_or("name", own) : own;
   require_good_name(field, scene.name);
@@ -233,8 +234,8 @@ BatchScene read_scene_name(const JsonField& field) {
 LearnedOrder read_model(const JsonField& field) {
   const fs::path file = fs::absolute(field.file()).parent_path() / field.text();
   LearnedOrder order;
-  order.model =
-      made_of(field, [&] { return std::make_shared<const TreeModel>(read_tree_model(file)); });
+  order.model = with_field_errors(
+      field, [&] { return std::make_shared<const TreeModel>(read_tree_model(file)); });
   return order;
 }
 
@@ -247,8 +248,8 @@ BatchSetting read_setting(const JsonField& field) {
   const JsonField at = field.is_object() && field.has("accuracy") ? field["accuracy"] : field;
   const fs::path beside = fs::absolute(field.file()).parent_path() / words;
   BatchSetting setting;
-  setting.options =
-      made_of(at, [&] { return read_accuracy(is_file(beside) ? beside.string() : words); });
+  setting.options = with_field_errors(
+      at, [&] { return read_accuracy(is_file(beside) ? beside.string() : words); });
   setting.name = fs::path(words).stem().string();
   if (field.is_object()) {
     setting.name = field.text_or("name", setting.name);
@@ -327,8 +328,8 @@ Batch read_batch(const JsonFile& file) {
         distinct(root, "seeds", [](const JsonField& field) { return field.unsigned_integer(); });
   }
   if (root.has("material")) {
-    batch.material =
-        made_of(root["material"], [&] { return material_named(root["material"].text()); });
+    batch.material = with_field_errors(root["material"],
+                                       [&] { return material_named(root["material"].text()); });
   }
   if (root.has("density")) batch.density = read_positive(root["density"]);
   batch.licence = root.text_or("licence", "");

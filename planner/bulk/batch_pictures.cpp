@@ -6,8 +6,8 @@
 
 #include "planner/bulk/content_key.h"
 #include "planner/bulk/part_worker.h"
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/grasp_picture.h"
-#include "planner/show/telling_side.h"
 #include "sim/base/formatted.h"
 
 namespace prehend {
@@ -84,7 +84,7 @@ BatchPicture batch_picture(const Batch& batch, const BatchInputs& inputs, const 
   }
   BatchPicture picture;
   picture.title = title_of(batch, chosen);
-  picture.image = grasp_picture(scene, posed, telling_side(scene, posed, {}, context),
+  picture.image = grasp_picture(scene, posed, best_viewpoint(scene, posed, {}, context),
                                 {kPictureWidth, kPictureHeight}, context);
   return picture;
 }

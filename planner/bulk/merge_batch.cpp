@@ -42,7 +42,7 @@ struct MergedPart {
 };
 
 template <typename Values, typename Name>
-std::string axis_words(const char* what, const Values& values, const Name& name) {
+std::string axis_text(const char* what, const Values& values, const Name& name) {
   constexpr std::size_t kMostNamed = 20;
   std::string words = formatted("%s: %zu", what, values.size());
   for (std::size_t i = 0; i < std::min(values.size(), kMostNamed); ++i) {
@@ -54,17 +54,16 @@ std::string axis_words(const char* what, const Values& values, const Name& name)
 std::vector<std::string> axes_of(const Batch& batch) {
   const auto number = [](double value) { return formatted("%.6g", value); };
   const auto named = [](const auto& value) { return value.name; };
-  return {
-      axis_words("objects", batch.objects, named),
-      axis_words("scales", batch.scales, number),
-      axis_words("hands", batch.hands, hand_name),
-      axis_words("scenes", batch.scenes, named),
-      axis_words("friction coefficients", batch.frictions,
-                 [&](const std::optional<double>& friction) {
-                   return friction ? number(*friction) : std::string("of the materials");
-                 }),
-      axis_words("settings", batch.settings, named),
-      axis_words("seeds", batch.seeds, [](std::uint64_t seed) { return std::to_string(seed); })};
+  return {axis_text("objects", batch.objects, named),
+          axis_text("scales", batch.scales, number),
+          axis_text("hands", batch.hands, hand_name),
+          axis_text("scenes", batch.scenes, named),
+          axis_text("friction coefficients", batch.frictions,
+                    [&](const std::optional<double>& friction) {
+                      return friction ? number(*friction) : std::string("of the materials");
+                    }),
+          axis_text("settings", batch.settings, named),
+          axis_text("seeds", batch.seeds, [](std::uint64_t seed) { return std::to_string(seed); })};
 }
 
 class Merge {

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "planner/live/grasp_judgement.h"
+#include "planner/live/grasp_score.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
-#include "sim/trial/grasp_at.h"
+#include "sim/trial/close_and_score.h"
 
 namespace prehend {
 namespace {
@@ -101,7 +101,7 @@ TriedGrasp grasp_taken_back(const CompiledScene& scene, const HandPosture& close
   grasp.trial.dofs = closed.dofs;
   grasp.trial.joints = closed.joints;
   GraspWorkspace workspace;
-  judge_contacts(scene, options, workspace, grasp.trial);
+  score_contacts(scene, options, workspace, grasp.trial);
   return grasp;
 }
 

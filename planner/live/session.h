@@ -15,7 +15,7 @@
 #include "planner/live/body_motion.h"
 #include "planner/live/edited_scene.h"
 #include "planner/live/grasp_in_hand.h"
-#include "planner/live/grasp_judgement.h"
+#include "planner/live/grasp_score.h"
 #include "planner/live/hand_posture.h"
 #include "planner/live/moving_world.h"
 #include "planner/live/open_folders.h"
@@ -161,7 +161,7 @@ class Session {
   // --- Queries.
   Pose X_WH() const { return state_.world->X_WO() * state_.hand.X_OH; }
   std::vector<GraspContact> contacts() const;
-  GraspJudgement quality(bool sections = false) const;  // as judge_grasp_of
+  GraspScore quality(bool sections = false) const;  // as judge_grasp_of
   // As forces_for.
   ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
   // Of the hand and, where it holds the hand, of the arm.

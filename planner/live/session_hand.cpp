@@ -148,7 +148,7 @@ std::vector<GraspContact> Session::contacts() const {
                         trial_options());
 }
 
-GraspJudgement Session::quality(bool sections) const {
+GraspScore Session::quality(bool sections) const {
   return judge_grasp_of(state_.world->compiled(), as_trial(), trial_options(), sections);
 }
 

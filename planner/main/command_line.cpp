@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "planner/main/batch_words.h"
+#include "planner/main/batch_options.h"
 #include "planner/main/cluster_commands.h"
 #include "planner/main/option_values.h"
 #include "planner/main/shared_options.h"
@@ -30,7 +30,7 @@ void check_command(const CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 // The commands, their words, and what to call once they are parsed.
-struct CommandLine::Words {
+struct CommandLine::Options {
   CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
   PlanCommand plan;
   EvaluateCommand evaluate;
@@ -38,7 +38,7 @@ struct CommandLine::Words {
   RenderCommand render;
   InspectCommand inspect;
   QualityCommand quality;
-  TruthCommand truth;
+  ValidateCommand truth;
   ConvertCommand convert;
   LearnCommand learn;
   ReplayCommand replay;
@@ -50,7 +50,7 @@ struct CommandLine::Words {
   // Set while the command line is parsed and called after it, outside of CLI11.
   std::function<int(Interrupts&)> chosen;
 
-  Words() {
+  Options() {
     app.require_subcommand(1);
     app.set_version_flag("--version", "prehend " PREHEND_VERSION);
     add_plan();
@@ -73,7 +73,7 @@ struct CommandLine::Words {
     command.add_option("scene", plan.scene, "scene name, scene file or mesh file")
         ->capture_default_str();
     command.add_option("--hand", plan.hand, "robot of the library or robot file");
-    add_mesh_words(command, plan.unit, plan.repair);
+    add_mesh_options(command, plan.unit, plan.repair);
     command.add_option("--top", plan.top, "grasps to return")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -120,7 +120,7 @@ struct CommandLine::Words {
         .add_option("grasps", evaluate.grasps,
                     "grasp file (docs/grasps-file.md), or a set of grasps (docs/datasets.md)")
         ->required();
-    add_scene_words(command, evaluate.scene, evaluate.hand, evaluate.unit, evaluate.repair);
+    add_scene_options(command, evaluate.scene, evaluate.hand, evaluate.unit, evaluate.repair);
     evaluate.common.out = "out/evaluate";
     command
         .add_option("--volumes", evaluate.volumes,
@@ -188,7 +188,7 @@ struct CommandLine::Words {
                     "pictures of its approach (for all: of the first), 0: none")
         ->check(CLI::Range(0, 1000))
         ->capture_default_str();
-    add_scene_words(command, render.scene, render.hand, render.unit, render.repair);
+    add_scene_options(command, render.scene, render.hand, render.unit, render.repair);
     render.common.out = "out/render";
     command.add_option("--out", render.common.out, "folder to write to")->capture_default_str();
     add_limits(command, limits);
@@ -202,7 +202,7 @@ struct CommandLine::Words {
         *app.add_subcommand("inspect", "say what prehend sees in a mesh, robot or scene");
     command.add_option("file", inspect.file, "mesh, robot or scene file, or a library name")
         ->required();
-    add_mesh_words(command, inspect.unit, inspect.repair);
+    add_mesh_options(command, inspect.unit, inspect.repair);
     command.add_option("--primitive-tolerance", inspect.primitive_tolerance,
                        "how far the object's surface may be from its primitives, in mm");
     command.add_option("--save", inspect.save, "of a scene: write it to this file");
@@ -346,12 +346,12 @@ struct CommandLine::Words {
     command.add_flag("--no-report", truth.common.no_report, "do without truth.html");
     add_limits(command, limits);
     command.callback([this] {
-      chosen = [this](Interrupts& interrupts) { return run_truth(truth, interrupts); };
+      chosen = [this](Interrupts& interrupts) { return run_validate(truth, interrupts); };
     });
   }
 };
 
-CommandLine::CommandLine() : words_(std::make_unique<Words>()) {}
+CommandLine::CommandLine() : words_(std::make_unique<Options>()) {}
 CommandLine::~CommandLine() = default;
 
 bool CommandLine::read(int argc, char** argv) {

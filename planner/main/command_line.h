@@ -36,8 +36,8 @@ class CommandLine {
   int run(Interrupts& interrupts) const;
 
  private:
-  struct Words;
-  std::unique_ptr<Words> words_;
+  struct Options;
+  std::unique_ptr<Options> words_;
 };
 
 }  // namespace prehend

@@ -118,7 +118,7 @@ struct QualityCommand {
 };
 
 // Arguments of `truth`.
-struct TruthCommand {
+struct ValidateCommand {
   std::filesystem::path file;
   bool volumes = true;   // the volume of each grasp is a score as well
   int resamples = 2000;  // of the bootstrap
@@ -185,7 +185,7 @@ int run_simulate(const SimulateCommand& command, Interrupts& interrupts);
 int run_render(const RenderCommand& command, Interrupts& interrupts);
 int run_inspect(const InspectCommand& command, Interrupts& interrupts);
 int run_quality(const QualityCommand& command, Interrupts& interrupts);
-int run_truth(const TruthCommand& command, Interrupts& interrupts);
+int run_validate(const ValidateCommand& command, Interrupts& interrupts);
 int run_convert(const ConvertCommand& command, Interrupts& interrupts);
 int run_learn(const LearnCommand& command, Interrupts& interrupts);
 int run_replay(const ReplayCommand& command, Interrupts& interrupts);

@@ -76,7 +76,7 @@ void print_mass(const GraspableBody& object) {
   if (object.mass_basis == MassBasis::uniform) return;
   std::printf("  mass %.3f kg, centre of mass %s, from the %s\n", object.mass,
               place(object.center_of_mass).c_str(),
-              std::string(mass_basis_words(object.mass_basis)).c_str());
+              std::string(mass_basis_text(object.mass_basis)).c_str());
   if (object.stated_mass) print_shares(object);
 }
 

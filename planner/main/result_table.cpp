@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/plan/grasp_words.h"
+#include "planner/plan/grasp_text.h"
 #include "sim/base/formatted.h"
 #include "sim/trial/success.h"
 
@@ -13,19 +13,19 @@ namespace prehend {
 namespace {
 
 // "-" where it was not computed.
-std::string volume_words(const ScoredGrasp& grasp) {
+std::string volume_text(const ScoredGrasp& grasp) {
   return grasp.volume ? formatted("%.3g", *grasp.volume) : "-";
 }
 
 // "3.2/1.1": how many times the weight the hand holds, as the object lies and at worst; "-" where
 // it was not computed.
-std::string weight_words(const ScoredGrasp& grasp) {
+std::string weight_text(const ScoredGrasp& grasp) {
   if (!grasp.holding) return "-";
-  return strength_words(grasp.holding->given) + "/" + strength_words(grasp.holding->worst);
+  return load_factor_text(grasp.holding->given) + "/" + load_factor_text(grasp.holding->worst);
 }
 
 // "84 %": how probably the grasp lifts the object.
-std::string success_words(const ScoredGrasp& grasp) {
+std::string success_text(const ScoredGrasp& grasp) {
   if (!grasp.robustness) return "-";
   return formatted("%.0f %%", 100.0 * success_probability(*grasp.robustness));
 }
@@ -34,15 +34,15 @@ bool is_disturbed(const ScoredGrasp& grasp) { return grasp.robustness.has_value(
 
 // "14 of 16" disturbed trials held, and how far the object may be off; a column only where there
 // are any.
-std::string held_words(const ScoredGrasp& grasp) {
+std::string held_text(const ScoredGrasp& grasp) {
   if (!grasp.robustness) return "-";
   return formatted("%d of %d, %.3g mm", grasp.robustness->held, grasp.robustness->samples,
-                   1e3 * grasp.robustness->spare);
+                   1e3 * grasp.robustness->position_margin);
 }
 
 // "5 of 6" tests survived, "-" of a grasp that was not shaken; a column only where there are any.
 // Of a protocol with growing pulls also the largest that was survived.
-std::string shake_words(const ScoredGrasp& grasp) {
+std::string shake_text(const ScoredGrasp& grasp) {
   if (!grasp.shake) return "-";
   const std::string words = formatted("%d of %d", grasp.shake->survived(), grasp.shake->count());
   const std::optional<double> pull = grasp.shake->largest_pull();
@@ -59,9 +59,9 @@ struct OptionalColumn {
 };
 
 constexpr std::array<OptionalColumn, 3> kOptionalColumns = {
-    {{"lifts", success_words, is_disturbed},
-     {"held, spare", held_words, is_disturbed},
-     {"shaken", shake_words, [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); }}}};
+    {{"lifts", success_text, is_disturbed},
+     {"held, spare", held_text, is_disturbed},
+     {"shaken", shake_text, [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); }}}};
 
 std::string padded(std::string words, std::size_t width) {
   words.resize(width + 2, ' ');
@@ -97,15 +97,15 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
                                optional.titles.c_str(), "primitive");
   for (std::size_t i = 0; i < result.grasps.size() && i < rows; ++i) {
     const ScoredGrasp& grasp = result.grasps[i];
-    const std::string volume = volume_words(grasp);
-    const std::string weight = weight_words(grasp);
+    const std::string volume = volume_text(grasp);
+    const std::string weight = weight_text(grasp);
     const std::string preshape = preshape_name(scene, grasp.candidate);
     text += formatted("%4zu  %8.4f  %9s  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
                       grasp.trial.epsilon.lower, volume.c_str(), weight.c_str(),
                       grasp.trial.contacts.size(),
                       std::string(outcome_name(grasp.trial.outcome)).c_str(),
                       preshape.empty() ? "-" : preshape.c_str(), optional.rows[i].c_str(),
-                      origin_words(grasp, result).c_str());
+                      origin_text(grasp, result).c_str());
   }
   return text;
 }
@@ -128,9 +128,9 @@ std::string untested_line(const PlanResult& result) {
   const bool late = result.status == PlanStatus::out_of_time;
   std::string text = (late ? "out of time: " : "cancelled: ") + std::to_string(result.untested) +
                      " candidates untested";
-  if (result.ways > 0) {
-    text += "; " + std::to_string(result.ways_untested) + " of " + std::to_string(result.ways) +
-            " ways to grasp without a trial";
+  if (result.families > 0) {
+    text += "; " + std::to_string(result.families_untested) + " of " +
+            std::to_string(result.families) + " ways to grasp without a trial";
   }
   return text + "\n";
 }
@@ -138,9 +138,9 @@ std::string untested_line(const PlanResult& result) {
 std::string blocker_line(const PlanResult& result) {
   // Counts are by link and body in the file. This line is about what is in the way, so the counts
   // of all links are added up.
-  std::vector<Blocker> bodies;
-  for (const Blocker& blocker : result.blockers) {
-    const auto known = std::find_if(bodies.begin(), bodies.end(), [&](const Blocker& body) {
+  std::vector<CollisionCount> bodies;
+  for (const CollisionCount& blocker : result.blockers) {
+    const auto known = std::find_if(bodies.begin(), bodies.end(), [&](const CollisionCount& body) {
       return body.outcome == blocker.outcome && body.by == blocker.by;
     });
     if (known == bodies.end()) {
@@ -149,10 +149,11 @@ std::string blocker_line(const PlanResult& result) {
       known->count += blocker.count;
     }
   }
-  std::stable_sort(bodies.begin(), bodies.end(),
-                   [](const Blocker& a, const Blocker& b) { return a.count > b.count; });
+  std::stable_sort(
+      bodies.begin(), bodies.end(),
+      [](const CollisionCount& a, const CollisionCount& b) { return a.count > b.count; });
   std::string text;
-  for (const Blocker& body : bodies) {
+  for (const CollisionCount& body : bodies) {
     text += (text.empty() ? "blocked by: " : ", ") + body.by + " " + std::to_string(body.count) +
             " (" + std::string(outcome_name(body.outcome)) + ")";
   }
@@ -179,7 +180,7 @@ std::string advice_lines(const PlanResult& result) {
 
 std::string grasp_title(const ScoredGrasp& grasp, std::size_t rank) {
   return formatted("rank %zu   epsilon %.4f   volume %s   %zu contacts", rank,
-                   grasp.trial.epsilon.lower, volume_words(grasp).c_str(),
+                   grasp.trial.epsilon.lower, volume_text(grasp).c_str(),
                    grasp.trial.contacts.size());
 }
 

@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "planner/bulk/cluster/submit_job.h"
-#include "planner/main/asked_batch.h"
 #include "planner/main/batch_bar.h"
-#include "planner/main/batch_words.h"
+#include "planner/main/batch_options.h"
+#include "planner/main/requested_batch.h"
 #include "sim/base/formatted.h"
 #include "sim/base/output_file.h"
 
@@ -24,7 +24,7 @@ void say_failed(const FailedPart& part) {
   std::cerr << "failed: " << on_one_line(part.name) << ": " << on_one_line(part.reason) << "\n";
 }
 
-std::string parts_words(const BatchCount& count) {
+std::string parts_text(const BatchCount& count) {
   return formatted("%zu of %zu parts have a result, %zu failed, %zu are open", count.finished,
                    count.parts, count.failed, count.open());
 }
@@ -48,7 +48,7 @@ int run_batch(const BatchCommand& command, Interrupts& interrupts) {
                                      context_of(command, interrupts), listener);
   bar.clear();
   const double seconds = bar.seconds();
-  std::cout << parts_words(count)
+  std::cout << parts_text(count)
             << formatted("; %zu in this run, %zu trials in %.1f s, %.0f trials/s\n", count.made,
                          count.trials, seconds, static_cast<double>(count.trials) / seconds);
   if (count.open() == 0) return 0;
@@ -72,7 +72,7 @@ int run_batch_merge(const BatchCommand& command, Interrupts& interrupts) {
     return interrupts.exit_status();
   }
   bar.clear();
-  std::cout << parts_words(count) << "\n";
+  std::cout << parts_text(count) << "\n";
   if (count.open() > 0 && !command.merge.partial) {
     std::cerr << "prehend: not merged while parts are open (--partial merges what there is)\n";
     return 1;
@@ -89,7 +89,7 @@ int run_batch_status(const BatchCommand& command, Interrupts& interrupts) {
                    [](const FailedPart& part) {
                      std::cout << "failed: " << part.name << ": " << part.reason << "\n";
                    });
-  std::cout << parts_words(count) << "\n";
+  std::cout << parts_text(count) << "\n";
   const auto job = cluster_status(std::filesystem::absolute(asked.folder.path()));
   if (job) std::cout << status_text(*job);
   return 0;

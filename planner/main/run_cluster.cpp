@@ -3,8 +3,8 @@
 #include "planner/bulk/cluster/cluster_job.h"
 #include "planner/bulk/cluster/cluster_words.h"
 #include "planner/bulk/cluster/submit_job.h"
-#include "planner/main/asked_batch.h"
 #include "planner/main/cluster_commands.h"
+#include "planner/main/requested_batch.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {

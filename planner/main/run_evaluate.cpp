@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
-#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
+#include "planner/main/requested_scene.h"
 #include "planner/main/result_table.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/datasets/acronym_file.h"
@@ -109,7 +109,7 @@ void print_result(const Given& given, const PlanResult& result, const std::files
   }
   std::cout << outcome_line(result) << "\n";
   if (!given.labels.empty()) {
-    std::cout << agreement_words(compare_labels(given.labels, result.tried)) << "\n";
+    std::cout << agreement_text(compare_labels(given.labels, result.tried)) << "\n";
   }
   std::cout << untested_line(result) << "wrote " << out.string() << ": grasps.json, timings.json"
             << (report ? ", report.html" : "")
@@ -120,7 +120,7 @@ void print_result(const Given& given, const PlanResult& result, const std::files
 
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
-  const std::optional<Protocol> protocol = asked_protocol(command.shake);
+  const std::optional<TestProcedure> protocol = requested_test_procedure(command.shake);
   Stopwatch watch;
   const Given given = read_given(command);
   const LoadedScene& loaded = given.loaded;

@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_mass.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/print_robot.h"
 #include "planner/main/printed_units.h"
+#include "planner/main/requested_scene.h"
 #include "planner/show/robot_picture.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
@@ -106,7 +106,7 @@ void print_volume(const TriangleMesh& mesh, const MeshChecks& checks, bool cente
     std::printf("centre of mass (%.2f, %.2f, %.2f) mm, ", center.x(), center.y(), center.z());
   }
   std::printf("from the %s\n", std::string(mass_source_name(mass.source)).c_str());
-  if (!checks.solid()) std::printf("  %s\n", trust_words(checks, mass.source).c_str());
+  if (!checks.solid()) std::printf("  %s\n", trust_text(checks, mass.source).c_str());
 }
 
 void print_size(const TriangleMesh& mesh) {
@@ -127,7 +127,7 @@ void print_repaired(const LoadedMesh& loaded, const MeshRepair& repair) {
   print_size(loaded.mesh);
   print_checks(repair.before);
   if (repair.changed()) {
-    std::printf("  repaired: %s\n", repair_words(repair).c_str());
+    std::printf("  repaired: %s\n", repair_text(repair).c_str());
     print_checks(repair.after);
   }
   print_volume(repair.mesh, repair.after, true);
@@ -141,7 +141,7 @@ void print_distances(const SurfaceDistances& d) {
 void print_primitives(const TriangleMesh& mesh, const InspectCommand& command) {
   DecomposeOptions options;
   if (command.primitive_tolerance) {
-    options.tolerance = asked_tolerance(mesh, *command.primitive_tolerance);
+    options.tolerance = requested_tolerance(mesh, *command.primitive_tolerance);
   }
   const Decomposition parts = decompose(mesh, options);
   std::printf(

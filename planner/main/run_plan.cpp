@@ -1,9 +1,9 @@
 #include <iostream>
 
-#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
+#include "planner/main/requested_scene.h"
 #include "planner/main/result_table.h"
 #include "planner/plan/learn/tree_model_file.h"
 #include "planner/plan/shake_grasps.h"
@@ -11,12 +11,12 @@
 #include "planner/results/json_settings.h"
 #include "planner/results/result_files.h"
 #include "planner/results/timings_file.h"
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
-#include "planner/show/telling_side.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/output_file.h"
@@ -34,7 +34,7 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   if (result.grasps.empty()) return pictures;
   const ScoredGrasp& best = result.grasps.front();
   const PosedGrasp posed = posed_grasp(scene, best, grasp_title(best, 1));
-  pictures.emplace_back("best.png", grasp_picture(scene, posed, telling_side(scene, posed)));
+  pictures.emplace_back("best.png", grasp_picture(scene, posed, best_viewpoint(scene, posed)));
   if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
   return pictures;
 }
@@ -48,7 +48,7 @@ std::string names_of(const std::vector<ExportFile>& files) {
 PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   PlanOptions options = read_accuracy(command.common.accuracy);
   if (command.primitive_tolerance) {
-    options.primitives.tolerance = asked_tolerance(object, *command.primitive_tolerance);
+    options.primitives.tolerance = requested_tolerance(object, *command.primitive_tolerance);
   }
   options.seed = command.common.seed;
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
@@ -100,20 +100,20 @@ class PlanProgram {
 
   int run() {
     require_writable(folder_);
-    const std::optional<Protocol> protocol = asked_protocol(command_.shake);
+    const std::optional<TestProcedure> procedure = requested_test_procedure(command_.shake);
     Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair,
                                                foreign_options(command_.packages, {})});
     const std::string unit = unit_of_source(command_.scene, loaded);
     print_notes(loaded);
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
-    if (protocol) require_support(scene, *protocol);
+    if (procedure) require_support(scene, *procedure);
     watch_.lap(Stage::compile);
     RunRecord record{scene_reference(command_.scene), unit, command_.hand,
                      options_of(command_, scene.scene.object.mesh), command_.repair};
     add_model(command_, scene, record.options);
     PlanResult result = plan_grasps(scene, record.options);
-    shake(scene, protocol, result);
+    shake(scene, procedure, result);
     if (result.status == PlanStatus::cancelled) return write_cancelled(scene, result, record);
     const bool late = result.status == PlanStatus::out_of_time;
     if (late && result.tried.empty()) {
@@ -121,7 +121,7 @@ class PlanProgram {
       return say_interrupted("nothing is written");
     }
     if (!late && result.status != PlanStatus::complete) {
-      throw InputError(no_candidates_words(scene, result));
+      throw InputError(no_candidates_text(scene, result));
     }
     write_grasps(scene, result, record);
     // Report and pictures can be made from grasps.json later, so an interrupt does not wait for
@@ -157,11 +157,11 @@ class PlanProgram {
     return result;
   }
 
-  void shake(const CompiledScene& scene, const std::optional<Protocol>& protocol,
+  void shake(const CompiledScene& scene, const std::optional<TestProcedure>& procedure,
              PlanResult& result) {
-    if (!protocol || result.grasps.empty() || result.status == PlanStatus::cancelled) return;
+    if (!procedure || result.grasps.empty() || result.status == PlanStatus::cancelled) return;
     shake_grasps(
-        scene, *protocol,
+        scene, *procedure,
         {command_.common.threads, interrupts_.cancellation(), {}, command_.common.deadline},
         result);
     if (command_.rank == "shake") rank_by_shake(result);

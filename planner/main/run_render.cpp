@@ -1,7 +1,7 @@
 #include <iostream>
 
-#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
+#include "planner/main/requested_scene.h"
 #include "planner/results/grasps_file.h"
 #include "planner/results/result_files.h"
 #include "planner/show/contact_sheet.h"

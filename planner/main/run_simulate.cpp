@@ -2,9 +2,9 @@
 #include <optional>
 #include <utility>
 
-#include "planner/main/asked_scene.h"
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
+#include "planner/main/requested_scene.h"
 #include "planner/results/result_files.h"
 #include "planner/results/simulation_file.h"
 #include "planner/show/motion_frames.h"
@@ -16,7 +16,7 @@
 #include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
 #include "sim/base/parallel/parallel.h"
-#include "sim/manipulation/protocol_file.h"
+#include "sim/manipulation/test_procedure_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 
@@ -69,11 +69,12 @@ AskedSimulation asked_of(const SimulateCommand& command) {
   return {std::move(compiled), scene_reference(command.scene), std::move(start)};
 }
 
-Protocol protocol_of(const SimulateCommand& command, const CompiledScene& scene) {
-  Protocol protocol = command.protocol.empty() ? closing_protocol(scene, command.seconds)
-                                               : read_protocol(find_protocol(command.protocol));
-  if (command.step) protocol.step = *command.step;
-  return protocol;
+TestProcedure protocol_of(const SimulateCommand& command, const CompiledScene& scene) {
+  TestProcedure procedure = command.procedure.empty()
+                                ? closing_procedure(scene, command.seconds)
+                                : read_test_procedure(find_test_procedure(command.procedure));
+  if (command.step) procedure.step = *command.step;
+  return procedure;
 }
 
 bool wants_all(const std::vector<std::string>& names) {
@@ -117,14 +118,14 @@ void print_simulation(const Simulation& simulation, const std::vector<std::strin
 int run_simulate(const SimulateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
   const AskedSimulation asked = asked_of(command);
-  const Protocol protocol = protocol_of(command, asked.scene);
+  const TestProcedure procedure = protocol_of(command, asked.scene);
   SimulateOptions options;
   options.every = command.every;
   options.test = command.test;
   const RunContext context{
       command.common.threads, interrupts.cancellation(), {}, command.common.deadline};
   interrupts.end_at_once("nothing is written");
-  const Simulation simulation = simulate(asked.scene, asked.start, protocol, options, context);
+  const Simulation simulation = simulate(asked.scene, asked.start, procedure, options, context);
   const std::vector<std::string> quantities =
       wants_all(command.quantities) ? std::vector<std::string>{} : command.quantities;
   require_quantities(simulation.start, quantities);

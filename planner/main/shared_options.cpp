@@ -61,17 +61,17 @@ void add_contacts(CLI::App& command, CommonOptions& common) {
       ->default_str("soft");
 }
 
-void add_mesh_words(CLI::App& command, std::string& unit, bool& repair) {
+void add_mesh_options(CLI::App& command, std::string& unit, bool& repair) {
   command.add_option("--unit", unit,
                      "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
   command.add_flag("!--no-repair", repair, "take the surface of a mesh file as it is");
 }
 
-void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
-                     bool& repair) {
+void add_scene_options(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
+                       bool& repair) {
   command.add_option("--scene", scene, "scene or mesh file, in place of the one the file names");
   command.add_option("--hand", hand, "robot of the library or robot file, in place of the file's");
-  add_mesh_words(command, unit, repair);
+  add_mesh_options(command, unit, repair);
 }
 
 void add_packages(CLI::App& command, std::vector<std::string>& packages) {

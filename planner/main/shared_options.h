@@ -37,11 +37,11 @@ void add_accuracy(CLI::App& command, CommonOptions& common);
 void add_contacts(CLI::App& command, CommonOptions& common);
 
 // --unit, --no-repair.
-void add_mesh_words(CLI::App& command, std::string& unit, bool& repair);
+void add_mesh_options(CLI::App& command, std::string& unit, bool& repair);
 
 // --scene, --hand, --unit, --no-repair.
-void add_scene_words(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
-                     bool& repair);
+void add_scene_options(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,
+                       bool& repair);
 
 // --package.
 void add_packages(CLI::App& command, std::vector<std::string>& packages);

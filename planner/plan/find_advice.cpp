@@ -98,7 +98,7 @@ class Adviser {
   }
 
   // Trials in which the hand touches the object but does not hold it, a few of them, evenly picked.
-  std::vector<const Trial*> loose() const {
+  std::vector<const Trial*> touching_without_force_closure() const {
     std::vector<const Trial*> all;
     for (const Trial& trial : tried_) {
       if (trial.outcome == Outcome::not_force_closure) all.push_back(&trial);
@@ -124,7 +124,7 @@ class Adviser {
   }
 
   void advise_on_contacts() {
-    const std::vector<const Trial*> trials = loose();
+    const std::vector<const Trial*> trials = touching_without_force_closure();
     if (trials.empty()) return;
     if (!advise_soft_contacts(trials)) advise_friction(trials);
   }
@@ -258,7 +258,7 @@ class Adviser {
   // The obstacle that ended the most trials.
   std::optional<std::string> worst_obstacle() const {
     std::map<std::string, int> counts;
-    for (const Blocker& blocker : result_.blockers) counts[blocker.by] += blocker.count;
+    for (const CollisionCount& blocker : result_.blockers) counts[blocker.by] += blocker.count;
     std::optional<std::string> worst;
     int most = 0;
     for (const PlacedBody& obstacle : scene_.obstacles()) {

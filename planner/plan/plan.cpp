@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "planner/plan/cut_short.h"
-#include "planner/plan/disturb_grasps.h"
 #include "planner/plan/find_advice.h"
 #include "planner/plan/find_paths.h"
 #include "planner/plan/measure_grasps.h"
 #include "planner/plan/object_primitives.h"
+#include "planner/plan/perturb_grasps.h"
 #include "planner/plan/run_trials.h"
 #include "planner/plan/search_settings.h"
 #include "sim/base/formatted.h"
@@ -73,7 +73,7 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
-    const Blame why = blame(scene, trial);
+    const CollisionNames why = collision_of(scene, trial);
     result.tried.push_back(
         {static_cast<int>(c), candidates[c].X_OH, candidates[c].approach_O, trial.outcome, why});
     if (!why.by.empty()) ++blocked[{trial.outcome, why.link, why.by}];
@@ -82,8 +82,9 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
     const auto& [outcome, link, by] = what;
     result.blockers.push_back({outcome, link, by, count});
   }
-  std::stable_sort(result.blockers.begin(), result.blockers.end(),
-                   [](const Blocker& a, const Blocker& b) { return a.count > b.count; });
+  std::stable_sort(
+      result.blockers.begin(), result.blockers.end(),
+      [](const CollisionCount& a, const CollisionCount& b) { return a.count > b.count; });
 }
 
 // Counts of the stages of a trial. Stages that the scene does not need are left out: reach without
@@ -133,7 +134,7 @@ class PlanRun {
     }
     if (result_.grasps.empty() && !is_over(context_)) explain();
     if (goes_on() && options_.robustness && options_.rank.by == RankBy::epsilon) {
-      disturb_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, context_,
+      perturb_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, context_,
                      result_);
       watch_.lap(Stage::disturb);
     }
@@ -174,8 +175,8 @@ class PlanRun {
                                        options_.search, options_.trial, context, found_);
     result_.smallest_width = found.smallest_width;
     result_.largest_opening = found.largest_opening;
-    result_.ways = found.ways;
-    result_.ways_untested = found.ways_untested;
+    result_.families = found.families;
+    result_.families_untested = found.families_untested;
     result_.status = status_of(found);
     proposed_ = std::move(found.proposed);
     finished_.trials = std::move(found.trials);
@@ -353,7 +354,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   }
   watch.lap(Stage::trials);
   if (options.robustness && result.status == PlanStatus::complete) {
-    disturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
+    perturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
     watch.lap(Stage::disturb);
   }
   measure_grasps(scene, options.trial, {options.volumes, options.sections}, context, result);
@@ -372,7 +373,7 @@ std::string in_millimetres(double length) {
 
 }  // namespace
 
-std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result) {
+std::string no_candidates_text(const CompiledScene& scene, const PlanResult& result) {
   std::ostringstream message;
   message << scene.scene.object.name << unit_hint(scene.scene.object)
           << ": no grasp to try with hand " << scene.scene.hand.name;

@@ -24,8 +24,8 @@
 #include "sim/quality/interval.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/trial/disturbed_trials.h"
-#include "sim/trial/hold_weight.h"
+#include "sim/trial/payload_margin.h"
+#include "sim/trial/perturbed_trials.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
@@ -112,8 +112,8 @@ struct ScoredGrasp {
   // Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
   // (epsilon_nearby). Computed with the volume.
   std::optional<Interval> epsilon_nearby = {};
-  // Of a grasp with contacts: what its weight takes (hold_weight). Computed with the volume.
-  std::optional<Holding> holding = {};
+  // Of a grasp with contacts: what its weight takes (payload_margin). Computed with the volume.
+  std::optional<PayloadMargin> holding = {};
   // Of a grasp with contacts, where it was asked for: how it fares on disturbed poses.
   std::optional<Robustness> robustness = {};
   std::optional<Refinement> refinement = {};
@@ -127,11 +127,12 @@ struct Tried {
   Pose X_OH = Pose::Identity();           // hand pose at which its approach was to end
   Vector3 approach_O = Vector3::UnitZ();  // unit
   Outcome outcome = Outcome::no_contact;
-  Blame blame;  // which link collided with what; empty for outcomes without a collision
+  CollisionNames
+      collision_of;  // which link collided with what; empty for outcomes without a collision
 };
 
 // How many candidates ended in `outcome` because `link` collided with `by`.
-struct Blocker {
+struct CollisionCount {
   Outcome outcome = Outcome::hand_blocked;
   std::string link;
   std::string by;  // the object, an obstacle, or another link
@@ -206,8 +207,8 @@ struct PlanResult {
   // to propose.
   int untested = 0;
   // Of plan(): ways to grasp (ProposalSequence), and how many of them no trial has looked at.
-  int ways = 0;
-  int ways_untested = 0;
+  int families = 0;
+  int families_untested = 0;
   // Of plan(): the smallest width that a rule closes on (infinite where there was no rule at all),
   // and the largest width that a preshape of the hand takes [m].
   double smallest_width = 0.0;
@@ -216,7 +217,7 @@ struct PlanResult {
   std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: in the given order
   std::vector<Tried> tried;                      // finished trials, in the order of candidates
   std::array<int, kOutcomes.size()> outcomes{};  // number of trials with each Outcome
-  std::vector<Blocker> blockers;                 // those with the most candidates first
+  std::vector<CollisionCount> blockers;          // those with the most candidates first
   // Of plan() without a grasp, unless cancelled: how the candidates of each rule ended, in the
   // order in which the rules were first proposed, and what may help. Empty where there are grasps.
   std::vector<RuleCount> rules;
@@ -251,6 +252,6 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
 // Why there was nothing to try, in one line: "mug: no grasp to try with hand NAME: the smallest
 // size to close on is ... mm, the hand opens to ... mm; try --hand ...". For a result whose status
 // is object_too_large or no_candidates.
-std::string no_candidates_words(const CompiledScene& scene, const PlanResult& result);
+std::string no_candidates_text(const CompiledScene& scene, const PlanResult& result);
 
 }  // namespace prehend

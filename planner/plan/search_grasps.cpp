@@ -28,10 +28,10 @@ class GraspSearch {
         found_(found) {}
 
   SearchResult run() {
-    result_.ways = sequence_.ways();
+    result_.families = sequence_.families();
     result_.smallest_width = sequence_.smallest_width();
     result_.largest_opening = sequence_.largest_opening();
-    std::vector<bool> tested(index(sequence_.ways()), false);
+    std::vector<bool> tested(index(sequence_.families()), false);
     while (counted_ < options_.trials) {
       std::vector<ProposedGrasp> batch = next_batch();
       if (batch.empty()) {
@@ -50,7 +50,7 @@ class GraspSearch {
       }
     }
     for (const std::size_t i : result_.candidates) tested[index(result_.proposed[i].way)] = true;
-    result_.ways_untested = static_cast<int>(std::count(tested.begin(), tested.end(), false));
+    result_.families_untested = static_cast<int>(std::count(tested.begin(), tested.end(), false));
     return std::move(result_);
   }
 
@@ -64,7 +64,8 @@ class GraspSearch {
 
   std::vector<ProposedGrasp> next_batch() {
     const auto size = index(std::min(options_.batch, options_.trials - counted_));
-    const auto beside = static_cast<std::size_t>(options_.follow * static_cast<double>(size));
+    const auto beside =
+        static_cast<std::size_t>(options_.local_fraction * static_cast<double>(size));
     std::vector<ProposedGrasp> batch;
     while (batch.size() < beside && has_neighbour()) {
       batch.push_back(std::move(waiting_.front()));
@@ -98,12 +99,14 @@ class GraspSearch {
   // Of the solids, and in turn with them of the curves, where the solids serve badly and the curves
   // better.
   std::optional<ProposedGrasp> next_of_sequence() {
-    const bool served = !parents_.empty() && parents_.front().epsilon >= options_.well_served;
+    const bool served =
+        !parents_.empty() && parents_.front().epsilon >= options_.thin_parts_if_epsilon_below;
     const auto tried = static_cast<double>(result_.trials.size());
     const auto asked = static_cast<double>(options_.trials);
     const bool both =
-        !served && tried >= options_.solids_first * options_.trials &&
-        (curves_proposed_ < options_.curves_least * std::max(tried, asked) || curves_pay());
+        !served && tried >= options_.thin_parts_after_fraction * options_.trials &&
+        (curves_proposed_ < options_.thin_parts_min_fraction * std::max(tried, asked) ||
+         thin_parts_competitive());
     curve_next_ = both && !curve_next_;
     std::optional<ProposedGrasp> next = next_of(curve_next_ ? Track::curves : Track::solids);
     if (curve_next_) ++curves_proposed_;
@@ -114,7 +117,7 @@ class GraspSearch {
     return ordered_ != nullptr ? ordered_->next(track) : sequence_.next(track);
   }
 
-  bool curves_pay() const {
+  bool thin_parts_competitive() const {
     return std::any_of(parents_.begin(), parents_.end(), [&](const Parent& parent) {
       return sequence_.track_of(result_.proposed[parent.candidate]) == Track::curves;
     });
@@ -135,8 +138,8 @@ class GraspSearch {
 
   // Adds the trials of the batch that were finished in time; false where some were not.
   bool try_batch(const std::vector<ProposedGrasp>& batch) {
-    if (stable_ == 0 && counted_ >= options_.patience) {
-      trial_.back_off_tries = std::max(trial_.back_off_tries, options_.patient_back_offs);
+    if (stable_ == 0 && counted_ >= options_.trials_before_extra_back_offs) {
+      trial_.back_off_tries = std::max(trial_.back_off_tries, options_.extra_back_offs);
     }
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : batch) candidates.push_back(grasp.candidate);

@@ -28,21 +28,21 @@ struct SearchOptions {
   int batch = 32;
   // The part of a batch that lies beside the best grasps so far, in 0 .. 1; the others continue the
   // sequence of proposals.
-  double follow = 0.3;
+  double local_fraction = 0.3;
   // How many of the best grasps are followed.
   int followed = 10;
-  // While no grasp has an epsilon of at least well_served (>= 0), rims and bars are tried in turn
-  // with boxes, spheres, cylinders and cones: from the part solids_first of the trials on, at least
-  // for the part curves_least of them, and longer where some of them are among the grasps that are
-  // followed (both in 0 .. 1).
-  double well_served = 0.15;
-  double solids_first = 0.2;
-  double curves_least = 0.06;
+  // While no grasp has an epsilon of at least thin_parts_if_epsilon_below (>= 0), rims and bars are
+  // tried in turn with boxes, spheres, cylinders and cones: from the part thin_parts_after_fraction
+  // of the trials on, at least for the part thin_parts_min_fraction of them, and longer where some
+  // of them are among the grasps that are followed (both in 0 .. 1).
+  double thin_parts_if_epsilon_below = 0.15;
+  double thin_parts_after_fraction = 0.2;
+  double thin_parts_min_fraction = 0.06;
   // Where after so many trials (>= 0) none has held, the hand backs off more often in those that
-  // follow: patient_back_offs times (>= 0), if a trial does not anyway. Fingers that swing while
+  // follow: extra_back_offs times (>= 0), if a trial does not anyway. Fingers that swing while
   // they close, as those of the Robotiq 2F-85, may hold a box only at their tips.
-  int patience = 100;
-  int patient_back_offs = 4;
+  int trials_before_extra_back_offs = 100;
+  int extra_back_offs = 4;
   // Set: a model that was learnt from earlier trials orders the proposals of the sequence
   // (docs/learning.md).
   std::optional<LearnedOrder> learned = {};
@@ -51,19 +51,20 @@ struct SearchOptions {
 // The settings of a learned order, where there is one, are visited through LearnedOrder.
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [trials, most_blocked, enough, batch, follow, followed, well_served, solids_first,
-         curves_least, patience, patient_back_offs, learned] = options;
+  auto& [trials, most_blocked, enough, batch, local_fraction, followed, thin_parts_if_epsilon_below,
+         thin_parts_after_fraction, thin_parts_min_fraction, trials_before_extra_back_offs,
+         extra_back_offs, learned] = options;
   visit("trials", trials, kAtLeast1);
   visit("most_blocked", most_blocked, kAtLeast0);
   visit("enough", enough, kAtLeast0);
   visit("batch", batch, kAtLeast1);
-  visit("follow", follow, Range{0.0, 1.0});
+  visit("follow", local_fraction, Range{0.0, 1.0});
   visit("followed", followed, kAtLeast0);
-  visit("well_served", well_served, kAtLeast0);
-  visit("solids_first", solids_first, Range{0.0, 1.0});
-  visit("curves_least", curves_least, Range{0.0, 1.0});
-  visit("patience", patience, kAtLeast0);
-  visit("patient_back_offs", patient_back_offs, kAtLeast0);
+  visit("well_served", thin_parts_if_epsilon_below, kAtLeast0);
+  visit("solids_first", thin_parts_after_fraction, Range{0.0, 1.0});
+  visit("curves_least", thin_parts_min_fraction, Range{0.0, 1.0});
+  visit("patience", trials_before_extra_back_offs, kAtLeast0);
+  visit("patient_back_offs", extra_back_offs, kAtLeast0);
 }
 
 // Why a search ended.
@@ -81,8 +82,8 @@ struct SearchResult {
   std::vector<Trial> trials;            // those that were finished
   std::vector<std::size_t> candidates;  // of each trial, the index into `proposed`
   SearchEnd end = SearchEnd::trials;
-  int ways = 0;                 // see ProposalSequence
-  int ways_untested = 0;        // without any trial
+  int families = 0;             // see ProposalSequence
+  int families_untested = 0;    // without any trial
   double smallest_width = 0.0;  // as in Proposals
   double largest_opening = 0.0;
 };

@@ -13,7 +13,7 @@ PlanOptions search_settings(PlanOptions options) {
     options.paths->reach.kinematics.seed = derived_seed(options.seed);
     options.paths->transfer.seed = derived_seed(options.seed);
   }
-  options.trial.give_way.deepest = 0.0;
+  options.trial.resolve_overlap.deepest = 0.0;
   return options;
 }
 

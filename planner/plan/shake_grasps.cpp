@@ -21,14 +21,14 @@ double share_survived(const ScoredGrasp& grasp) {
 
 }  // namespace
 
-void shake_grasps(const CompiledScene& scene, const Protocol& protocol, const RunContext& context,
-                  PlanResult& result) {
+void shake_grasps(const CompiledScene& scene, const TestProcedure& procedure,
+                  const RunContext& context, PlanResult& result) {
   const std::shared_ptr<const RobotModel> hand = hand_model(scene);
   for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
     ScoredGrasp& grasp = result.grasps[i];
     if (!has_closed(grasp.trial) || is_over(context)) return;
     try {
-      grasp.shake = shake_grasp(scene, hand, posture_of(grasp.trial), protocol, {}, context);
+      grasp.shake = shake_grasp(scene, hand, posture_of(grasp.trial), procedure, {}, context);
     } catch (const Cancelled&) {
       return;
     }

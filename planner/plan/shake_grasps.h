@@ -2,7 +2,7 @@
 #pragma once
 
 #include "planner/plan/plan.h"
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 
 namespace prehend {
 
@@ -10,8 +10,8 @@ namespace prehend {
 // result on any number of threads. Does not throw Cancelled: what was not shaken when the context
 // was cancelled or its time was over has none, and the result's status says so. Throws InputError
 // for a hand or an object that cannot be moved (make_robot_model, make_grasp_world).
-void shake_grasps(const CompiledScene& scene, const Protocol& protocol, const RunContext& context,
-                  PlanResult& result);
+void shake_grasps(const CompiledScene& scene, const TestProcedure& procedure,
+                  const RunContext& context, PlanResult& result);
 
 // Puts grasps that survived more of their tests first; those that survived as many stay in their
 // order, and so do those that were not shaken, behind all others.

@@ -8,11 +8,11 @@
 #include "planner/python/results.h"
 #include "planner/results/result_files.h"
 #include "planner/results/timings_file.h"
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
-#include "planner/show/telling_side.h"
 #include "sim/base/input_error.h"
 
 namespace prehend::python {
@@ -68,7 +68,7 @@ Pixels grasp_picture_in_python(const TrialHandle& trial, const std::string& titl
   {
     const py::gil_scoped_release no_gil;
     const PosedGrasp posed = posed_grasp(*trial.scene, *trial.grasp, title);
-    if (!to_eye) to_eye = telling_side(*trial.scene, posed);
+    if (!to_eye) to_eye = best_viewpoint(*trial.scene, posed);
     image = grasp_picture(*trial.scene, posed, *to_eye, {size.first, size.second});
   }
   return pixels_of(image);

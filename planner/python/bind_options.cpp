@@ -51,15 +51,15 @@ void bind_proposal_options(py::module_& core) {
       .number("follow", &SearchOptions::follow,
               "The part of a batch that lies beside the best grasps so far, in 0 .. 1.")
       .number("followed", &SearchOptions::followed, "So many of the best grasps are followed.")
-      .number("well_served", &SearchOptions::well_served,
+      .number("well_served", &SearchOptions::thin_parts_if_epsilon_below,
               "While no grasp has this epsilon, rims and bars are tried as well (>= 0).")
-      .number("solids_first", &SearchOptions::solids_first,
+      .number("solids_first", &SearchOptions::thin_parts_after_fraction,
               "The part of the trials before those of rims and bars, in 0 .. 1.")
-      .number("curves_least", &SearchOptions::curves_least,
+      .number("curves_least", &SearchOptions::thin_parts_min_fraction,
               "The part of the trials that rims and bars then get at least, in 0 .. 1.")
-      .number("patience", &SearchOptions::patience,
+      .number("patience", &SearchOptions::trials_before_extra_back_offs,
               "After so many trials of which none has held, the hand backs off more (>= 0).")
-      .number("patient_back_offs", &SearchOptions::patient_back_offs,
+      .number("patient_back_offs", &SearchOptions::extra_back_offs,
               "How often it backs off then, if a trial does not anyway (>= 0).");
 }
 
@@ -105,12 +105,12 @@ void bind_reach_options(py::module_& core) {
 }
 
 void bind_error_options(py::module_& core) {
-  OptionsClass<GiveWayOptions>(
+  OptionsClass<OverlapOptions>(
       core, "GiveWayOptions",
       "Overlaps at the start that are resolved instead of ending the trial.")
-      .number("object", &GiveWayOptions::object, "Of hand and object, up to this [m].")
-      .number("obstacle", &GiveWayOptions::obstacle, "Of hand and obstacles [m].")
-      .number("deepest", &GiveWayOptions::deepest,
+      .number("object", &OverlapOptions::object, "Of hand and object, up to this [m].")
+      .number("obstacle", &OverlapOptions::obstacle, "Of hand and obstacles [m].")
+      .number("deepest", &OverlapOptions::deepest,
               "How deep an overlap that stays is measured; 0: it is not [m].");
   OptionsClass<UncertaintyOptions>(
       core, "UncertaintyOptions",
@@ -157,27 +157,27 @@ void bind_trial_options(py::module_& core) {
               "How far the list reaches, as a multiple of the gap (>= 1).")
       .number("least_reach", &GapTrackerOptions::least_reach, "And at least by so much [m].")
       .number("most_pairs", &GapTrackerOptions::most_pairs, "No list longer than this is kept.")
-      .number("looseness", &GapTrackerOptions::looseness,
+      .number("looseness", &GapTrackerOptions::relative_error,
               "Part by which a query may be off that only says how far to go; in [0, 1).");
-  OptionsClass<FormationOptions>(core, "FormationOptions",
-                                 "A hand that closes in time, on an object that gives way.")
-      .field("dynamic", &FormationOptions::dynamic,
+  OptionsClass<DynamicGraspOptions>(core, "FormationOptions",
+                                    "A hand that closes in time, on an object that gives way.")
+      .field("dynamic", &DynamicGraspOptions::dynamic,
              "Whether it does; else the object stands still.")
-      .number("gravity", &FormationOptions::gravity,
+      .number("gravity", &DynamicGraspOptions::gravity,
               "Where the scene has obstacles to stand on; else there is none [m/s^2].")
-      .number("settle", &FormationOptions::settle,
+      .number("settle", &DynamicGraspOptions::settle,
               "Longest time in which the object comes to rest at first [s].")
-      .number("close", &FormationOptions::close, "Longest time in which the hand closes [s].")
-      .number("lift", &FormationOptions::lift,
+      .number("close", &DynamicGraspOptions::close, "Longest time in which the hand closes [s].")
+      .number("lift", &DynamicGraspOptions::lift,
               "The closed hand rises by this, where the object stands on something [m].")
-      .number("lift_time", &FormationOptions::lift_time, "In this time [s].")
-      .number("step", &FormationOptions::step, "Of the simulation [s].");
+      .number("lift_time", &DynamicGraspOptions::lift_time, "In this time [s].")
+      .number("step", &DynamicGraspOptions::step, "Of the simulation [s].");
   OptionsClass<TrialOptions>(core, "TrialOptions",
                              "The one dial between speed and accuracy of a trial.")
       .field("contact", &TrialOptions::contact, "ContactOptions.")
       .number("contact_gap", &TrialOptions::contact_gap,
               "Motions end at this gap; below 0.9 contact.threshold [m].")
-      .field("give_way", &TrialOptions::give_way, "GiveWayOptions.")
+      .field("give_way", &TrialOptions::resolve_overlap, "GiveWayOptions.")
       .number("obstacle_clearance", &TrialOptions::obstacle_clearance,
               "A hand that an obstacle stops goes back by this and closes there [m].")
       .number("back_off_step", &TrialOptions::back_off_step,

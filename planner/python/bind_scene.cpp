@@ -48,7 +48,7 @@ SceneHandle make_scene_in_python(const Doubles& vertices, const Integers& faces,
   std::vector<std::string> notes;
   if (repair) {
     MeshRepair repaired = repair_mesh(mesh);
-    if (std::string words = repair_words(repaired); !words.empty()) notes.push_back(words);
+    if (std::string words = repair_text(repaired); !words.empty()) notes.push_back(words);
     mesh = std::move(repaired.mesh);
   }
   GraspableBody object = make_graspable(name, std::move(mesh), material_named(material), mass);
@@ -157,7 +157,7 @@ void bind_bodies(py::module_& core) {
           "(3,), frame O [m].")
       .def_property_readonly(
           "mass_from",
-          [](const GraspableBody& self) { return std::string(mass_basis_words(self.mass_basis)); },
+          [](const GraspableBody& self) { return std::string(mass_basis_text(self.mass_basis)); },
           R"(What says where the mass is: "uniform density", which is a guess, "stated centre of mass"
 or "stated parts".)")
       .def_property_readonly(

@@ -5,8 +5,8 @@
 #include "planner/python/background.h"
 #include "planner/python/bindings.h"
 #include "planner/show/validation/compare_executions.h"
-#include "planner/show/validation/truth_page.h"
-#include "planner/show/validation/truth_text.h"
+#include "planner/show/validation/validation_page.h"
+#include "planner/show/validation/validation_text.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
 
@@ -28,11 +28,11 @@ std::tuple<py::bytes, py::bytes, py::bytes> truth_in_python(const std::string& f
   std::string page;
   std::string table;
   run_in_background(call, [&](const RunContext& context) {
-    const Truth truth = read_truth(JsonFile(file), context);
-    const TruthReport report = compare_executions(truth, file, options, context);
-    json = truth_json(report);
-    page = truth_page(report);
-    table = truth_table(report);
+    const ExecutedGrasps truth = read_executed_grasps(JsonFile(file), context);
+    const ValidationReport report = compare_executions(truth, file, options, context);
+    json = validation_json(report);
+    page = validation_page(report);
+    table = validation_table(report);
   });
   return {py::bytes(json), py::bytes(page), py::bytes(table)};
 }

@@ -3,7 +3,7 @@
 #include <limits>
 #include <pybind11/stl.h>
 
-#include "planner/plan/grasp_words.h"
+#include "planner/plan/grasp_text.h"
 #include "planner/python/arrays.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
@@ -56,7 +56,7 @@ py::list named_counts(const PlanResult& result) {
 
 py::list blockers(const PlanResult& result) {
   py::list list;
-  for (const Blocker& blocker : result.blockers) {
+  for (const CollisionCount& blocker : result.blockers) {
     list.append(py::make_tuple(text(outcome_name(blocker.outcome)), blocker.link, blocker.by,
                                blocker.count));
   }
@@ -88,7 +88,7 @@ py::dict trial_dict(const TrialHandle& handle) {
   const CompiledScene& scene = *handle.scene;
   const Trial& trial = handle.grasp->trial;
   const Candidate& candidate = handle.grasp->candidate;
-  const Blame why = blame(scene, trial);
+  const CollisionNames why = collision_of(scene, trial);
   py::dict fields;
   fields["outcome"] = text(outcome_name(trial.outcome));
   fields["epsilon"] = trial.epsilon.lower;
@@ -100,7 +100,7 @@ py::dict trial_dict(const TrialHandle& handle) {
   fields["X_WH"] = to_array(Pose(scene.scene.object.X_WO * hand_in_scene(trial)));
   fields["approach"] = to_array(candidate.approach_O);
   fields["travel"] = trial.travel;
-  fields["gave_way"] = to_array(trial.gave_way);
+  fields["gave_way"] = to_array(trial.overlap_shift);
   fields["back_offs"] = trial.back_offs;
   fields["pushed"] = to_array(trial.pushed);
   fields["turned"] = trial.turned;
@@ -116,16 +116,16 @@ py::dict trial_dict(const TrialHandle& handle) {
   return fields;
 }
 
-py::dict burden_dict(const Burden& burden) {
+py::dict burden_dict(const LoadCase& load_case) {
   py::dict fields;
-  fields["down"] = to_array(burden.down_O);
-  fields["sum_of_normals"] = burden.sum_of_normals;
-  fields["largest_normal"] = burden.largest_normal;
-  fields["strength"] = burden.strength;
+  fields["down"] = to_array(load_case.down_O);
+  fields["sum_of_normals"] = load_case.sum_of_normals;
+  fields["largest_normal"] = load_case.largest_normal;
+  fields["strength"] = load_case.strength;
   return fields;
 }
 
-py::dict holding_dict(const Holding& holding) {
+py::dict holding_dict(const PayloadMargin& holding) {
   py::dict fields;
   fields["given"] = burden_dict(holding.given);
   fields["worst"] = burden_dict(holding.worst);
@@ -146,7 +146,7 @@ py::dict robustness_dict(const Robustness& robustness) {
   fields["epsilon_mean"] = robustness.epsilon_mean;
   fields["epsilon_low"] = robustness.epsilon_low;
   fields["outcomes"] = outcomes;
-  fields["spare"] = robustness.spare;
+  fields["spare"] = robustness.position_margin;
   fields["weakest"] = to_array(robustness.weakest_O);
   fields["weakest_outcome"] = text(outcome_name(robustness.weakest_end));
   fields["strength"] = robustness.strength;
@@ -219,13 +219,13 @@ py::dict result_dict(const PlanHandle& plan) {
   py::dict fields;
   fields["status"] = text(plan_status_name(result.status));
   fields["untested"] = result.untested;
-  fields["ways"] = result.ways;
-  fields["ways_untested"] = result.ways_untested;
+  fields["ways"] = result.families;
+  fields["ways_untested"] = result.families_untested;
   fields["smallest_width"] = result.smallest_width;
   fields["largest_opening"] = result.largest_opening;
   fields["words"] =
       result.status == PlanStatus::object_too_large || result.status == PlanStatus::no_candidates
-          ? no_candidates_words(*plan.scene, result)
+          ? no_candidates_text(*plan.scene, result)
           : "";
   fields["advice"] = advice(result);
   fields["rules"] = rules(result);

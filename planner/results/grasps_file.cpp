@@ -60,9 +60,9 @@ void status_fields(auto& fields, auto& result) {
     fields.named("status", result.status, value_names(kPlanStatuses, plan_status_name));
   }
   if (kReads<decltype(fields)> || result.untested > 0) fields("untested", result.untested);
-  if (kReads<decltype(fields)> || result.ways_untested > 0) {
-    fields("ways", result.ways);
-    fields("ways_untested", result.ways_untested);
+  if (kReads<decltype(fields)> || result.families_untested > 0) {
+    fields("ways", result.families);
+    fields("ways_untested", result.families_untested);
   }
 }
 
@@ -159,7 +159,7 @@ void scene_field(auto& fields, auto& record) {
     SceneReference reference;
     // "scene" may be a text or an object and "hand" may stand beside it, which the visitor has no
     // function for. knows() makes the field a permitted one.
-    (void)fields.knows("scene");
+    (void)fields.allow("scene");
     read_scene(fields.field(), reference);
     record.scene = reference.scene;
     record.hand = reference.hand;
@@ -178,7 +178,7 @@ void scene_field(auto& fields, auto& record) {
 
 void settings_field(auto& fields, auto& record) {
   if constexpr (kReads<decltype(fields)>) {
-    if (fields.knows("settings")) read_settings(fields.field()["settings"], record);
+    if (fields.allow("settings")) read_settings(fields.field()["settings"], record);
   } else {
     fields.derived("settings", [&] { return settings_to_json(record); });
   }
@@ -205,13 +205,13 @@ void file_fields(auto& fields, auto& record, auto& result, const CompiledScene& 
 
 void read_lists(FieldReader& fields, GraspFile& file, const CompiledScene& scene) {
   const JsonField root = fields.field();
-  if (fields.knows("primitives")) {
+  if (fields.allow("primitives")) {
     for (const JsonField& field : root["primitives"].items()) {
       file.result.primitives.push_back(read_primitive(field));
     }
   }
   fields.needs("grasps");
-  (void)fields.knows("grasps");
+  (void)fields.allow("grasps");
   // Primitives come first: grasps refer to them by index.
   for (const JsonField& field : root["grasps"].items()) {
     ReadGrasp read = read_grasp(field, scene, file.result.primitives);

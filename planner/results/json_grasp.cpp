@@ -55,7 +55,7 @@ void approach_fields(auto& fields, auto& grasp) {
   fields.require("distance", grasp.candidate.approach_distance >= 0.0, "must not be negative");
   fields("travel", grasp.trial.travel);
   fields.require("travel", grasp.trial.travel >= 0.0, "must not be negative");
-  fields("gave_way", grasp.trial.gave_way);
+  fields("gave_way", grasp.trial.overlap_shift);
   fields("back_offs", grasp.trial.back_offs);
   fields("pushed", grasp.trial.pushed);
   fields("turned", grasp.trial.turned);
@@ -85,7 +85,7 @@ void weakest_wrench_fields(auto& fields, auto& wrench) {
 
 // Written for information only: link and body are names, from which the trial is not rebuilt.
 Json blocked_json(const CompiledScene& scene, const Trial& trial) {
-  const Blame blocked = blame(scene, trial);
+  const CollisionNames blocked = collision_of(scene, trial);
   if (blocked.link.empty()) return nullptr;
   Json json = {{"link", blocked.link}, {"by", blocked.by}};
   if (trial.overlap) json["overlap"] = *trial.overlap;
@@ -132,10 +132,10 @@ struct PostureFields {
     Candidate& candidate = grasp.candidate;
     Trial& trial = grasp.trial;
     const JsonField field = fields.field();
-    const bool has_preshape = fields.knows("preshape") && !field["preshape"].is_null();
-    if (fields.knows("dofs")) trial.dofs = read_dofs(field["dofs"], hand);
-    if (fields.knows("joints")) trial.joints = read_joints(field["joints"], hand);
-    if (fields.knows("start_dofs")) candidate.dofs = read_dofs(field["start_dofs"], hand);
+    const bool has_preshape = fields.allow("preshape") && !field["preshape"].is_null();
+    if (fields.allow("dofs")) trial.dofs = read_dofs(field["dofs"], hand);
+    if (fields.allow("joints")) trial.joints = read_joints(field["joints"], hand);
+    if (fields.allow("start_dofs")) candidate.dofs = read_dofs(field["start_dofs"], hand);
     if (has_preshape) {
       fields.named("preshape", candidate.preshape.emplace(), preshape_names(*hand.hand));
     } else if (!candidate.dofs.empty()) {
@@ -168,8 +168,8 @@ struct PoseFields {
   }
 
   void operator()(FieldReader& fields, ScoredGrasp& grasp) const {
-    const bool in_world = fields.knows("X_world_hand");
-    if (fields.knows("X_object_hand")) {
+    const bool in_world = fields.allow("X_world_hand");
+    if (fields.allow("X_object_hand")) {
       fields("X_object_hand", grasp.trial.X_OH);
     } else if (in_world) {
       Pose X_WH;
@@ -217,11 +217,11 @@ void shake_field(auto& fields, auto& grasp) {
 // No number is infinite in JSON: null stands for it.
 Json finite(double number) { return std::isfinite(number) ? Json(number) : Json(); }
 
-Json burden_to_json(const Burden& burden) {
-  return {{"down", {burden.down_O.x(), burden.down_O.y(), burden.down_O.z()}},
-          {"squeeze", finite(burden.sum_of_normals)},
-          {"largest_normal", finite(burden.largest_normal)},
-          {"strength", finite(burden.strength)}};
+Json burden_to_json(const LoadCase& load_case) {
+  return {{"down", {load_case.down_O.x(), load_case.down_O.y(), load_case.down_O.z()}},
+          {"squeeze", finite(load_case.sum_of_normals)},
+          {"largest_normal", finite(load_case.largest_normal)},
+          {"strength", finite(load_case.strength)}};
 }
 
 // Written for information: what is read is computed again.
@@ -251,7 +251,7 @@ Json robustness_to_json(const Robustness& robustness) {
           {"epsilon_mean", robustness.epsilon_mean},
           {"epsilon_low", robustness.epsilon_low},
           {"outcomes", outcomes},
-          {"spare", robustness.spare},
+          {"spare", robustness.position_margin},
           {"weakest", {weakest.x(), weakest.y(), weakest.z()}},
           {"weakest_outcome", outcome_name(robustness.weakest_end)}};
 }
@@ -275,7 +275,7 @@ void outcome_fields(auto& fields, auto& grasp) {
   if constexpr (kReads<decltype(fields)>) {
     trial.epsilon.lower = epsilon;
     // A file of another program may have a quality but no outcome.
-    if (fields.knows("epsilon") && !fields.knows("outcome")) {
+    if (fields.allow("epsilon") && !fields.allow("outcome")) {
       trial.outcome = epsilon > 0.0 ? Outcome::stable : Outcome::not_force_closure;
     }
   }
@@ -285,7 +285,7 @@ void outcome_fields(auto& fields, auto& grasp) {
 void object_moved_field(auto& fields, auto& grasp) {
   if (!kReads<decltype(fields)> && !grasp.trial.X_OC) return;
   if constexpr (kReads<decltype(fields)>) {
-    if (!fields.knows("X_object_moved")) return;
+    if (!fields.allow("X_object_moved")) return;
     fields("X_object_moved", grasp.trial.X_OC.emplace());
   } else {
     fields("X_object_moved", *grasp.trial.X_OC);
@@ -321,7 +321,7 @@ void read_arm(const JsonField& grasp, const CompiledArm& arm, const HandLine& li
 void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
   if constexpr (kReads<decltype(fields)>) {
     // Permitted in every scene, and ignored in one without an arm.
-    for (const char* name : {"arm_dofs", "arm_line", "path", "lift"}) (void)fields.knows(name);
+    for (const char* name : {"arm_dofs", "arm_line", "path", "lift"}) (void)fields.allow(name);
     if (!scene.arm) return;
     const JsonField& field = fields.field();
     read_arm(field, *scene.arm, approach_line(scene, grasp.candidate, grasp.trial), grasp.trial);
@@ -341,7 +341,7 @@ void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
 void primitive_field(auto& fields, auto& grasp, const std::vector<Primitive>& primitives) {
   bool proposed = grasp.primitive.has_value();
   if constexpr (kReads<decltype(fields)>) {
-    proposed = fields.knows("primitive") && !fields.field()["primitive"].is_null();
+    proposed = fields.allow("primitive") && !fields.field()["primitive"].is_null();
     if (!proposed) grasp.rule = "given";
   }
   if (proposed) {

@@ -48,16 +48,16 @@ void settings_fields(auto& fields, auto& record) {
   fields.named("contacts", options.trial.soft_fingers,
                ValueNames<bool>{{"soft", true}, {"hard", false}});
   if constexpr (kReads<decltype(fields)>) {
-    for (const char* name : kFormerSettings) (void)fields.knows(name);
+    for (const char* name : kFormerSettings) (void)fields.allow(name);
     // The object "paths" is there where paths were planned, so its presence is a setting as well.
-    if (fields.knows("paths")) options.paths.emplace();
+    if (fields.allow("paths")) options.paths.emplace();
   }
   if (options.paths) {
     fields.object("paths", [&](auto& inner) { option_fields(inner, *options.paths); });
   }
   // Not read: it is said for people, and a model cannot be found by its name.
   if constexpr (kReads<decltype(fields)>) {
-    (void)fields.knows("learned");
+    (void)fields.allow("learned");
   } else if (options.search.learned) {
     fields.derived("learned", [&] { return learned_to_json(*options.search.learned); });
   }

@@ -43,7 +43,7 @@ Json effort_to_json(const SimulationEffort& effort) {
 }
 
 Json shake_to_json(const ShakeReport& report) {
-  Json json{{"protocol", report.protocol},
+  Json json{{"protocol", report.procedure},
             {"survived", report.survived()},
             {"of", report.count()},
             {"holds", report.holds()}};

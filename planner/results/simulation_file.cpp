@@ -104,7 +104,7 @@ std::vector<std::size_t> places_of(const World& world, const std::vector<std::st
 void write_simulation(std::ostream& stream, const std::string& scene,
                       const Simulation& simulation) {
   Json json{{"scene", scene},
-            {"protocol", simulation.protocol},
+            {"protocol", simulation.procedure},
             {"end", object_end_name(simulation.end)}};
   json["events"] = Json::array();
   for (const ObjectEvent& event : simulation.events) json["events"].push_back(event_json(event));

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/palette.h"
 #include "planner/show/picture/label.h"
-#include "planner/show/telling_side.h"
 #include "sim/base/parallel/parallel.h"
 
 namespace prehend {
@@ -47,8 +47,9 @@ Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& g
     // The title goes below the picture instead of into it.
     PosedGrasp untitled = grasps[i];
     untitled.title.clear();
-    const Image picture = grasp_picture(scene, untitled, telling_side(scene, untitled, {}, context),
-                                        {options.width, options.height}, context);
+    const Image picture =
+        grasp_picture(scene, untitled, best_viewpoint(scene, untitled, {}, context),
+                      {options.width, options.height}, context);
     cells[i] = cell(picture, grasps[i].title, strip);
   });
   return grid(cells, options.columns);

@@ -16,7 +16,8 @@ struct ContactSheetOptions {
   int height = 400;
 };
 
-// Each grasp as seen from telling_side(), in reading order, in cells of one size. Throws Cancelled.
+// Each grasp as seen from best_viewpoint(), in reading order, in cells of one size. Throws
+// Cancelled.
 Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
                     const ContactSheetOptions& options = {}, const RunContext& context = {});
 

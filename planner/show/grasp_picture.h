@@ -17,7 +17,7 @@ struct GraspPictureOptions {
 // Writes lines of text into the lower left corner.
 void write_title(Image& image, const std::string& title);
 
-// One view from `direction` (to the eye, any length, in the world's frame; telling_side has one
+// One view from `direction` (to the eye, any length, in the world's frame; best_viewpoint has one
 // that shows much). What stands around is drawn as far as it is in the picture.
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
                     const GraspPictureOptions& options = {}, const RunContext& context = {});

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <numeric>
 
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/picture/visible_pixels.h"
-#include "planner/show/telling_side.h"
 
 namespace prehend {
 namespace {
@@ -89,8 +89,8 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
     }
     append_points(grasp_bodies(scene, moment).grasp(), close);
   }
-  view.close =
-      camera_around(close, telling_side(scene, grasp, {}, context), options.width, options.height);
+  view.close = camera_around(close, best_viewpoint(scene, grasp, {}, context), options.width,
+                             options.height);
   if (!view.with_arm) return view;
   view.whole = camera_around(whole, side_of_way(scene, frames, whole, context), options.width,
                              options.height);

@@ -10,14 +10,14 @@ namespace prehend {
 namespace {
 
 // The part of the amplitude at a time.
-double swell(const ProtocolPhase& phase, double time) {
+double swell(const ProcedurePhase& phase, double time) {
   const double ramp = std::min(0.25 * phase.duration, 0.5 / std::max(phase.frequency, 1e-9));
   return std::min(quintic_step(time / ramp), quintic_step((phase.duration - time) / ramp));
 }
 
 }  // namespace
 
-Pose base_pose(const ProtocolPhase& phase, const BaseStart& start, double time) {
+Pose base_pose(const ProcedurePhase& phase, const BaseStart& start, double time) {
   Pose X_WH = start.X_WH;
   const double angle = 2.0 * std::numbers::pi * phase.frequency * time;
   switch (phase.kind) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "sim/base/pose.h"
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 
 namespace prehend {
 
@@ -18,6 +18,6 @@ struct BaseStart {
 // rest to rest. The amplitude of circles, swings and turns grows and shrinks by such a quintic
 // within the first and the last half period, or a quarter of the phase if that is less, so that
 // there is no jolt.
-Pose base_pose(const ProtocolPhase& phase, const BaseStart& start, double time);
+Pose base_pose(const ProcedurePhase& phase, const BaseStart& start, double time);
 
 }  // namespace prehend

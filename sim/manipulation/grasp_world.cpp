@@ -6,7 +6,7 @@
 namespace prehend {
 namespace {
 
-void set_mass(const GraspableBody& object, const ProtocolObject& asked, Inertial& inertial) {
+void set_mass(const GraspableBody& object, const ProcedureObject& asked, Inertial& inertial) {
   double mass = inertial.mass;
   if (asked.mass) mass = *asked.mass;
   if (asked.density) mass = *asked.density * mass_properties(object.mesh).volume;
@@ -25,34 +25,34 @@ GraspPosture posture_of(const Trial& trial) {
   return {trial.X_OH, trial.dofs, trial.joints, trial.X_OC.value_or(Pose::Identity())};
 }
 
-void require_support(const CompiledScene& scene, const Protocol& protocol) {
-  if (!protocol.on_support || scene.has_obstacles()) return;
+void require_support(const CompiledScene& scene, const TestProcedure& procedure) {
+  if (!procedure.on_support || scene.has_obstacles()) return;
   throw InputError({.field = "on_support",
-                    .problem = "protocol " + protocol.name +
+                    .problem = "protocol " + procedure.name +
                                " begins with an object on a support; " +
                                "the scene has nothing that could bear " + scene.scene.object.name});
 }
 
-void follow_protocol(const CompiledScene& scene, const RobotModel& robot, const Protocol& protocol,
-                     World& world) {
-  require_support(scene, protocol);
-  world.gravity = protocol.gravity;
-  set_mass(scene.scene.object, protocol.object, world.bodies[index(kObjectBody)].inertial);
-  world.laws.torsion = protocol.torsion;
-  if (!protocol.friction) return;
+void follow_test_procedure(const CompiledScene& scene, const RobotModel& robot,
+                           const TestProcedure& procedure, World& world) {
+  require_support(scene, procedure);
+  world.gravity = procedure.gravity;
+  set_mass(scene.scene.object, procedure.object, world.bodies[index(kObjectBody)].inertial);
+  world.laws.torsion = procedure.torsion;
+  if (!procedure.friction) return;
   for (const Material material : robot.materials) {
-    world.laws.friction.set(material, scene.scene.object.material, *protocol.friction);
+    world.laws.friction.set(material, scene.scene.object.material, *procedure.friction);
     if (world.laws.kinetic) {
-      world.laws.kinetic->set(material, scene.scene.object.material, *protocol.friction);
+      world.laws.kinetic->set(material, scene.scene.object.material, *procedure.friction);
     }
   }
 }
 
 GraspWorld make_grasp_world(const CompiledScene& scene,
                             const std::shared_ptr<const RobotModel>& hand,
-                            const GraspPosture& grasp, const Protocol& protocol) {
-  GraspWorld grasped{make_scene_world(scene, protocol.on_support), {}};
-  follow_protocol(scene, *hand, protocol, grasped.world);
+                            const GraspPosture& grasp, const TestProcedure& procedure) {
+  GraspWorld grasped{make_scene_world(scene, procedure.on_support), {}};
+  follow_test_procedure(scene, *hand, procedure, grasped.world);
   Pose& X_WO = grasped.world.bodies[index(kObjectBody)].motion.X_WB;
   X_WO = X_WO * grasp.X_OC;
   grasped.hand = add_hand(grasped.world, scene, hand, X_WO * grasp.X_OH, grasp.dofs, grasp.joints);

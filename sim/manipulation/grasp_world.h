@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/trial/trial.h"
 
@@ -21,7 +21,7 @@ struct GraspPosture {
 GraspPosture posture_of(const Trial& trial);
 
 // Throws InputError where the protocol begins with an object on a support and the scene has none.
-void require_support(const CompiledScene& scene, const Protocol& protocol);
+void require_support(const CompiledScene& scene, const TestProcedure& procedure);
 
 struct GraspWorld {
   World world;
@@ -35,12 +35,12 @@ struct GraspWorld {
 // require_support.
 GraspWorld make_grasp_world(const CompiledScene& scene,
                             const std::shared_ptr<const RobotModel>& hand,
-                            const GraspPosture& grasp, const Protocol& protocol);
+                            const GraspPosture& grasp, const TestProcedure& procedure);
 
 // What a protocol says of a scene's world instead of the scene: gravity, the object's mass,
 // friction and torsion between the object and the links of a robot model. Throws InputError for an
 // object without a positive mass, and as require_support.
-void follow_protocol(const CompiledScene& scene, const RobotModel& robot, const Protocol& protocol,
-                     World& world);
+void follow_test_procedure(const CompiledScene& scene, const RobotModel& robot,
+                           const TestProcedure& procedure, World& world);
 
 }  // namespace prehend

@@ -25,10 +25,10 @@ double angle_between(const Pose& X, const Pose& Y) {
 }
 
 // A direction of the protocol in world axes.
-Vector3 in_world(const Vector3& v, ProtocolFrame frame, const Hand& hand, const Pose& X_WO,
+Vector3 in_world(const Vector3& v, ProcedureFrame frame, const Hand& hand, const Pose& X_WO,
                  const Pose& X_WH) {
-  if (frame == ProtocolFrame::world) return v;
-  if (frame == ProtocolFrame::object) return X_WO.linear() * v;
+  if (frame == ProcedureFrame::world) return v;
+  if (frame == ProcedureFrame::object) return X_WO.linear() * v;
   Matrix3 R_HG;  // axes of the grip in the hand's base
   R_HG.col(2) = hand.approach;
   R_HG.col(0) = hand.closing;
@@ -57,15 +57,15 @@ PhaseRun::PhaseRun(World world, const PhaseSetting& setting, const StepOptions& 
       context_(context),
       effort_(effort),
       mover_(world_, setting.hand) {
-  options_.step = setting.protocol.step;
+  options_.step = setting.procedure.step;
 }
 
 WorldRobot& PhaseRun::robot() { return world_.robots[index(setting_.hand.robot)]; }
 WorldBody& PhaseRun::object() { return world_.bodies[index(kObjectBody)]; }
 
-ShakeTestReport PhaseRun::run(const std::string& name, const std::vector<ProtocolPhase>& phases) {
+ShakeTestReport PhaseRun::run(const std::string& name, const std::vector<ProcedurePhase>& phases) {
   report_.name = name;
-  for (const ProtocolPhase& phase : phases) {
+  for (const ProcedurePhase& phase : phases) {
     run_phase(phase);
     if (report_.outcome == ShakeOutcome::survived) continue;
     report_.failed_at = time_;
@@ -74,7 +74,7 @@ ShakeTestReport PhaseRun::run(const std::string& name, const std::vector<Protoco
   return std::move(report_);
 }
 
-void PhaseRun::begin(const ProtocolPhase& phase) {
+void PhaseRun::begin(const ProcedurePhase& phase) {
   report_.phases.push_back({.kind = phase.kind});
   X_WH_start_ = hand_pose(world_, setting_.hand);
   X_HO_start_ = object_in_hand(world_, setting_.hand);
@@ -85,7 +85,7 @@ void PhaseRun::begin(const ProtocolPhase& phase) {
   };
   axis_W_ = in_world(phase.axis, phase.frame, as_hand, setting_.X_WO, X_WH_start_);
   if (phase.kind == PhaseKind::approach) axis_W_ = X_WH_start_.linear() * as_hand.approach;
-  world_.gravity = phase.gravity ? turned(*phase.gravity) : setting_.protocol.gravity;
+  world_.gravity = phase.gravity ? turned(*phase.gravity) : setting_.procedure.gravity;
   pull_W_ = turned(phase.pull);
   object().asleep = false;
   object().rest_time = 0.0;
@@ -96,13 +96,13 @@ void PhaseRun::begin(const ProtocolPhase& phase) {
   }
 }
 
-void PhaseRun::run_phase(const ProtocolPhase& phase) {
+void PhaseRun::run_phase(const ProcedurePhase& phase) {
   begin(phase);
   const bool may_end_early = phase.kind == PhaseKind::settle || phase.kind == PhaseKind::close;
   Resting resting;
   for (double time = 0.0; time < phase.duration - 1e-9;) {
     context_.cancellation.check();
-    const double step = std::min(setting_.protocol.step, phase.duration - time);
+    const double step = std::min(setting_.procedure.step, phase.duration - time);
     if (phase.kind == PhaseKind::open) {
       const auto drives = opening_drives(*robot().model, setting_.hand, robot().x, setting_.open);
       set_hand_drives(drives, setting_.hand, robot());
@@ -125,7 +125,7 @@ void PhaseRun::run_phase(const ProtocolPhase& phase) {
 }
 
 // To the pose at the end of the step.
-bool PhaseRun::move_hand(const ProtocolPhase& phase, double time, double step) {
+bool PhaseRun::move_hand(const ProcedurePhase& phase, double time, double step) {
   const BaseStart start{X_WH_start_, axis_W_, height_, phase.distance};
   if (mover_.move(base_pose(phase, start, time + step), step, world_)) return true;
   report_.outcome = ShakeOutcome::unreachable;
@@ -184,7 +184,7 @@ bool PhaseRun::fails_on_the_way(const PhaseLimits& limits) {
   return report_.outcome != ShakeOutcome::survived;
 }
 
-void PhaseRun::end(const ProtocolPhase& phase) {
+void PhaseRun::end(const ProcedurePhase& phase) {
   const PhaseReport& measured = report_.phases.back();
   const PhaseLimits& limits = phase.fails;
   if (limits.least_rise > 0.0 && measured.rose < limits.least_rise) {

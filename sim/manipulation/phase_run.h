@@ -7,8 +7,8 @@
 
 #include "sim/base/run_context.h"
 #include "sim/manipulation/move_hand.h"
-#include "sim/manipulation/protocol.h"
 #include "sim/manipulation/shake_report.h"
+#include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/resting.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 
@@ -17,7 +17,7 @@ namespace prehend {
 // What phases need to know besides the world.
 struct PhaseSetting {
   const CompiledScene& scene;
-  const Protocol& protocol;
+  const TestProcedure& procedure;
   WorldHand hand;
   Pose X_WO = Pose::Identity();  // of the object and of the hand's base in the grasp, for axes that
   Pose X_WH = Pose::Identity();  // are given in them
@@ -38,21 +38,21 @@ class PhaseRun {
            const RunContext& context, SimulationEffort& effort);
 
   // Until the first phase that fails.
-  ShakeTestReport run(const std::string& name, const std::vector<ProtocolPhase>& phases);
+  ShakeTestReport run(const std::string& name, const std::vector<ProcedurePhase>& phases);
 
   World& world() { return world_; }
 
  private:
   WorldRobot& robot();
   WorldBody& object();
-  void begin(const ProtocolPhase& phase);
-  void run_phase(const ProtocolPhase& phase);
-  bool move_hand(const ProtocolPhase& phase, double time, double step);
+  void begin(const ProcedurePhase& phase);
+  void run_phase(const ProcedurePhase& phase);
+  bool move_hand(const ProcedurePhase& phase, double time, double step);
   double advance(double step);
   void measure(double time);
   void note_slip();
   bool fails_on_the_way(const PhaseLimits& limits);
-  void end(const ProtocolPhase& phase);
+  void end(const ProcedurePhase& phase);
 
   World world_;
   const PhaseSetting& setting_;

@@ -5,8 +5,8 @@
 
 #include "sim/base/run_context.h"
 #include "sim/manipulation/grasp_world.h"
-#include "sim/manipulation/protocol.h"
 #include "sim/manipulation/shake_report.h"
+#include "sim/manipulation/test_procedure.h"
 
 namespace prehend {
 
@@ -17,7 +17,7 @@ struct ShakeOptions {
 // Runs a protocol on a grasp. The same grasp gives the same bytes. Throws InputError for a world
 // that cannot be stepped (require_world), and Cancelled.
 ShakeReport shake_grasp(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
-                        const GraspPosture& grasp, const Protocol& protocol,
+                        const GraspPosture& grasp, const TestProcedure& procedure,
                         const ShakeOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/manipulation/protocol.h"
+#include "sim/manipulation/test_procedure.h"
 #include "sim/motion/world.h"
 
 namespace prehend {
@@ -78,7 +78,7 @@ struct SimulationEffort {
 };
 
 struct ShakeReport {
-  std::string protocol;
+  std::string procedure;
   std::vector<ShakeTestReport> tests;  // "prepare" first, where the protocol has one
   SimulationEffort effort;
   // Tests that were survived, and how many there are; without the preparation.

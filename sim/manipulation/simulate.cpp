@@ -10,13 +10,13 @@ namespace prehend {
 namespace {
 
 GraspWorld world_of(const CompiledScene& scene, const SimulationStart& start,
-                    const Protocol& protocol) {
+                    const TestProcedure& procedure) {
   if (start.platform_dofs.empty()) {
-    return make_grasp_world(scene, hand_model(scene), start.hand, protocol);
+    return make_grasp_world(scene, hand_model(scene), start.hand, procedure);
   }
-  GraspWorld made{make_scene_world(scene, protocol.on_support), {}};
+  GraspWorld made{make_scene_world(scene, procedure.on_support), {}};
   const std::shared_ptr<const RobotModel> platform = platform_model(scene);
-  follow_protocol(scene, *platform, protocol, made.world);
+  follow_test_procedure(scene, *platform, procedure, made.world);
   made.hand = add_platform(made.world, scene, platform, start.platform_dofs, start.platform_joints);
   WorldRobot& robot = made.world.robots[index(made.hand.robot)];
   const std::vector<Drive> arm = arm_drives(robot, made.hand);
@@ -24,21 +24,21 @@ GraspWorld world_of(const CompiledScene& scene, const SimulationStart& start,
   return made;
 }
 
-const ProtocolTest& test_of(const Protocol& protocol, const std::string& name) {
-  if (name.empty()) return protocol.tests.front();
-  const auto found = std::find_if(protocol.tests.begin(), protocol.tests.end(),
-                                  [&](const ProtocolTest& test) { return test.name == name; });
-  if (found != protocol.tests.end()) return *found;
+const ProcedureTest& test_of(const TestProcedure& procedure, const std::string& name) {
+  if (name.empty()) return procedure.tests.front();
+  const auto found = std::find_if(procedure.tests.begin(), procedure.tests.end(),
+                                  [&](const ProcedureTest& test) { return test.name == name; });
+  if (found != procedure.tests.end()) return *found;
   std::string known;
-  for (const ProtocolTest& test : protocol.tests) {
+  for (const ProcedureTest& test : procedure.tests) {
     known += (known.empty() ? "" : ", ") + test.name;
   }
   throw InputError({.field = "test",
-                    .problem = "no such test in protocol " + protocol.name + " (" + known + ")",
+                    .problem = "no such test in protocol " + procedure.name + " (" + known + ")",
                     .value = name});
 }
 
-std::vector<ProtocolPhase> approach_phases(double distance, double speed) {
+std::vector<ProcedurePhase> approach_phases(double distance, double speed) {
   if (!(distance > 0.0)) return {};
   // From rest to rest the largest speed is 15/8 of the mean.
   constexpr double kPeak = 1.875;
@@ -48,7 +48,7 @@ std::vector<ProtocolPhase> approach_phases(double distance, double speed) {
 
 class SimulationRun {
  public:
-  SimulationRun(const CompiledScene& scene, const Protocol& protocol,
+  SimulationRun(const CompiledScene& scene, const TestProcedure& procedure,
                 const SimulateOptions& options, GraspWorld made, const RunContext& context)
       : options_(options),
         context_(context),
@@ -56,7 +56,7 @@ class SimulationRun {
         watch_(made.world, made.hand),
         world_(made.world),
         setting_{.scene = scene,
-                 .protocol = protocol,
+                 .procedure = procedure,
                  .hand = made.hand,
                  .X_WO = world_.bodies[index(kObjectBody)].motion.X_WB,
                  .X_WH = hand_pose(world_, made.hand),
@@ -65,14 +65,14 @@ class SimulationRun {
       watch_.look(world, before_ + time);
       recorder_.look(world, before_ + time);
     };
-    simulation_.protocol = protocol.name;
+    simulation_.procedure = procedure.name;
     simulation_.hand = made.hand;
     simulation_.start = std::move(made.world);
     recorder_.keep(world_, 0.0);
   }
 
   // False where a phase failed: what follows makes no sense then.
-  bool run(const std::string& name, const std::vector<ProtocolPhase>& phases) {
+  bool run(const std::string& name, const std::vector<ProcedurePhase>& phases) {
     if (phases.empty()) return true;
     PhaseRun run(std::move(world_), setting_, options_.step, context_, simulation_.effort);
     ShakeTestReport report = run.run(name, phases);
@@ -135,25 +135,25 @@ SimulationStart start_of(const CompiledScene& scene, const Candidate& candidate,
   return start;
 }
 
-Protocol closing_protocol(const CompiledScene& scene, double seconds) {
-  Protocol protocol{.name = "close", .source = "the hand closes"};
-  protocol.on_support = scene.has_obstacles();
-  if (protocol.on_support) protocol.gravity = {0.0, 0.0, -9.81};
-  protocol.tests = {{"close", {{.kind = PhaseKind::close, .duration = seconds}}}};
-  return protocol;
+TestProcedure closing_procedure(const CompiledScene& scene, double seconds) {
+  TestProcedure procedure{.name = "close", .source = "the hand closes"};
+  procedure.on_support = scene.has_obstacles();
+  if (procedure.on_support) procedure.gravity = {0.0, 0.0, -9.81};
+  procedure.tests = {{"close", {{.kind = PhaseKind::close, .duration = seconds}}}};
+  return procedure;
 }
 
 Simulation simulate(const CompiledScene& scene, const SimulationStart& start,
-                    const Protocol& protocol, const SimulateOptions& options,
+                    const TestProcedure& procedure, const SimulateOptions& options,
                     const RunContext& context) {
-  const ProtocolTest& test = test_of(protocol, options.test);
-  GraspWorld made = world_of(scene, start, protocol);
+  const ProcedureTest& test = test_of(procedure, options.test);
+  GraspWorld made = world_of(scene, start, procedure);
   StepOptions step = options.step;
-  step.step = protocol.step;
+  step.step = procedure.step;
   require_world(made.world, step);
-  SimulationRun run(scene, protocol, options, std::move(made), context);
+  SimulationRun run(scene, procedure, options, std::move(made), context);
   if (run.run("approach", approach_phases(start.approach, options.approach_speed)) &&
-      run.run("prepare", protocol.prepare)) {
+      run.run("prepare", procedure.prepare)) {
     run.run(test.name, test.phases);
   }
   return run.result();

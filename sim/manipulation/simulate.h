@@ -6,9 +6,9 @@
 
 #include "sim/base/run_context.h"
 #include "sim/manipulation/grasp_world.h"
-#include "sim/manipulation/protocol.h"
 #include "sim/manipulation/recording.h"
 #include "sim/manipulation/shake_report.h"
+#include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
 
 namespace prehend {
@@ -47,7 +47,7 @@ struct SimulatedPhase {
 };
 
 struct Simulation {
-  std::string protocol;
+  std::string procedure;
   World start;  // before the first step
   WorldHand hand;
   ObjectEnd end = ObjectEnd::untouched;
@@ -60,14 +60,14 @@ struct Simulation {
 
 // The hand closes for so long (or until all rests), with gravity where the scene has obstacles to
 // stand on.
-Protocol closing_protocol(const CompiledScene& scene, double seconds);
+TestProcedure closing_procedure(const CompiledScene& scene, double seconds);
 
 // Carries out the preparation and one test of a protocol on the scene, and records it. The object
 // is watched from the beginning. The same input gives the same bytes. Throws InputError for a test
 // that the protocol does not have and a world that cannot be stepped (require_world), and
 // Cancelled.
 Simulation simulate(const CompiledScene& scene, const SimulationStart& start,
-                    const Protocol& protocol, const SimulateOptions& options = {},
+                    const TestProcedure& procedure, const SimulateOptions& options = {},
                     const RunContext& context = {});
 
 }  // namespace prehend

@@ -19,30 +19,30 @@ using Eigen::VectorXd;
 // down by about this factor, and its Newton steps lose as many digits.
 constexpr double kFirstStiffness = 10.0;
 constexpr double kStiffness = 1e5;
-constexpr double kStiffer = 30.0;
+constexpr double kStiffnessGrowth = 30.0;
 // Where contacts jam, impulses are far larger than what the velocities alone would need, and change
 // little in a round; then up to this.
-constexpr double kJammed = 1e9;
+constexpr double kMaxStiffness = 1e9;
 // Newton steps end where they change the velocities by less than this part of those that occur.
-constexpr double kNothing = 1e-13;
+constexpr double kStepTolerance = 1e-13;
 // The same of the coupled form.
 constexpr double kConverged = 1e-12;
 
 // Minimises the smoothed energy from v on. Returns the number of steps.
 int minimise(const SmoothedContacts& smoothed, int most, double scale, VectorXd& v) {
-  constexpr double kEnough = 1e-4;  // of the decrease that the slope promises (Armijo)
+  constexpr double kArmijo = 1e-4;  // of the decrease that the slope promises (Armijo)
   VectorXd gradient;
   NewtonMatrix matrix;
   double energy = smoothed.energy(v);
   for (int step = 0; step < most; ++step) {
     smoothed.linearise(v, gradient, matrix);
     const VectorXd d = -matrix.solve_symmetric(gradient);
-    if (!(d.lpNorm<Eigen::Infinity>() > kNothing * scale)) return step;
+    if (!(d.lpNorm<Eigen::Infinity>() > kStepTolerance * scale)) return step;
     const double slope = gradient.dot(d);
     double length = 1.0;
     VectorXd next = v + d;
     double reached = smoothed.energy(next);
-    while (reached > energy + kEnough * length * slope && length > 1e-10) {
+    while (reached > energy + kArmijo * length * slope && length > 1e-10) {
       length *= 0.5;
       next = v + length * d;
       reached = smoothed.energy(next);
@@ -180,8 +180,8 @@ class MultiplierRounds {
     if (!coupled_) {
       soften();
     } else {
-      stiffness_ = std::min(kStiffer * stiffness_,
-                            stalled_ > 0 ? kJammed : std::max(kStiffness, stiffness_));
+      stiffness_ = std::min(kStiffnessGrowth * stiffness_,
+                            stalled_ > 0 ? kMaxStiffness : std::max(kStiffness, stiffness_));
     }
   }
 
@@ -215,7 +215,7 @@ class MultiplierRounds {
     return solve_coupled(smoothed_, scale_, steps_, velocity_);
   }
 
-  void soften() { stiffness_ = std::max(stiffness_ / kStiffer, kFirstStiffness); }
+  void soften() { stiffness_ = std::max(stiffness_ / kStiffnessGrowth, kFirstStiffness); }
 
   void update_multipliers() {
     for (std::size_t i = 0; i < impulses_.size(); ++i) {

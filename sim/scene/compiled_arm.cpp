@@ -8,8 +8,8 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/robot/inverse_kinematics.h"
+#include "sim/scene/never_collide.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/stay_apart.h"
 
 namespace prehend {
 namespace {
@@ -42,10 +42,10 @@ void add_motion(const CompiledLink& a, const CompiledLink* b, ArmPair& pair) {
 
 // Pairs of links, without those that are proven to stay apart.
 void find_link_pairs(CompiledArm& arm) {
-  for (const LinkPair& links : separate_pairs(arm.links, arm.robot())) {
+  for (const LinkPair& links : collision_pairs(arm.links, arm.robot())) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
     ArmPair pair = arm_pair(arm, links.a, links.b);
-    if (!stay_apart(arm, pair)) arm.arm_pairs.push_back(std::move(pair));
+    if (!never_collide(arm, pair)) arm.arm_pairs.push_back(std::move(pair));
   }
 }
 
@@ -123,7 +123,7 @@ CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies) {
   arm.hand_link_count = static_cast<int>(scene.hand.links.size());
   arm.bodies = std::move(bodies);
   find_link_pairs(arm);
-  find_body_pairs(arm, [&](const ArmPair& pair) { return !stay_apart(arm, pair); });
+  find_body_pairs(arm, [&](const ArmPair& pair) { return !never_collide(arm, pair); });
   check_start(scene, arm);
   return arm;
 }
@@ -145,7 +145,7 @@ void move_bodies(const Scene& scene, std::vector<PlacedBody> bodies, const std::
   }
   find_body_pairs(arm, [&](const ArmPair& pair) {
     const std::size_t body = index(std::get<BodyId>(pair.other));
-    return moved[body] ? !stay_apart(arm, pair) : was_checked[index(pair.link)][body];
+    return moved[body] ? !never_collide(arm, pair) : was_checked[index(pair.link)][body];
   });
   check_start(scene, arm);
 }

@@ -88,8 +88,8 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) 
   return links;
 }
 
-std::vector<LinkPair> separate_pairs([[maybe_unused]] const std::vector<CompiledLink>& links,
-                                     const Robot& robot) {
+std::vector<LinkPair> collision_pairs([[maybe_unused]] const std::vector<CompiledLink>& links,
+                                      const Robot& robot) {
   assert(links.size() == robot.links.size());
   std::vector<LinkPair> pairs;
   for (const auto& [a, b] : checked_pairs(robot)) {

@@ -41,6 +41,6 @@ std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot);
 // which never move against each other, and two that one joint connects, whose meshes overlap there
 // by construction: neighbours in a chain, and a chain's first link with the link that carries it;
 // also the pairs that the robot exempts. `links` are those of `robot`.
-std::vector<LinkPair> separate_pairs(const std::vector<CompiledLink>& links, const Robot& robot);
+std::vector<LinkPair> collision_pairs(const std::vector<CompiledLink>& links, const Robot& robot);
 
 }  // namespace prehend

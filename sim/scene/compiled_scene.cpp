@@ -86,7 +86,7 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   compiled.links = compile_links(scene, scene.hand);
   compiled.bodies = placed_bodies(scene, context);
   compiled.near_obstacles = BodyTree(compiled.bodies);
-  compiled.self_pairs = separate_pairs(compiled.links, scene.hand);
+  compiled.self_pairs = collision_pairs(compiled.links, scene.hand);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     context.cancellation.check();
     compiled.preshape_gaps.push_back(gaps_at(compiled, preshape));

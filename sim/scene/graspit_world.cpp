@@ -29,7 +29,7 @@ WorldBody read_placed_body(const XmlElement& element, std::vector<std::string>& 
   note_unknown(element, kKnown, notes);
   const XmlElement filename = element["filename"];
   const std::filesystem::path file = graspit_world_file(filename);
-  WorldBody placed{.body = made_of(filename, [&] { return load_graspit_body(file); })};
+  WorldBody placed{.body = with_field_errors(filename, [&] { return load_graspit_body(file); })};
   const std::vector<std::string>& own = placed.body.notes;
   for (const std::string& note : own) {
     // A body that a world has several times has one note of each kind.

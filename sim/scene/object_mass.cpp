@@ -12,7 +12,7 @@
 
 namespace prehend {
 
-std::string_view mass_basis_words(MassBasis basis) {
+std::string_view mass_basis_text(MassBasis basis) {
   constexpr std::array<std::string_view, 3> kWords = {"uniform density", "stated centre of mass",
                                                       "stated parts"};
   return kWords[static_cast<std::size_t>(basis)];

@@ -10,7 +10,7 @@
 namespace prehend {
 
 // A phrase for reports, such as "uniform density".
-std::string_view mass_basis_words(MassBasis basis);
+std::string_view mass_basis_text(MassBasis basis);
 
 // States the centre of mass, frame O [m]. The inertia about it stays as it is: that of uniform
 // density, as long as nothing else is known of how the mass is spread.

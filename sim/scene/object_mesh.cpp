@@ -37,14 +37,14 @@ LoadedMesh read_in_likely_unit(const std::filesystem::path& file, ObjectMesh& ob
 // What was repaired and what is still missing; nothing for a mesh that is a solid as it is.
 void note_repair(const LoadedMesh& loaded, const MeshRepair& repair, ObjectMesh& object) {
   const MassSource source = mass_properties(repair.mesh).source;
-  std::string words = repair_words(repair);
+  std::string words = repair_text(repair);
   if (loaded.duplicates_removed > 0) {
     words += (words.empty() ? "" : ", ") + counted_repeats(loaded.duplicates_removed) + " left out";
   }
-  const std::string missing = missing_words(repair.after);
+  const std::string missing = missing_text(repair.after);
   if (words.empty() && missing.empty()) return;
   if (!missing.empty()) words += (words.empty() ? "" : "; still ") + missing;
-  words += "; " + trust_words(repair.after, source);
+  words += "; " + trust_text(repair.after, source);
   if (repair.changed()) words += "; --no-repair keeps the surface as it is in the file";
   object.notes.push_back(words);
 }

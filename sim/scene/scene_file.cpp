@@ -39,7 +39,7 @@ namespace {
 Material read_material(const JsonField& body, Material otherwise) {
   if (!body.has("material")) return otherwise;
   const JsonField field = body["material"];
-  return made_of(field, [&] { return material_named(field.text()); });
+  return with_field_errors(field, [&] { return material_named(field.text()); });
 }
 
 double read_restitution(const JsonField& body) {
@@ -64,7 +64,7 @@ int read_triangles(const JsonField& body) {
 double read_unit(const JsonField& body) {
   if (!body.has("unit")) return 1.0;
   const JsonField field = body["unit"];
-  return made_of(field, [&] { return metres_per_unit(field.text()); });
+  return with_field_errors(field, [&] { return metres_per_unit(field.text()); });
 }
 
 // Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
@@ -135,8 +135,8 @@ GraspableBody read_object(const JsonField& field, const SceneSource& source, Sha
   const std::string name = field.text_or("name", "object");
   const Material material = read_material(field, Material::plastic);
   const double mass = whole_mass(field);
-  GraspableBody body =
-      made_of(field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
+  GraspableBody body = with_field_errors(
+      field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
   read_mass(field, body);
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
@@ -166,18 +166,18 @@ void read_friction(const JsonField& list, Scene& scene) {
     const std::vector<JsonField> pair = field["between"].items();
     if (pair.size() != 2) field["between"].fail("must name two materials");
     const auto material = [](const JsonField& name) {
-      return made_of(name, [&] { return material_named(name.text()); });
+      return with_field_errors(name, [&] { return material_named(name.text()); });
     };
     const Material a = material(pair[0]);
     const Material b = material(pair[1]);
     scene.kinetic_friction.set(a, b, std::nullopt);
     if (!field.has("kinetic") || field.has("static")) {
       const JsonField friction = field["static"];
-      made_of(friction, [&] { scene.friction.set(a, b, friction.number()); });
+      with_field_errors(friction, [&] { scene.friction.set(a, b, friction.number()); });
     }
     if (!field.has("kinetic")) continue;
     const JsonField kinetic = field["kinetic"];
-    made_of(kinetic, [&] { scene.kinetic_friction.set(a, b, kinetic.number()); });
+    with_field_errors(kinetic, [&] { scene.kinetic_friction.set(a, b, kinetic.number()); });
     if (kinetic.number() > scene.friction.between(a, b)) {
       kinetic.fail("must be at most the static coefficient of the pair");
     }
@@ -187,7 +187,7 @@ void read_friction(const JsonField& list, Scene& scene) {
 void read_compliant_depths(const JsonField& object, CompliantDepths& depths) {
   for (const std::string& name : object.keys()) {
     const JsonField field = object[name];
-    made_of(field, [&] { depths.set(material_named(name), field.number()); });
+    with_field_errors(field, [&] { depths.set(material_named(name), field.number()); });
   }
 }
 
@@ -244,7 +244,7 @@ std::vector<double> read_start(const JsonField& robot, Platform& platform) {
 Carrier read_carrier(const JsonField& field, const std::string& hand,
                      const ForeignRobotOptions& foreign) {
   field.allow_only({"platform", "hand", "pose", "start", "limits"});
-  Carrier carrier = made_of(field["platform"], [&] {
+  Carrier carrier = with_field_errors(field["platform"], [&] {
     return find_carrier(read_robot_source(field["platform"]), foreign);
   });
   MountedRobot& mounted = carrier.platform.robots[static_cast<std::size_t>(carrier.hand)];
@@ -253,7 +253,7 @@ Carrier read_carrier(const JsonField& field, const std::string& hand,
     // The field is to blame only if the hand is the one that it names, not one that the caller
     // asked for in its place.
     const bool asked_here = field.has("hand") && hand == read_robot_source(field["hand"]);
-    mounted.robot = asked_here ? made_of(field["hand"], find) : find();
+    mounted.robot = asked_here ? with_field_errors(field["hand"], find) : find();
   }
   if (field.has("pose")) carrier.X_WB = read_pose(field["pose"]);
   if (field.has("limits")) narrow_limits(field["limits"], carrier.platform);
@@ -300,7 +300,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
                                              : kDefaultHand;
     const auto find = [&] { return with_hand(find_robot(scene.hand_source, source.foreign)); };
     const bool asked_here = source.hand.empty() && root.has("hand");
-    scene.hand = asked_here ? made_of(root["hand"], find) : find();
+    scene.hand = asked_here ? with_field_errors(root["hand"], find) : find();
   }
   if (root.has("obstacles")) {
     for (const JsonField& field : root["obstacles"].items()) {

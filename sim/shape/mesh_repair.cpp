@@ -69,7 +69,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, const RepairOptions& options,
   return repair;
 }
 
-std::string repair_words(const MeshRepair& repair) {
+std::string repair_text(const MeshRepair& repair) {
   std::string words;
   const auto add = [&](int count, const std::string& text) {
     if (count > 0) words += (words.empty() ? "" : ", ") + text;
@@ -86,7 +86,7 @@ std::string repair_words(const MeshRepair& repair) {
   return words;
 }
 
-std::string missing_words(const MeshChecks& checks) {
+std::string missing_text(const MeshChecks& checks) {
   std::string words;
   const auto add = [&](int count, const char* one, const char* several) {
     if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, one, several);
@@ -99,7 +99,7 @@ std::string missing_words(const MeshChecks& checks) {
   return words;
 }
 
-std::string trust_words(const MeshChecks& checks, MassSource source) {
+std::string trust_text(const MeshChecks& checks, MassSource source) {
   switch (source) {
     case MassSource::signed_volume:
       return checks.solid() ? "volume, centre of mass and inside are those of the solid"

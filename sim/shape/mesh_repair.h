@@ -87,13 +87,13 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, const RepairOptions& options = 
                        const RunContext& context = {});
 
 // What was repaired, for people: "1 hole closed (16.7 % of the surface)"; empty when nothing was.
-std::string repair_words(const MeshRepair& repair);
+std::string repair_text(const MeshRepair& repair);
 
 // What a mesh lacks to bound a solid: "4 boundary edges (holes)"; empty for a solid.
-std::string missing_words(const MeshChecks& checks);
+std::string missing_text(const MeshChecks& checks);
 
 // Which numbers of an object with this surface can be relied on: volume and centre of mass, which
 // also scales torques, and what is inside.
-std::string trust_words(const MeshChecks& checks, MassSource source);
+std::string trust_text(const MeshChecks& checks, MassSource source);
 
 }  // namespace prehend

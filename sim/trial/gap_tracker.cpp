@@ -74,9 +74,9 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
 }
 
 Gap GapTracker::loose_gap(const Pose& X_AB, double motion_left) {
-  const Gap gap =
-      find_gap(*a_, *b_, X_AB,
-               {.cap = motion_left, .relative_error = options_->looseness, .hint = last_pair_});
+  const Gap gap = find_gap(
+      *a_, *b_, X_AB,
+      {.cap = motion_left, .relative_error = options_->relative_error, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
   return gap;
 }

@@ -8,11 +8,12 @@ std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose
                                           const std::vector<double>& joints,
                                           HandCollisionWorkspace& workspace) {
   robot_poses(scene.scene.hand, joints, workspace.poses);
-  return hand_collision(scene, X_OH, workspace.poses, Among::all, workspace.near);
+  return hand_collision(scene, X_OH, workspace.poses, CollisionScope::all, workspace.near);
 }
 
 std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
-                                          const RobotPoses& poses, Among among, NearBodies& near) {
+                                          const RobotPoses& poses, CollisionScope among,
+                                          NearBodies& near) {
   const std::vector<BodyId>& found = near.found;
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     const CompiledLink& link = scene.links[l];
@@ -20,10 +21,10 @@ std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose
     const auto overlaps = [&](BodyId body) {
       return bodies_overlap(scene.body(body), link, scene.pose_in(body, X_OL));
     };
-    if (among != Among::obstacles && overlaps(BodyId::object())) {
+    if (among != CollisionScope::obstacles && overlaps(BodyId::object())) {
       return HandContact{link_id(l), BodyId::object()};
     }
-    if (among == Among::object) continue;
+    if (among == CollisionScope::object) continue;
     const Vector3 center_O = X_OL * link.mesh.ball_center();
     scene.near_obstacles.find({center_O, center_O, link.mesh.ball_radius()}, near);
     const auto hit = std::find_if(found.begin(), found.end(), overlaps);

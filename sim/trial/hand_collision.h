@@ -21,7 +21,7 @@ struct HandCollisionWorkspace {
 };
 
 // Which bodies the hand is looked for in.
-enum class Among { all, object, obstacles };
+enum class CollisionScope { all, object, obstacles };
 
 // The first link, in the order of the hand's links, that overlaps the object or an obstacle with
 // the hand's base at X_OH and its joints at `joints` [rad or m]; nothing where no link does.
@@ -32,6 +32,7 @@ std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose
 
 // The same with given poses of the links relative to the base, among some of the bodies.
 std::optional<HandContact> hand_collision(const CompiledScene& scene, const Pose& X_OH,
-                                          const RobotPoses& poses, Among among, NearBodies& near);
+                                          const RobotPoses& poses, CollisionScope among,
+                                          NearBodies& near);
 
 }  // namespace prehend

@@ -14,7 +14,7 @@ enum class Outcome {
   approach_blocked,   // an obstacle stops the hand before it touches the object
   unreachable,        // inverse kinematics finds no posture of the arm along the whole approach
   arm_blocked,        // such postures exist, but the arm collides in them
-  // Of trials whose hand closes in time (FormationOptions::dynamic):
+  // Of trials whose hand closes in time (DynamicGraspOptions::dynamic):
   pushed_away,    // the hand pushed the object out of its reach
   toppled,        // it pushed the object over
   squeezed_out,   // the object slipped out of the closing hand

@@ -100,7 +100,7 @@ class Settling {
     if (!workspace_.room.allows(trial, turn)) return false;
     if (hand_collision(scene_, start.X_OH, turn.opened, grasping_.collision)) return false;
     next = trial;
-    grasp_at(scene_, start, options_, grasping_, next, context_);
+    close_and_score(scene_, start, options_, grasping_, next, context_);
     const bool touches =
         next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
     const bool settles =
@@ -109,7 +109,7 @@ class Settling {
     turn.closed = next.joints;
     turn.shift = (next.X_OH.translation() - start.X_OH.translation()).norm();
     if (!workspace_.room.allows(trial, turn)) return false;
-    workspace_.room.spend(trial, turn);
+    workspace_.room.consume(trial, turn);
     return true;
   }
 

@@ -2,9 +2,9 @@
 // held.
 #pragma once
 
-#include "sim/trial/grasp_at.h"
+#include "sim/trial/clearance_budget.h"
+#include "sim/trial/close_and_score.h"
 #include "sim/trial/trial.h"
-#include "sim/trial/turning_room.h"
 
 namespace prehend {
 
@@ -12,7 +12,7 @@ namespace prehend {
 struct SettleWorkspace {
   ClosingStart start;
   HandTurn turn;
-  TurningRoom room;
+  ClearanceBudget room;
   Trial now;
   Trial next;
 };
@@ -25,9 +25,9 @@ struct SettleWorkspace {
 // grasp becomes stable; otherwise the steps become half as large. A trial that does not become
 // stable in this way is left as it was, as are other hands and outcomes.
 //
-// Among obstacles, the motion must leave both the object and the hand clear of them (TurningRoom):
-// a floor far below has no effect, while a table that carries the object or a wall close to it
-// prevents the motion.
+// Among obstacles, the motion must leave both the object and the hand clear of them
+// (ClearanceBudget): a floor far below has no effect, while a table that carries the object or a
+// wall close to it prevents the motion.
 //
 // In scenes with an arm nothing settles. The arm holds the hand still, so the object would have to
 // leave its pose in the world, to which the arm's postures and path refer.

@@ -4,7 +4,7 @@
 #include <array>
 #include <string_view>
 
-#include "sim/trial/disturbed_trials.h"
+#include "sim/trial/perturbed_trials.h"
 
 namespace prehend {
 

@@ -6,9 +6,9 @@
 
 #include "sim/base/index.h"
 #include "sim/trial/approach.h"
-#include "sim/trial/form_at.h"
-#include "sim/trial/give_way.h"
-#include "sim/trial/grasp_at.h"
+#include "sim/trial/close_and_score.h"
+#include "sim/trial/close_dynamic.h"
+#include "sim/trial/resolve_overlap.h"
 #include "sim/trial/settle.h"
 
 namespace prehend {
@@ -127,8 +127,9 @@ class TrialRun {
   // whether it overlaps that little.
   bool give_way_at_start() {
     const Timer timer(seconds_.approach);
-    const std::optional<Vector3> move = give_way(scene_, motion_.at(0.0), buffers_.start_joints,
-                                                 options_.give_way, buffers_.giving_way, context_);
+    const std::optional<Vector3> move =
+        resolve_overlap(scene_, motion_.at(0.0), buffers_.start_joints, options_.resolve_overlap,
+                        buffers_.giving_way, context_);
     if (!move) return false;
     shift(*move);
     return true;
@@ -136,7 +137,7 @@ class TrialRun {
 
   std::optional<double> overlap_at_start() {
     const Timer timer(seconds_.approach);
-    return overlap_depth(scene_, motion_.at(0.0), buffers_.start_joints, options_.give_way,
+    return overlap_depth(scene_, motion_.at(0.0), buffers_.start_joints, options_.resolve_overlap,
                          buffers_.giving_way, context_);
   }
 
@@ -144,7 +145,7 @@ class TrialRun {
   void place_hand(double travel, Trial& trial) const {
     trial.X_OH = motion_.at(travel);
     trial.travel = travel;
-    trial.gave_way = gave_way_;
+    trial.overlap_shift = gave_way_;
     trial.dofs = start_.dofs;
     trial.joints = buffers_.start_joints;
   }
@@ -170,7 +171,7 @@ class TrialRun {
   void start_farther_back() {
     const double by = options_.obstacle_clearance - buffers_.reached.travel;
     const Vector3 move = -by * candidate_.approach_O;
-    if ((gave_way_ + move).norm() > options_.give_way.obstacle) return;
+    if ((gave_way_ + move).norm() > options_.resolve_overlap.obstacle) return;
     if (hand_collision(scene_, translation(move) * motion_.at(0.0), buffers_.start_joints,
                        buffers_.grasping.collision)) {
       return;
@@ -260,10 +261,10 @@ class TrialRun {
       clearance = std::max(0.0, clearance - (buffers_.reached.travel - travel));
     }
     if (options_.formation.dynamic) {
-      form_at(scene_, start_, options_, buffers_.grasping, trial, context_);
+      close_dynamic(scene_, start_, options_, buffers_.grasping, trial, context_);
       return;
     }
-    grasp_at(scene_, start_, options_, buffers_.grasping, trial, context_);
+    close_and_score(scene_, start_, options_, buffers_.grasping, trial, context_);
     settle(scene_, options_, buffers_.settling, buffers_.grasping, trial, context_);
   }
 
@@ -287,7 +288,7 @@ Pose hand_in_scene(const Trial& trial) {
   return trial.X_OC ? *trial.X_OC * trial.X_OH : trial.X_OH;
 }
 
-Blame blame(const CompiledScene& scene, const Trial& trial) {
+CollisionNames collision_of(const CompiledScene& scene, const Trial& trial) {
   if (trial.arm_pair) {
     return {first_name(*scene.arm, *trial.arm_pair), second_name(*scene.arm, *trial.arm_pair)};
   }

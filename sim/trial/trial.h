@@ -57,8 +57,8 @@ struct Trial {
   Pose X_OH = Pose::Identity();     // of the hand's base in the grasp, or where the trial ended
   double travel = 0.0;              // length of the approach from the pre-grasp to X_OH [m]
   // By how much the hand was moved before it approached, in the object's frame, because it began in
-  // an overlap small enough to be an error (give_way.h); X_OH contains it [m].
-  Vector3 gave_way = Vector3::Zero();
+  // an overlap small enough to be an error (resolve_overlap.h); X_OH contains it [m].
+  Vector3 overlap_shift = Vector3::Zero();
   int back_offs = 0;  // how often the hand backed off before this grasp
   // Of self-centering fingers, of which one touched first: how far it pushed the object before the
   // other touched, as a move of the object relative to the hand, axes of O [m]. In the scene it may
@@ -87,11 +87,11 @@ struct Trial {
 Pose hand_in_scene(const Trial& trial);
 
 // Names of the two bodies whose collision ended a trial; empty where none did.
-struct Blame {
+struct CollisionNames {
   std::string link;  // of the hand or the arm
   std::string by;    // the object, an obstacle or another link
 };
-Blame blame(const CompiledScene& scene, const Trial& trial);
+CollisionNames collision_of(const CompiledScene& scene, const Trial& trial);
 
 // The straight motion of the hand from the pre-grasp to the grasp of `trial`, with the joint values
 // at which the candidate starts.

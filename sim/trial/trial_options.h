@@ -2,10 +2,10 @@
 #pragma once
 
 #include "sim/base/settings.h"
-#include "sim/motion/dynamic_grasp/form_grasp.h"
+#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/shape/contact/surface_contact.h"
-#include "sim/trial/give_way.h"
+#include "sim/trial/resolve_overlap.h"
 
 namespace prehend {
 
@@ -56,17 +56,17 @@ struct GapTrackerOptions {
   // bounding-volume trees cost more than this many pairs, of which most are only looked at.
   int most_pairs = 2000;
   // Relative error allowed in a query of the trees, whose answer only limits the next step.
-  double looseness = 0.5;
+  double relative_error = 0.5;
 };
 
 template <SettingsOf<GapTrackerOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [near, reach, least_reach, most_pairs, looseness] = options;
+  auto& [near, reach, least_reach, most_pairs, relative_error] = options;
   visit("near", near, kAtLeast0);
   visit("reach", reach, kAtLeast1);
   visit("least_reach", least_reach, kAtLeast0);
   visit("most_pairs", most_pairs, kAtLeast0);
-  visit("looseness", looseness, kPart);
+  visit("looseness", relative_error, kPart);
 }
 
 // Settings of a trial. The defaults suit household objects in SI units.
@@ -76,7 +76,7 @@ struct TrialOptions {
   // Motions end at one gap instead of anywhere below the threshold so that the contacts found do
   // not depend on the steps by which they were reached.
   double contact_gap = 5e-5;
-  GiveWayOptions give_way;
+  OverlapOptions resolve_overlap;
   // A hand that an obstacle stops on its approach, such as the table on which the object lies,
   // moves back by this and closes there [m].
   double obstacle_clearance = 1e-3;
@@ -95,7 +95,7 @@ struct TrialOptions {
   // touching where it is: the motion may then end short of a contact, but never in a penetration.
   int max_gap_queries = 400;
   GapTrackerOptions gaps;
-  FormationOptions formation;  // whether the hand closes in time, and how
+  DynamicGraspOptions formation;  // whether the hand closes in time, and how
 
   // Largest gap that counts as touching [m]. The 10 % above contact_gap make the last step end:
   // steps of (gap - contact_gap) approach contact_gap without reaching it.
@@ -104,11 +104,11 @@ struct TrialOptions {
 
 template <SettingsOf<TrialOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [contact, contact_gap, give_way, obstacle_clearance, back_off_step, back_off_tries,
+  auto& [contact, contact_gap, resolve_overlap, obstacle_clearance, back_off_step, back_off_tries,
          soft_fingers, settle, cone_edges, reach, max_gap_queries, gaps, formation] = options;
   visit("contact", contact);
   visit("contact_gap", contact_gap, kAbove0);
-  visit("give_way", give_way);
+  visit("give_way", resolve_overlap);
   visit("obstacle_clearance", obstacle_clearance, kAtLeast0);
   visit("back_off_step", back_off_step, kAbove0);
   visit("back_off_tries", back_off_tries, kAtLeast0);

@@ -72,8 +72,8 @@ Matrix3 center_shift(const CompiledScene& scene, double part_of_radius) {
 
 }  // namespace
 
-std::vector<Disturbance> disturbances(const CompiledScene& scene, const UncertaintyOptions& options,
-                                      std::uint64_t seed) {
+std::vector<Perturbation> perturbations(const CompiledScene& scene,
+                                        const UncertaintyOptions& options, std::uint64_t seed) {
   const Matrix3 R_OW = scene.scene.object.X_WO.linear().transpose();
   const Vector3& center_O = scene.wrench_frame.torque_origin;
   const double across = std::hypot(options.across, options.hand);
@@ -81,16 +81,16 @@ std::vector<Disturbance> disturbances(const CompiledScene& scene, const Uncertai
   const double angle = std::hypot(options.angle, options.hand_angle);
   const Matrix3 shift = center_shift(scene, options.center_of_mass);
   EvenPoints points(seed);
-  std::vector<Disturbance> all;
+  std::vector<Perturbation> all;
   for (int i = 0; i < options.samples; ++i) {
     const Numbers n = normal(points.next());
     const Vector3 moved_O = R_OW * Vector3(across * n[0], across * n[1], along * n[2]);
     const Matrix3 turn = turn_by(angle * Vector3(n[4], n[5], n[6]));
-    Disturbance disturbance;
-    disturbance.X_OC = pose_from(turn, center_O - turn * center_O + moved_O);
-    disturbance.friction = std::exp(options.friction * n[3]);
-    disturbance.center_of_mass_O = shift * Vector3(n[7], n[8], n[9]);
-    all.push_back(disturbance);
+    Perturbation perturbation;
+    perturbation.X_OC = pose_from(turn, center_O - turn * center_O + moved_O);
+    perturbation.friction = std::exp(options.friction * n[3]);
+    perturbation.center_of_mass_O = shift * Vector3(n[7], n[8], n[9]);
+    all.push_back(perturbation);
   }
   return all;
 }

@@ -48,7 +48,7 @@ inline constexpr double kStatedCenter = 0.25;
 inline constexpr double kLongCenter = 3.0;
 
 // One set of errors.
-struct Disturbance {
+struct Perturbation {
   // The object is seen at O and is at C, in the frame O: the hand, which goes where it would for an
   // object at O, is at X_OC.inverse() * X_OH relative to it.
   Pose X_OC = Pose::Identity();
@@ -63,7 +63,7 @@ struct Disturbance {
 // the powers of the generalised golden ratio (Roberts, "The unreasonable effectiveness of
 // quasirandom sequences", 2018), shifted by the seed, mapped to the normal distribution by Box and
 // Muller 1958.
-std::vector<Disturbance> disturbances(const CompiledScene& scene, const UncertaintyOptions& options,
-                                      std::uint64_t seed);
+std::vector<Perturbation> perturbations(const CompiledScene& scene,
+                                        const UncertaintyOptions& options, std::uint64_t seed);
 
 }  // namespace prehend

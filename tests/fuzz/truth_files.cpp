@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "planner/show/validation/executed_grasps_file.h"
 #include "planner/show/validation/ranking.h"
-#include "planner/show/validation/truth_file.h"
 #include "sim/base/json/json_field.h"
 #include "sim/scene/scene_file.h"
 #include "tests/fuzz/mesh_promises.h"
@@ -11,10 +11,10 @@ namespace prehend::fuzz {
 
 // The objects are always the same one, under the name "ball": others would have to be compiled
 // first, which takes longer than all the rest.
-void read_truth_file(std::string_view name, const std::string& bytes) {
+void read_executed_grasps_file(std::string_view name, const std::string& bytes) {
   static const CompiledScene ball = compile(load_scene(PREHEND_CORPUS_DIR "/scene/good_ball.json"));
   const JsonFile file(pretended_path(name, "json"), bytes);
-  const Truth truth = read_executions(file, {{"ball", ball}});
+  const ExecutedGrasps truth = read_executions(file, {{"ball", ball}});
   const std::vector<Label> labels = truth.labels();
   promised(weights_of(labels).size() == truth.executions.size(), "each execution has a weight");
   for (const Execution& execution : truth.executions) {

@@ -27,7 +27,7 @@ constexpr std::array<FileKind, 20> kKinds{{
     {"scene", Grammar::json, read_scene_file},
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},
-    {"truth", Grammar::json, read_truth_file},
+    {"truth", Grammar::json, read_executed_grasps_file},
     {"graspgen", Grammar::json, read_graspgen_file},
 }};
 

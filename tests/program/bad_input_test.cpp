@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 // A protocol with some fields, and one phase that would be fine.
-std::string protocol_with(const std::string& fields) {
+std::string procedure_with(const std::string& fields) {
   return R"({"name": "p", )" + fields +
          R"(, "tests": [{"name": "t", "phases": [{"kind": "hold", "duration": 1}]}]})";
 }
@@ -138,12 +138,12 @@ TEST(BadMotions, OneLineAndNothingWritten) {
   const std::string robot = "inspect FOLDER/in.json";
   const std::string mass = R"(, "mass": 1, "center_of_mass": [0, 0, 0], "inertia": )";
   for (const BadMotion& bad : std::vector<BadMotion>{
-           {"unknown field", shake, protocol_with(R"("wobble": 1)"), "wobble: unknown field"},
-           {"step of 10 s", shake, protocol_with(R"("step": 10)"), "step: must be at most 0.1 s"},
-           {"step of 0 s", shake, protocol_with(R"("step": 0)"), "step: must be above 0"},
-           {"no mass", shake, protocol_with(R"("object": {"mass": 0})"), "object.mass"},
-           {"negative mass", shake, protocol_with(R"("object": {"mass": -1})"), "object.mass"},
-           {"negative friction", shake, protocol_with(R"("friction": -1)"), "friction"},
+           {"unknown field", shake, procedure_with(R"("wobble": 1)"), "wobble: unknown field"},
+           {"step of 10 s", shake, procedure_with(R"("step": 10)"), "step: must be at most 0.1 s"},
+           {"step of 0 s", shake, procedure_with(R"("step": 0)"), "step: must be above 0"},
+           {"no mass", shake, procedure_with(R"("object": {"mass": 0})"), "object.mass"},
+           {"negative mass", shake, procedure_with(R"("object": {"mass": -1})"), "object.mass"},
+           {"negative friction", shake, procedure_with(R"("friction": -1)"), "friction"},
            {"protocol without its support", "plan mug --shake simready --out FOLDER/out", "",
             "the scene has nothing that could bear mug"},
            {"unknown protocol", "plan mug --shake earthquake --out FOLDER/out", "", "earthquake"},

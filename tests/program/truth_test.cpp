@@ -44,7 +44,7 @@ std::string words_for(const std::filesystem::path& folder, const std::string& ou
          (folder / out).string();
 }
 
-TEST(TruthCommand, ComparesScoresWithWhatBecameOfTheGrasps) {
+TEST(ValidateCommand, ComparesScoresWithWhatBecameOfTheGrasps) {
   const std::filesystem::path folder = written(sample(12));
   const ProgramRun run = run_program(words_for(folder, "out"));
   ASSERT_EQ(run.status, 0) << run.err;
@@ -68,7 +68,7 @@ TEST(TruthCommand, ComparesScoresWithWhatBecameOfTheGrasps) {
   EXPECT_EQ(content(folder / "out" / "truth.html").find("<!DOCTYPE html>"), 0U);
 }
 
-TEST(TruthCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
+TEST(ValidateCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
   const std::filesystem::path folder = written(sample(8));
   const ProgramRun one = run_program(words_for(folder, "one") + " --threads 1");
   const ProgramRun two = run_program(words_for(folder, "two") + " --threads 2");
@@ -79,7 +79,7 @@ TEST(TruthCommand, WritesTheSameBytesOnAnyNumberOfThreads) {
   }
 }
 
-TEST(TruthCommand, LeavesOutWhatIsNotWanted) {
+TEST(ValidateCommand, LeavesOutWhatIsNotWanted) {
   const std::filesystem::path folder = written(sample(4));
   const ProgramRun run =
       run_program(words_for(folder, "out") + " --no-volumes --no-report --groups each");
@@ -91,7 +91,7 @@ TEST(TruthCommand, LeavesOutWhatIsNotWanted) {
 }
 
 // A scene beside the file, and a hand of its own.
-TEST(TruthCommand, LooksForScenesBesideTheFile) {
+TEST(ValidateCommand, LooksForScenesBesideTheFile) {
   json file = sample(4);
   file["objects"][0] = {{"name", "mug"}, {"scene", "my_mug.json"}, {"hand", "parallel_jaw"}};
   file.erase("hand");
@@ -101,7 +101,7 @@ TEST(TruthCommand, LooksForScenesBesideTheFile) {
   EXPECT_EQ(run.status, 0) << run.err;
 }
 
-TEST(TruthCommand, RefusesMistakesInOneLineAndWritesNothing) {
+TEST(ValidateCommand, RefusesMistakesInOneLineAndWritesNothing) {
   const auto refused = [](const json& file, const std::string& complaint,
                           const std::string& words = "") {
     const std::filesystem::path folder = written(file);
@@ -129,7 +129,7 @@ TEST(TruthCommand, RefusesMistakesInOneLineAndWritesNothing) {
   expect_refused(run_program("truth /no/such/file.json"), "/no/such/file.json");
 }
 
-TEST(TruthCommand, InterruptedWritesNothing) {
+TEST(ValidateCommand, InterruptedWritesNothing) {
   const std::filesystem::path folder = written(sample(5000));
   RunningProgram program({"truth", (folder / "truth.json").string(), "--threads", "1", "--progress",
                           "--out", (folder / "compared").string()},

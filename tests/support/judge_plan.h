@@ -53,7 +53,7 @@ inline void judge_counts(const PlanResult& result, const PlanOptions& options,
     const bool blocked = tried.outcome == Outcome::hand_blocked ||
                          tried.outcome == Outcome::approach_blocked ||
                          tried.outcome == Outcome::arm_blocked;
-    unblamed += blocked && (tried.blame.link.empty() || tried.blame.by.empty());
+    unblamed += blocked && (tried.collision_of.link.empty() || tried.collision_of.by.empty());
   }
   if (outcomes != result.outcomes) faults.push_back({"counts", "outcomes do not add up"});
   if (unblamed > 0) faults.push_back({"counts", "blocked by nobody"});

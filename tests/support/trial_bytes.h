@@ -26,7 +26,7 @@ inline std::vector<unsigned char> bytes_of(const Trial& trial) {
     append_bytes(bytes, &value, sizeof(value));
   }
   append_bytes(bytes, trial.X_OH.data(), 16 * sizeof(double));
-  append_bytes(bytes, trial.gave_way.data(), 3 * sizeof(double));
+  append_bytes(bytes, trial.overlap_shift.data(), 3 * sizeof(double));
   append_bytes(bytes, &trial.travel, sizeof(double));
   append_bytes(bytes, trial.pushed.data(), 3 * sizeof(double));
   append_bytes(bytes, &trial.turned, sizeof(double));

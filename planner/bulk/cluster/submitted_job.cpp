@@ -88,7 +88,8 @@ std::optional<SubmittedJob> read_submitted_job(const std::filesystem::path& out)
     root["format"].fail(std::string("must be \"") + kFormat + "\"");
   }
   SubmittedJob job;
-  job.engine = made_of(root["engine"], [&] { return engine_named(root["engine"].text()); });
+  job.engine =
+      with_field_errors(root["engine"], [&] { return engine_named(root["engine"].text()); });
   job.shards = root["shards"].integer();
   if (job.engine == ClusterEngine::slurm) {
     for (const JsonField& id : root["ids"].items()) job.ids.push_back(read_id(id));

@@ -72,7 +72,7 @@ ProtocolJson hand_approach(const CommandScope& scope, const JsonField& request) 
 ProtocolJson auto_grasp(const CommandScope& scope, const JsonField& /*request*/) {
   const Session& session = scope.session;
   const Trial trial = scope.session.auto_grasp();
-  const Blame blamed = blame(session.state().world->compiled(), trial);
+  const CollisionNames colliding = collision_of(session.state().world->compiled(), trial);
   ProtocolJson json{{"outcome", outcome_name(trial.outcome)},
                     {"epsilon",
                      {{"lower", trial.epsilon.lower},
@@ -80,8 +80,9 @@ ProtocolJson auto_grasp(const CommandScope& scope, const JsonField& /*request*/)
                       {"status", epsilon_status_name(trial.epsilon.status)}}},
                     {"contacts", contacts_json(session, trial.contacts)},
                     {"hand", hand_json(session)}};
-  json["blocked"] =
-      blamed.by.empty() ? ProtocolJson() : ProtocolJson{{"link", blamed.link}, {"by", blamed.by}};
+  json["blocked"] = colliding.by.empty()
+                        ? ProtocolJson()
+                        : ProtocolJson{{"link", colliding.link}, {"by", colliding.by}};
   return json;
 }
 

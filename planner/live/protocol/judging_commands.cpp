@@ -20,7 +20,7 @@ ProtocolJson contacts_of_hand(const CommandScope& scope, const JsonField& /*requ
 
 ProtocolJson quality_of(const CommandScope& scope, const JsonField& request) {
   const bool sections = request.has("sections") && request["sections"].boolean();
-  const GraspJudgement judged = scope.session.quality(sections);
+  const GraspScore judged = scope.session.quality(sections);
   const WrenchFrame& frame = scope.session.state().world->compiled().wrench_frame;
   const bool limited = !judged.limiting_link.empty();
   ProtocolJson limit;

@@ -94,7 +94,7 @@ ProtocolJson plan_export(const CommandScope& scope, const JsonField& request) {
   // A message is text; glTF files are bytes.
   if (format == "gltf") request["format"].fail("cannot be sent as text");
   const SessionState& state = scope.session.state();
-  const std::vector<ExportFile> made = made_of(request["format"], [&] {
+  const std::vector<ExportFile> made = with_field_errors(request["format"], [&] {
     return export_files(state.world->compiled(), *state.results, format);
   });
   for (const ExportFile& file : made) {

@@ -36,7 +36,7 @@ Json type_schema(FieldType type) {
   return {{"$ref", "#/$defs/pose"}};
 }
 
-std::string_view type_words(FieldType type) {
+std::string_view type_text(FieldType type) {
   switch (type) {
     case FieldType::number:
       return "number";
@@ -128,7 +128,7 @@ std::string protocol_reference() {
     if (!command.fields.empty()) {
       text << "| field | type | needed | meaning |\n|---|---|---|---|\n";
       for (const CommandField& field : command.fields) {
-        text << "| `" << field.name << "` | " << type_words(field.type) << " | "
+        text << "| `" << field.name << "` | " << type_text(field.type) << " | "
              << (field.required ? "yes" : "") << " | " << field.meaning << " |\n";
       }
       text << "\n";

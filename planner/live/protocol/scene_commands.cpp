@@ -32,7 +32,7 @@ SurfaceOrder surface_order(const JsonField& request) {
   if (request.has("mesh_base64")) {
     const JsonField field = request["mesh_base64"];
     if (!order.mesh_text.empty()) field.fail("cannot be given beside mesh_text");
-    order.mesh_text = made_of(field, [&] { return from_base64(field.text()); });
+    order.mesh_text = with_field_errors(field, [&] { return from_base64(field.text()); });
   }
   if (request.has("triangles")) order.triangles = request["triangles"].integer();
   return order;
@@ -43,7 +43,7 @@ BodyOrder body_order(const JsonField& request, std::string_view pose, std::strin
   order.name = text_field(request, name);
   if (request.has("material")) {
     const JsonField field = request["material"];
-    order.material = made_of(field, [&] { return material_named(field.text()); });
+    order.material = with_field_errors(field, [&] { return material_named(field.text()); });
   }
   if (request.has("mass")) order.mass = request["mass"].number();
   if (request.has(pose)) order.X_WB = read_pose(request[pose]);
@@ -151,7 +151,7 @@ ProtocolJson platform_mount(const CommandScope& scope, const JsonField& request)
   const Pose X_WB =
       request.has("X_world_base") ? read_pose(request["X_world_base"]) : Pose::Identity();
   scope.session.edit([&](Scene& scene) {
-    made_of(request["platform"], [&] { mount(scene, platform, X_WB, hand); });
+    with_field_errors(request["platform"], [&] { mount(scene, platform, X_WB, hand); });
   });
   return state_json(scope.session);
 }

@@ -17,7 +17,7 @@ namespace prehend {
 class Connection : public std::enable_shared_from_this<Connection> {
  public:
   // What a connection needs of its surroundings.
-  struct Ground {
+  struct ConnectionContext {
     Endpoint& endpoint;
     std::size_t largest_waiting;  // see ServerOptions
     // Runs a task after those that run now. Any thread.
@@ -26,7 +26,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
     std::function<void(const std::shared_ptr<Connection>&)> forget;
   };
 
-  explicit Connection(Ground ground) : ground_(std::move(ground)) {}
+  explicit Connection(ConnectionContext ground) : ground_(std::move(ground)) {}
   virtual ~Connection() = default;
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -63,7 +63,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   void write_next();
   void leave();
 
-  Ground ground_;
+  ConnectionContext ground_;
   std::shared_ptr<Outbox> outbox_;  // the endpoint may keep it for longer than the connection
   std::optional<ClientId> client_;
   std::string writing_;

@@ -13,7 +13,7 @@ namespace prehend {
 // Makes messages of the bytes that come. `listener` and `token` outlive it.
 class LineClient : public Connection {
  protected:
-  LineClient(Ground ground, const LineListener& listener, const std::string& token)
+  LineClient(ConnectionContext ground, const LineListener& listener, const std::string& token)
       : Connection(std::move(ground)),
         listener_(listener),
         token_(token),

@@ -42,7 +42,7 @@ std::chrono::steady_clock::duration duration_of(double seconds) {
 // Lines of text over TCP.
 class LineConnection final : public LineClient {
  public:
-  LineConnection(Ground ground, Tcp::socket socket, const LineListener& listener,
+  LineConnection(ConnectionContext ground, Tcp::socket socket, const LineListener& listener,
                  const ServerOptions& options)
       : LineClient(std::move(ground), listener, options.token),
         socket_(std::move(socket)),
@@ -128,7 +128,7 @@ void async_teardown(beast::role_type role, PromptStream& stream, Handler&& handl
 // One HTTP request, and its answer or a WebSocket.
 class HttpConnection final : public Connection {
  public:
-  HttpConnection(Ground ground, Tcp::socket socket, const HttpListener& listener,
+  HttpConnection(ConnectionContext ground, Tcp::socket socket, const HttpListener& listener,
                  const HttpRules& rules, const ServerOptions& options)
       : Connection(std::move(ground)),
         stream_(std::move(socket)),
@@ -266,9 +266,9 @@ class HttpConnection final : public Connection {
 
 }  // namespace
 
-class Server::Hub {
+class Server::Impl {
  public:
-  explicit Hub(ServerOptions options)
+  explicit Impl(ServerOptions options)
       : options_(std::move(options)), io_(std::in_place, options_.threads) {
     if (options_.token.empty()) options_.token = random_token();
     check_options(options_);
@@ -279,7 +279,7 @@ class Server::Hub {
     ServerPorts ports;
     if (options_.http) {
       rules_.port = open_door("http", options_.http->port, kFullHttp, [this](Tcp::socket socket) {
-        Connection::Ground ground = ground_of(*options_.http->endpoint, socket);
+        Connection::ConnectionContext ground = ground_of(*options_.http->endpoint, socket);
         return std::make_shared<HttpConnection>(std::move(ground), std::move(socket),
                                                 *options_.http, rules_, options_);
       });
@@ -289,14 +289,14 @@ class Server::Hub {
     for (std::size_t i = 0; i < options_.lines.size(); ++i) {
       const LineListener& listener = options_.lines[i];
       const auto make = [this, &listener](Tcp::socket socket) {
-        Connection::Ground ground = ground_of(*listener.endpoint, socket);
+        Connection::ConnectionContext ground = ground_of(*listener.endpoint, socket);
         return std::make_shared<LineConnection>(std::move(ground), std::move(socket), listener,
                                                 options_);
       };
       ports.lines.push_back(open_door("lines[" + std::to_string(i) + "]", listener.port,
                                       listener.refusal("too many clients") + "\n", make));
     }
-    for (const std::unique_ptr<Door>& door : doors_) accept(*door);
+    for (const std::unique_ptr<Acceptor>& door : doors_) accept(*door);
     for (int i = 0; i < options_.threads; ++i) threads_.emplace_back([this] { io_->run(); });
     return ports;
   }
@@ -328,7 +328,7 @@ class Server::Hub {
   using Make = std::function<std::shared_ptr<Connection>(Tcp::socket)>;
 
   // Where clients come in.
-  struct Door {
+  struct Acceptor {
     Tcp::acceptor acceptor;
     net::steady_timer pause;
     std::string full;  // what one too many is told
@@ -354,12 +354,12 @@ class Server::Hub {
                         .value = is_port ? std::to_string(port) : options_.address});
     }
     const std::uint16_t opened = acceptor.local_endpoint().port();
-    doors_.push_back(std::make_unique<Door>(
-        Door{std::move(acceptor), net::steady_timer(*io_), std::move(full), std::move(make)}));
+    doors_.push_back(std::make_unique<Acceptor>(
+        Acceptor{std::move(acceptor), net::steady_timer(*io_), std::move(full), std::move(make)}));
     return opened;
   }
 
-  void accept(Door& door) {
+  void accept(Acceptor& door) {
     door.acceptor.async_accept(net::make_strand(*io_),
                                [this, &door](ErrorCode error, Tcp::socket socket) {
                                  if (!error) {
@@ -372,7 +372,7 @@ class Server::Hub {
                                });
   }
 
-  void admit(Door& door, Tcp::socket socket) {
+  void admit(Acceptor& door, Tcp::socket socket) {
     if (connections() >= options_.clients) {
       // Fits into the empty buffer of a new socket; if it does not, it is left out.
       ErrorCode ignored;
@@ -389,7 +389,7 @@ class Server::Hub {
     net::dispatch(strand, [connection] { connection->begin(); });
   }
 
-  Connection::Ground ground_of(Endpoint& endpoint, Tcp::socket& socket) {
+  Connection::ConnectionContext ground_of(Endpoint& endpoint, Tcp::socket& socket) {
     return {endpoint, options_.largest_waiting,
             [strand = socket.get_executor()](std::function<void()> task) {
               net::post(strand, std::move(task));
@@ -404,14 +404,14 @@ class Server::Hub {
   HttpRules rules_;
   std::optional<net::io_context> io_;  // until stop()
   // After io_, which they stand on.
-  std::vector<std::unique_ptr<Door>> doors_;
+  std::vector<std::unique_ptr<Acceptor>> doors_;
   std::vector<std::thread> threads_;
   std::mutex stopping_;
   mutable std::mutex lock_;  // of connections_
   std::set<std::shared_ptr<Connection>> connections_;
 };
 
-Server::Server(ServerOptions options) : hub_(std::make_unique<Hub>(std::move(options))) {}
+Server::Server(ServerOptions options) : hub_(std::make_unique<Impl>(std::move(options))) {}
 // A thread that cannot be joined is a bug.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 Server::~Server() { hub_->stop(); }

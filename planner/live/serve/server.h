@@ -47,8 +47,8 @@ class Server {
   std::size_t connections() const;
 
  private:
-  class Hub;
-  std::unique_ptr<Hub> hub_;
+  class Impl;
+  std::unique_ptr<Impl> hub_;
 };
 
 }  // namespace prehend

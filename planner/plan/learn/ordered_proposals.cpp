@@ -71,9 +71,9 @@ void OrderedProposals::draw() {
       std::optional<ProposedGrasp> grasp = ahead_.next(track);
       if (!grasp) break;
       Waiting one{std::move(*grasp), {}, 0.0};
-      one.judgement = judge(*order_.model, features_.features(one.grasp));
-      for (const Judgement& before : returned_) {
-        one.likeness = std::max(one.likeness, likeness(one.judgement, before));
+      one.prediction = predict(*order_.model, features_.features(one.grasp));
+      for (const Prediction& before : returned_) {
+        one.likeness = std::max(one.likeness, likeness(one.prediction, before));
       }
       waiting(track).push_back(std::move(one));
     }
@@ -86,11 +86,11 @@ std::optional<ProposedGrasp> OrderedProposals::take(const Place& place) {
   const auto taken = from.begin() + static_cast<std::ptrdiff_t>(place.at);
   const Waiting one = std::move(*taken);
   from.erase(taken);
-  if (!sequence_->claim(one.grasp)) return std::nullopt;
-  returned_.push_back(one.judgement);
+  if (!sequence_->mark_proposed(one.grasp)) return std::nullopt;
+  returned_.push_back(one.prediction);
   for (const Track track : kTracks) {
     for (Waiting& other : waiting(track)) {
-      other.likeness = std::max(other.likeness, likeness(other.judgement, one.judgement));
+      other.likeness = std::max(other.likeness, likeness(other.prediction, one.prediction));
     }
   }
   return one.grasp;
@@ -102,7 +102,7 @@ std::optional<OrderedProposals::Place> OrderedProposals::best_waiting() {
   for (const Track track : kTracks) {
     for (std::size_t i = 0; i < waiting(track).size(); ++i) {
       const Waiting& one = waiting(track)[i];
-      const double merit = one.judgement.score - order_.variety * one.likeness * one.likeness;
+      const double merit = one.prediction.score - order_.variety * one.likeness * one.likeness;
       if (merit <= most) continue;
       most = merit;
       best = Place{track, i};
@@ -125,7 +125,7 @@ std::optional<ProposedGrasp> OrderedProposals::next_in_sequence(Track track) {
       grasp = std::move(waiting(track).front().grasp);
       waiting(track).pop_front();
     }
-    if (!grasp || sequence_->claim(*grasp)) return grasp;
+    if (!grasp || sequence_->mark_proposed(*grasp)) return grasp;
   }
 }
 

@@ -71,7 +71,7 @@ class OrderedProposals {
   // A proposal that was drawn and not returned.
   struct Waiting {
     ProposedGrasp grasp;
-    Judgement judgement;
+    Prediction prediction;
     double likeness = 0.0;  // to the most alike of those that were returned
   };
 
@@ -100,7 +100,7 @@ class OrderedProposals {
   FeatureMaker features_;
   LearnedOrder order_;
   std::array<std::deque<Waiting>, 2> waiting_;  // of each track, in the order of the sequence
-  std::vector<Judgement> returned_;             // until the last ordered one
+  std::vector<Prediction> returned_;            // until the last ordered one
   int ordered_ = 0;                             // proposals so far whose turn was the model's
   std::size_t to_tell_ = 0;                     // before any is ordered
   std::vector<Told> told_;                      // the first of them

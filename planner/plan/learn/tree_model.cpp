@@ -57,27 +57,27 @@ class Fnv {
 
 }  // namespace
 
-Judgement judge(const TreeModel& model, std::span<const float> features) {
-  Judgement judgement;
-  judgement.score = model.base;
-  judgement.leaves.reserve(model.trees.size());
+Prediction predict(const TreeModel& model, std::span<const float> features) {
+  Prediction prediction;
+  prediction.score = model.base;
+  prediction.leaves.reserve(model.trees.size());
   for (const Tree& tree : model.trees) {
     std::size_t n = 0;
     while (tree[n].feature >= 0) {
       const TreeNode& node = tree[n];
       n = index(features[index(node.feature)] < node.threshold ? node.left : node.right);
     }
-    judgement.score += tree[n].value;
-    judgement.leaves.push_back(static_cast<int>(n));
+    prediction.score += tree[n].value;
+    prediction.leaves.push_back(static_cast<int>(n));
   }
-  return judgement;
+  return prediction;
 }
 
 double score(const TreeModel& model, std::span<const float> features) {
-  return judge(model, features).score;
+  return predict(model, features).score;
 }
 
-double likeness(const Judgement& a, const Judgement& b) {
+double likeness(const Prediction& a, const Prediction& b) {
   if (a.leaves.empty()) return 0.0;
   std::size_t same = 0;
   for (std::size_t t = 0; t < a.leaves.size(); ++t) same += a.leaves[t] == b.leaves[t] ? 1 : 0;

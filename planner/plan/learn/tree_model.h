@@ -36,19 +36,19 @@ struct TreeModel {
 };
 
 // What a model says of a candidate.
-struct Judgement {
+struct Prediction {
   double score = 0.0;
   std::vector<int> leaves;  // to which each tree leads, index into its nodes
 };
 
 // From one value for each of the model's features: the score is base plus the leaf that each tree
 // leads to, added in the order of the trees. A value that is not a number goes right.
-Judgement judge(const TreeModel& model, std::span<const float> features);
+Prediction predict(const TreeModel& model, std::span<const float> features);
 double score(const TreeModel& model, std::span<const float> features);
 
 // How much two candidates are alike to the model that judged both: the part of its trees that lead
 // both to the same leaf (the proximity of Breiman's random forests), 0 .. 1; 0 without trees.
-double likeness(const Judgement& a, const Judgement& b);
+double likeness(const Prediction& a, const Prediction& b);
 
 // Throws InputError that names the field ("trees[3].left[5]") unless every tree has a node, every
 // inner node's feature is one of the model's, its children stand behind it in the list, and all

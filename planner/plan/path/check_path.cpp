@@ -184,7 +184,7 @@ class PathChecker {
 
   // All pairs of the scene's arm `arm`, and with the object in the hand those of the object.
   void find_pairs(const CompiledArm& arm) {
-    for (const LinkPair& pair : separate_pairs(arm.links, arm.robot())) {
+    for (const LinkPair& pair : collision_pairs(arm.links, arm.robot())) {
       pairs_.push_back({.link = pair.a, .other = pair.b});
     }
     for (std::size_t l = 0; l < arm_.links.size(); ++l) {

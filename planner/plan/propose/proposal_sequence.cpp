@@ -48,7 +48,7 @@ ProposalSequence::ProposalSequence(const CompiledScene& scene,
     is_curve_.push_back(is_curve(primitives[p].shape));
     add_ways(primitives[p], static_cast<int>(p));
   }
-  for (std::size_t w = 0; w < ways_.size(); ++w) progress_of(ways_[w]).ways.push_back(w);
+  for (std::size_t w = 0; w < ways_.size(); ++w) progress_of(ways_[w]).families.push_back(w);
   for (Progress& track : progress_) begin_level(track, 0);
 }
 
@@ -60,7 +60,7 @@ Track ProposalSequence::track_of(const ProposedGrasp& grasp) const {
   return is_curve_[index(grasp.primitive)] ? Track::curves : Track::solids;
 }
 
-bool ProposalSequence::claim(const ProposedGrasp& grasp) {
+bool ProposalSequence::mark_proposed(const ProposedGrasp& grasp) {
   const Way& way = ways_[index(grasp.way)];
   Progress& track = progress_of(way);
   if (grasp.level > track.level) begin_level(track, grasp.level);
@@ -88,7 +88,7 @@ void ProposalSequence::begin_level(Progress& track, int level) {
   track.place = 0;
   track.passed = 0;
   track.first_point.assign(1, 0);
-  for (const std::size_t way : track.ways) {
+  for (const std::size_t way : track.families) {
     track.first_point.push_back(track.first_point.back() +
                                 point_count(rules_[index(ways_[way].rule)], level));
   }
@@ -99,7 +99,7 @@ void ProposalSequence::begin_level(Progress& track, int level) {
 
 std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
   Progress& walk = progress(track);
-  if (walk.ways.empty()) return std::nullopt;
+  if (walk.families.empty()) return std::nullopt;
   while (true) {
     if (walk.passed == walk.first_point.back()) {
       if (walk.level == kFinestLevel) return std::nullopt;
@@ -111,7 +111,7 @@ std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
     const auto above = std::upper_bound(walk.first_point.begin(), walk.first_point.end(), point);
     const auto way = static_cast<std::size_t>(above - walk.first_point.begin()) - 1;
     if (std::optional<ProposedGrasp> grasp =
-            at(walk.ways[way], point - walk.first_point[way], walk.level)) {
+            at(walk.families[way], point - walk.first_point[way], walk.level)) {
       return grasp;
     }
   }

@@ -8,7 +8,7 @@
 
 #include "planner/plan/propose/candidates.h"
 #include "planner/plan/propose/grasp_rules.h"
-#include "planner/plan/propose/known_poses.h"
+#include "planner/plan/propose/pose_set.h"
 
 namespace prehend {
 
@@ -42,12 +42,12 @@ class ProposalSequence {
 
   // Counts a grasp that another sequence of the same arguments proposed as proposed by this one;
   // false where this one had proposed it before, or the same (CandidateOptions).
-  bool claim(const ProposedGrasp& grasp);
+  bool mark_proposed(const ProposedGrasp& grasp);
 
   // The track that proposed it.
   Track track_of(const ProposedGrasp& grasp) const;
 
-  int ways() const { return static_cast<int>(ways_.size()); }
+  int families() const { return static_cast<int>(ways_.size()); }
   double smallest_width() const { return smallest_width_; }  // as in Proposals
   double largest_opening() const { return largest_opening_; }
 
@@ -63,8 +63,8 @@ class ProposalSequence {
   void add_ways(const Primitive& primitive, int number);
   // The place in the sequence of one track.
   struct Progress {
-    std::vector<std::size_t> ways;  // numbers of its ways
-    KnownPoses known;
+    std::vector<std::size_t> families;  // numbers of its ways
+    PoseSet known;
     int level = 0;
     std::vector<std::size_t> first_point =
         {};  // per way, of its points at this level; and their number

@@ -54,7 +54,7 @@ LabelAgreement compare_labels(const std::vector<bool>& labels, const std::vector
   return agreement;
 }
 
-std::string agreement_words(const LabelAgreement& agreement) {
+std::string agreement_text(const LabelAgreement& agreement) {
   const int trials = agreement.trials();
   const double agree = trials == 0 ? 0.0 : 100.0 * (agreement.both + agreement.neither) / trials;
   return formatted(

@@ -35,6 +35,6 @@ struct LabelAgreement {
 LabelAgreement compare_labels(const std::vector<bool>& labels, const std::vector<Tried>& tried);
 
 // The four counts as a sentence.
-std::string agreement_words(const LabelAgreement& agreement);
+std::string agreement_text(const LabelAgreement& agreement);
 
 }  // namespace prehend

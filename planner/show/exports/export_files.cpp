@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/plan/grasp_words.h"
+#include "planner/plan/grasp_text.h"
 #include "planner/show/exports/csv.h"
 #include "planner/show/exports/isaac.h"
 #include "planner/show/exports/mjcf.h"

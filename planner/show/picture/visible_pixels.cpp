@@ -13,7 +13,7 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 // A renderer reduced to what counting needs: one sample at the centre of each pixel, no shading and
-// no antialiasing. It runs for many directions for each picture (telling_side).
+// no antialiasing. It runs for many directions for each picture (best_viewpoint).
 
 // For each pixel, which solid body is the nearest there, and how much of it can be seen.
 class Pixels {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "planner/plan/grasp_words.h"
+#include "planner/plan/grasp_text.h"
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/posed_grasp.h"
-#include "planner/show/telling_side.h"
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 
@@ -42,10 +42,10 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   if (scored.volume) grasp.volume = Interval{*scored.volume, *scored.volume};
   grasp.holding = scored.holding;
   grasp.robustness = scored.robustness;
-  grasp.origin = origin_words(scored, result);
+  grasp.origin = origin_text(scored, result);
   grasp.preshape = preshape_name(scene, scored.candidate);
-  grasp.blame = blame_words(scene, trial);
-  grasp.moved = moved_words(trial);
+  grasp.collision_of = collision_text(scene, trial);
+  grasp.moved = moved_text(trial);
   grasp.primitive = scored.primitive.value_or(-1);
   grasp.shake = scored.shake;
   for (const GraspContact& contact : trial.contacts) {
@@ -83,7 +83,7 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
                                std::string(outcome_meaning(outcome)),
                                result.outcomes[static_cast<std::size_t>(outcome)]});
   }
-  for (const Blocker& blocker : result.blockers) {
+  for (const CollisionCount& blocker : result.blockers) {
     report.blockers.push_back(
         {std::string(outcome_name(blocker.outcome)), blocker.link, blocker.by, blocker.count});
   }
@@ -102,7 +102,7 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
     const Tried& tried = result.tried[i * result.tried.size() / count];
     report.candidates.push_back({tried.X_OH * scene.scene.hand.hand->origin, tried.approach_O,
                                  static_cast<std::size_t>(tried.outcome),
-                                 blame_words(tried.blame)});
+                                 collision_text(tried.collision_of)});
   }
 }
 
@@ -130,7 +130,7 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
       report.grasps[i].detail =
           detail_of(scene, report.grasps[i], result.grasps[i], record, context);
       report.grasps[i].side =
-          telling_side(scene, posed_grasp(scene, result.grasps[i]), kSmall, context);
+          best_viewpoint(scene, posed_grasp(scene, result.grasps[i]), kSmall, context);
     }
   });
   add_why_not(scene, result, options, report);

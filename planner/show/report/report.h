@@ -12,8 +12,8 @@
 #include "sim/manipulation/shake.h"
 #include "sim/quality/interval.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/trial/disturbed_trials.h"
-#include "sim/trial/hold_weight.h"
+#include "sim/trial/payload_margin.h"
+#include "sim/trial/perturbed_trials.h"
 
 namespace prehend {
 
@@ -31,13 +31,13 @@ struct ReportGrasp {
   EpsilonBracket epsilon;
   // Bounds of the volume of the wrench space; nothing where it was not computed.
   std::optional<Interval> volume;
-  std::optional<Holding> holding = {};        // empty where it was not computed
+  std::optional<PayloadMargin> holding = {};  // empty where it was not computed
   std::optional<Robustness> robustness = {};  // empty where it was not asked for
-  std::string origin = {};    // origin_words(): the primitive and rule that it came from
-  std::string preshape = {};  // preshape_name()
-  std::string blame = {};     // which link collided with what; empty without a collision
-  std::string moved = {};     // moved_words(): what gave way until the grasp held
-  int primitive = -1;         // index into Report::primitives, -1: none
+  std::string origin = {};        // origin_text(): the primitive and rule that it came from
+  std::string preshape = {};      // preshape_name()
+  std::string collision_of = {};  // which link collided with what; empty without a collision
+  std::string moved = {};         // moved_text(): what gave way until the grasp held
+  int primitive = -1;             // index into Report::primitives, -1: none
   std::vector<ReportContact> contacts;
   std::optional<GraspMotion> motion = {};  // empty without a hand
   std::optional<GraspDetail> detail = {};  // empty for grasps that are not analysed further
@@ -58,7 +58,7 @@ struct ReportCandidate {
   Vector3 p_O = Vector3::Zero();          // tip of the arrow [m]
   Vector3 approach_O = Vector3::UnitZ();  // unit
   std::size_t outcome = 0;                // index into Report::outcomes
-  std::string blame = {};                 // which link collided with what
+  std::string collision_of = {};          // which link collided with what
 };
 
 // How many candidates ended with `outcome` because `link` collided with `by` (Blocker).

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/plan/grasp_words.h"
+#include "planner/plan/grasp_text.h"
 #include "planner/results/json_shake.h"
 #include "planner/show/report/packed_mesh.h"
 #include "planner/show/report/palette_json.h"
@@ -165,10 +165,10 @@ Json interval_json(const Interval& interval) {
   return {significant(interval.lower), significant(interval.upper)};
 }
 
-Json burden_json(const Burden& burden) {
-  const double squeeze = burden.sum_of_normals;
+Json burden_json(const LoadCase& load_case) {
+  const double squeeze = load_case.sum_of_normals;
   return {{"squeeze", std::isfinite(squeeze) ? Json(significant(squeeze)) : Json()},
-          {"strength", strength_words(burden)}};
+          {"strength", load_factor_text(load_case)}};
 }
 
 Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
@@ -178,7 +178,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
             {"volume", grasp.volume ? interval_json(*grasp.volume) : Json()},
             {"origin", grasp.origin},
             {"preshape", grasp.preshape},
-            {"blame", grasp.blame},
+            {"blame", grasp.collision_of},
             {"moved", grasp.moved},
             {"primitive", grasp.primitive},
             {"weakest_force", rounded(Vector3(grasp.epsilon.weakest.head<3>()))},
@@ -196,9 +196,9 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
                           {"success", success_probability(robustness)},
                           {"interval", interval_json(interval)},
                           {"epsilon_mean", significant(robustness.epsilon_mean)},
-                          {"spare", robustness.spare},
+                          {"spare", robustness.position_margin},
                           {"weakest", rounded(robustness.weakest_O)},
-                          {"weakness", weakness_words(robustness)}};
+                          {"weakness", weakness_text(robustness)}};
   }
   json["contacts"] = Json::array();
   for (const ReportContact& contact : grasp.contacts) {
@@ -219,13 +219,13 @@ Json candidates_json(const Report& report) {
   Json rows = Json::array();
   std::vector<std::string> blames;
   for (const ReportCandidate& candidate : report.candidates) {
-    const auto known = std::find(blames.begin(), blames.end(), candidate.blame);
-    const auto blame = known - blames.begin();
-    if (known == blames.end()) blames.push_back(candidate.blame);
+    const auto known = std::find(blames.begin(), blames.end(), candidate.collision_of);
+    const auto collision_of = known - blames.begin();
+    if (known == blames.end()) blames.push_back(candidate.collision_of);
     Json row = rounded(candidate.p_O, 1e5);
     for (const double x : candidate.approach_O) row.push_back(rounded(x, 1e3));
     row.push_back(candidate.outcome);
-    row.push_back(blame);
+    row.push_back(collision_of);
     rows.push_back(std::move(row));
   }
   return {{"rows", rows}, {"blames", blames}, {"in_all", report.candidates_in_all}};

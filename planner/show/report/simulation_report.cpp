@@ -2,7 +2,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
-#include "sim/trial/grasp_at.h"
+#include "sim/trial/close_and_score.h"
 
 namespace prehend {
 namespace {
@@ -71,7 +71,7 @@ Trial final_grasp(const CompiledScene& scene, const Simulation& simulation,
   trial.dofs = hand_dofs(world, simulation.hand);
   trial.joints = hand_joints(world, simulation.hand);
   GraspWorkspace workspace;
-  judge_contacts(scene, options, workspace, trial);
+  score_contacts(scene, options, workspace, trial);
   return trial;
 }
 
@@ -122,7 +122,7 @@ Report simulation_report(const CompiledScene& scene, const Simulation& simulatio
   report.title =
       scene.scene.object.name + ", " + robot + ": " + std::string(object_end_name(simulation.end));
   report.facts = {{"scene", scene.scene.name},
-                  {"protocol", simulation.protocol},
+                  {"protocol", simulation.procedure},
                   {"steps", std::to_string(simulation.effort.steps)},
                   {"shortened", std::to_string(simulation.effort.shortened)},
                   {"not converged", std::to_string(simulation.effort.not_converged)}};

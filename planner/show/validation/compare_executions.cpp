@@ -6,8 +6,8 @@
 
 namespace prehend {
 
-TruthReport compare_executions(const Truth& truth, const std::filesystem::path& file,
-                               const CompareOptions& options, const RunContext& context) {
+ValidationReport compare_executions(const ExecutedGrasps& truth, const std::filesystem::path& file,
+                                    const CompareOptions& options, const RunContext& context) {
   const FrameCheck frames = check_frames(truth, context);
   const std::vector<Score> chosen = scores(options.volumes);
   const JudgedExecutions judged = judge_executions(truth, chosen, options.evaluation, context);
@@ -15,7 +15,7 @@ TruthReport compare_executions(const Truth& truth, const std::filesystem::path& 
   bootstrap.grouping = options.grouping ? *options.grouping : natural_grouping(truth.labels());
   bootstrap.resamples = options.resamples;
   bootstrap.seed = options.evaluation.seed;
-  TruthReport report = truth_report(truth, chosen, judged, bootstrap, context);
+  ValidationReport report = validation_report(truth, chosen, judged, bootstrap, context);
   report.name = file.filename().string();
   report.samples = options.evaluation.uncertainty.samples;
   report.frames = frames;

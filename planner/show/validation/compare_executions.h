@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "planner/plan/plan.h"
-#include "planner/show/validation/truth_file.h"
-#include "planner/show/validation/truth_report.h"
+#include "planner/show/validation/executed_grasps_file.h"
+#include "planner/show/validation/validation_report.h"
 
 namespace prehend {
 
@@ -20,7 +20,7 @@ struct CompareOptions {
 // `file` is named in the report. Which volumes are computed and whether grasps are tried with
 // errors follows from `volumes`, whatever the options of the evaluation say. The same on any number
 // of threads. Throws Cancelled, also when the deadline passes.
-TruthReport compare_executions(const Truth& truth, const std::filesystem::path& file,
-                               const CompareOptions& options, const RunContext& context = {});
+ValidationReport compare_executions(const ExecutedGrasps& truth, const std::filesystem::path& file,
+                                    const CompareOptions& options, const RunContext& context = {});
 
 }  // namespace prehend

@@ -10,7 +10,7 @@
 namespace prehend {
 namespace {
 
-const CompiledScene& scene_grasped(const Truth& truth, const Execution& execution) {
+const CompiledScene& scene_grasped(const ExecutedGrasps& truth, const Execution& execution) {
   return truth.objects[index(execution.label.object)].scene;
 }
 
@@ -46,7 +46,7 @@ std::optional<std::size_t> suspected(const std::vector<FrameGuess>& guesses,
 
 }  // namespace
 
-FrameCheck check_frames(const Truth& truth, const RunContext& context) {
+FrameCheck check_frames(const ExecutedGrasps& truth, const RunContext& context) {
   std::vector<OpenHand> hands;
   FrameCheck check;
   for (const Execution& execution : truth.executions) {
@@ -73,7 +73,7 @@ FrameCheck check_frames(const Truth& truth, const RunContext& context) {
   return check;
 }
 
-std::string frame_words(const FrameCheck& check) {
+std::string frame_text(const FrameCheck& check) {
   if (check.suspicion) {
     return formatted("%s the object is between the fingers of %d of %d grasps, as given of %d: %s",
                      check.suspicion->words.c_str(), check.suspicion->between, check.grasps,

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "planner/show/validation/executed_grasps_file.h"
 #include "planner/show/validation/open_hand.h"
-#include "planner/show/validation/truth_file.h"
 
 namespace prehend {
 
@@ -33,9 +33,9 @@ struct FrameCheck {
 // guesses that are as good up to a fortieth of the grasps the likeliest is named; a mere step of
 // the hand only where it is better than all others by a tenth of the grasps. The same on any number
 // of threads. Throws Cancelled.
-FrameCheck check_frames(const Truth& truth, const RunContext& context = {});
+FrameCheck check_frames(const ExecutedGrasps& truth, const RunContext& context = {});
 
 // The check as a sentence.
-std::string frame_words(const FrameCheck& check);
+std::string frame_text(const FrameCheck& check);
 
 }  // namespace prehend

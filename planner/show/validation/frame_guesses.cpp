@@ -19,7 +19,7 @@ FrameGuess hand_guess(std::string words, std::string question, const Pose& X_GH)
           [X_GH](const Pose& X_OG, const CompiledScene&) { return Pose(X_OG * X_GH); }};
 }
 
-std::string moved_words(double distance) {
+std::string moved_text(double distance) {
   return formatted("with the hand %.0f mm farther %s along its approach axis",
                    1e3 * std::abs(distance), distance < 0.0 ? "back" : "forward");
 }
@@ -34,7 +34,7 @@ void add_moves(const Hand& hand, double tool, std::vector<FrameGuess>& guesses) 
   for (const auto& [distance, question] : own) {
     if (distance == 0.0) continue;
     guesses.push_back(
-        hand_guess(moved_words(distance), question, translation(distance * hand.approach)));
+        hand_guess(moved_text(distance), question, translation(distance * hand.approach)));
   }
 }
 
@@ -108,7 +108,7 @@ void add_steps(const Hand& hand, std::vector<FrameGuess>& guesses) {
   for (int step = 1; step <= 25; ++step) {
     for (const double way : {-1.0, 1.0}) {
       const double distance = 0.01 * way * step;
-      guesses.push_back(hand_guess(moved_words(distance),
+      guesses.push_back(hand_guess(moved_text(distance),
                                    "are the poses those of another frame of the hand?",
                                    translation(distance * hand.approach)));
       guesses.back().is_step = true;
@@ -137,7 +137,7 @@ std::vector<Matrix3> axis_rotations() {
 }
 
 // "y, z, x": where the columns of an axis rotation point.
-std::string axis_words(const Matrix3& rotation) {
+std::string axis_text(const Matrix3& rotation) {
   std::string words;
   for (const auto& column : rotation.colwise()) {
     Eigen::Index axis = 0;
@@ -152,7 +152,7 @@ std::string axis_words(const Matrix3& rotation) {
 void add_axes(const Hand& hand, double tool, std::vector<FrameGuess>& guesses) {
   for (const Matrix3& R : axis_rotations()) {
     const Pose turned = pose_from(R, Vector3::Zero());
-    const std::string axes = axis_words(R);
+    const std::string axes = axis_text(R);
     const std::string words = "with the hand's axes x, y, z along " + axes + " of the poses";
     guesses.push_back(hand_guess(words, kOtherAxes, turned));
     guesses.push_back(hand_guess(words + formatted(" and %.0f mm farther back", 1e3 * tool),

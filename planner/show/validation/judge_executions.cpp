@@ -15,13 +15,13 @@ void add_holdings(const CompiledScene& scene, const RunContext& context,
   for_each_in_parallel(grasps.size(), context.threads, [&](std::size_t i) {
     ScoredGrasp& grasp = grasps[i];
     if (grasp.holding || grasp.trial.contacts.empty()) return;
-    grasp.holding = hold_weight(scene, grasp.trial, context);
+    grasp.holding = payload_margin(scene, grasp.trial, context);
   });
 }
 
 }  // namespace
 
-JudgedExecutions judge_executions(const Truth& truth, const std::vector<Score>& scores,
+JudgedExecutions judge_executions(const ExecutedGrasps& truth, const std::vector<Score>& scores,
                                   EvaluateOptions options, const RunContext& context) {
   const bool volumes = std::any_of(scores.begin(), scores.end(),
                                    [](const Score& score) { return score.needs_volume; });

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "planner/plan/plan.h"
+#include "planner/show/validation/executed_grasps_file.h"
 #include "planner/show/validation/scores.h"
-#include "planner/show/validation/truth_file.h"
 
 namespace prehend {
 
@@ -18,7 +18,7 @@ struct JudgedExecutions {
 // Evaluates the grasps of each object. Which volumes are computed and whether grasps are tried with
 // errors follows from `scores`, whatever the options say. The same on any number of threads. Throws
 // Cancelled, also when the deadline passes.
-JudgedExecutions judge_executions(const Truth& truth, const std::vector<Score>& scores,
+JudgedExecutions judge_executions(const ExecutedGrasps& truth, const std::vector<Score>& scores,
                                   EvaluateOptions options, const RunContext& context = {});
 
 }  // namespace prehend

@@ -39,7 +39,7 @@ constexpr std::array<Score, 10> kScores = {{
     {"epsilon_low", "low epsilon with errors", false, false,
      [](Grasp grasp) { return of_robustness(grasp, &Robustness::epsilon_low); }},
     {"spare", "spare", false, false,
-     [](Grasp grasp) { return of_robustness(grasp, &Robustness::spare); }},
+     [](Grasp grasp) { return of_robustness(grasp, &Robustness::position_margin); }},
 }};
 
 }  // namespace

@@ -110,7 +110,7 @@ class JsonField {
 // What `make` returns, which uses the value of the field; its InputErrors are told of the field
 // (fail_about).
 template <typename Make>
-auto made_of(const JsonField& field, const Make& make) {
+auto with_field_errors(const JsonField& field, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {

@@ -120,7 +120,7 @@ class FieldReader {
   explicit FieldReader(const JsonField& object) : object_(object) {}
 
   // Registers `name` as permitted. True when the field is present.
-  bool knows(std::string_view name) {
+  bool allow(std::string_view name) {
     known_.emplace_back(name);
     return object_.has(name);
   }
@@ -128,14 +128,14 @@ class FieldReader {
   // A field with a plain value (read_value).
   template <typename T>
   void operator()(std::string_view name, T& value) {
-    if (knows(name)) read_value(object_[name], value);
+    if (allow(name)) read_value(object_[name], value);
   }
   // Throws InputError when the field is missing.
   void needs(std::string_view name) { (void)object_[name]; }
   // A field that holds one of `names`. Throws InputError that lists them for any other text.
   template <typename T>
   void named(std::string_view name, T& value, const ValueNames<T>& names) {
-    if (!knows(name)) return;
+    if (!allow(name)) return;
     const std::string word = object_[name].text();
     std::string known;
     for (const auto& [candidate, meaning] : names) {
@@ -150,7 +150,7 @@ class FieldReader {
   // A nested object; unknown fields in it are errors.
   template <typename Visit>
   void object(std::string_view name, const Visit& visit) {
-    if (!knows(name)) return;
+    if (!allow(name)) return;
     FieldReader inner(object_[name]);
     visit(inner);
     inner.finish();
@@ -158,7 +158,7 @@ class FieldReader {
   // A list of objects, which replaces `values`; unknown fields in them are errors.
   template <typename T, typename Visit>
   void objects(std::string_view name, std::vector<T>& values, const Visit& visit) {
-    if (!knows(name)) return;
+    if (!allow(name)) return;
     values.clear();
     for (const JsonField& item : object_[name].items()) {
       FieldReader inner(item);
@@ -169,7 +169,7 @@ class FieldReader {
   // Permitted, but not read.
   template <typename Make>
   void derived(std::string_view name, const Make& /*make*/) {
-    knows(name);
+    allow(name);
   }
   // Throws InputError with the text `what` at the field when `fits` is false: the value was read
   // but is not valid here.

@@ -102,7 +102,7 @@ class XmlElement {
 
 // What `make` returns, which uses values of the element; its InputErrors are told of the element.
 template <typename Make>
-auto made_of(const XmlElement& element, const Make& make) {
+auto with_field_errors(const XmlElement& element, const Make& make) {
   try {
     return make();
   } catch (const InputError& error) {

@@ -96,7 +96,7 @@ void read_mesh(const XmlElement& root, GraspitBody& body) {
   const Vector3 scaling = scaled ? read_scaling(*scaled) : Vector3::Ones();
   const Vector3 offset = moved ? graspit_vector(*moved, kGraspitLength) : Vector3::Zero();
   const bool even = (scaling.array() == scaling.x()).all();
-  body.mesh = made_of(geometry, [&] {
+  body.mesh = with_field_errors(geometry, [&] {
     return load_mesh(file, {.metres_per_unit = kGraspitLength * (even ? scaling.x() : 1.0)}).mesh;
   });
   for (Vector3& p : body.mesh.vertices) {

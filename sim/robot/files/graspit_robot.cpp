@@ -75,7 +75,7 @@ void GraspitReader::add_link(const XmlElement& element, std::string name, int jo
   const std::filesystem::path file = graspit_link_file(element);
   auto known = bodies_.find(file);
   if (known == bodies_.end()) {
-    GraspitBody body = made_of(element, [&] { return load_graspit_body(file); });
+    GraspitBody body = with_field_errors(element, [&] { return load_graspit_body(file); });
     robot_.notes.insert(robot_.notes.end(), body.notes.begin(), body.notes.end());
     known = bodies_.emplace(file, std::move(body)).first;
   }

@@ -91,7 +91,7 @@ GraspitWorldRobot read_world_robot(const XmlElement& element, std::vector<std::s
   const XmlFile file(own.file);
   if (!is_graspit_robot(file)) filename.fail("not a GraspIt! robot", own.file.string());
   // With what a file beside it says.
-  own.robot = made_of(filename, [&] { return load_robot(own.file); });
+  own.robot = with_field_errors(filename, [&] { return load_robot(own.file); });
   own.name = own.robot.name;
   own.X_WR = pose_in(element);
   if (const auto values = element.child("dofValues")) {
@@ -114,7 +114,7 @@ int read_index(const XmlElement& element, std::size_t count, const std::string& 
 Link read_world_mount(const XmlElement& element, const Pose& X_MR,
                       std::vector<std::string>& notes) {
   const std::filesystem::path file = graspit_world_file(element);
-  const GraspitBody body = made_of(element, [&] { return load_graspit_body(file); });
+  const GraspitBody body = with_field_errors(element, [&] { return load_graspit_body(file); });
   notes.insert(notes.end(), body.notes.begin(), body.notes.end());
   return {.name = body.name,
           .material = std::string(material_name(body.material)),

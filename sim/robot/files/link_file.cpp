@@ -15,7 +15,7 @@ double read_density(const JsonField& field) {
     return density;
   }
   const JsonField material = field["material"];
-  return made_of(material, [&] { return density_of(material_named(material.text())); });
+  return with_field_errors(material, [&] { return density_of(material_named(material.text())); });
 }
 
 // Nine numbers in three rows, or ixx, iyy, izz, ixy, ixz, iyz; about the centre of mass.
@@ -42,7 +42,7 @@ Matrix3 read_inertia(const JsonField& field, double unit) {
 Inertial from_mesh(const JsonField& field, const TriangleMesh& mesh) {
   const double density = read_density(field);
   const Inertial inertial =
-      made_of(field["geometry"], [&] { return inertial_of_density(mesh, density); });
+      with_field_errors(field["geometry"], [&] { return inertial_of_density(mesh, density); });
   const bool asked = field.has("mass") || field.has("density");
   if (asked && !(inertial.mass > 0.0)) {
     field["geometry"].fail("flat, it has no mass that could be found from the mesh");
@@ -55,7 +55,8 @@ Inertial stated(const JsonField& field, const FileUnits& units, const TriangleMe
   if (field.has("density")) field["density"].fail("a link has a mass or a density, not both");
   if (!(mass.number() > 0.0)) mass.fail("must be positive");
   const double kilograms = mass.number() * units.mass;
-  Inertial inertial = made_of(field["geometry"], [&] { return inertial_of_mass(mesh, kilograms); });
+  Inertial inertial =
+      with_field_errors(field["geometry"], [&] { return inertial_of_mass(mesh, kilograms); });
   if (field.has("center_of_mass")) {
     inertial.center_of_mass = field["center_of_mass"].vector3() * units.length;
   }

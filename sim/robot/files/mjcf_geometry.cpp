@@ -106,7 +106,7 @@ TriangleMesh MjcfGeometry::read_asset(const XmlElement& geom, const std::string&
   const auto found = meshes_.find(at.text("mesh"));
   if (found == meshes_.end()) at.fail("no mesh of this name in <asset>", at.text("mesh"));
   const XmlElement& asset = found->second;
-  return made_of(asset, [&] {
+  return with_field_errors(asset, [&] {
     const auto sized = defaults_.saying("scale", asset, "");
     if (asset.has("vertex")) {
       TriangleMesh written = read_written(asset);
@@ -140,7 +140,7 @@ TriangleMesh MjcfGeometry::read_geom(const XmlElement& geom, const std::string& 
   const auto need = [&](std::size_t count) {
     if (size.size() < count) at->fail("too few sizes for a " + type, at->text("size"));
   };
-  TriangleMesh mesh = made_of(geom, [&] {
+  TriangleMesh mesh = with_field_errors(geom, [&] {
     if (type == "sphere") return need(1), sphere_mesh(size[0]);
     if (type == "capsule") return need(2), capsule_mesh(size[0], 2.0 * size[1]);
     if (type == "cylinder") return need(2), cylinder_mesh(size[0], 2.0 * size[1]);

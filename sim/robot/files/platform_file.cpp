@@ -15,7 +15,7 @@ namespace {
 Robot read_named_robot(const JsonField& field) {
   const std::filesystem::path beside = field.file().parent_path() / field.text();
   if (is_file(beside)) return load_robot(beside);
-  return made_of(field, [&] { return find_robot(field.text()); });
+  return with_field_errors(field, [&] { return find_robot(field.text()); });
 }
 
 int find_parent(const JsonField& field, const Platform& platform) {

@@ -58,7 +58,7 @@ TriangleMesh box(const JsonField& shape, const FileUnits& units) {
   const JsonField size = shape["size"];
   const Vector3 metres = size.vector3() * units.length;
   if (!(metres.array() > 0.0).all()) size.fail("must be greater than 0");
-  return made_of(size, [&] { return make_box(metres); });
+  return with_field_errors(size, [&] { return make_box(metres); });
 }
 
 TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {
@@ -66,7 +66,7 @@ TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {
   const double radius = positive(shape["radius"], units.length);
   const double height = positive(shape["height"], units.length);
   const int sides = integer_or(shape, "sides", kCylinderSides, 3, kMostCylinderSides);
-  return made_of(shape, [&] { return make_cylinder(radius, height, sides); });
+  return with_field_errors(shape, [&] { return make_cylinder(radius, height, sides); });
 }
 
 TriangleMesh capsule(const JsonField& shape, const FileUnits& units) {
@@ -75,7 +75,7 @@ TriangleMesh capsule(const JsonField& shape, const FileUnits& units) {
   const Vector3 from = shape["from"].vector3() * units.length;
   const Vector3 to = shape["to"].vector3() * units.length;
   const int sides = integer_or(shape, "sides", kCapsuleSides, 4, kMostCylinderSides);
-  return made_of(shape["radius"], [&] { return make_capsule(from, to, radius, sides); });
+  return with_field_errors(shape["radius"], [&] { return make_capsule(from, to, radius, sides); });
 }
 
 TriangleMesh sphere(const JsonField& shape, const FileUnits& units) {
@@ -83,7 +83,7 @@ TriangleMesh sphere(const JsonField& shape, const FileUnits& units) {
   const double radius = positive(shape["radius"], units.length);
   const int subdivisions =
       integer_or(shape, "subdivisions", kSphereSubdivisions, 0, kMostSphereSubdivisions);
-  return made_of(shape["radius"], [&] { return make_sphere(radius, subdivisions); });
+  return with_field_errors(shape["radius"], [&] { return make_sphere(radius, subdivisions); });
 }
 
 // Turns x, y, z into the axes of the named plane and its normal.
@@ -120,7 +120,7 @@ TriangleMesh prism(const JsonField& shape, const FileUnits& units) {
   const JsonField sweep = shape["sweep"];
   const std::vector<double> range = sweep.numbers(2);
   if (range[0] >= range[1]) sweep.fail("must be two numbers, the lower one first");
-  const TriangleMesh mesh = made_of(profile, [&] {
+  const TriangleMesh mesh = with_field_errors(profile, [&] {
     return make_prism(corners, range[0] * units.length, range[1] * units.length);
   });
   return transformed(mesh, plane_pose(shape));
@@ -142,7 +142,7 @@ TriangleMesh loft(const JsonField& shape, const FileUnits& units) {
     if (sense < 0.0) std::reverse(corners.begin(), corners.end());
     sections.push_back({.at = item["at"].number() * units.length, .corners = std::move(corners)});
   }
-  const TriangleMesh mesh = made_of(list, [&] { return make_loft(sections); });
+  const TriangleMesh mesh = with_field_errors(list, [&] { return make_loft(sections); });
   return transformed(mesh, plane_pose(shape));
 }
 
@@ -187,10 +187,10 @@ TriangleMesh mesh_from_file(const JsonField& part, const FileUnits& units) {
   MeshFileOptions options{.metres_per_unit = units.length};
   if (part.has("unit")) {
     const JsonField unit = part["unit"];
-    options.metres_per_unit = made_of(unit, [&] { return metres_per_unit(unit.text()); });
+    options.metres_per_unit = with_field_errors(unit, [&] { return metres_per_unit(unit.text()); });
   }
   const std::filesystem::path path = part.file().parent_path() / name.text();
-  return made_of(name, [&] { return load_mesh(path, options).mesh; });
+  return with_field_errors(name, [&] { return load_mesh(path, options).mesh; });
 }
 
 TriangleMesh read_part(const JsonField& part, const FileUnits& units) {
@@ -233,7 +233,7 @@ FileUnits read_units(const JsonField& root) {
   field.allow_only({"length", "angle", "angular_velocity", "mass"});
   if (field.has("length")) {
     const JsonField length = field["length"];
-    units.length = made_of(length, [&] { return metres_per_unit(length.text()); });
+    units.length = with_field_errors(length, [&] { return metres_per_unit(length.text()); });
   }
   if (field.has("angle")) units.angle = angle_unit(field["angle"], "");
   if (field.has("mass")) units.mass = mass_unit(field["mass"]);

@@ -56,7 +56,7 @@ TriangleMesh UrdfGeometry::read_shape(const XmlElement& geometry) {
   const XmlElement& shape = shapes.front();
   const std::string kind = without_prefix(shape.name());
   if (kind == "mesh") return mesh_of(shape);
-  TriangleMesh mesh = made_of(shape, [&] {
+  TriangleMesh mesh = with_field_errors(shape, [&] {
     if (kind == "box") return make_box(shape.vector3("size"));
     if (kind == "sphere") return sphere_mesh(shape.number("radius"));
     if (kind == "cylinder") return cylinder_mesh(shape.number("radius"), shape.number("length"));
@@ -71,7 +71,7 @@ TriangleMesh UrdfGeometry::read_shape(const XmlElement& geometry) {
 }
 
 TriangleMesh UrdfGeometry::mesh_of(const XmlElement& shape) const {
-  return made_of(shape, [&] {
+  return with_field_errors(shape, [&] {
     const std::filesystem::path file =
         resolved_uri(shape.text("filename"), shape.file(), *packages_);
     TriangleMesh mesh = load_mesh(file).mesh;

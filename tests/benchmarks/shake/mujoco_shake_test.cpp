@@ -46,18 +46,18 @@ Held held_by(const std::string& hand, double palm, const MjcfOptions& options = 
   return held;
 }
 
-Protocol hanging(double mass, double friction) {
-  Protocol protocol;
-  protocol.name = "hanging";
-  protocol.object.mass = mass;
-  protocol.friction = friction;
-  protocol.gravity = {0.0, 0.0, -kGravity};
-  protocol.prepare = {
+TestProcedure hanging(double mass, double friction) {
+  TestProcedure procedure;
+  procedure.name = "hanging";
+  procedure.object.mass = mass;
+  procedure.friction = friction;
+  procedure.gravity = {0.0, 0.0, -kGravity};
+  procedure.prepare = {
       {.kind = PhaseKind::close, .duration = 0.5, .gravity = Vector3(0.0, 0.0, 0.0)}};
-  protocol.tests = {{"hang",
-                     {{.kind = PhaseKind::hold, .duration = 1.0},
-                      {.kind = PhaseKind::hold, .duration = 2.0, .fails = {.moved = 0.02}}}}};
-  return protocol;
+  procedure.tests = {{"hang",
+                      {{.kind = PhaseKind::hold, .duration = 1.0},
+                       {.kind = PhaseKind::hold, .duration = 2.0, .fails = {.moved = 0.02}}}}};
+  return procedure;
 }
 
 // 0.1 kg between two pads of 10 N each and friction 0.5, ten times what is needed: it neither
@@ -95,10 +95,10 @@ TEST(MujocoShake, AGripperHoldsWhatItsFrictionCarries) {
 // lets the object go, and for twice of that it does not. So contacts feel how the base moves.
 TEST(MujocoShake, ASwingNeedsItsAcceleration) {
   const Held held = held_by("parallel_jaw", 0.05);
-  Protocol swing;
+  TestProcedure swing;
   swing.object.mass = 1.0;
   swing.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
-  ProtocolPhase phase{.kind = PhaseKind::swing, .duration = 2.0};
+  ProcedurePhase phase{.kind = PhaseKind::swing, .duration = 2.0};
   phase.axis = Vector3::UnitZ();
   phase.amplitude = 0.04;
   phase.frequency = 2.0;
@@ -117,7 +117,7 @@ TEST(MujocoShake, ASwingNeedsItsAcceleration) {
 
 TEST(MujocoShake, ALiftCarriesTheObjectAlongAndOpeningDropsIt) {
   const Held held = held_by("parallel_jaw", 0.05);
-  Protocol lift = hanging(0.2, 0.5);
+  TestProcedure lift = hanging(0.2, 0.5);
   lift.tests = {
       {"lift",
        {{.kind = PhaseKind::lift, .duration = 1.0, .height = 0.3, .fails = {.least_rise = 0.29}},
@@ -139,7 +139,7 @@ TEST(MujocoShake, ALiftCarriesTheObjectAlongAndOpeningDropsIt) {
 // A push of 50 N along the closing axis is more than the 20 N of a finger, whose gear holds it.
 TEST(MujocoShake, AGearKeepsAFingerFromBeingPushedBack) {
   const Held held = held_by("parallel_jaw", 0.05);
-  Protocol push = hanging(0.2, 0.5);
+  TestProcedure push = hanging(0.2, 0.5);
   push.gravity.setZero();
   push.tests = {{"push", {{.kind = PhaseKind::hold, .duration = 1.0, .pull = {250.0, 0.0, 0.0}}}}};
   ShakeSubject subject = subject_of(held.scene);

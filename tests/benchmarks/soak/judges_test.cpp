@@ -220,7 +220,7 @@ TEST_F(SpoiltPlan, ATrialBlockedByNobodyIsSeen) {
   --result_.outcomes[place];
   ++result_.outcomes[static_cast<std::size_t>(Outcome::hand_blocked)];
   result_.tried.front().outcome = Outcome::hand_blocked;
-  result_.tried.front().blame = {};
+  result_.tried.front().collision_of = {};
   EXPECT_EQ(judged(), Kinds{"counts"});
 }
 

@@ -99,7 +99,7 @@ void plan_with_arm(const std::filesystem::path& folder) {
   prehend::write_file(folder / "report.html", prehend::report_html(report));
   const prehend::PosedGrasp posed = prehend::posed_grasp(ready, best, "the best grasp");
   const prehend::Image picture =
-      prehend::grasp_picture(ready, posed, prehend::telling_side(ready, posed));
+      prehend::grasp_picture(ready, posed, prehend::best_viewpoint(ready, posed));
   check(prehend::png_bytes(picture).substr(1, 3) == "PNG", "a picture is PNG");
 }
 

@@ -47,9 +47,9 @@ int main() {
   for (const prehend::ScoredGrasp& grasp : result.grasps) {
     std::cout << "epsilon " << grasp.trial.epsilon.lower << ", " << grasp.trial.contacts.size()
               << " contacts, hand at " << grasp.trial.X_OH.translation().transpose()
-              << " m: " << prehend::origin_words(grasp, result) << "\n";
+              << " m: " << prehend::origin_text(grasp, result) << "\n";
   }
-  for (const prehend::Blocker& blocker : result.blockers) {
+  for (const prehend::CollisionCount& blocker : result.blockers) {
     std::cout << blocker.count << " times " << blocker.link << " met " << blocker.by << "\n";
   }
   prehend::RunRecord record;

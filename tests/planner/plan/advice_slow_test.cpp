@@ -107,7 +107,7 @@ TEST(Advice, OnAnotherHandNamesOneThatHolds) {
   EXPECT_NE(words.find("(parallel_jaw: 80 mm)"), std::string::npos) << words;
   EXPECT_FALSE(plan(compile(wide_box(hand))).grasps.empty()) << hand;
   // The program says it in its one line.
-  EXPECT_NE(no_candidates_words(scene, result).find("mm; try --hand " + hand), std::string::npos);
+  EXPECT_NE(no_candidates_text(scene, result).find("mm; try --hand " + hand), std::string::npos);
 }
 
 TEST(Advice, DoesNotNameAHandWhereNoneOpensWideEnough) {

@@ -186,7 +186,7 @@ void expect_accounted_for(const PlanResult& result) {
   ASSERT_NE(candidates, result.stages.end());
   EXPECT_EQ(tried, candidates->count);
   int blocked = 0;
-  for (const Blocker& blocker : result.blockers) {
+  for (const CollisionCount& blocker : result.blockers) {
     EXPECT_FALSE(blocker.by.empty());
     blocked += blocker.count;
   }
@@ -286,8 +286,9 @@ TEST(ArmPlanObstacles, NothingIsGraspedInAClosedCrate) {
     expect_accounted_for(result);
     EXPECT_EQ(count_of(result, Outcome::stable), 0) << name;
     EXPECT_EQ(count_of(result, Outcome::not_force_closure), 0) << name;
-    const auto crate = std::find_if(result.blockers.begin(), result.blockers.end(),
-                                    [](const Blocker& blocker) { return blocker.by == "crate"; });
+    const auto crate =
+        std::find_if(result.blockers.begin(), result.blockers.end(),
+                     [](const CollisionCount& blocker) { return blocker.by == "crate"; });
     EXPECT_NE(crate, result.blockers.end()) << name;
   }
 }

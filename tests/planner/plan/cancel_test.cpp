@@ -27,7 +27,7 @@ const CompiledScene& mug_on_table() {
 PlanOptions few_candidates(int count) {
   PlanOptions options;
   options.search.trials = count;
-  options.search.follow = 0.0;
+  options.search.local_fraction = 0.0;
   return options;
 }
 

@@ -133,7 +133,7 @@ TEST(Plan, OfAnObjectTooLargeSaysBothSizes) {
   EXPECT_DOUBLE_EQ(result.largest_opening, 0.08);
   EXPECT_TRUE(result.grasps.empty());
   EXPECT_EQ(result.untested, 0);
-  EXPECT_EQ(no_candidates_words(compiled, result),
+  EXPECT_EQ(no_candidates_text(compiled, result),
             "crate: no grasp to try with hand franka_hand: the smallest size to close on is 1000 "
             "mm, the hand opens to 80 mm");
 }

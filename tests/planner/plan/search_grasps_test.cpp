@@ -129,7 +129,7 @@ TEST(SearchGrasps, FollowsTheBest) {
   ASSERT_GT(beside_count, 20);
   EXPECT_LT(beside_count, 80);
   EXPECT_GT(beside / beside_count, 1.5 * others / (200 - beside_count));
-  const SearchResult without = mug_to_search().search({.trials = 200, .follow = 0.0});
+  const SearchResult without = mug_to_search().search({.trials = 200, .local_fraction = 0.0});
   for (const ProposedGrasp& grasp : without.proposed) EXPECT_EQ(grasp.level, 0);
 }
 
@@ -158,11 +158,12 @@ TEST(SearchGrasps, BacksOffMoreWhereNothingHolds) {
   const CompiledScene scene = compile(make_scene(
       make_graspable("box", make_box({0.06, 0.1, 0.16}), Material::plastic), "robotiq_2f85"));
   const Searched box{scene, decompose(scene.scene.object.mesh).primitives};
-  const SearchResult never = box.search({.trials = 120, .patience = 120});
+  const SearchResult never = box.search({.trials = 120, .trials_before_extra_back_offs = 120});
   EXPECT_EQ(std::count_if(never.trials.begin(), never.trials.end(),
                           [](const Trial& t) { return t.outcome == Outcome::stable; }),
             0);
-  const SearchResult soon = box.search({.trials = 120, .patience = 60}, {.threads = 2});
+  const SearchResult soon =
+      box.search({.trials = 120, .trials_before_extra_back_offs = 60}, {.threads = 2});
   expect_same(never, soon, 64);
   for (std::size_t i = 64; i < soon.trials.size(); ++i) {
     const Trial& trial = soon.trials[i];
@@ -178,8 +179,8 @@ TEST(SearchGrasps, BeginsNothingAfterItsDeadline) {
   const SearchResult none = mug.search({.trials = 100}, context);
   EXPECT_EQ(none.end, SearchEnd::out_of_time);
   EXPECT_TRUE(none.trials.empty());
-  EXPECT_EQ(none.ways_untested, none.ways);
-  EXPECT_GT(none.ways, 0);
+  EXPECT_EQ(none.families_untested, none.families);
+  EXPECT_GT(none.families, 0);
 }
 
 // A deadline that passes in the middle: what was tried by then is the beginning of the whole.

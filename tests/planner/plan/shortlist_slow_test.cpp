@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/plan/accuracy.h"
-#include "planner/plan/disturb_grasps.h"
+#include "planner/plan/perturb_grasps.h"
 #include "sim/base/input_error.h"
 #include "sim/trial/success.h"
 #include "tests/support/library_scenes.h"
@@ -39,7 +39,7 @@ TEST(Shortlist, IsTheTopOfThePool) {
       EXPECT_EQ(robustness.samples, 12);
       EXPECT_EQ(list.grasps[i].trial.X_OH.matrix(), pool.grasps[i].trial.X_OH.matrix()) << i;
       EXPECT_EQ(robustness.held, pool.grasps[i].robustness->held);
-      EXPECT_EQ(robustness.spare, pool.grasps[i].robustness->spare);
+      EXPECT_EQ(robustness.position_margin, pool.grasps[i].robustness->position_margin);
       EXPECT_EQ(success_probability(robustness), success_probability(*pool.grasps[i].robustness));
     }
   }
@@ -83,12 +83,12 @@ TEST(Shortlist, WithoutTimeIsThatOfEpsilon) {
   }
 }
 
-ScoredGrasp grasp_with(int held, double spare, double epsilon) {
+ScoredGrasp grasp_with(int held, double position_margin, double epsilon) {
   ScoredGrasp grasp;
   Robustness robustness;
   robustness.samples = 16;
   robustness.held = held;
-  robustness.spare = spare;
+  robustness.position_margin = position_margin;
   robustness.epsilon_mean = epsilon;
   grasp.robustness = robustness;
   return grasp;

@@ -35,7 +35,7 @@ ScoredGrasp some_grasp(const CompiledScene& scene) {
   grasp.trial.outcome = Outcome::stable;
   grasp.trial.X_OH = translation({0.1, -0.2, 0.3}) * Eigen::AngleAxisd(0.3, Vector3::UnitY());
   grasp.trial.travel = 0.07;
-  grasp.trial.gave_way = {1e-3, -2e-4, 0.0};
+  grasp.trial.overlap_shift = {1e-3, -2e-4, 0.0};
   grasp.trial.back_offs = 2;
   grasp.trial.pushed = {2e-3, 0.0, -4e-3};
   grasp.trial.turned = 0.14;
@@ -152,8 +152,8 @@ TEST(GraspsFile, TheWeightIsWrittenAndIgnoredByReaders) {
   const CompiledScene scene = test::compiled_library_scene("mug");
   PlanResult result = some_result(scene);
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  result.grasps[0].holding = Holding{{-Vector3::UnitX(), 12.5, 4.5, kInfinite},
-                                     {Vector3::UnitY(), kInfinite, kInfinite, 0.0}};
+  result.grasps[0].holding = PayloadMargin{{-Vector3::UnitX(), 12.5, 4.5, kInfinite},
+                                           {Vector3::UnitY(), kInfinite, kInfinite, 0.0}};
   const std::string text = grasps_json(scene, result, some_record());
   const Json weight = Json::parse(text)["grasps"][0]["weight"];
   EXPECT_EQ(weight["holds"], true);
@@ -177,7 +177,7 @@ TEST(GraspsFile, RobustnessIsWrittenAndIgnoredByReaders) {
   robustness.epsilon_low = 0.125;
   robustness.outcomes[static_cast<std::size_t>(Outcome::stable)] = 14;
   robustness.outcomes[static_cast<std::size_t>(Outcome::no_contact)] = 2;
-  robustness.spare = 2.5e-3;
+  robustness.position_margin = 2.5e-3;
   robustness.weakest_O = -Vector3::UnitY();
   result.grasps[0].robustness = robustness;
   const std::string text = grasps_json(scene, result, some_record());

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/show/best_viewpoint.h"
 #include "planner/show/contact_sheet.h"
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/motion_frames.h"
-#include "planner/show/telling_side.h"
 #include "tests/support/held_cube.h"
 
 namespace prehend {
@@ -50,7 +50,7 @@ TEST(CancelledBeforehand, PicturesThrow) {
   const Vector3 side = Vector3::UnitX();
   EXPECT_THROW(grasp_picture(held.scene, held.grasp, side, size, context), Cancelled);
   EXPECT_THROW(grasp_from_four_sides(held.scene, held.grasp, size, context), Cancelled);
-  EXPECT_THROW(telling_side(held.scene, held.grasp, {}, context), Cancelled);
+  EXPECT_THROW(best_viewpoint(held.scene, held.grasp, {}, context), Cancelled);
   EXPECT_THROW(contact_sheet(held.scene, {held.grasp}, {}, context), Cancelled);
   EXPECT_THROW(motion_view(held.scene, frames, held.grasp, size, context), Cancelled);
   EXPECT_THROW(motion_picture(held.scene, posed_at(frames.front()), view, size, context),

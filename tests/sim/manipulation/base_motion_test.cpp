@@ -16,7 +16,7 @@ TEST(BaseMotion, StartsAndEndsAtRest) {
   Random random(4);
   const BaseStart start{random.pose(0.5), random.direction(), 0.3};
   for (const PhaseKind kind : kPhaseKinds) {
-    const ProtocolPhase phase{.kind = kind, .duration = 1.5, .amplitude = 0.04, .frequency = 2.0};
+    const ProcedurePhase phase{.kind = kind, .duration = 1.5, .amplitude = 0.04, .frequency = 2.0};
     Vector3 velocity = Vector3::Zero();
     Pose at = start.X_WH;
     for (int k = 1; k <= 1500; ++k) {
@@ -37,15 +37,15 @@ TEST(BaseMotion, StartsAndEndsAtRest) {
 TEST(BaseMotion, ReachesItsAmplitude) {
   const BaseStart start{Pose::Identity(), Vector3::UnitY(), 0.0};
   const double quarter = 0.5 + 0.125;
-  const ProtocolPhase swing{
+  const ProcedurePhase swing{
       .kind = PhaseKind::swing, .duration = 2.0, .amplitude = 0.04, .frequency = 2.0};
   EXPECT_LT((base_pose(swing, start, quarter).translation() - Vector3(0, 0.04, 0)).norm(), 1e-12);
-  ProtocolPhase turn = swing;
+  ProcedurePhase turn = swing;
   turn.kind = PhaseKind::turn;
   const Eigen::AngleAxisd turned(Matrix3(base_pose(turn, start, quarter).linear()));
   EXPECT_NEAR(turned.angle(), 0.04, 1e-12);
   EXPECT_NEAR(turned.axis().y(), 1.0, 1e-9);
-  ProtocolPhase circle = swing;
+  ProcedurePhase circle = swing;
   circle.kind = PhaseKind::circle;
   EXPECT_NEAR(base_pose(circle, start, quarter).translation().norm(), 0.04, 1e-12);
 }

@@ -18,12 +18,12 @@ Scene cube_on_table() {
   return scene;
 }
 
-World world_of_grasp(Scene scene, const Protocol& protocol) {
+World world_of_grasp(Scene scene, const TestProcedure& procedure) {
   const CompiledScene ready = compile(std::move(scene));
   GraspPosture posture;
   posture.X_OH = translation({0.0, 0.0, 1.0});
   posture.dofs = initial_dofs(ready.scene.hand);
-  return make_grasp_world(ready, hand_model(ready), posture, protocol).world;
+  return make_grasp_world(ready, hand_model(ready), posture, procedure).world;
 }
 
 TEST(GraspWorld, TakesKineticFrictionAndRestitutionFromTheScene) {
@@ -32,9 +32,9 @@ TEST(GraspWorld, TakesKineticFrictionAndRestitutionFromTheScene) {
   scene.obstacles[0].restitution = 0.2;
   scene.friction.set(Material::plastic, Material::wood, 0.5);
   scene.kinetic_friction.set(Material::plastic, Material::wood, 0.3);
-  Protocol protocol;
-  protocol.on_support = true;
-  const World world = world_of_grasp(scene, protocol);
+  TestProcedure procedure;
+  procedure.on_support = true;
+  const World world = world_of_grasp(scene, procedure);
   ASSERT_EQ(world.bodies.size(), 2U);
   EXPECT_EQ(world.bodies[kObjectBody].restitution, 0.7);
   EXPECT_EQ(world.bodies[1].restitution, 0.2);
@@ -52,14 +52,14 @@ TEST(GraspWorld, TakesTheMassFromWhereTheSceneHasIt) {
   state_mass(scene.object, {.density = 1000.0, .parts = {bottom}});
   const GraspableBody object = scene.object;
   EXPECT_NEAR(object.center_of_mass.z(), -0.005, 1e-12);
-  Protocol protocol;
+  TestProcedure procedure;
   const auto inertial = [&] {
-    return world_of_grasp(scene, protocol).bodies[kObjectBody].inertial;
+    return world_of_grasp(scene, procedure).bodies[kObjectBody].inertial;
   };
   EXPECT_EQ(inertial().mass, object.mass);
   EXPECT_EQ(inertial().center_of_mass, object.center_of_mass);
   EXPECT_EQ(inertial().inertia, object.inertia);
-  protocol.object.mass = 2.0 * object.mass;
+  procedure.object.mass = 2.0 * object.mass;
   EXPECT_EQ(inertial().center_of_mass, object.center_of_mass);
   EXPECT_LT((inertial().inertia - 2.0 * object.inertia).norm(), 1e-12 * object.inertia.norm());
   state_center_of_mass(scene.object, {0.01, 0.0, 0.0});
@@ -74,9 +74,9 @@ TEST(GraspWorld, TheFrictionOfAProtocolHoldsForWhatSlidesAsWell) {
   Scene scene = cube_on_table();
   const Material pad = material_named(scene.hand.links.back().material);
   scene.kinetic_friction.set(pad, Material::plastic, 0.1);
-  Protocol protocol;
-  protocol.friction = 0.8;
-  const World world = world_of_grasp(scene, protocol);
+  TestProcedure procedure;
+  procedure.friction = 0.8;
+  const World world = world_of_grasp(scene, procedure);
   ASSERT_TRUE(world.laws.kinetic);
   EXPECT_EQ(world.laws.kinetic->between(pad, Material::plastic), 0.8);
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/manipulation/grasp_world.h"
-#include "sim/manipulation/protocol_file.h"
+#include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/basic_shapes.h"
@@ -47,15 +47,15 @@ class HeldCube : public ::testing::Test {
     return run_trial(scene, candidate);
   }
 
-  static Protocol hanging(double friction, double seconds) {
-    Protocol protocol{.name = "hanging", .source = "test"};
-    protocol.friction = friction;
-    protocol.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
-    ProtocolPhase hold{.kind = PhaseKind::hold, .duration = seconds};
+  static TestProcedure hanging(double friction, double seconds) {
+    TestProcedure procedure{.name = "hanging", .source = "test"};
+    procedure.friction = friction;
+    procedure.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
+    ProcedurePhase hold{.kind = PhaseKind::hold, .duration = seconds};
     hold.gravity = Vector3(0.0, 0.0, -9.81);
     hold.fails.moved = 0.01;
-    protocol.tests = {{"gravity", {hold}}};
-    return protocol;
+    procedure.tests = {{"gravity", {hold}}};
+    return procedure;
   }
 };
 
@@ -84,13 +84,13 @@ TEST_F(HeldCube, SurvivesEveryProtocolOfTheLibrary) {
   const CompiledScene stands = scene_of(0.1, true);
   const Trial trial = closed(floats);
   const auto hand = hand_model(floats);
-  for (const std::string& name : library_protocol_names()) {
-    const Protocol protocol = read_protocol(find_protocol(name));
-    const CompiledScene& scene = protocol.on_support ? stands : floats;
-    const ShakeReport report = shake_grasp(scene, hand, posture_of(trial), protocol);
+  for (const std::string& name : library_test_procedure_names()) {
+    const TestProcedure procedure = read_test_procedure(find_test_procedure(name));
+    const CompiledScene& scene = procedure.on_support ? stands : floats;
+    const ShakeReport report = shake_grasp(scene, hand, posture_of(trial), procedure);
     EXPECT_EQ(report.holds(), name != "strength") << name;
     EXPECT_EQ(report.largest_pull().has_value(), name == "strength") << name;
-    EXPECT_EQ(report.count(), static_cast<int>(protocol.tests.size()));
+    EXPECT_EQ(report.count(), static_cast<int>(procedure.tests.size()));
     EXPECT_EQ(report.effort.crossings, 0) << name;
   }
 }
@@ -117,10 +117,10 @@ TEST_F(HeldCube, StaysWhereItIsInAHandThatTurns) {
 TEST_F(HeldCube, DoesNotStandOnNothing) {
   const CompiledScene scene = scene_of(0.1);
   const GraspPosture grasp = posture_of(closed(scene));
-  Protocol protocol = hanging(1.0, 1.0);
-  protocol.on_support = true;
+  TestProcedure procedure = hanging(1.0, 1.0);
+  procedure.on_support = true;
   const InputError refusal =
-      test::refusal_of([&] { shake_grasp(scene, hand_model(scene), grasp, protocol); });
+      test::refusal_of([&] { shake_grasp(scene, hand_model(scene), grasp, procedure); });
   EXPECT_EQ(refusal.field(), "on_support");
 }
 
@@ -134,17 +134,17 @@ TEST_F(HeldCube, BearsAGrowingPullAsFarAsFrictionSays) {
   constexpr double kFriction = 0.2;
   constexpr double kFarthest = 0.002;
   const double bears = 2.0 * kFriction * press / 0.1;
-  Protocol protocol{.name = "tug", .source = "test"};
-  protocol.friction = kFriction;
-  protocol.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
-  ProtocolPhase tug{.kind = PhaseKind::hold, .duration = 2.0};
+  TestProcedure procedure{.name = "tug", .source = "test"};
+  procedure.friction = kFriction;
+  procedure.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
+  ProcedurePhase tug{.kind = PhaseKind::hold, .duration = 2.0};
   tug.pull = Vector3(0.0, 2.0 * bears, 0.0);
   tug.pull_grows = true;
   tug.fails.moved = kFarthest;
-  ProtocolPhase weaker = tug;
+  ProcedurePhase weaker = tug;
   weaker.pull = Vector3(0.0, 0.0, 0.5 * bears);
-  protocol.tests = {{"tug", {tug}}, {"weaker", {weaker}}};
-  const ShakeReport report = shake_grasp(scene, hand, grasp, protocol);
+  procedure.tests = {{"tug", {tug}}, {"weaker", {weaker}}};
+  const ShakeReport report = shake_grasp(scene, hand, grasp, procedure);
   ASSERT_EQ(report.tests.size(), 3U);
   const double growth = bears;  // twice that in two seconds
   const double beyond = growth * std::cbrt(6.0 * kFarthest / growth);
@@ -159,9 +159,9 @@ TEST_F(HeldCube, WhatIsShakenTwiceMovesTheSame) {
   const CompiledScene scene = scene_of(0.1);
   const GraspPosture grasp = posture_of(closed(scene));
   const auto hand = hand_model(scene);
-  const Protocol protocol = read_protocol(find_protocol("acronym"));
-  const ShakeReport a = shake_grasp(scene, hand, grasp, protocol);
-  const ShakeReport b = shake_grasp(scene, hand, grasp, protocol);
+  const TestProcedure procedure = read_test_procedure(find_test_procedure("acronym"));
+  const ShakeReport a = shake_grasp(scene, hand, grasp, procedure);
+  const ShakeReport b = shake_grasp(scene, hand, grasp, procedure);
   ASSERT_EQ(a.tests.size(), b.tests.size());
   for (std::size_t t = 0; t < a.tests.size(); ++t) {
     for (std::size_t p = 0; p < a.tests[t].phases.size(); ++p) {
@@ -176,15 +176,15 @@ TEST_F(HeldCube, WhatIsShakenTwiceMovesTheSame) {
 TEST_F(HeldCube, ATurningHandTakesItsObjectAlong) {
   const CompiledScene scene = scene_of(0.1);
   const GraspPosture grasp = posture_of(closed(scene));
-  Protocol protocol{.name = "turning", .source = "test"};
-  protocol.friction = 1.0;
-  protocol.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
-  ProtocolPhase turn{.kind = PhaseKind::turn, .duration = 2.0};
+  TestProcedure procedure{.name = "turning", .source = "test"};
+  procedure.friction = 1.0;
+  procedure.prepare = {{.kind = PhaseKind::close, .duration = 0.5}};
+  ProcedurePhase turn{.kind = PhaseKind::turn, .duration = 2.0};
   turn.axis = Vector3::UnitX();
   turn.amplitude = 0.5;
   turn.frequency = 1.0;
-  protocol.tests = {{"turn", {turn}}};
-  const ShakeReport report = shake_grasp(scene, hand_model(scene), grasp, protocol);
+  procedure.tests = {{"turn", {turn}}};
+  const ShakeReport report = shake_grasp(scene, hand_model(scene), grasp, procedure);
   EXPECT_LT(report.tests.back().phases[0].moved, 1e-4);
   EXPECT_LT(report.tests.back().phases[0].turned, 1e-3);
 }
@@ -193,9 +193,9 @@ TEST_F(HeldCube, AnObjectWithoutMassCannotBeShaken) {
   CompiledScene scene = scene_of(0.1);
   const GraspPosture grasp = posture_of(closed(scene));
   scene.scene.object.mass = 0.0;
-  const Protocol protocol = hanging(1.0, 0.1);
+  const TestProcedure procedure = hanging(1.0, 0.1);
   const auto hand = hand_model(scene);
-  EXPECT_EQ(test::refusal_of([&] { (void)shake_grasp(scene, hand, grasp, protocol); }).field(),
+  EXPECT_EQ(test::refusal_of([&] { (void)shake_grasp(scene, hand, grasp, procedure); }).field(),
             "cube");
 }
 

@@ -22,7 +22,7 @@ void make_fingers_of(const std::string& material, Robot& hand) {
 
 Simulation closed(const Scene& scene, double seconds) {
   const CompiledScene ready = compile(scene);
-  return simulate(ready, start_of(ready), closing_protocol(ready, seconds));
+  return simulate(ready, start_of(ready), closing_procedure(ready, seconds));
 }
 
 bool happened(const Simulation& simulation, ObjectEventKind kind) {

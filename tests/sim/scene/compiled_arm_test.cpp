@@ -28,7 +28,7 @@ PairKey key(const ArmPair& pair) { return {pair.link, pair.other}; }
 // the hand; links before the hand with every fixed body.
 std::vector<ArmPair> all_pairs(const CompiledArm& arm) {
   std::vector<ArmPair> pairs;
-  for (const LinkPair& links : separate_pairs(arm.links, arm.robot())) {
+  for (const LinkPair& links : collision_pairs(arm.links, arm.robot())) {
     if (arm.is_hand_link(links.a) && arm.is_hand_link(links.b)) continue;
     pairs.push_back({.link = links.a, .other = links.b});
   }

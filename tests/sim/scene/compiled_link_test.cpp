@@ -104,7 +104,7 @@ std::set<std::string> untested_pairs(const Robot& robot) {
       untested.insert(links[a].name + " " + links[b].name);
     }
   }
-  for (const LinkPair& pair : separate_pairs(links, robot)) {
+  for (const LinkPair& pair : collision_pairs(links, robot)) {
     untested.erase(links[index(pair.a)].name + " " + links[index(pair.b)].name);
   }
   return untested;

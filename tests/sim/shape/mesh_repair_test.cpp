@@ -51,7 +51,7 @@ TEST(MeshRepair, LeavesClosedMeshesAsTheyAre) {
     EXPECT_TRUE(same(repair.mesh, mesh)) << name;
     EXPECT_FALSE(repair.changed());
     EXPECT_EQ(repair.faced, 0);
-    EXPECT_EQ(repair_words(repair), "");
+    EXPECT_EQ(repair_text(repair), "");
   }
 }
 
@@ -236,9 +236,9 @@ TEST(MeshRepair, TakesOptionsThatSwitchItOff) {
 }
 
 TEST(MeshRepair, SaysWhatItDid) {
-  EXPECT_EQ(repair_words(repair_mesh(without_top(make_box({1, 1, 1})))),
+  EXPECT_EQ(repair_text(repair_mesh(without_top(make_box({1, 1, 1})))),
             "1 hole closed (16.7 % of the surface)");
-  EXPECT_EQ(repair_words(repair_mesh(partly_turned(make_box({1, 1, 1}), 12))),
+  EXPECT_EQ(repair_text(repair_mesh(partly_turned(make_box({1, 1, 1}), 12))),
             "1 triangle turned that disagreed with those around");
 }
 

@@ -72,7 +72,7 @@ TEST(ArmTrial, AStableGraspHasAPostureOfTheArmThatHoldsTheHandThere) {
   const Pose X_OH = arm.X_BO.inverse() * hand_in_base(arm, trial.arm_dofs);
   EXPECT_TRUE(X_OH.isApprox(trial.X_OH, 1e-8));
   EXPECT_FALSE(first_meeting(arm, arm.arm_pairs, joint_values(arm.robot(), trial.arm_dofs)));
-  EXPECT_EQ(blame(scene, trial).link, "");
+  EXPECT_EQ(collision_of(scene, trial).link, "");
 }
 
 TEST(ArmTrial, KeepsThePosturesOfTheArmAlongTheApproach) {
@@ -136,7 +136,7 @@ TEST(ArmTrial, TooFarAwayIsUnreachable) {
     const Trial trial = run_trial(far, candidate);
     EXPECT_EQ(trial.outcome, Outcome::unreachable);
     EXPECT_FALSE(trial.arm_pair.has_value());
-    EXPECT_EQ(blame(far, trial).by, "");
+    EXPECT_EQ(collision_of(far, trial).by, "");
     expect_no_grasp(trial);
   }
 }
@@ -169,9 +169,9 @@ TEST(ArmTrial, AnArmThatMeetsAnObstacleIsBlockedByIt) {
   const Trial trial = run_trial(after, grasp.candidate);
   ASSERT_EQ(trial.outcome, Outcome::arm_blocked);
   expect_no_grasp(trial);
-  const Blame blamed = blame(after, trial);
-  EXPECT_EQ(blamed.link.rfind("arm/", 0), 0U) << blamed.link;
-  EXPECT_EQ(blamed.by, "cubes");
+  const CollisionNames colliding = collision_of(after, trial);
+  EXPECT_EQ(colliding.link.rfind("arm/", 0), 0U) << colliding.link;
+  EXPECT_EQ(colliding.by, "cubes");
   // The hand itself was free.
   EXPECT_EQ(run_trial(compile(without_arm(scene)), grasp.candidate).outcome, Outcome::stable);
 }
@@ -199,8 +199,8 @@ void expect_hand_stopped(Outcome expected, double above_the_palm) {
   ASSERT_EQ(trial.outcome, expected) << outcome_name(trial.outcome);
   EXPECT_FALSE(trial.arm_pair.has_value());
   expect_no_grasp(trial);
-  EXPECT_EQ(blame(blocked, trial).by, "brick");
-  EXPECT_EQ(blame(blocked, trial).link, "palm");
+  EXPECT_EQ(collision_of(blocked, trial).by, "brick");
+  EXPECT_EQ(collision_of(blocked, trial).link, "palm");
 }
 
 TEST(ArmTrial, ABrickInThePalmAtThePreGraspBlocksTheHand) {

@@ -10,8 +10,8 @@
 #include "sim/quality/wrench.h"
 #include "sim/scene/object_mass.h"
 #include "sim/shape/files/mesh_file.h"
-#include "sim/trial/disturbed_trials.h"
-#include "sim/trial/hold_weight.h"
+#include "sim/trial/payload_margin.h"
+#include "sim/trial/perturbed_trials.h"
 #include "tests/support/published_grasps.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shared_data.h"
@@ -35,22 +35,22 @@ Robot gentle_franka() {
 // What the tests compare of a grasp.
 struct Judged {
   Trial trial;
-  Holding holding = {};
+  PayloadMargin holding = {};
   Robustness robustness = {};
 };
 
 Judged judge(const CompiledScene& scene, const Candidate& candidate) {
   Judged judged{.trial = run_trial(scene, candidate)};
   if (judged.trial.contacts.empty()) return judged;
-  judged.holding = hold_weight(scene, judged.trial);
+  judged.holding = payload_margin(scene, judged.trial);
   TrialWorkspace workspace;
-  judged.robustness = try_disturbed(scene, candidate, judged.trial, {},
-                                    disturbances(scene, {.samples = 64}, 1), workspace);
+  judged.robustness = try_perturbed(scene, candidate, judged.trial, {},
+                                    perturbations(scene, {.samples = 64}, 1), workspace);
   return judged;
 }
 
 void record(const std::string& name, const Judged& judged) {
-  const Holding& holding = judged.holding;
+  const PayloadMargin& holding = judged.holding;
   testing::Test::RecordProperty(name + "_strength", std::to_string(holding.given.strength));
   testing::Test::RecordProperty(name + "_worst_strength", std::to_string(holding.worst.strength));
   testing::Test::RecordProperty(name + "_probability",

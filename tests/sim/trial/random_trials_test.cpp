@@ -104,7 +104,7 @@ void check_trial(const CompiledScene& scene, const Candidate& candidate, Tally& 
   const auto links = test::link_soups(scene, trial.X_OH, trial.joints);
   const std::string collision = test::what_collides(links, scene);
   if (trial.outcome == Outcome::hand_blocked) {
-    EXPECT_NE(collision, "") << "called blocked by its link " << blame(scene, trial).link;
+    EXPECT_NE(collision, "") << "called blocked by its link " << collision_of(scene, trial).link;
     EXPECT_TRUE(trial.contacts.empty());
     return;
   }

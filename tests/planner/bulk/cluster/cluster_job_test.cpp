@@ -69,7 +69,7 @@ std::string shard_words(const ClusterJob& job, int shard) {
          std::to_string(job.cores) + "\n";
 }
 
-std::string merge_words(const ClusterJob& job) {
+std::string merge_text(const ClusterJob& job) {
   return "batch\nmerge\n" + job.batch.string() + "\n-o\n" + job.out.string() + "\n";
 }
 
@@ -101,7 +101,7 @@ TEST(MergeScript, MergesWhateverThePaths) {
     if (word.find_first_of("\\%") != std::string::npos) continue;  // refused
     const ClusterJob job = stage.job(word, ClusterEngine::slurm);
     printed_by({"bash", stage.write(merge_script(job))});
-    EXPECT_EQ(content_of(job.out / "words"), merge_words(job)) << word;
+    EXPECT_EQ(content_of(job.out / "words"), merge_text(job)) << word;
   }
 }
 
@@ -115,7 +115,7 @@ TEST(JobScript, OfParallelRunsAllShardsAndMergesWhateverThePaths) {
     EXPECT_EQ(run_words({"bash", "-n", script}).status, 0) << word;
     printed_by({"bash", script});
     EXPECT_EQ(content_of(job.out / "words"),
-              shard_words(job, 1) + shard_words(job, 2) + shard_words(job, 3) + merge_words(job));
+              shard_words(job, 1) + shard_words(job, 2) + shard_words(job, 3) + merge_text(job));
   }
 }
 

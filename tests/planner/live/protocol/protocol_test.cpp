@@ -17,7 +17,7 @@
 namespace prehend::test {
 namespace {
 
-TEST(Protocol, AHandTakesHoldOfAnObject) {
+TEST(TestProcedure, AHandTakesHoldOfAnObject) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   EXPECT_EQ(client.result({{"command", "hello"}})["version"], 1);
@@ -99,7 +99,7 @@ constexpr Mistake kMistakes[] = {
     {"{\"command\": \"\xff\"}", "line 1"},
 };
 
-TEST(Protocol, EveryMistakeIsToldWithItsField) {
+TEST(TestProcedure, EveryMistakeIsToldWithItsField) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   for (const Mistake& mistake : kMistakes) {
@@ -115,7 +115,7 @@ TEST(Protocol, EveryMistakeIsToldWithItsField) {
   EXPECT_EQ(client.result({{"command", "state"}})["revision"], 0);
 }
 
-TEST(Protocol, RepliesHaveTheIdAndTheOrderOfTheRequests) {
+TEST(TestProcedure, RepliesHaveTheIdAndTheOrderOfTheRequests) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   for (int i = 0; i < 100; ++i) {
@@ -125,7 +125,7 @@ TEST(Protocol, RepliesHaveTheIdAndTheOrderOfTheRequests) {
   EXPECT_EQ(client.reply_to_text(R"({"id": "a", "command": "fly"})")["id"], "a");
 }
 
-TEST(Protocol, TwoClientsSeeTheSame) {
+TEST(TestProcedure, TwoClientsSeeTheSame) {
   SessionEndpoint endpoint({});
   ListeningClient one(endpoint);
   ListeningClient two(endpoint);
@@ -147,7 +147,7 @@ TEST(Protocol, TwoClientsSeeTheSame) {
   EXPECT_EQ(one.result({{"command", "undo"}})["done"], true);
 }
 
-TEST(Protocol, PlansAreToldOfCancelledAndKept) {
+TEST(TestProcedure, PlansAreToldOfCancelledAndKept) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   ListeningClient other(endpoint);
@@ -174,7 +174,7 @@ TEST(Protocol, PlansAreToldOfCancelledAndKept) {
   EXPECT_EQ(client.result({{"command", "plan.cancel"}})["cancelled"], false);
 }
 
-TEST(Protocol, AnEndpointEndsWhileAPlanRuns) {
+TEST(TestProcedure, AnEndpointEndsWhileAPlanRuns) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   client.result({{"command", "scene.new"}, {"hand", "parallel_jaw"}});
@@ -209,7 +209,7 @@ std::string garbage(Random& random) {
   return text;
 }
 
-TEST(Protocol, GarbageIsAnsweredOnceEach) {
+TEST(TestProcedure, GarbageIsAnsweredOnceEach) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   Random random(11);
@@ -224,7 +224,7 @@ TEST(Protocol, GarbageIsAnsweredOnceEach) {
   EXPECT_TRUE(client.result({{"command", "state"}}).contains("hand"));
 }
 
-TEST(Protocol, ManyClientsAtOnceGetTheirOwnReplies) {
+TEST(TestProcedure, ManyClientsAtOnceGetTheirOwnReplies) {
   SessionEndpoint endpoint({});
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
@@ -242,7 +242,7 @@ TEST(Protocol, ManyClientsAtOnceGetTheirOwnReplies) {
   for (std::thread& thread : threads) thread.join();
 }
 
-TEST(Protocol, WhatAClientSendsAheadIsBounded) {
+TEST(TestProcedure, WhatAClientSendsAheadIsBounded) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   constexpr int kSent = 3000;
@@ -261,7 +261,7 @@ bool writes_documents() { return std::getenv("PREHEND_WRITE_PROTOCOL") != nullpt
 
 constexpr const char* kHint = "PREHEND_WRITE_PROTOCOL=1 protocol_tests writes it anew";
 
-TEST(Protocol, TheSchemaIsThatOfTheCommands) {
+TEST(TestProcedure, TheSchemaIsThatOfTheCommands) {
   const std::filesystem::path file = document("protocol.schema.json");
   if (writes_documents()) write_file(file, protocol_schema());
   EXPECT_TRUE(read_file(file) == protocol_schema()) << kHint;
@@ -274,7 +274,7 @@ TEST(Protocol, TheSchemaIsThatOfTheCommands) {
   }
 }
 
-TEST(Protocol, TheDocumentListsTheCommands) {
+TEST(TestProcedure, TheDocumentListsTheCommands) {
   const std::string heading = "## Commands\n\n";
   const std::filesystem::path file = document("protocol.md");
   std::string text = read_file(file);

@@ -58,12 +58,12 @@ struct Ordering {
     return grasps;
   }
 
-  std::vector<Judgement> judged(const LearnedOrder& order,
-                                const std::vector<ProposedGrasp>& grasps) const {
+  std::vector<Prediction> judged(const LearnedOrder& order,
+                                 const std::vector<ProposedGrasp>& grasps) const {
     const FeatureMaker maker(scene, primitives);
-    std::vector<Judgement> judgements;
+    std::vector<Prediction> judgements;
     for (const ProposedGrasp& grasp : grasps) {
-      judgements.push_back(judge(*order.model, maker.features(grasp)));
+      judgements.push_back(predict(*order.model, maker.features(grasp)));
     }
     return judgements;
   }
@@ -81,7 +81,7 @@ std::set<Key> keys(const std::vector<ProposedGrasp>& grasps, std::size_t first, 
 
 // What comes where the best of 24 that wait is chosen each time, by the definition: each choice
 // looks at all that came before it.
-std::vector<std::size_t> chosen_by_definition(const std::vector<Judgement>& judged, double variety,
+std::vector<std::size_t> chosen_by_definition(const std::vector<Prediction>& judged, double variety,
                                               std::size_t count) {
   std::vector<std::size_t> chosen;
   while (chosen.size() < count) {
@@ -189,7 +189,7 @@ TEST(OrderedProposals, AnUnknownHandChecksTheModelFirst) {
   order.model = model;
   order.unknown_hand_first = 20;
   const auto in_order = scene.in_sequence(100);
-  const std::vector<Judgement> judged = scene.judged(order, in_order);
+  const std::vector<Prediction> judged = scene.judged(order, in_order);
   for (const double sign : {1.0, -1.0}) {
     ProposalSequence sequence(scene.scene, scene.primitives, {});
     OrderedProposals proposals(scene.scene, scene.primitives, {}, sequence, order);

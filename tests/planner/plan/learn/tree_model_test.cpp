@@ -69,14 +69,14 @@ TEST(TreeModel, AlikeIsWhatTreesLeadToTheSameLeaf) {
   const TreeModel model = two_trees();
   const auto judged = [&](float a, float b) {
     const std::array<float, 2> features = {a, b};
-    return judge(model, features);
+    return predict(model, features);
   };
   EXPECT_EQ(judged(3.0F, 0.0F).leaves, (std::vector<int>{2, 3}));
   EXPECT_EQ(judged(3.0F, 0.0F).score, score_of(model, 3.0F, 0.0F));
   EXPECT_EQ(likeness(judged(3.0F, 0.0F), judged(2.0F, 7.0F)), 1.0);
   EXPECT_EQ(likeness(judged(3.0F, 0.0F), judged(4.0F, 1.0F)), 0.5);
   EXPECT_EQ(likeness(judged(0.0F, -1.0F), judged(3.0F, 0.0F)), 0.0);
-  EXPECT_EQ(likeness(Judgement{}, Judgement{}), 0.0);
+  EXPECT_EQ(likeness(Prediction{}, Prediction{}), 0.0);
 }
 
 TEST(TreeModel, RefusesTreesThatWouldNotEnd) {
@@ -102,7 +102,7 @@ TEST(TreeModel, RefusesTreesThatWouldNotEnd) {
             std::string::npos);
 }
 
-std::string unfit_words(const TreeModel& model, const char* hand) {
+std::string unfit_text(const TreeModel& model, const char* hand) {
   return test::refusal_of([&] { require_fit(model, hand); }).what();
 }
 
@@ -111,14 +111,14 @@ TEST(TreeModel, FitsTheHandsItWasTrainedOnOrAny) {
   model.features_version = kGraspFeaturesVersion;
   model.features = grasp_feature_names();
   EXPECT_NO_THROW(require_fit(model, "some_hand"));
-  EXPECT_EQ(unfit_words(model, "other"),
+  EXPECT_EQ(unfit_text(model, "other"),
             "hands: was trained for other hands (some_hand), not for any (other)");
   model.any_hand = true;
   EXPECT_NO_THROW(require_fit(model, "other"));
   model.features.back() = "something else";
-  EXPECT_NE(unfit_words(model, "other").find("features: "), std::string::npos);
+  EXPECT_NE(unfit_text(model, "other").find("features: "), std::string::npos);
   model.features_version = kGraspFeaturesVersion + 1;
-  EXPECT_NE(unfit_words(model, "other").find("features_version: "), std::string::npos);
+  EXPECT_NE(unfit_text(model, "other").find("features_version: "), std::string::npos);
 }
 
 TEST(TreeModel, AFileReadsBackAsItWas) {

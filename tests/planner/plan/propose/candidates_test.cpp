@@ -176,7 +176,7 @@ TEST(ProposalSequence, WithoutAPrimitiveIsEmpty) {
   ProposalSequence none(scene, {}, {});
   EXPECT_FALSE(none.next(Track::solids).has_value());
   EXPECT_FALSE(none.next(Track::curves).has_value());
-  EXPECT_EQ(none.ways(), 0);
+  EXPECT_EQ(none.families(), 0);
 }
 
 TEST(Candidates, StartFreeOfTheObject) {

@@ -112,13 +112,13 @@ TEST(LabelAgreement, CountsWhatHoldsThereAndHere) {
   EXPECT_EQ(agreement.there_only, 1);
   EXPECT_EQ(agreement.here_only, 1);
   EXPECT_EQ(agreement.neither, 1);
-  EXPECT_EQ(agreement_words(agreement),
+  EXPECT_EQ(agreement_text(agreement),
             "labels of the file: 3 of 5 agree (60.0 %); held there and here 2, there only 1, here "
             "only 1, neither 1");
 }
 
 TEST(LabelAgreement, OfNothing) {
-  EXPECT_NE(agreement_words({}).find("0 of 0 agree (0.0 %)"), std::string::npos);
+  EXPECT_NE(agreement_text({}).find("0 of 0 agree (0.0 %)"), std::string::npos);
 }
 
 }  // namespace

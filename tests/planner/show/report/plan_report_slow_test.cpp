@@ -237,7 +237,7 @@ TEST(PlanReport, SaysWhatShakingShowed) {
   tug.phases = {{.kind = PhaseKind::hold, .seconds = 0.5, .moved = 0.006}};
   tug.first_slip = FirstSlip{"pad", 0.25};
   tug.largest_pull = 12.5;
-  result.grasps[0].shake = ShakeReport{.protocol = "strength", .tests = {tug}, .effort = {}};
+  result.grasps[0].shake = ShakeReport{.procedure = "strength", .tests = {tug}, .effort = {}};
   const nlohmann::json data = data_of(plan_report(held.scene, result, {}, kBrief));
   const nlohmann::json& shake = data["grasps"][0]["shake"];
   EXPECT_EQ(shake["survived"], 0);

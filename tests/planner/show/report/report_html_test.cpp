@@ -58,7 +58,7 @@ Report report_of(CompiledScene& scene, const Trial& trial, const std::string& na
   grasp.outcome = name;
   grasp.origin = name;
   grasp.preshape = name;
-  grasp.blame = name;
+  grasp.collision_of = name;
   for (const GraspContact& contact : trial.contacts) {
     grasp.contacts.push_back({contact.point, name, contact.gap});
   }

@@ -25,8 +25,8 @@ CompiledScene box_scene(const Vector3& size) {
 
 // The Franka hand grasps a flat box from all sides about its edge, the point between the fingertips
 // up to 5 mm off the middle of the box.
-Truth grasps_of_a_box(int count) {
-  Truth truth{{{"box", box_scene({0.04, 0.04, 0.03})}}, {"-"}, {}};
+ExecutedGrasps grasps_of_a_box(int count) {
+  ExecutedGrasps truth{{{"box", box_scene({0.04, 0.04, 0.03})}}, {"-"}, {}};
   Random random(2);
   for (int i = 0; i < count; ++i) {
     const double turn = 2.0 * std::numbers::pi * random.uniform();
@@ -53,7 +53,7 @@ Truth grasps_of_a_box(int count) {
 }
 
 template <typename Change>
-FrameCheck checked_after(Truth truth, const Change& change) {
+FrameCheck checked_after(ExecutedGrasps truth, const Change& change) {
   for (Execution& execution : truth.executions) {
     execution.grasp.X_OH = change(execution.grasp.X_OH);
   }
@@ -65,7 +65,7 @@ TEST(FrameCheck, IsSilentWhereTheFramesAreRight) {
   EXPECT_EQ(check.grasps, 40);
   EXPECT_EQ(check.between(), 40);
   EXPECT_FALSE(check.suspicion);
-  EXPECT_EQ(frame_words(check), "as given the object is between the fingers of 40 of 40 grasps");
+  EXPECT_EQ(frame_text(check), "as given the object is between the fingers of 40 of 40 grasps");
 }
 
 TEST(FrameCheck, NamesTheOffsetOfTheToolsPoint) {
@@ -75,14 +75,14 @@ TEST(FrameCheck, NamesTheOffsetOfTheToolsPoint) {
   EXPECT_EQ(check.between(), 0);
   ASSERT_TRUE(check.suspicion);
   EXPECT_EQ(check.suspicion->between, 40);
-  EXPECT_EQ(frame_words(check),
+  EXPECT_EQ(frame_text(check),
             "with the hand 103 mm farther back along its approach axis the object is between the "
             "fingers of 40 of 40 grasps, as given of 0: are the poses those of the point between "
             "the fingertips?");
 }
 
 TEST(FrameCheck, NamesOtherMistakes) {
-  const Truth truth = grasps_of_a_box(40);
+  const ExecutedGrasps truth = grasps_of_a_box(40);
   const auto suspects = [&](const auto& change) {
     const FrameCheck check = checked_after(truth, change);
     return check.suspicion ? check.suspicion->words : std::string("nothing");
@@ -100,7 +100,7 @@ TEST(FrameCheck, TellsPublishedGraspsFromShiftedOnes) {
   for (const std::string object : {"mug", "power_drill"}) {
     const std::string file = "data/grasps/dexycb_franka_" + object + ".json";
     PREHEND_NEEDS_SHARED(file);
-    Truth truth{
+    ExecutedGrasps truth{
         {{object, compile(make_scene(
                       make_graspable(object, load_mesh(shared("data/ycb/" + object + ".obj")).mesh,
                                      Material::plastic),
@@ -131,9 +131,9 @@ TEST(FrameCheck, FewGraspsArouseNoSuspicion) {
 }
 
 TEST(FrameCheck, IsTheSameOnAnyNumberOfThreads) {
-  const Truth truth = grasps_of_a_box(10);
-  EXPECT_EQ(frame_words(check_frames(truth, {.threads = 1})),
-            frame_words(check_frames(truth, {.threads = 2})));
+  const ExecutedGrasps truth = grasps_of_a_box(10);
+  EXPECT_EQ(frame_text(check_frames(truth, {.threads = 1})),
+            frame_text(check_frames(truth, {.threads = 2})));
 }
 
 TEST(FrameCheck, CountsHandsInObstacles) {
@@ -141,13 +141,13 @@ TEST(FrameCheck, CountsHandsInObstacles) {
                            "franka_hand");
   // A table just below the box: level hands reach into it.
   add_obstacle(scene, "table", make_box({1.0, 1.0, 0.1}), translation(Vector3(0.0, 0.0, -0.0651)));
-  Truth truth = grasps_of_a_box(10);
+  ExecutedGrasps truth = grasps_of_a_box(10);
   truth.objects[0].scene = compile(std::move(scene));
   EXPECT_EQ(check_frames(truth).in_obstacles, 10);
 }
 
 TEST(OpenHand, TellsWhereTheObjectIs) {
-  const Truth truth = grasps_of_a_box(1);
+  const ExecutedGrasps truth = grasps_of_a_box(1);
   const Candidate& grasp = truth.executions[0].grasp;
   const OpenHand hand(truth.objects[0].scene, grasp);
   const auto moved = [&](double x, double y, double z) {

@@ -1,0 +1,69 @@
+#include <iostream>
+
+#include "planner/main/commands.h"
+#include "planner/main/print_notes.h"
+#include "planner/main/progress_bar.h"
+#include "planner/results/json_settings.h"
+#include "planner/show/validation/compare_executions.h"
+#include "planner/show/validation/validation_page.h"
+#include "planner/show/validation/validation_text.h"
+#include "sim/base/json/json_field.h"
+#include "sim/base/output_file.h"
+
+namespace prehend {
+namespace {
+
+CompareOptions truth_options(const ValidateCommand& command) {
+  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  CompareOptions options;
+  options.evaluation.seed = command.common.seed;
+  options.evaluation.trial = accuracy.trial;
+  options.evaluation.uncertainty = accuracy.uncertainty;
+  if (command.common.hard_contacts) options.evaluation.trial.soft_fingers = false;
+  options.volumes = command.volumes;
+  options.grouping = named_grouping(command.groups);
+  options.resamples = command.resamples;
+  return options;
+}
+
+// The parsed file, which takes several times the memory of the grasps, ends here.
+ExecutedGrasps read_asked(const ValidateCommand& command) {
+  ExecutedGrasps truth = read_executed_grasps(JsonFile(command.file));
+  for (const ExecutedObject& object : truth.objects) print_notes(object.scene.scene);
+  return truth;
+}
+
+}  // namespace
+
+int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
+  require_writable(command.common.out);
+  const CompareOptions options = truth_options(command);
+  const ExecutedGrasps truth = read_asked(command);
+  ProgressBar bar(command.common.progress);
+  const RunContext context{command.common.threads, interrupts.cancellation(),
+                           [&](const Progress& progress) { bar.show(progress); },
+                           command.common.deadline};
+  interrupts.cancel_first();
+  ValidationReport report;
+  try {
+    report = compare_executions(truth, command.file, options, context);
+  } catch (const Cancelled&) {
+    bar.clear();
+    std::cerr << "prehend: " << interrupts.reason() << ", nothing is written\n";
+    return interrupts.exit_status();
+  }
+  bar.clear();
+  interrupts.end_at_once("not all files are written");
+  make_folder(command.common.out);
+  interrupts.write(command.common.out / "truth.json", validation_json(report));
+  if (command.common.no_report) {
+    remove_file(command.common.out / "truth.html");
+  } else {
+    interrupts.write(command.common.out / "truth.html", validation_page(report));
+  }
+  std::cout << validation_table(report) << "wrote " << command.common.out.string() << ": truth.json"
+            << (command.common.no_report ? "" : ", truth.html") << "\n";
+  return 0;
+}
+
+}  // namespace prehend

@@ -1,0 +1,34 @@
+// Every grasp of a result is tried again with the object not quite where it was thought to be
+// (sim/trial/perturbed_trials.h), in parallel.
+#pragma once
+
+#include "planner/plan/plan.h"
+
+namespace prehend {
+
+// Fills in ScoredGrasp::robustness of the grasps in which the hand has closed on the object. The
+// disturbances are the same for all of them, so that differences between grasps are not by chance.
+// The same result on any number of threads. Does not throw Cancelled: grasps that were not tried
+// when the context was cancelled or its time was over have none, and the result's status says so.
+void perturb_grasps(const CompiledScene& scene, const TrialOptions& options,
+                    const UncertaintyOptions& uncertainty, std::uint64_t seed,
+                    const RunContext& context, PlanResult& result);
+
+// As perturb_grasps, of a result with more grasps than wanted: at most `top` are kept, the first by
+// `by`, in that order. The samples are tried in four parts. After each of them, grasps are dropped
+// that will hardly be among the first `top`: the interval of the share that held (held_interval)
+// lies below those of `top` others. Where time runs out none has a robustness, and those with the
+// larger epsilon come first.
+void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
+                      const UncertaintyOptions& uncertainty, std::uint64_t seed, RankBy by, int top,
+                      const RunContext& context, PlanResult& result);
+
+// Puts grasps first that hold in more of their samples, of equal ones those with more to spare,
+// then those with the larger mean epsilon. Those that were not tried stay behind all others.
+void rank_by_probability(PlanResult& result);
+
+// Puts grasps first that lift the object more probably (success_probability), of equal ones those
+// with more to spare. Those that were not tried stay behind all others.
+void rank_by_success(PlanResult& result);
+
+}  // namespace prehend

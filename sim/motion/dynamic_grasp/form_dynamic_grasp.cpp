@@ -1,0 +1,124 @@
+#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
+
+#include <algorithm>
+
+#include "sim/base/index.h"
+#include "sim/motion/control/quintic_step.h"
+#include "sim/motion/dynamic_grasp/hand_drives.h"
+#include "sim/motion/dynamic_grasp/resting.h"
+
+namespace prehend {
+namespace {
+
+class DynamicGraspRun {
+ public:
+  DynamicGraspRun(World world, const WorldHand& hand, const DynamicGraspOptions& options,
+                  const RunContext& context)
+      : world_(std::move(world)),
+        hand_(hand),
+        options_(options),
+        context_(context),
+        watch_(world_, hand) {}
+
+  DynamicGrasp run() {
+    const bool closed = wait(options_.settle) && close();
+    formation_.X_WO = world_.bodies[index(kObjectBody)].motion.X_WB;
+    formation_.X_WH = hand_pose(world_, hand_);
+    formation_.dofs = hand_dofs(world_, hand_);
+    formation_.joints = hand_joints(world_, hand_);
+    if (closed && stands_on_something()) lift();
+    formation_.end = watch_.end();
+    formation_.events = watch_.events();
+    return std::move(formation_);
+  }
+
+ private:
+  WorldRobot& robot() { return world_.robots[index(hand_.robot)]; }
+
+  bool stands_on_something() const { return world_.bodies.size() > 1 && options_.lift > 0.0; }
+
+  // One step of at most this time; what it took, 0 where it failed.
+  double step(double longest) {
+    context_.cancellation.check();
+    StepOptions options;
+    options.step = std::min(options_.step, longest);
+    const StepResult result = step_world(world_, options);
+    formation_.last = result.outcome;
+    formation_.seconds += result.time;
+    ++formation_.steps;
+    watch_.look(world_, formation_.seconds);
+    return result.time;
+  }
+
+  bool is_lost() const {
+    // One finger may push it to another, out of touch with both: it is then on its way for less
+    // than this [s].
+    constexpr double kOnItsWay = 0.3;
+    return watch_.alone_for(formation_.seconds) > kOnItsWay;
+  }
+
+  // Until everything rests, the object is lost, or the time is over. False where a step failed.
+  bool wait(double seconds) {
+    Resting resting;
+    for (double time = 0.0; time < seconds - 1e-9;) {
+      const double done = step(seconds - time);
+      if (done == 0.0) return false;
+      time += done;
+      if (resting.look(world_, hand_, done) || is_lost()) break;
+    }
+    return true;
+  }
+
+  bool close() {
+    set_hand_drives(closing_drives(*robot().model, hand_), hand_, robot());
+    return wait(options_.close) && !is_lost();
+  }
+
+  void lift() {
+    const double start = robot().X_WB.translation().z();
+    for (double time = 0.0; time < options_.lift_time - 1e-9;) {
+      const double next = std::min(options_.step, options_.lift_time - time);
+      const double height =
+          start + options_.lift * quintic_step((time + next) / options_.lift_time);
+      robot().base_linear = {0.0, 0.0, (height - robot().X_WB.translation().z()) / next};
+      const double done = step(next);
+      if (done == 0.0) return;
+      time += done;
+    }
+    robot().base_linear.setZero();
+    wait(options_.settle);
+  }
+
+  World world_;
+  const WorldHand& hand_;
+  const DynamicGraspOptions& options_;
+  const RunContext& context_;
+  ObjectWatch watch_;
+  DynamicGrasp formation_;
+};
+
+}  // namespace
+
+DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
+                                const std::shared_ptr<const RobotModel>& hand,
+                                const DynamicGraspStart& start, const DynamicGraspOptions& options,
+                                const RunContext& context) {
+  World world = make_scene_world(scene, true);
+  world.gravity = {0.0, 0.0, scene.has_obstacles() ? -options.gravity : 0.0};
+  const WorldHand place = add_hand(world, scene, hand, start.X_WH, start.dofs, start.joints);
+  StepOptions step;
+  step.step = options.step;
+  require_quantities(world, step);
+  if (overlap_in(world, step)) {
+    DynamicGrasp formation;
+    formation.X_WO = scene.scene.object.X_WO;
+    formation.X_WH = start.X_WH;
+    formation.dofs = start.dofs;
+    formation.joints = hand_joints(world, place);
+    formation.last = StepOutcome::blocked;
+    return formation;
+  }
+  return DynamicGraspRun(std::move(world), place, options, context).run();
+}
+
+}  // namespace prehend

@@ -1,0 +1,70 @@
+// A grasp that forms in time: the object stands on its support with its weight and friction, the
+// hand closes with its efforts, and pushes, turns, holds or loses it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/base/run_context.h"
+#include "sim/base/settings.h"
+#include "sim/motion/dynamic_grasp/object_watch.h"
+
+namespace prehend {
+
+struct DynamicGraspOptions {
+  // Whether a trial's hand closes in time, on an object that gives way; else the object stands
+  // still, as in the closing of a hand in GraspIt!.
+  bool dynamic = false;
+  double gravity = 9.81;  // where the scene has obstacles to stand on; else there is none [m/s^2]
+  double settle = 0.5;    // longest time in which the object comes to rest at first [s]
+  double close = 2.0;     // longest time in which the hand closes [s]
+  // The closed hand rises by so much in lift_time, if the object stands on something; 0: not [m,
+  // s].
+  double lift = 0.05;
+  double lift_time = 0.5;
+  double step = 2.5e-3;  // of the simulation [s]
+};
+
+template <SettingsOf<DynamicGraspOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [dynamic, gravity, settle, close, lift, lift_time, step] = options;
+  visit("dynamic", dynamic);
+  visit("gravity", gravity, kAtLeast0);
+  visit("settle", settle, kAtLeast0);
+  visit("close", close, kAbove0);
+  visit("lift", lift, kAtLeast0);
+  visit("lift_time", lift_time, kAbove0);
+  visit("step", step, kAbove0);
+}
+
+// Where the hand is when it begins to close.
+struct DynamicGraspStart {
+  Pose X_WH = Pose::Identity();
+  std::vector<double> dofs;    // of the hand [rad or m]
+  std::vector<double> joints;  // empty: as the degrees of freedom say
+};
+
+// How the grasp has formed.
+struct DynamicGrasp {
+  ObjectEnd end = ObjectEnd::untouched;
+  std::vector<ObjectEvent> events;
+  // When the hand had closed, before it rose.
+  Pose X_WO = Pose::Identity();  // of the object
+  Pose X_WH = Pose::Identity();  // of the hand's base
+  std::vector<double> dofs;      // of the hand [rad or m]
+  std::vector<double> joints;    // of the hand [rad or m]
+  double seconds = 0.0;          // that were simulated
+  int steps = 0;
+  StepOutcome last = StepOutcome::moved;  // blocked or not_finite: the simulation ended early
+};
+
+// Closes the hand (a hand_model of the scene) on the object: waits until that rests, closes until
+// everything rests, and rises. The base stands still while the hand closes: what carries it is
+// stiff. Where solids overlap at the start nothing moves, and `last` is `blocked`. The same start
+// gives the same bytes. Throws InputError for an object without a mass, and Cancelled.
+DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
+                                const std::shared_ptr<const RobotModel>& hand,
+                                const DynamicGraspStart& start, const DynamicGraspOptions& options,
+                                const RunContext& context = {});
+
+}  // namespace prehend

@@ -1,0 +1,63 @@
+#include "sim/trial/close_dynamic.h"
+
+namespace prehend {
+namespace {
+
+// What a trial says of an object that is not in the hand at the end.
+std::optional<Outcome> lost_as(ObjectEnd end) {
+  switch (end) {
+    case ObjectEnd::held:
+    case ObjectEnd::touching:
+      return std::nullopt;
+    case ObjectEnd::untouched:
+      return Outcome::no_contact;
+    case ObjectEnd::pushed_away:
+      return Outcome::pushed_away;
+    case ObjectEnd::toppled:
+      return Outcome::toppled;
+    case ObjectEnd::squeezed_out:
+      return Outcome::squeezed_out;
+    case ObjectEnd::dropped:
+      return Outcome::dropped;
+  }
+  return std::nullopt;
+}
+
+bool failed(const DynamicGrasp& formation) {
+  return formation.last == StepOutcome::blocked || formation.last == StepOutcome::not_finite;
+}
+
+}  // namespace
+
+void close_dynamic(const CompiledScene& scene, const ClosingStart& start,
+                   const TrialOptions& options, GraspWorkspace& workspace, Trial& trial,
+                   const RunContext& context) {
+  const std::vector<double> joints =
+      start.joints.empty() ? joint_values(scene.scene.hand, start.dofs) : start.joints;
+  trial.contacts.clear();
+  trial.epsilon = {};
+  trial.blocked = hand_collision(scene, start.X_OH, joints, workspace.collision);
+  if (trial.blocked) {
+    trial.outcome = Outcome::hand_blocked;
+    return;
+  }
+  const Pose& X_WO = scene.scene.object.X_WO;
+  const DynamicGraspStart from{X_WO * start.X_OH, start.dofs, start.joints};
+  const DynamicGrasp formation =
+      form_dynamic_grasp(scene, hand_model(scene), from, options.formation, context);
+  trial.X_OC = X_WO.inverse() * formation.X_WO;
+  trial.X_OH = formation.X_WO.inverse() * formation.X_WH;
+  trial.dofs = formation.dofs;
+  trial.joints = formation.joints;
+  const std::optional<Outcome> lost = lost_as(formation.end);
+  if (failed(formation)) {
+    trial.outcome = Outcome::not_simulated;
+  } else if (lost && lost != Outcome::dropped) {
+    trial.outcome = *lost;
+  } else {
+    score_contacts(scene, options, workspace, trial);
+    if (lost) trial.outcome = *lost;
+  }
+}
+
+}  // namespace prehend

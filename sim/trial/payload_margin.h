@@ -1,0 +1,53 @@
+// Whether a closed hand carries the object's weight with the efforts of its drives, and how hard it
+// has to squeeze for that.
+#pragma once
+
+#include "sim/base/run_context.h"
+#include "sim/quality/forces.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
+
+namespace prehend {
+
+// What it takes to hold the weight in one attitude. Of all forces within the friction cones that
+// balance it, `sum_of_normals` and `largest_normal` are the smallest there are, each by itself.
+struct LoadCase {
+  Vector3 down_O = -Vector3::UnitZ();  // where gravity pulls, unit, object's frame
+  double sum_of_normals = 0.0;  // of all contacts; infinite: no forces balance the weight [N]
+  double largest_normal = 0.0;  // of a contact; infinite as above [N]
+  // How many times the weight the drives can hold, within 1 %: from below, for forces were found
+  // that do it. 0: no forces balance the weight; infinite: it loads no drive whose effort is known.
+  double strength = 0.0;
+};
+
+struct PayloadMargin {
+  LoadCase given;  // the object as it lies in the scene, gravity along -z of the world
+  // Of 42 attitudes, evenly spread, the one with the largest sum of normals. The true worst one has
+  // at most 9 % more, as that sum is a convex function of the direction (a norm, but for its sign).
+  LoadCase worst;
+
+  // Whether the drives hold the weight as the object lies.
+  bool holds() const { return given.strength >= 1.0; }
+};
+
+inline constexpr double kStandardGravity = 9.81;  // m/s^2
+
+// The velocity of each contact point and the turning about its normal for each joint of the hand
+// that moves the contact's link, and the largest efforts of the joints as limits; joints that state
+// none have no limit. X_OH, joints and contacts are those of the trial.
+HandTorques hand_torques(const CompiledScene& scene, const Trial& trial);
+
+// The burden of the object's weight on the grasp of `trial`. Without contacts nothing is balanced.
+// Source of the forces: balancing_forces. Throws Cancelled.
+PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,
+                             const RunContext& context = {});
+
+// How many times the weight the drives hold as the object lies (Burden::strength).
+double weight_strength(const CompiledScene& scene, const Trial& trial);
+
+// Whether the drives hold the weight as the object lies, with all friction coefficients times a
+// factor and the centre of mass shifted [m].
+bool can_lift(const CompiledScene& scene, const Trial& trial, double friction = 1.0,
+              const Vector3& center_of_mass_O = Vector3::Zero());
+
+}  // namespace prehend

@@ -1,0 +1,145 @@
+#include "sim/trial/perturbed_trials.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/quality/share_interval.h"
+#include "sim/quality/wrench_space.h"
+#include "sim/trial/payload_margin.h"
+
+namespace prehend {
+namespace {
+
+// The approach is repeated from so far before the grasp: farther away the disturbed object is not
+// met either [m].
+constexpr double kRepeatedApproach = 0.05;
+
+class DisturbedTrials {
+ public:
+  DisturbedTrials(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                  const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context)
+      : scene_(scene),
+        candidate_(candidate),
+        first_(trial),
+        options_(options),
+        workspace_(workspace),
+        context_(context) {
+    options_.back_off_tries = 0;
+  }
+
+  const Trial& run(const Pose& X_OC) {
+    run_hand_trial(scene_, replayed_approach(candidate_, first_, X_OC), options_, workspace_,
+                   trial_, context_);
+    return trial_;
+  }
+
+  bool holds(const Perturbation& perturbation) {
+    const Trial& trial = run(perturbation.X_OC);
+    return !trial.contacts.empty() &&
+           can_lift(scene_, trial, perturbation.friction, perturbation.center_of_mass_O);
+  }
+
+  // With friction as disturbed.
+  double epsilon(double friction) const {
+    if (trial_.contacts.empty()) return 0.0;
+    std::vector<Contact> contacts = contacts_of(trial_.contacts);
+    for (Contact& contact : contacts) contact.friction *= friction;
+    return grasp_epsilon(contacts, scene_.wrench_frame, {.edges = options_.cone_edges}).lower;
+  }
+
+  // The last of kMarginSteps up to which the object may be off in this direction, of those up to
+  // `most`. Below `most`, outcome() is afterwards that of the step beyond.
+  double position_margin(const Vector3& direction_O, double most) {
+    double held = 0.0;
+    for (std::size_t i = 1; i < kMarginSteps.size() && kMarginSteps[i] <= most; ++i) {
+      Perturbation off;
+      off.X_OC = translation(kMarginSteps[i] * direction_O);
+      if (!holds(off)) break;
+      held = kMarginSteps[i];
+    }
+    return held;
+  }
+
+  Outcome outcome() const { return trial_.outcome; }
+  const Pose& X_OH() const { return candidate_.X_OH; }
+
+ private:
+  const CompiledScene& scene_;
+  const Candidate& candidate_;
+  const Trial& first_;
+  TrialOptions options_;
+  TrialWorkspace& workspace_;
+  const RunContext& context_;
+  Trial trial_;
+};
+
+void find_spare(DisturbedTrials& trials, Robustness& robustness) {
+  robustness.position_margin = kMarginSteps.back();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double way : {1.0, -1.0}) {
+      const Vector3 direction_O = way * trials.X_OH().linear().col(axis);
+      // A direction in which more is to spare than in the weakest so far need not be known.
+      const double position_margin =
+          trials.position_margin(direction_O, robustness.position_margin);
+      if (position_margin >= robustness.position_margin) continue;
+      robustness.position_margin = position_margin;
+      robustness.weakest_O = direction_O;
+      robustness.weakest_end = trials.outcome();
+    }
+  }
+}
+
+}  // namespace
+
+Candidate replayed_approach(const Candidate& candidate, const Trial& trial, const Pose& X_OC) {
+  Candidate again = candidate;
+  const double end = trial.back_offs > 0 ? trial.travel : candidate.approach_distance;
+  const double left = candidate.approach_distance - end;
+  const Pose X_CO = X_OC.inverse();
+  again.X_OH = X_CO * translation(-left * candidate.approach_O) * candidate.X_OH;
+  again.approach_O = X_CO.linear() * candidate.approach_O;
+  again.approach_distance = end - std::max(0.0, trial.travel - kRepeatedApproach);
+  return again;
+}
+
+Interval held_interval(int held, int samples) { return share_interval(held, samples, kQuantile90); }
+
+void add_samples(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                 const TrialOptions& options, std::span<const Perturbation> perturbations,
+                 TrialWorkspace& workspace, const RunContext& context, Robustness& robustness) {
+  DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
+  for (const Perturbation& perturbation : perturbations) {
+    context.cancellation.check();
+    robustness.held += trials.holds(perturbation) ? 1 : 0;
+    ++robustness.outcomes[static_cast<std::size_t>(trials.outcome())];
+    robustness.epsilons.push_back(trials.epsilon(perturbation.friction));
+  }
+  std::vector<double> epsilons = robustness.epsilons;
+  robustness.samples = static_cast<int>(epsilons.size());
+  if (epsilons.empty()) return;
+  robustness.epsilon_mean =
+      std::accumulate(epsilons.begin(), epsilons.end(), 0.0) / static_cast<double>(epsilons.size());
+  std::sort(epsilons.begin(), epsilons.end());
+  robustness.epsilon_low = epsilons[epsilons.size() / 10];
+}
+
+void add_spare(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+               const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context,
+               Robustness& robustness) {
+  robustness.strength = weight_strength(scene, trial);
+  if (robustness.samples == 0) return;
+  DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
+  find_spare(trials, robustness);
+}
+
+Robustness try_perturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
+                         const TrialOptions& options,
+                         const std::vector<Perturbation>& perturbations, TrialWorkspace& workspace,
+                         const RunContext& context) {
+  Robustness robustness;
+  add_samples(scene, candidate, trial, options, perturbations, workspace, context, robustness);
+  add_spare(scene, candidate, trial, options, workspace, context, robustness);
+  return robustness;
+}
+
+}  // namespace prehend

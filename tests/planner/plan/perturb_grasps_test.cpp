@@ -1,0 +1,62 @@
+// Disturbed trials of all grasps of a result.
+#include "planner/plan/perturb_grasps.h"
+
+#include <gtest/gtest.h>
+
+#include "planner/plan/accuracy.h"
+#include "tests/support/library_scenes.h"
+
+namespace prehend {
+namespace {
+
+PlanResult planned(const CompiledScene& scene, int threads, bool robustness) {
+  PlanOptions options = plan_options(Accuracy::draft);
+  options.search.trials = 200;
+  options.robustness = robustness;
+  options.uncertainty.samples = 6;
+  return plan(scene, options, {threads});
+}
+
+TEST(DisturbGrasps, AreTheSameOnAnyNumberOfThreads) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  const PlanResult one = planned(scene, 1, true);
+  const PlanResult three = planned(scene, 3, true);
+  ASSERT_EQ(one.grasps.size(), three.grasps.size());
+  ASSERT_FALSE(one.grasps.empty());
+  for (std::size_t i = 0; i < one.grasps.size(); ++i) {
+    const Robustness& a = one.grasps[i].robustness.value();
+    const Robustness& b = three.grasps[i].robustness.value();
+    EXPECT_EQ(a.samples, 6);
+    EXPECT_EQ(a.held, b.held);
+    EXPECT_EQ(a.epsilon_mean, b.epsilon_mean);
+    EXPECT_EQ(a.epsilon_low, b.epsilon_low);
+    EXPECT_EQ(a.outcomes, b.outcomes);
+    EXPECT_EQ(a.position_margin, b.position_margin);
+    EXPECT_EQ(a.weakest_O, b.weakest_O);
+  }
+}
+
+TEST(DisturbGrasps, AreNotMadeUnlessAskedFor) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  for (const ScoredGrasp& grasp : planned(scene, 2, false).grasps) {
+    EXPECT_FALSE(grasp.robustness.has_value());
+  }
+}
+
+// Evaluated by itself, a grasp of the plan has the same disturbed trials up to its approach, which
+// an evaluation does not repeat.
+TEST(DisturbGrasps, OfAnEvaluationAreMadeToo) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  const PlanResult result = planned(scene, 2, true);
+  EvaluateOptions options;
+  options.robustness = true;
+  options.uncertainty.samples = 6;
+  options.volumes = 0;
+  const PlanResult again = evaluate(scene, {result.grasps.front().candidate}, options);
+  ASSERT_EQ(again.grasps.size(), 1U);
+  EXPECT_EQ(again.grasps.front().robustness.value().held,
+            result.grasps.front().robustness.value().held);
+}
+
+}  // namespace
+}  // namespace prehend

@@ -1,0 +1,112 @@
+#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "sim/shape/basic_shapes.h"
+#include "tests/support/scenes.h"
+
+namespace prehend {
+namespace {
+
+constexpr double kCube = 0.05;  // edge [m]
+
+// A cube in the middle of the world, on a table or floating; the parallel jaw comes from above.
+Scene cube_scene(bool on_table) {
+  Scene scene;
+  scene.name = "cube";
+  scene.object = make_graspable("cube", make_box(Vector3::Constant(kCube)), Material::plastic, 0.2);
+  scene.hand = find_robot("parallel_jaw");
+  if (!on_table) return scene;
+  StaticBody table{"table", make_box({0.6, 0.6, 0.02})};
+  table.X_WB = translation({0.0, 0.0, -0.5 * kCube - 0.0101});
+  scene.obstacles = {table};
+  return scene;
+}
+
+// The jaw is open, its middle `aside` of the cube's along the closing axis.
+DynamicGraspStart from_above(const CompiledScene& scene, double aside) {
+  Matrix3 down;
+  down << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  return {pose_from(down, Vector3(aside, 0.0, 0.06)),
+          scene.scene.hand.hand->preshapes.front().dofs,
+          {}};
+}
+
+std::vector<ObjectEventKind> kinds(const DynamicGrasp& formation) {
+  std::vector<ObjectEventKind> kinds;
+  for (const ObjectEvent& event : formation.events) kinds.push_back(event.kind);
+  return kinds;
+}
+
+TEST(FormGrasp, TheFirstPlateToArrivePushesTheCubeToTheMiddle) {
+  const CompiledScene scene = compile(cube_scene(true));
+  for (const double aside : {-0.005, 0.0, 0.005}) {
+    const DynamicGrasp formation =
+        form_dynamic_grasp(scene, hand_model(scene), from_above(scene, aside), {});
+    EXPECT_EQ(formation.end, ObjectEnd::held) << aside;
+    // The plates press on each other without knowing where: the cube goes on by a little.
+    EXPECT_NEAR(formation.X_WO.translation().x(), aside, 5e-4);
+    EXPECT_NEAR(formation.X_WO.translation().z(), 0.0, 2e-4);
+    EXPECT_EQ(kinds(formation), (std::vector{ObjectEventKind::touched, ObjectEventKind::gripped,
+                                             ObjectEventKind::lifted}));
+    EXPECT_EQ(formation.last, StepOutcome::moved);
+  }
+}
+
+// Without friction the plates slide up along the cube, which stays on the table.
+TEST(FormGrasp, WithoutFrictionTheCubeStaysOnTheTable) {
+  Scene slippery = cube_scene(true);
+  slippery.friction.set(Material::rubber, Material::plastic, 0.0);
+  const CompiledScene scene = compile(std::move(slippery));
+  DynamicGraspOptions options;
+  options.lift = 0.08;
+  const DynamicGrasp formation =
+      form_dynamic_grasp(scene, hand_model(scene), from_above(scene, 0.0), options);
+  EXPECT_EQ(formation.end, ObjectEnd::squeezed_out);
+  EXPECT_EQ(kinds(formation).back(), ObjectEventKind::left);
+}
+
+// Nothing carries what floats, so there is no weight, and no lift to see whether it is held.
+TEST(FormGrasp, WhatFloatsHasNoWeight) {
+  const CompiledScene scene = compile(cube_scene(false));
+  const DynamicGrasp formation =
+      form_dynamic_grasp(scene, hand_model(scene), from_above(scene, 0.003), {});
+  EXPECT_EQ(formation.end, ObjectEnd::held);
+  EXPECT_NEAR(formation.X_WO.translation().z(), 0.0, 1e-6);
+  EXPECT_EQ(kinds(formation), (std::vector{ObjectEventKind::touched, ObjectEventKind::gripped}));
+}
+
+TEST(FormGrasp, AHandThatClosesBesideTheObjectDoesNotTouchIt) {
+  const CompiledScene scene = compile(cube_scene(true));
+  DynamicGraspStart start = from_above(scene, 0.0);
+  start.X_WH.translation().y() = 0.2;
+  const DynamicGrasp formation = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  EXPECT_EQ(formation.end, ObjectEnd::untouched);
+  EXPECT_TRUE(formation.events.empty());
+}
+
+TEST(FormGrasp, TheSameStartGivesTheSameBytes) {
+  const CompiledScene scene = compile(cube_scene(true));
+  const DynamicGraspStart start = from_above(scene, 0.004);
+  const DynamicGrasp once = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  const DynamicGrasp again = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  EXPECT_EQ(once.X_WO.matrix(), again.X_WO.matrix());
+  EXPECT_EQ(once.joints, again.joints);
+  EXPECT_EQ(once.steps, again.steps);
+}
+
+TEST(FormGrasp, MovesNothingWhereBodiesOverlapAtTheStart) {
+  const CompiledScene scene = compile(cube_scene(true));
+  DynamicGraspStart start = from_above(scene, 0.0);
+  start.X_WH.translation().z() = 0.01;
+  const DynamicGrasp formation = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  EXPECT_EQ(formation.last, StepOutcome::blocked);
+  EXPECT_EQ(formation.steps, 0);
+  EXPECT_EQ(formation.end, ObjectEnd::untouched);
+  EXPECT_EQ(formation.X_WH.matrix(), start.X_WH.matrix());
+}
+
+}  // namespace
+}  // namespace prehend
