@@ -5,4 +5,5 @@ target_link_libraries(prehend PRIVATE prehend_report prehend_truth prehend_expor
 target_compile_definitions(prehend PRIVATE PREHEND_VERSION="${PROJECT_VERSION}")
 
 # The program with all that it starts.
-add_custom_target(programs DEPENDS prehend)
+set(prehend_programs prehend)
+add_custom_target(programs DEPENDS ${prehend_programs})
