@@ -148,7 +148,7 @@ struct CommandLine::Options {
         ->check(CLI::PositiveNumber)
         ->capture_default_str();
     command.add_option("--hand", simulate.hand, "robot of the library or robot file");
-    command.add_option("--protocol", simulate.protocol,
+    command.add_option("--protocol", simulate.procedure,
                        "what the hand does, by a protocol's name or file; without it, it closes");
     command.add_option("--test", simulate.test, "test of the protocol; without it the first");
     command

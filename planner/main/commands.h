@@ -69,7 +69,7 @@ struct SimulateCommand {
   std::string scene;                    // name, scene file or file of grasps
   int grasp = 1;                        // of a file of grasps: which one
   std::string hand;                     // of a scene; empty: its own
-  std::string protocol;                 // name or file; empty: the hand closes
+  std::string procedure;                // name or file; empty: the hand closes
   std::string test;                     // of the protocol; empty: the first
   double seconds = 5.0;                 // for which the hand closes, without a protocol
   std::optional<double> step;           // s; empty: the protocol's
