@@ -257,7 +257,7 @@ TEST(TestProcedure, WhatAClientSendsAheadIsBounded) {
 // The documents in which the table of commands is written down. With PREHEND_WRITE_PROTOCOL in the
 // environment they are written instead of compared.
 std::filesystem::path document(const std::string& name) {
-  return std::filesystem::path(PREHEND_SOURCE_DIR) / "docs" / name;
+  return std::filesystem::path(PREHEND_SOURCE_DIR) / "docs/reference" / name;
 }
 
 bool writes_documents() { return std::getenv("PREHEND_WRITE_PROTOCOL") != nullptr; }
