@@ -6,6 +6,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
 #include "sim/trial/approach.h"
+#include "sim/trial/grasp_contacts.h"
 
 // What a session does with its hand.
 namespace prehend {

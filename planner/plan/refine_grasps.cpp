@@ -14,6 +14,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "planner/plan/grasp_text.h"
+#include "planner/plan/plan.h"
 #include "planner/python/arrays.h"
 #include "planner/python/dictionary_writer.h"
 #include "planner/results/grasp_fields.h"

@@ -14,13 +14,15 @@
 #include <utility>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/results/json_contact.h"
 #include "planner/results/json_posture.h"
 #include "planner/results/json_trajectory.h"
 #include "planner/results/shake_fields.h"
 #include "sim/base/index.h"
 #include "sim/base/json/json_fields.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/approach_line.h"
 #include "sim/trial/success.h"
 
 namespace prehend {

@@ -11,6 +11,7 @@
 #include "planner/show/picture/glb_bytes.h"
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/show/exports/export_grasp.h"
 
 namespace prehend {

@@ -7,7 +7,7 @@
 
 #include "sim/base/named_enum.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 

@@ -11,6 +11,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {
