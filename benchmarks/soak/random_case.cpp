@@ -29,8 +29,8 @@ std::uint64_t mixed(std::uint64_t value) {
 void choose_friction(Random& random, test::KnownScene& known) {
   const Material object = known.scene.object.material;
   const bool any = random.index(2) == 0;
-  for (const Material material : kMaterials) {
-    const std::string name(material_name(material));
+  for (const Material material : kAll<Material>) {
+    const std::string name(name_of(material));
     if (any) {
       // Some are slippery, or nearly so.
       const double low = random.index(8) == 0 ? 0.0 : 0.1;
@@ -93,7 +93,7 @@ PlanOptions plan_options(Random& random, bool has_arm) {
   options.trial = trial_options(random);
   if (has_arm && random.index(3) > 0) {
     options.paths.emplace();
-    options.paths->transfer.planner = kPathPlanners[random.index(random.index(3) + 1)];
+    options.paths->transfer.planner = kAll<PathPlanner>[random.index(random.index(3) + 1)];
     options.paths->transfer.max_iterations = random.integer(100, 600);
   }
   return options;
@@ -101,14 +101,14 @@ PlanOptions plan_options(Random& random, bool has_arm) {
 
 std::string words_of(const RandomCase& made, const std::string& object, const std::string& hand) {
   const Scene& scene = made.known.scene;
-  std::string words = object + " of " + std::string(material_name(scene.object.material)) + ", ";
+  std::string words = object + " of " + std::string(name_of(scene.object.material)) + ", ";
   words += hand + (scene.carrier ? " on an arm" : "");
   if (!scene.obstacles.empty())
     words += ", " + std::to_string(scene.obstacles.size()) + " obstacles";
   words += made.options.trial.soft_fingers ? ", soft" : ", hard";
   words += ", " + std::to_string(made.options.trial.cone_edges) + " edges";
   if (made.options.paths) {
-    words += ", " + std::string(path_planner_name(made.options.paths->transfer.planner));
+    words += ", " + std::string(name_of(made.options.paths->transfer.planner));
   }
   return words;
 }
@@ -120,7 +120,7 @@ RandomCase random_case(std::uint64_t seed, std::uint64_t number) {
   RandomCase made;
   made.seed = number;
   const RandomObject object = random_object(random);
-  const Material material = kMaterials[random.index(kMaterials.size())];
+  const Material material = kAll<Material>[random.index(kAll<Material>.size())];
   const bool has_arm = random.index(4) == 0;
   // The arm with its own hand reaches most.
   const std::string hand =

@@ -71,8 +71,8 @@ inline WorldBody fixed_body(const std::string& name, const TriangleMesh& mesh, c
 class RandomWorld {
  public:
   RandomWorld(WorldKind kind, std::uint64_t seed) : random_(seed) {
-    for (const Material a : kMaterials) {
-      for (const Material b : kMaterials) friction(a, b);
+    for (const Material a : kAll<Material>) {
+      for (const Material b : kAll<Material>) friction(a, b);
     }
     switch (kind) {
       case WorldKind::pile:

@@ -88,7 +88,7 @@ RandomCase random_case(std::uint64_t seed) {
   const bool together = numbers.chance(0.6);
   const int count = static_cast<int>(numbers.uniform(2.0, 7.0));
   for (int i = 0; i < count; ++i) {
-    like.model = kContactModels[static_cast<std::size_t>(numbers.uniform(0.0, 3.0))];
+    like.model = kAll<ContactModel>[static_cast<std::size_t>(numbers.uniform(0.0, 3.0))];
     add_contact(numbers, like, together, made);
   }
   made.frame.torque_origin =

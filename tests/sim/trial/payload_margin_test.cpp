@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/gravity.h"
 #include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
 #include "sim/trial/candidate.h"

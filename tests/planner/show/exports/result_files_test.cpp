@@ -1,4 +1,4 @@
-#include "planner/results/result_files.h"
+#include "planner/show/exports/result_files.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,21 +1,18 @@
-#include "planner/results/result_files.h"
+#include "planner/show/exports/result_files.h"
 
 #include <algorithm>
 #include <array>
 #include <system_error>
 
+#include "planner/show/exports/export_files.h"
 #include "sim/base/output_file.h"
 
 namespace prehend {
 namespace {
 
-constexpr std::array<std::string_view, 8> kPlain = {
-    "grasps.json",  "timings.json", "report.html",       "best.png",
-    "best_arm.png", "grasps.csv",   "grasps_isaac.yaml", "grasps_moveit.yaml"};
-
-// '#' stands for a number.
-constexpr std::array<std::string_view, 4> kNumbered = {"path_#.csv", "path_#_moveit.yaml",
-                                                       "grasp_#.glb", "grasp_#.xml"};
+// Besides the exports. '#' stands for a number.
+constexpr std::array<std::string_view, 5> kPlanned = {"grasps.json", "timings.json", "report.html",
+                                                      "best.png", "best_arm.png"};
 constexpr std::array<std::string_view, 4> kSimulated = {"simulation.json", "states.csv",
                                                         "report.html", "moment_#.png"};
 constexpr std::array<std::string_view, 3> kRendered = {"contact_sheet.png", "grasp_#.png",
@@ -58,7 +55,10 @@ bool is_one_of(std::string_view name, const auto& patterns) {
 }  // namespace
 
 bool is_result_file(std::string_view name) {
-  return is_one_of(name, kPlain) || is_one_of(name, kNumbered);
+  return is_one_of(name, kPlanned) ||
+         std::ranges::any_of(export_formats(), [&](const ExportFormat& format) {
+           return is_one_of(name, format.files);
+         });
 }
 
 bool is_rendered_file(std::string_view name) { return is_one_of(name, kRendered); }
