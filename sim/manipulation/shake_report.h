@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/manipulation/test_procedure.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 
 namespace prehend {
