@@ -1,25 +1,14 @@
-// Bodies that fall, slide, roll, lie on each other and are grasped by robots, stepped through time.
-//
-// A step finds velocities at its end that obey momentum, Signorini's condition and Coulomb's law at
-// all contacts, and the limits, clutches and drives of all joints, at once (contact_problem.h; time
-// stepping after Stewart and Trinkle 1996 and Anitescu and Potra 1997), and moves everything with
-// them. Contacts are those of the exact meshes. Robots move in the coordinates of their joints
-// (Featherstone 2008), so that joints do not drift. Bodies that would pass through each other
-// within a step make it shorter.
+// Bodies and robots that move, as a value; step_world.h moves it on.
 #pragma once
 
-#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "sim/base/named_enum.h"
 #include "sim/motion/contact_memory.h"
-#include "sim/motion/contact_problem.h"
 #include "sim/motion/rigid_motion.h"
 #include "sim/motion/robot_model.h"
 #include "sim/scene/material.h"
@@ -120,6 +109,7 @@ struct World {
   ContactMemory memory;
 };
 
+<<<<<<< HEAD
 struct StepOptions {
   double step = 2.5e-3;  // longest step, > 0 and at most 0.1 [s]
   ContactSearchOptions contacts = {};
@@ -180,4 +170,6 @@ StepResult step_world(World& world, const StepOptions& options = {});
 // origin, and that of springs in joints; bases of robots count as at rest [J].
 double energy_of(const World& world);
 
+=======
+>>>>>>> work/heart
 }  // namespace prehend
