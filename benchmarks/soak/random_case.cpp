@@ -56,8 +56,7 @@ void add_table(Random& random, Scene& scene, const Vector3& at) {
   const int blocks = random.integer(0, 3);
   for (int i = 0; i < blocks; ++i) {
     const double angle = random.uniform(0.0, 6.28);
-    const Vector3 size(random.uniform(0.02, 0.08), random.uniform(0.02, 0.08),
-                       random.uniform(0.03, 0.25));
+    const Vector3 size = random.in_box({0.02, 0.02, 0.03}, {0.08, 0.08, 0.25});
     const double away = reach + size.head<2>().norm() / 2.0 + random.uniform(0.005, 0.2);
     const Vector3 place =
         at + Vector3(away * std::cos(angle), away * std::sin(angle), 0.5 * size.z() + 1e-4);
@@ -130,7 +129,7 @@ RandomCase random_case(std::uint64_t seed, std::uint64_t number) {
   scene = make_scene(make_graspable("object", object.mesh, material), hand);
   made.known.solid = object.solid;
   choose_friction(random, made.known);
-  const Vector3 at(random.uniform(0.45, 0.7), random.uniform(-0.25, 0.25), kTableHeight);
+  const Vector3 at = random.in_box({0.45, -0.25, kTableHeight}, {0.7, 0.25, kTableHeight});
   if (has_arm) {
     mount(scene, "puma560_barrett", translation({0.0, 0.0, 0.6868}), hand);
     add_table(random, scene, at);

@@ -9,7 +9,9 @@
 #include "planner/python/world_handle.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/energy.h"
 #include "sim/motion/scene_bodies.h"
+#include "sim/motion/step_world.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend::python {

@@ -70,7 +70,7 @@ Trial final_grasp(const CompiledScene& scene, const Simulation& simulation,
   trial.X_OH = X_WO.inverse() * hand_pose(world, simulation.hand);
   trial.dofs = hand_dofs(world, simulation.hand);
   trial.joints = hand_joints(world, simulation.hand);
-  GraspWorkspace workspace;
+  ScoringWorkspace workspace;
   score_contacts(scene, options, workspace, trial);
   return trial;
 }

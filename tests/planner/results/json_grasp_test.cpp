@@ -135,7 +135,7 @@ TEST_F(ArmResult, HasTheFieldsOfTheSchema) {
 // With PREHEND_WRITE_SCHEMA in the environment the document is written instead of compared.
 TEST(GraspSchema, IsThatOfTheDocument) {
   const std::filesystem::path file =
-      std::filesystem::path(PREHEND_SOURCE_DIR) / "docs" / "grasps.schema.json";
+      std::filesystem::path(PREHEND_SOURCE_DIR) / "docs" / "reference" / "grasps.schema.json";
   auto document = nlohmann::ordered_json::parse(read_file(file));
   document["$defs"]["outcome"] = {{"enum", enum_names(Outcome{})}};
   document["$defs"]["grasp"] = grasp_schema();

@@ -51,7 +51,10 @@ class RandomNumbers {
 
   Eigen::Vector3d vector(double largest, RandomCase& made) {
     Eigen::Vector3d v;
-    for (double& x : v) x = (chance(0.5) ? 1.0 : -1.0) * size(largest, made);
+    for (double& x : v) {
+      const double sign = chance(0.5) ? 1.0 : -1.0;
+      x = sign * size(largest, made);
+    }
     return v;
   }
 
