@@ -21,9 +21,9 @@ void check_command(const CLI::App& app, int argc, char** argv) {
 
 }  // namespace
 
-std::optional<Request> read_command_line(int argc, char** argv, const AddCommands& add) {
+std::optional<CommandRequest> read_command_line(int argc, char** argv, const AddCommands& add) {
   CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
-  Request request;
+  CommandRequest request;
   app.require_subcommand(1);
   app.set_version_flag("--version", "prehend " PREHEND_VERSION);
   add(app, request);

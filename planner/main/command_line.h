@@ -23,7 +23,7 @@ struct Limits {
 };
 
 // What a command line asks for.
-struct Request {
+struct CommandRequest {
   Limits limits = {};
   // Prints to stdout and returns the exit status. Throws InputError for a caller's mistake, before
   // anything is written. Interrupted, `plan` writes the grasps that it has found, `batch` keeps the
@@ -33,19 +33,19 @@ struct Request {
 };
 
 // Declares the commands of a program below `app`.
-using AddCommands = std::function<void(CLI::App& app, Request& request)>;
+using AddCommands = std::function<void(CLI::App& app, CommandRequest& request)>;
 
 // Reads the words by the commands that `add` declares. Nothing where they ask for help or the
 // version, which is then printed. Throws InputError.
-std::optional<Request> read_command_line(int argc, char** argv, const AddCommands& add);
+std::optional<CommandRequest> read_command_line(int argc, char** argv, const AddCommands& add);
 
 // Each declares a command below `app`, which sets request.run once it is read.
-void add_plan(CLI::App& app, Request& request);
-void add_evaluate(CLI::App& app, Request& request);
-void add_simulate(CLI::App& app, Request& request);
-void add_render(CLI::App& app, Request& request);
-void add_inspect(CLI::App& app, Request& request);
-void add_quality(CLI::App& app, Request& request);
-void add_convert(CLI::App& app, Request& request);
+void add_plan(CLI::App& app, CommandRequest& request);
+void add_evaluate(CLI::App& app, CommandRequest& request);
+void add_simulate(CLI::App& app, CommandRequest& request);
+void add_render(CLI::App& app, CommandRequest& request);
+void add_inspect(CLI::App& app, CommandRequest& request);
+void add_quality(CLI::App& app, CommandRequest& request);
+void add_convert(CLI::App& app, CommandRequest& request);
 
 }  // namespace prehend

@@ -2,7 +2,7 @@
 #include "planner/main/program.h"
 
 int main(int argc, char** argv) {
-  return prehend::run_program(argc, argv, [&](CLI::App& app, prehend::Request& request) {
+  return prehend::run_program(argc, argv, [&](CLI::App& app, prehend::CommandRequest& request) {
     prehend::start_other_program(argc, argv);
     prehend::add_plan(app, request);
     prehend::add_evaluate(app, request);

@@ -37,7 +37,7 @@ int say(int status, const std::string& message) {
 }
 
 int run(int argc, char** argv, const AddCommands& add) {
-  const std::optional<Request> request = read_command_line(argc, argv, add);
+  const std::optional<CommandRequest> request = read_command_line(argc, argv, add);
   if (!request) return 0;
   // Made before any other thread, as its constructor demands.
   Interrupts interrupts;

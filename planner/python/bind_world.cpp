@@ -3,7 +3,6 @@
 #include <pybind11/stl.h>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/python/scene_handle.h"
 #include "planner/python/world_handle.h"

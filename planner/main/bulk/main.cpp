@@ -3,7 +3,7 @@
 
 namespace {
 
-void add_commands(CLI::App& app, prehend::Request& request) {
+void add_commands(CLI::App& app, prehend::CommandRequest& request) {
   prehend::add_batch(app, request);
   prehend::add_learn(app, request);
   prehend::add_validate(app, request);

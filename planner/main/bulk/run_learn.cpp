@@ -57,7 +57,7 @@ int run_learn(const LearnCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_learn(CLI::App& app, Request& request) {
+void add_learn(CLI::App& app, CommandRequest& request) {
   add_command(app, request, kLearn.name, kLearn.summary, declare, run_learn);
 }
 

@@ -95,7 +95,7 @@ int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, Request& request) {
+void add_validate(CLI::App& app, CommandRequest& request) {
   add_command(app, request, kTruth.name, kTruth.summary, declare, run_validate);
 }
 

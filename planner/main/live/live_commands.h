@@ -6,8 +6,8 @@
 namespace prehend {
 
 // Each declares a command below `app`, which sets request.run once it is read.
-void add_replay(CLI::App& app, Request& request);
-void add_serve(CLI::App& app, Request& request);
-void add_studio(CLI::App& app, Request& request);
+void add_replay(CLI::App& app, CommandRequest& request);
+void add_serve(CLI::App& app, CommandRequest& request);
+void add_studio(CLI::App& app, CommandRequest& request);
 
 }  // namespace prehend

@@ -71,7 +71,7 @@ int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Request& request) {
+void add_replay(CLI::App& app, CommandRequest& request) {
   add_command(app, request, kReplay.name, kReplay.summary, declare, run_replay);
 }
 

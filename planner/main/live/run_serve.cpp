@@ -67,11 +67,11 @@ int run_studio(const StudioCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_serve(CLI::App& app, Request& request) {
+void add_serve(CLI::App& app, CommandRequest& request) {
   add_command(app, request, kServe.name, kServe.summary, declare, run_serve);
 }
 
-void add_studio(CLI::App& app, Request& request) {
+void add_studio(CLI::App& app, CommandRequest& request) {
   add_command(app, request, kStudio.name, kStudio.summary, declare, run_studio);
 }
 
