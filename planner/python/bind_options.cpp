@@ -1,4 +1,4 @@
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "planner/plan/refine_grasps.h"
 #include "planner/python/options_class.h"
 #include "planner/results/json_settings.h"

@@ -82,11 +82,7 @@ py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields
   run_in_background(call, [&](const RunContext& context) {
     grasp->trial = run_trial(*scene.scene, grasp->candidate, options, context);
   });
-  const TrialHandle handle{scene.scene, grasp};
-  py::dict trial = trial_dict(handle);
-  trial["candidate"] = candidate_dict(*scene.scene, grasp->candidate);
-  trial["_trial"] = handle;
-  return trial;
+  return trial_dict({scene.scene, grasp}, {});
 }
 
 py::tuple distances_tuple(const SurfaceDistances& distances) {
@@ -143,7 +139,8 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
                                const CallOptions& call) {
   const GraspPathOptions options = asked;
   const ScoredGrasp& grasp = *trial.grasp;
-  // plan_grasp_path requires both. prehend/_plan.py refuses them before, with a message in words.
+  // plan_grasp_path requires both. prehend/planning.py refuses them before, with a message in
+  // words.
   if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {
     throw std::invalid_argument("no stable grasp of an arm");
   }

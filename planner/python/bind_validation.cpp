@@ -16,7 +16,7 @@ namespace {
 std::tuple<py::bytes, py::bytes, py::bytes> compare_in_python(
     const std::string& file, const EvaluateOptions& evaluation, bool volumes,
     const std::string& groups, int resamples, const CallOptions& call) {
-  CompareOptions options{evaluation, volumes, named_grouping(groups), resamples};
+  CompareOptions options{evaluation, volumes, value_named<Grouping>(groups), resamples};
   if (!groups.empty() && !options.grouping) {
     throw InputError(
         {.field = "groups", .problem = "must be object, session, both or each", .value = groups});

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields as fields_of
 from functools import cached_property
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
 
 import numpy as np
 
@@ -49,6 +49,14 @@ __all__ = [
 ]
 
 show_in(__name__, ContactModel, EpsilonStatus, Hint, LiftEnd, PlanCount, PlanStatus, Stage)
+
+
+Kind = TypeVar("Kind")
+
+
+def _made(kind: Type[Kind], values: Dict[str, Any]) -> Kind:
+    """An object of a dataclass from its fields among the values; others have no place in it."""
+    return kind(**{one.name: values[one.name] for one in fields_of(kind)})
 
 
 class Contact(NamedTuple):
@@ -196,13 +204,13 @@ class Trial:
         """Whether the grasp holds."""
         return self.outcome is Outcome.stable
 
-    @staticmethod
-    def _arguments(fields: Dict[str, Any]) -> Dict[str, Any]:
+    @classmethod
+    def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
         fields["outcome"] = Outcome(fields["outcome"])
         fields["epsilon_status"] = EpsilonStatus(fields["epsilon_status"])
         fields["contacts"] = Contacts._of(fields["contacts"])
         fields["candidate"] = Candidate(**fields["candidate"])
-        return fields
+        return _made(cls, fields)
 
     def _repr_html_(self) -> str:
         return _notebook.trial_html(self)
@@ -278,7 +286,7 @@ class Robustness:
     def _of(fields: Dict[str, Any]) -> "Robustness":
         fields["outcomes"] = _by_outcome(fields["outcomes"])
         fields["weakest_outcome"] = Outcome(fields["weakest_outcome"])
-        return Robustness(**fields)
+        return _made(Robustness, fields)
 
 
 class Refinement(NamedTuple):
@@ -313,9 +321,10 @@ class Grasp(Trial):
     path: Optional[Path] = field(repr=False)
     """The arm's way to it, where that was asked for."""
 
-    @staticmethod
-    def _of(fields: Dict[str, Any]) -> "Grasp":
-        path = fields.pop("path")
+    @classmethod
+    def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
+        path = fields["path"]
+        fields["path"] = None if path is None else Path._of(path)
         holding = fields["holding"]
         if holding is not None:
             fields["holding"] = PayloadMargin(
@@ -327,7 +336,7 @@ class Grasp(Trial):
         refinement = fields["refinement"]
         if refinement is not None:
             fields["refinement"] = Refinement(*refinement)
-        return Grasp(**Trial._arguments(fields), path=None if path is None else Path._of(path))
+        return super()._of(fields)
 
 
 @dataclass(frozen=True)
