@@ -14,6 +14,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {
@@ -64,7 +65,7 @@ void check_parents(const std::vector<TriedGrasp>& grasps) {
     require(trial.outcome == Outcome::stable && !trial.contacts.empty(),
             {.field = "grasps[" + std::to_string(i) + "].trial",
              .problem = "not stable",
-             .value = std::string(outcome_name(trial.outcome))});
+             .value = std::string(name_of(trial.outcome))});
   }
 }
 

@@ -1,6 +1,5 @@
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "planner/plan/refine_grasps.h"
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/results/json_settings.h"
 
@@ -60,7 +59,9 @@ void bind_proposal_options(py::module_& core) {
       .number("patience", &SearchOptions::trials_before_extra_back_offs,
               "After so many trials of which none has held, the hand backs off more (>= 0).")
       .number("patient_back_offs", &SearchOptions::extra_back_offs,
-              "How often it backs off then, if a trial does not anyway (>= 0).");
+              "How often it backs off then, if a trial does not anyway (>= 0).")
+      .field("learned", &SearchOptions::learned,
+             "LearnedOrder: a model that orders the candidates. None: as they are proposed.");
 }
 
 void bind_contact_options(py::module_& core) {

@@ -1,4 +1,3 @@
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "sim/quality/quality.h"
 

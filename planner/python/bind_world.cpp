@@ -3,13 +3,14 @@
 #include <pybind11/stl.h>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/python/scene_handle.h"
 #include "planner/python/world_handle.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/energy.h"
 #include "sim/motion/scene_bodies.h"
+#include "sim/motion/step_world.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend::python {
@@ -128,8 +129,8 @@ py::tuple step(WorldHandle& self, double longest) {
     Stepping stepping(self);
     result = step_world(stepping.world(), options);
   }
-  return py::make_tuple(std::string(step_outcome_name(result.outcome)), result.time,
-                        result.crossings, result.violation);
+  return py::make_tuple(std::string(name_of(result.outcome)), result.time, result.crossings,
+                        result.violation);
 }
 
 using Class = py::class_<WorldHandle, std::shared_ptr<WorldHandle>>;

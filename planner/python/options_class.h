@@ -63,6 +63,14 @@ class OptionsClass {
     return *this;
   }
 
+  // As field, where Python holds the value as another type.
+  template <class Get, class Set>
+  OptionsClass& property(const char* name, const Get& get, const Set& set, const char* doc) {
+    class_.def_property(name, get, set, doc);
+    fields_.append(name);
+    return *this;
+  }
+
   // A number that is one of the settings, whose range (settings.h) is checked when it is set. The
   // planner itself asserts it, which is right for C++ but would be a crash in Python.
   template <class Number>

@@ -16,12 +16,8 @@ template <HasSettings Options>
 void option_fields(auto& fields, Options& options) {
   visit_settings(options, [&](const std::string& name, auto& value, const Range& range) {
     using Value = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, PathPlanner>) {
-      fields.named(name, value, value_names(kPathPlanners, path_planner_name));
-    } else if constexpr (std::is_same_v<Value, RefineObjective>) {
-      fields.named(name, value, value_names(kRefineObjectives, refine_objective_name));
-    } else {
-      fields(name, value);
+    fields(name, value);
+    if constexpr (!std::is_enum_v<Value>) {
       fields.require(name, range.contains(static_cast<double>(value)), range.words().c_str());
     }
   });
@@ -72,7 +68,7 @@ nlohmann::ordered_json settings_to_json(const RunRecord& record) {
 }
 
 PlanOptions read_accuracy(const std::string& name_or_file) {
-  if (const auto known = accuracy_named(name_or_file)) return plan_options(*known);
+  if (const auto known = value_named<Accuracy>(name_or_file)) return plan_options(*known);
   const JsonFile file(name_or_file);
   const JsonField root = file.root();
   for (const char* name : {"seed", "top", "learned"}) {
@@ -80,7 +76,7 @@ PlanOptions read_accuracy(const std::string& name_or_file) {
   }
   FieldReader fields(root);
   Accuracy base = Accuracy::standard;
-  fields.named("accuracy", base, value_names(kAccuracies, accuracy_name));
+  fields("accuracy", base);
   RunRecord record;
   record.options = plan_options(base);
   settings_fields(fields, record);

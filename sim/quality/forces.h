@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/named_enum.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/contact_map.h"
 #include "sim/quality/friction_cone.h"
@@ -51,9 +52,8 @@ enum class ForceOutcome {
 };
 
 // The enumerator's name, as it is written in files.
-constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
-  constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(ForceOutcome /*of*/) {
+  return std::to_array<std::string_view>({"balanced", "impossible", "limit"});
 }
 
 // The contact forces found, n contacts. Forces are in the unit of the external wrench's force,

@@ -2,12 +2,31 @@
 #pragma once
 
 #include "sim/base/settings.h"
-#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
-#include "sim/scene/reach/reach.h"
-#include "sim/shape/contact/surface_contact.h"
-#include "sim/trial/resolve_overlap.h"
+#include "sim/motion/dynamic_grasp/dynamic_grasp_options.h"
+#include "sim/scene/reach/reach_options.h"
+#include "sim/shape/contact/contact_options.h"
 
 namespace prehend {
+
+// By how much an overlap may be resolved; 0: any overlap ends the trial [m].
+struct OverlapOptions {
+  // Of hand and object: scans and models of hands are wrong by this much, and a light object moves
+  // aside.
+  double object = 2e-3;
+  // Of a hand that overlaps obstacles only: how far an arm with a stiffness of 2 N/mm yields to
+  // 10 N.
+  double obstacle = 5e-3;
+  // How deep an overlap that stays is measured (Trial::overlap); 0: it is not [m].
+  double deepest = 20e-3;
+};
+
+template <SettingsOf<OverlapOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [object, obstacle, deepest] = options;
+  visit("object", object, kAtLeast0);
+  visit("obstacle", obstacle, kAtLeast0);
+  visit("deepest", deepest, kAtLeast0);
+}
 
 // How an object settles between two self-centering fingers that do not hold it (see settle.h).
 struct SettleOptions {

@@ -8,6 +8,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/motion/control/cubic_peaks.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/carried_object.h"
 
 namespace prehend {

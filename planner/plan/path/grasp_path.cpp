@@ -7,6 +7,7 @@
 #include "planner/plan/path/blend_transfer.h"
 #include "planner/plan/path/closing_path.h"
 #include "sim/base/index.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {

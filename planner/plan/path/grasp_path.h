@@ -8,6 +8,7 @@
 #include "planner/plan/path/plan_transfer.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

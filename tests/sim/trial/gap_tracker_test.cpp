@@ -31,7 +31,7 @@ std::vector<Bodies> bodies() {
 
 // Turns and shifts b's pose by less than `most` for any of its points within `radius` of its frame.
 Pose nudged(Random& random, const Pose& X, double radius, double most) {
-  const Vector3 shift = random.uniform(0.0, 0.6) * most * random.direction();
+  const Vector3 shift = random.vector(0.0, 0.6 * most);
   const double angle = random.uniform(-0.4, 0.4) * most / radius;
   const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
   return pose_from(turn * X.linear(), X.translation() + shift);
@@ -48,7 +48,8 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
       // In every second run nearly all lists of near pairs are too long to be kept.
       const GapTrackerOptions options{.most_pairs = run % 2 == 0 ? 400 : 3};
       GapTracker tracker(a, b, options);
-      Pose X_AB = pose_from(random.rotation(), 0.15 * random.direction());
+      const Matrix3 turn = random.rotation();
+      Pose X_AB = pose_from(turn, 0.15 * random.direction());
       double moved = 0.0;
       for (int step = 0; step < 40; ++step) {
         SCOPED_TRACE(pair.name + " run " + std::to_string(run) + " step " + std::to_string(step));

@@ -202,7 +202,10 @@ std::string garbage(Random& random) {
     return text;
   }
   if (kind == 1) return text.substr(0, random.index(text.size() + 1));
-  if (kind == 2) return std::string(random.index(400), random.index(2) == 0 ? '[' : '{');
+  if (kind == 2) {
+    const std::size_t depth = random.index(400);
+    return std::string(depth, random.index(2) == 0 ? '[' : '{');
+  }
   for (int i = random.integer(1, 3); i > 0; --i) {
     text[random.index(text.size())] = static_cast<char>(random.integer(0, 255));
   }
