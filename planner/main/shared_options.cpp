@@ -47,8 +47,9 @@ void add_no_report(CLI::App& command, bool& no_report) {
 
 void add_accuracy(CLI::App& command, CommonOptions& common) {
   command
-      .add_option("--accuracy", common.accuracy,
-                  "draft, standard or fine, or a file of settings (docs/accuracy-file.md)")
+      .add_option(
+          "--accuracy", common.accuracy,
+          "draft, standard or fine, or a file of settings (docs/reference/accuracy-file.md)")
       ->capture_default_str();
 }
 

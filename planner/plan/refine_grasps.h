@@ -27,7 +27,7 @@ constexpr auto enum_names(RefineObjective /*of*/) {
   return std::to_array<std::string_view>({"epsilon", "robust"});
 }
 
-// The defaults are measured, see docs/refinement.md.
+// The defaults are measured, see docs/reference/refinement.md.
 struct RefineOptions {
   RefineObjective objective = RefineObjective::epsilon;
   int grasps = 4;    // so many of the given grasps, the first ones, are refined (>= 1)

@@ -1,4 +1,4 @@
-"""Each script in docs/examples runs, and says or writes what it is about; so do the examples of
+"""Each script in docs/examples runs, and says or writes what it is about; so do those of
 docs/how-to/python.md."""
 
 import os
@@ -80,14 +80,14 @@ class Examples(unittest.TestCase):
 
     def test_the_examples_of_the_documentation(self):
         text = (SOURCE / "docs" / "how-to" / "python.md").read_text()
-        blocks = re.findall(r"```python\n(.*?)```", text, re.S)
-        self.assertEqual(len(blocks), 2)
-        for code in blocks:
-            with self.subTest(code.splitlines()[3]), tempfile.TemporaryDirectory() as folder:
+        examples = re.findall(r"```python\n(.*?)```", text, re.S)
+        self.assertTrue(examples)
+        for code in examples:
+            with tempfile.TemporaryDirectory() as folder:
                 file = pathlib.Path(folder) / "example.py"
                 file.write_text(code)
                 done = run(file, folder=folder)
-                self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(done.returncode, 0, done.stderr)
 
 
 if __name__ == "__main__":

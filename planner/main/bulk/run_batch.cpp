@@ -33,7 +33,8 @@ struct BatchCommand {
 
 // Returns the option of the batch file.
 CLI::Option* add_folder_options(CLI::App& command, BatchCommand& batch) {
-  CLI::Option* file = command.add_option("file", batch.file, "batch file (docs/batch-file.md)");
+  CLI::Option* file =
+      command.add_option("file", batch.file, "batch file (docs/reference/batch-file.md)");
   file->required();
   command.add_option("-o,--out", batch.out,
                      "folder of the results, out/NAME where it is not stated");

@@ -24,7 +24,8 @@ struct LearnCommand {
 void declare(CLI::App& command, LearnCommand& options) {
   command.add_option("sets", options.sets, "data sets (.h5), or folders with such files")
       ->required();
-  command.add_option("-o,--out", options.model, "model to write (docs/learning.md)")->required();
+  command.add_option("-o,--out", options.model, "model to write (docs/how-to/learning.md)")
+      ->required();
   command.add_flag("--any-hand", options.any_hand,
                    "the model may be used for hands that it was not trained on");
   command.add_option("--seed", options.seed, "of the training")->capture_default_str();

@@ -25,7 +25,8 @@ struct ValidateCommand {
 };
 
 void declare(CLI::App& command, ValidateCommand& options) {
-  command.add_option("file", options.file, "file of executed grasps (docs/truth-file.md)")
+  command
+      .add_option("file", options.file, "file of executed grasps (docs/reference/truth-file.md)")
       ->required();
   command.add_flag("!--no-volumes", options.volumes, "do without the volume: half of the time");
   command.add_option("--resamples", options.resamples, "how many samples make the intervals")

@@ -23,7 +23,9 @@ struct ReplayCommand {
 };
 
 void declare(CLI::App& command, ReplayCommand& options) {
-  command.add_option("file", options.file, "recording, one command a line (docs/protocol.md)")
+  command
+      .add_option("file", options.file,
+                  "recording, one command a line (docs/reference/protocol.md)")
       ->required();
   command.add_option("--out", options.out, "file to write what comes of it to")
       ->capture_default_str();

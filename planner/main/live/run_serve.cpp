@@ -15,11 +15,13 @@ struct ServeCommand {
 };
 
 void declare(CLI::App& command, ServeCommand& options) {
-  command.add_option("--tcp", options.tcp, "port for JSON lines (docs/protocol.md), 0: a free one")
+  command
+      .add_option("--tcp", options.tcp,
+                  "port for JSON lines (docs/reference/protocol.md), 0: a free one")
       ->capture_default_str();
   command
       .add_option("--graspit", options.graspit,
-                  "port for GraspIt!'s text protocol (docs/graspit-protocol.md); 4765")
+                  "port for GraspIt!'s text protocol (docs/reference/graspit-protocol.md); 4765")
       ->expected(0, 1)
       ->default_str("4765");
   command.add_option("--scene", options.scene,

@@ -89,7 +89,8 @@ TEST(Accuracy, MistakesInAFileAreNamed) {
 }
 
 TEST(Accuracy, EverySettingIsInItsDocument) {
-  const std::string text = read_file(std::string(PREHEND_SOURCE_DIR) + "/docs/reference/settings.md");
+  const std::string text =
+      read_file(std::string(PREHEND_SOURCE_DIR) + "/docs/reference/settings.md");
   PlanOptions options;
   options.paths.emplace();
   const auto settings = settings_json(options);
