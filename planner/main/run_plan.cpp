@@ -8,7 +8,6 @@
 #include "planner/plan/learn/tree_model_file.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/grasps_file.h"
-#include "planner/results/json_settings.h"
 #include "planner/results/result_files.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/best_viewpoint.h"
@@ -46,7 +45,7 @@ std::string names_of(const std::vector<ExportFile>& files) {
 }
 
 PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
-  PlanOptions options = read_accuracy(command.common.accuracy);
+  PlanOptions options = requested_accuracy(command.common.accuracy);
   if (command.primitive_tolerance) {
     options.primitives.tolerance = requested_tolerance(object, *command.primitive_tolerance);
   }

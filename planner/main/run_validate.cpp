@@ -3,7 +3,7 @@
 #include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
-#include "planner/results/json_settings.h"
+#include "planner/main/requested_scene.h"
 #include "planner/show/validation/compare_executions.h"
 #include "planner/show/validation/validation_page.h"
 #include "planner/show/validation/validation_text.h"
@@ -14,7 +14,7 @@ namespace prehend {
 namespace {
 
 CompareOptions truth_options(const ValidateCommand& command) {
-  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  const PlanOptions accuracy = requested_accuracy(command.common.accuracy);
   CompareOptions options;
   options.evaluation.seed = command.common.seed;
   options.evaluation.trial = accuracy.trial;

@@ -12,7 +12,6 @@ PYBIND11_MODULE(_core, core) {
   translate_errors();
   bind_context(core);
   bind_options(core);
-  bind_quality_options(core);
   bind_robot(core);
   bind_scene(core);
   bind_plan(core);

@@ -13,6 +13,10 @@ enum class FrictionCone {
   pyramid,  // the hull of the corners of contact_wrenches
 };
 
+constexpr std::array<std::pair<std::string_view, FrictionCone>, 2> setting_names(FrictionCone) {
+  return {{{"exact", FrictionCone::exact}, {"pyramid", FrictionCone::pyramid}}};
+}
+
 // The allowed forces of one contact. What it transmits, [normal force, force along the first and
 // second tangent, torque about the normal], is `transmits` v, where the coordinates v are in a
 // second-order cone (v0 >= |(v1, v2, ...)|) if `second_order`, and each >= 0 otherwise.

@@ -12,24 +12,25 @@
 
 namespace prehend {
 
-// By how much an overlap may be resolved; 0: any overlap ends the trial [m].
 struct OverlapOptions {
-  // Of hand and object: scans and models of hands are wrong by this much, and a light object moves
-  // aside.
+  static constexpr AboutSettings kAbout{"GiveWayOptions",
+                                        "By how much an overlap at the start may be resolved, by "
+                                        "moving the hand, instead of ending the trial; 0: none."};
+  // Scans and models of hands are wrong by this much, and a light object moves aside.
   double object = 2e-3;
-  // Of a hand that overlaps obstacles only: how far an arm with a stiffness of 2 N/mm yields to
-  // 10 N.
+  // How far an arm with a stiffness of 2 N/mm yields to 10 N.
   double obstacle = 5e-3;
-  // How deep an overlap that stays is measured (Trial::overlap); 0: it is not [m].
   double deepest = 20e-3;
 };
 
 template <SettingsOf<OverlapOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [object, obstacle, deepest] = options;
-  visit("object", object, kAtLeast0);
-  visit("obstacle", obstacle, kAtLeast0);
-  visit("deepest", deepest, kAtLeast0);
+  visit("object", object, kAtLeast0, "m", "Deepest overlap of hand and object.");
+  visit("obstacle", obstacle, kAtLeast0, "m", "Deepest overlap of a hand with obstacles only.");
+  visit("deepest", deepest, kAtLeast0, "m",
+        "How deep an overlap that stays is measured; 0: it is not, as in plans, which leave such "
+        "candidates out.");
 }
 
 // Buffers of resolve_overlap, to allocate less; one for each thread.

@@ -14,22 +14,23 @@ namespace prehend {
 // of the platform [rad or m].
 using JointPath = std::vector<std::vector<double>>;
 
-// How finely motions are checked for collision.
+// Relative error by which the gap of a pair may be underestimated. A larger one makes each distance
+// query faster, but divides the motion into more stretches.
+inline constexpr double kGapError = 0.5;
+
 struct MotionCheckOptions {
-  // A stretch of the motion on which the bodies of a pair move by no more than this relative to
-  // each other is not divided further: a pair not yet proved free there counts as blocked. Motions
-  // with gaps below about half of this may therefore be refused [m].
+  static constexpr AboutSettings kAbout{"MotionCheckOptions",
+                                        "How motions are proven free of collision."};
+  // Motions with gaps below about half of this may be refused.
   double tightest = 2e-4;
-  // Relative error by which the gap of a pair may be underestimated. A larger one makes each
-  // distance query faster, but divides the motion into more stretches.
-  double gap_error = 0.5;
 };
 
 template <SettingsOf<MotionCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [tightest, gap_error] = options;
-  visit("tightest", tightest, kAbove0);
-  visit("gap_error", gap_error, kPart);
+  auto& [tightest] = options;
+  visit("tightest", tightest, kAbove0, "m",
+        "A stretch on which the bodies of a pair move by no more than this against each other is "
+        "not divided further: a pair not yet proved free there counts as blocked.");
 }
 
 // Continuous collision check: a pair that could not be proved to stay apart along the path (the

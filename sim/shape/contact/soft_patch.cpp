@@ -182,7 +182,7 @@ void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const 
     patches.insert(place, patch);
   }
   std::erase_if(patches, [&](const SoftPatch& patch) {
-    return patch.force < options.weakest_patch * patches.front().force;
+    return patch.force < kWeakestPatch * patches.front().force;
   });
 }
 
