@@ -37,7 +37,8 @@
 //   decompose.h           an object into boxes, spheres, cylinders and cones
 //   thin_parts.h          its rims and bars
 //   candidates.h          where a hand may come from
-//   trial.h               one candidate, from pre-grasp to quality
+//   run_trial.h           one candidate, from pre-grasp to quality
+//   grasp_contacts.h      where a closed hand touches the object
 //   refine_grasps.h       the best grasps improved by trials of grasps near them
 //   sensitivity.h         how much that quality changes with the hand moved by next to nothing
 //   inverse_kinematics.h  the degrees of freedom that bring a robot to a pose
@@ -174,6 +175,9 @@
 #include "sim/shape/mesh_repair.h"
 #include "sim/shape/object_generator.h"
 #include "sim/shape/triangle_mesh.h"
+#include "sim/trial/approach_line.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/sensitivity.h"
 #include "sim/trial/trial.h"
 

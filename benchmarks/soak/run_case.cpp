@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "benchmarks/support/resources.h"
+#include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"

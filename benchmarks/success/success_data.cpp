@@ -17,6 +17,8 @@
 
 #include "benchmarks/soak/random_object.h"
 #include "benchmarks/success/executions.h"
+#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "sim/scene/make_scene.h"

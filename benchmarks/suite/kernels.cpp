@@ -15,6 +15,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/shape/contact/contact_region.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend::bench {
 namespace {

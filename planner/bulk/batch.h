@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "sim/base/material.h"
 #include "sim/scene/scene.h"
 

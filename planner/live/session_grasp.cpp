@@ -4,6 +4,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/trial/approach_line.h"
 
 // What a session makes of the grasp that its hand holds.
 namespace prehend {

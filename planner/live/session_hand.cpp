@@ -5,6 +5,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/trial/approach.h"
+#include "sim/trial/grasp_contacts.h"
 
 // What a session does with its hand.
 namespace prehend {

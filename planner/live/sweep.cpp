@@ -54,7 +54,7 @@ class Sweep {
       PairOnTheWay& pair = on_the_way_.emplace_back();
       pair.place = i;
       pair.stop_gap = options.contact_gap;
-      pair.tracker.start(pairs[i].a->mesh, pairs[i].b->mesh, options.gaps);
+      pair.tracker.start(pairs[i].a->mesh, pairs[i].b->mesh);
     }
   }
 

@@ -8,6 +8,7 @@
 #include "planner/main/progress_bar.h"
 #include "planner/main/requested_scene.h"
 #include "planner/main/result_table.h"
+#include "planner/plan/plan.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/datasets/acronym_file.h"
 #include "planner/results/datasets/graspgen_file.h"

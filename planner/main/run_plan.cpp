@@ -6,6 +6,7 @@
 #include "planner/main/requested_scene.h"
 #include "planner/main/result_table.h"
 #include "planner/plan/learn/tree_model_file.h"
+#include "planner/plan/plan.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/grasps_file.h"
 #include "planner/results/result_files.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 
 namespace prehend {
 

@@ -12,6 +12,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {

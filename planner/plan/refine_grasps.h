@@ -9,7 +9,9 @@
 #include "sim/base/settings.h"
 #include "sim/quality/robust_epsilon.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 

@@ -10,6 +10,7 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "planner/plan/grasp_text.h"
+#include "planner/plan/plan.h"
 #include "planner/python/arrays.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

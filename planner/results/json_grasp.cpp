@@ -10,6 +10,7 @@
 #include "planner/results/json_trajectory.h"
 #include "sim/base/index.h"
 #include "sim/base/json/json_fields.h"
+#include "sim/trial/approach_line.h"
 #include "sim/trial/success.h"
 
 namespace prehend {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "sim/base/json/json_field.h"
 
 namespace prehend {

@@ -5,6 +5,8 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/manipulation/phase_run.h"
+#include "sim/scene/reach/reach.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {

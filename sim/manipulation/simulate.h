@@ -10,6 +10,7 @@
 #include "sim/manipulation/shake_report.h"
 #include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 

@@ -1,12 +1,12 @@
 // Inverse kinematics: values of the degrees of freedom that bring frames of a robot to given poses.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/base/settings.h"
+#include "sim/robot/dof_values.h"
+#include "sim/robot/ik_options.h"
 #include "sim/robot/robot.h"
 
 namespace prehend {
@@ -17,31 +17,6 @@ struct IkTarget {
   Pose X_JT = Pose::Identity();  // pose of T in J
   Pose X_BT = Pose::Identity();  // wanted pose of T in the robot's base frame B
 };
-
-struct IkOptions {
-  static constexpr AboutSettings kAbout{"IkOptions", "Inverse kinematics."};
-  double position_tolerance = 1e-9;
-  double angle_tolerance = 1e-9;
-  int max_iterations = 80;
-  int restarts = 100;
-  int max_solutions = 16;
-  std::uint64_t seed = 1;
-};
-
-template <SettingsOf<IkOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [position_tolerance, angle_tolerance, max_iterations, restarts, max_solutions, seed] =
-      options;
-  visit("position_tolerance", position_tolerance, kAbove0, "m", "Largest error of a position.");
-  visit("angle_tolerance", angle_tolerance, kAbove0, "rad", "Largest error of an orientation.");
-  visit("max_iterations", max_iterations, kAtLeast1, "", "Most iterations from one start.");
-  visit("restarts", restarts, kAtLeast0, "", "Most random starts after the given one.");
-  visit("max_solutions", max_solutions, kAtLeast1, "", "The search ends with so many solutions.");
-  visit.unlisted("seed", seed, kAtLeast0, "", "Of the random starts.");
-}
-
-// A value for every degree of freedom of a robot, in the order of Robot::dofs [rad or m].
-using DofValues = std::vector<double>;
 
 // The solution to which damped least squares converge from `start`, for all targets at once and
 // inside the limits; nothing when they do not converge. Degrees of freedom that move no target keep

@@ -8,6 +8,7 @@
 
 #include "sim/base/index.h"
 #include "sim/quality/ranges.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "sim/quality/share_interval.h"
 #include "sim/quality/wrench_space.h"
+#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/payload_margin.h"
 
 namespace prehend {

@@ -8,7 +8,10 @@
 
 #include "sim/base/run_context.h"
 #include "sim/quality/interval.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 #include "sim/trial/uncertainty.h"
 
 namespace prehend {

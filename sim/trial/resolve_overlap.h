@@ -6,32 +6,11 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/base/settings.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/hand_collision.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
-
-struct OverlapOptions {
-  static constexpr AboutSettings kAbout{"GiveWayOptions",
-                                        "By how much an overlap at the start may be resolved, by "
-                                        "moving the hand, instead of ending the trial; 0: none."};
-  // Scans and models of hands are wrong by this much, and a light object moves aside.
-  double object = 2e-3;
-  // How far an arm with a stiffness of 2 N/mm yields to 10 N.
-  double obstacle = 5e-3;
-  double deepest = 20e-3;
-};
-
-template <SettingsOf<OverlapOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [object, obstacle, deepest] = options;
-  visit("object", object, kAtLeast0, "m", "Deepest overlap of hand and object.");
-  visit("obstacle", obstacle, kAtLeast0, "m", "Deepest overlap of a hand with obstacles only.");
-  visit("deepest", deepest, kAtLeast0, "m",
-        "How deep an overlap that stays is measured; 0: it is not, as in plans, which leave such "
-        "candidates out.");
-}
 
 // Buffers of resolve_overlap, to allocate less; one for each thread.
 struct GiveWayWorkspace {

@@ -2,12 +2,32 @@
 #pragma once
 
 #include "sim/base/settings.h"
-#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
-#include "sim/scene/reach/reach.h"
-#include "sim/shape/contact/surface_contact.h"
-#include "sim/trial/resolve_overlap.h"
+#include "sim/motion/dynamic_grasp/dynamic_grasp_options.h"
+#include "sim/scene/reach/reach_options.h"
+#include "sim/shape/contact/contact_options.h"
 
 namespace prehend {
+
+struct OverlapOptions {
+  static constexpr AboutSettings kAbout{"GiveWayOptions",
+                                        "By how much an overlap at the start may be resolved, by "
+                                        "moving the hand, instead of ending the trial; 0: none."};
+  // Scans and models of hands are wrong by this much, and a light object moves aside.
+  double object = 2e-3;
+  // How far an arm with a stiffness of 2 N/mm yields to 10 N.
+  double obstacle = 5e-3;
+  double deepest = 20e-3;
+};
+
+template <SettingsOf<OverlapOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [object, obstacle, deepest] = options;
+  visit("object", object, kAtLeast0, "m", "Deepest overlap of hand and object.");
+  visit("obstacle", obstacle, kAtLeast0, "m", "Deepest overlap of a hand with obstacles only.");
+  visit("deepest", deepest, kAtLeast0, "m",
+        "How deep an overlap that stays is measured; 0: it is not, as in plans, which leave such "
+        "candidates out.");
+}
 
 struct SettleOptions {
   static constexpr AboutSettings kAbout{"SettleOptions",
@@ -25,34 +45,6 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("slide", slide, kAbove0, "m",
         "Farthest that the object moves between the fingers in a step.");
   visit("steps", steps, kAtLeast0, "", "Most steps that are tried; 0: the object does not settle.");
-}
-
-// Settings of the gap queries between two moving bodies (see GapTracker). They change the time that
-// queries take, never their validity: every answer is a proven bound. A looser bound costs less to
-// compute but allows shorter steps, so that more queries are needed.
-struct GapTrackerOptions {
-  // Below this gap the pairs of nearby triangles are listed; at larger gaps the list would be too
-  // long [m].
-  double near = 5e-4;
-  // The list holds all pairs closer than reach * gap, and at least those closer than gap +
-  // least_reach [m].
-  double reach = 2.0;
-  double least_reach = 3e-4;
-  // A longer list is not kept; the next one is tried when the gap is half as large. Searches of the
-  // bounding-volume trees cost more than this many pairs, of which most are only looked at.
-  int most_pairs = 2000;
-  // Relative error allowed in a query of the trees, whose answer only limits the next step.
-  double relative_error = 0.5;
-};
-
-template <SettingsOf<GapTrackerOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [near, reach, least_reach, most_pairs, relative_error] = options;
-  visit("near", near, kAtLeast0);
-  visit("reach", reach, kAtLeast1);
-  visit("least_reach", least_reach, kAtLeast0);
-  visit("most_pairs", most_pairs, kAtLeast0);
-  visit("looseness", relative_error, kPart);
 }
 
 struct TrialOptions {
@@ -92,7 +84,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("obstacle_clearance", obstacle_clearance, kAtLeast0, "m",
         "A hand that an obstacle stops on its approach, such as the table on which the object "
         "lies, moves back by this and closes there.");
-  visit("back_off_step", back_off_step, kAtLeast0, "m",
+  visit("back_off_step", back_off_step, kAbove0, "m",
         "When a grasp does not hold, the hand backs off along its approach by this and closes "
         "again.");
   visit("back_off_tries", back_off_tries, kAtLeast0, "",

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 #include "tests/support/judge_epsilon.h"
 #include "tests/support/second_opinion.h"
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 #include "tests/support/judge_grasp.h"
 
 namespace prehend::test {

@@ -9,6 +9,7 @@
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
 #include "sim/motion/control/cubic_peaks.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/carried_object.h"
 
 namespace prehend {

@@ -8,6 +8,7 @@
 #include "planner/plan/path/closing_path.h"
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

@@ -8,7 +8,7 @@
 #include "sim/base/settings.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/shape/primitive.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 

@@ -10,6 +10,7 @@
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/picture/glb_bytes.h"
 #include "sim/base/input_error.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {

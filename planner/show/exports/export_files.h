@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/show/exports/export_grasp.h"
 
 namespace prehend {

@@ -7,7 +7,7 @@
 #include "planner/show/validation/labels.h"
 #include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 

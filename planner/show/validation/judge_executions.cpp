@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "planner/plan/plan.h"
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 

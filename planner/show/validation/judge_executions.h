@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "planner/show/validation/executed_grasps_file.h"
 #include "planner/show/validation/scores.h"
 

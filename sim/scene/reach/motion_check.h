@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/base/settings.h"
 #include "sim/scene/compiled_arm.h"
+#include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
 
@@ -17,21 +17,6 @@ using JointPath = std::vector<std::vector<double>>;
 // Relative error by which the gap of a pair may be underestimated. A larger one makes each distance
 // query faster, but divides the motion into more stretches.
 inline constexpr double kGapError = 0.5;
-
-struct MotionCheckOptions {
-  static constexpr AboutSettings kAbout{"MotionCheckOptions",
-                                        "How motions are proven free of collision."};
-  // Motions with gaps below about half of this may be refused.
-  double tightest = 2e-4;
-};
-
-template <SettingsOf<MotionCheckOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [tightest] = options;
-  visit("tightest", tightest, kAbove0, "m",
-        "A stretch on which the bodies of a pair move by no more than this against each other is "
-        "not divided further: a pair not yet proved free there counts as blocked.");
-}
 
 // Continuous collision check: a pair that could not be proved to stay apart along the path (the
 // first one found), or none if the whole motion is free, between the waypoints too. If the gap of a

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/base/settings.h"
+#include "sim/shape/contact/contact_options.h"
 #include "sim/shape/proximity.h"
 
 namespace prehend {
@@ -15,29 +15,6 @@ struct SurfaceContact {
   Vector3 normal = Vector3::UnitZ();
   double gap = 0.0;  // between the surfaces along the normal [m]
 };
-
-struct ContactOptions {
-  static constexpr AboutSettings kAbout{"ContactOptions", "What counts as a contact."};
-  double threshold = 1e-4;
-  // Two faces that should be parallel are not exactly so in floating point.
-  double evenness = 1e-5;
-  double angular_tolerance = 0.02;
-  int max_region_corners = 8;
-};
-
-template <SettingsOf<ContactOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [threshold, evenness, angular_tolerance, max_region_corners] = options;
-  visit("threshold", threshold, kAbove0, "m", "Surfaces closer than this touch.");
-  visit("evenness", evenness, kAtLeast0, "m",
-        "Points of a face contact whose gap exceeds the smallest one by at most this belong to "
-        "it.");
-  visit("angular_tolerance", angular_tolerance, kAtLeast0, "",
-        "Sine of the angle by which a surface may rise above the tangent plane of a contact, and "
-        "within which normals count as equal.");
-  visit("max_region_corners", max_region_corners, Range{.lower = 3.0}, "",
-        "Most corners of a region of contact; those go first whose removal costs the least area.");
-}
 
 // A contact of a list by its height along a fixed direction (contact_copies.h).
 struct ContactHeight {

@@ -8,6 +8,7 @@
 #include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/trial/approach_line.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {

@@ -3,6 +3,7 @@
 
 #include "planner/plan/accuracy.h"
 #include "planner/plan/perturb_grasps.h"
+#include "planner/plan/plan.h"
 #include "sim/base/input_error.h"
 #include "sim/trial/success.h"
 #include "tests/support/library_scenes.h"

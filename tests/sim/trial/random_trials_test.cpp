@@ -7,6 +7,8 @@
 
 #include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/repeats.h"
 #include "tests/support/scenes.h"
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trial_bytes.h"
 
