@@ -17,7 +17,7 @@ TriedGrasp Session::grasp_in_hand() const {
   require(grasp.trial.outcome == Outcome::stable,
           {.field = "hand",
            .problem = "does not hold the object",
-           .value = std::string(outcome_name(grasp.trial.outcome))});
+           .value = std::string(name_of(grasp.trial.outcome))});
   const bool knows_arm = !grasp.trial.arm_line.empty();
   if (knows_arm || !scene.arm || !state_.arm || !state_.arm->reached()) return grasp;
   grasp.trial.arm_line =

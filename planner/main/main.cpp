@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <sys/resource.h>
 
 #include "planner/main/command_line.h"
+#include "planner/main/option_values.h"
 #include "sim/base/input_error.h"
 
 namespace {
@@ -32,13 +34,14 @@ int say(int status, const std::string& message) {
 }
 
 int run(int argc, char** argv) {
-  prehend::CommandLine line;
-  if (!line.read(argc, argv)) return 0;
+  const std::optional<prehend::Request> request = prehend::read_command_line(argc, argv);
+  if (!request) return 0;
   // Made before any other thread, as its constructor demands.
   prehend::Interrupts interrupts;
-  limit_memory(line.limits().memory);
-  line.limit_time(interrupts);
-  return line.run(interrupts);
+  const prehend::Limits& limits = request->limits;
+  limit_memory(limits.memory);
+  if (!limits.budget.empty()) interrupts.limit_time(prehend::seconds_of(limits.budget));
+  return request->run(interrupts);
 }
 
 // Whether all that was printed arrived; it may not where it goes to a full disk or a closed pipe.

@@ -3,12 +3,37 @@
 #include "planner/bulk/cluster/cluster_job.h"
 #include "planner/bulk/cluster/cluster_words.h"
 #include "planner/bulk/cluster/submit_job.h"
-#include "planner/main/cluster_commands.h"
 #include "planner/main/requested_batch.h"
+#include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
+
+// Arguments of `batch submit`.
+struct SubmitCommand {
+  std::filesystem::path batch;
+  std::filesystem::path out;
+  std::string engine = "slurm";  // or parallel
+  std::string name = "prehend";
+  int shards = 1;
+  int cores = 1;                         // of each shard
+  std::string memory;                    // of each shard, such as 4G; empty: kUsualMemory
+  std::string time;                      // of each shard, as Slurm has it; empty: the partition's
+  std::string partition;                 // empty: the usual one
+  std::string account;                   // the same
+  std::optional<int> at_once;            // shards at once
+  std::filesystem::path hosts;           // of parallel: its file of ssh hosts; empty: this machine
+  std::filesystem::path program;         // empty: the one that runs
+  std::vector<std::string> extra_lines;  // of the scripts
+  bool no_merge = false;
+  bool dry_run = false;  // prints the scripts instead
+};
+
+// Arguments of `batch cancel`, and of `batch queue`.
+struct JobCommand {
+  std::filesystem::path out;
+};
 
 // The value of an option that has words for a number; nothing where the option is not there.
 std::optional<int> number_of(const std::string& words, int (*read)(const std::string&),
@@ -88,8 +113,7 @@ void add_sizes(CLI::App& command, SubmitCommand& submit) {
   command.add_option("--account", submit.account, "who pays (slurm)");
 }
 
-CLI::App& add_submit(CLI::App& batch, SubmitCommand& submit) {
-  CLI::App& command = *batch.add_subcommand("submit", "give the shards of a batch to a cluster");
+void declare(CLI::App& command, SubmitCommand& submit) {
   command.add_option("batch", submit.batch, "file of the batch")->required();
   add_out(command, submit.out);
   command.add_option("--engine", submit.engine, "what runs them: slurm or parallel")
@@ -106,27 +130,11 @@ CLI::App& add_submit(CLI::App& batch, SubmitCommand& submit) {
       ->expected(1);
   command.add_flag("--no-merge", submit.no_merge, "do not merge the parts when all are done");
   command.add_flag("--dry-run", submit.dry_run, "print the scripts and submit nothing");
-  return command;
 }
 
-}  // namespace
+void declare(CLI::App& command, JobCommand& job) { add_out(command, job.out); }
 
-void add_cluster_commands(CLI::App& batch, ClusterCommands& commands,
-                          const std::function<void(std::function<int()>)>& choose) {
-  add_submit(batch, commands.submit).callback([&commands, choose] {
-    choose([&commands] { return run_submit(commands.submit); });
-  });
-  CLI::App& cancel = *batch.add_subcommand("cancel", "take a submitted batch back");
-  add_out(cancel, commands.cancel.out);
-  cancel.callback(
-      [&commands, choose] { choose([&commands] { return run_cancel(commands.cancel); }); });
-  CLI::App& queue = *batch.add_subcommand("queue", "say how far a submitted batch is");
-  add_out(queue, commands.queue.out);
-  queue.callback(
-      [&commands, choose] { choose([&commands] { return run_queue(commands.queue); }); });
-}
-
-int run_submit(const SubmitCommand& command) {
+int run_submit(const SubmitCommand& command, Interrupts& /*interrupts*/) {
   const ClusterJob job = asked_job(command);
   // What no shard could run is refused here, once.
   const AskedBatch asked(job.batch, job.out);
@@ -140,17 +148,28 @@ int run_submit(const SubmitCommand& command) {
   return 0;
 }
 
-int run_cancel(const JobCommand& command) {
+int run_cancel(const JobCommand& command, Interrupts& /*interrupts*/) {
   const bool was_alive = cancel_job(absolute_folder(command.out));
   std::cout << (was_alive ? "cancelled: what is done stays, submit goes on from there\n"
                           : "the job has ended already\n");
   return 0;
 }
 
-int run_queue(const JobCommand& command) {
+int run_queue(const JobCommand& command, Interrupts& /*interrupts*/) {
   const std::optional<JobStatus> status = cluster_status(absolute_folder(command.out));
   std::cout << (status ? status_text(*status) : "no job was submitted from this folder\n");
   return 0;
+}
+
+}  // namespace
+
+void add_cluster_commands(CLI::App& batch, Request& request) {
+  add_unlimited_command(batch, request, "submit", "give the shards of a batch to a cluster",
+                        declare, run_submit);
+  add_unlimited_command(batch, request, "cancel", "take a submitted batch back", declare,
+                        run_cancel);
+  add_unlimited_command(batch, request, "queue", "say how far a submitted batch is", declare,
+                        run_queue);
 }
 
 }  // namespace prehend

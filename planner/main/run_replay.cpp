@@ -2,7 +2,7 @@
 
 #include "planner/live/protocol/recording.h"
 #include "planner/live/protocol/session_film.h"
-#include "planner/main/commands.h"
+#include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
@@ -10,11 +10,28 @@
 namespace prehend {
 namespace {
 
+// Arguments of `replay`.
+struct ReplayCommand {
+  std::filesystem::path file;
+  std::filesystem::path out = "out/replay.json";
+  std::filesystem::path gltf;                  // an animation to write; empty: none
+  std::vector<std::filesystem::path> folders;  // whose files the recorded commands may name
+  int threads = 0;                             // of plans; 0: all processors
+};
+
+void declare(CLI::App& command, ReplayCommand& options) {
+  command.add_option("file", options.file, "recording, one command a line (docs/protocol.md)")
+      ->required();
+  command.add_option("--out", options.out, "file to write what comes of it to")
+      ->capture_default_str();
+  command.add_option("--gltf", options.gltf,
+                     "write the session as an animation to this file (.glb)");
+  add_session(command, options.folders, options.threads);
+}
+
 std::filesystem::path folder_of(const std::filesystem::path& file) {
   return std::filesystem::absolute(file).parent_path();
 }
-
-}  // namespace
 
 int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
   const bool filmed = !command.gltf.empty();
@@ -47,6 +64,12 @@ int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
   interrupts.write(command.gltf, session_glb(film));
   std::cout << "wrote " << command.gltf.string() << "\n";
   return 0;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Request& request) {
+  add_command(app, request, "replay", "carry out a recorded session again", declare, run_replay);
 }
 
 }  // namespace prehend

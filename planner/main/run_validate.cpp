@@ -1,9 +1,9 @@
 #include <iostream>
 
-#include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/requested_scene.h"
+#include "planner/main/shared_options.h"
 #include "planner/show/validation/compare_executions.h"
 #include "planner/show/validation/validation_page.h"
 #include "planner/show/validation/validation_text.h"
@@ -13,6 +13,32 @@
 namespace prehend {
 namespace {
 
+// Arguments of `truth`.
+struct ValidateCommand {
+  std::filesystem::path file;
+  bool volumes = true;   // the volume of each grasp is a score as well
+  int resamples = 2000;  // of the bootstrap
+  std::string groups;    // object, session, both or each; empty: natural_grouping
+  CommonOptions common = {.out = "out/truth"};
+};
+
+void declare(CLI::App& command, ValidateCommand& options) {
+  command.add_option("file", options.file, "file of executed grasps (docs/truth-file.md)")
+      ->required();
+  command.add_flag("!--no-volumes", options.volumes, "do without the volume: half of the time");
+  command.add_option("--resamples", options.resamples, "how many samples make the intervals")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  command
+      .add_option("--groups", options.groups,
+                  "what is drawn whole: object (where there are several), session, both or each")
+      ->check(CLI::IsMember({"object", "session", "both", "each"}));
+  add_common(command, options.common);
+  add_accuracy(command, options.common);
+  add_contacts(command, options.common);
+  command.add_flag("--no-report", options.common.no_report, "do without options.html");
+}
+
 CompareOptions truth_options(const ValidateCommand& command) {
   const PlanOptions accuracy = requested_accuracy(command.common.accuracy);
   CompareOptions options;
@@ -21,7 +47,7 @@ CompareOptions truth_options(const ValidateCommand& command) {
   options.evaluation.uncertainty = accuracy.uncertainty;
   if (command.common.hard_contacts) options.evaluation.trial.soft_fingers = false;
   options.volumes = command.volumes;
-  options.grouping = named_grouping(command.groups);
+  options.grouping = value_named<Grouping>(command.groups);
   options.resamples = command.resamples;
   return options;
 }
@@ -33,16 +59,15 @@ ExecutedGrasps read_asked(const ValidateCommand& command) {
   return truth;
 }
 
-}  // namespace
-
 int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
   const CompareOptions options = truth_options(command);
   const ExecutedGrasps truth = read_asked(command);
   ProgressBar bar(command.common.progress);
-  const RunContext context{command.common.threads, interrupts.cancellation(),
+  const RunContext context{command.common.threads,
+                           interrupts.cancellation(),
                            [&](const Progress& progress) { bar.show(progress); },
-                           command.common.deadline};
+                           {}};
   interrupts.cancel_first();
   ValidationReport report;
   try {
@@ -64,6 +89,12 @@ int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
   std::cout << validation_table(report) << "wrote " << command.common.out.string() << ": truth.json"
             << (command.common.no_report ? "" : ", truth.html") << "\n";
   return 0;
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Request& request) {
+  add_command(app, request, "truth", "compare scores with executed grasps", declare, run_validate);
 }
 
 }  // namespace prehend

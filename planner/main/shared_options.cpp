@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "planner/main/option_values.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 
@@ -83,6 +84,18 @@ void add_foreign(CLI::App& command, std::vector<std::string>& packages,
                  std::filesystem::path& srdf) {
   add_packages(command, packages);
   command.add_option("--srdf", srdf, "SRDF file of a URDF file, in place of the one beside it");
+}
+
+ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
+                                    const std::filesystem::path& srdf) {
+  ForeignRobotOptions options{.srdf = srdf};
+  for (const std::string& words : packages) {
+    const std::size_t sign = words.find('=');
+    require(sign != std::string::npos && sign > 0 && sign + 1 < words.size(),
+            {.field = "--package", .problem = "must be NAME=FOLDER", .value = words});
+    options.packages[words.substr(0, sign)] = words.substr(sign + 1);
+  }
+  return options;
 }
 
 void add_live(CLI::App& command, LiveOptions& live) {

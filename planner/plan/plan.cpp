@@ -70,7 +70,7 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
     const Trial& trial = finished.trials[i];
     const std::size_t c = finished.candidates[i];
-    ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
+    ++result.outcomes[trial.outcome];
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
@@ -92,9 +92,7 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
 // an arm, obstacles where there are none.
 void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   const int total = static_cast<int>(result.tried.size());
-  const auto count_of = [&](Outcome outcome) {
-    return result.outcomes[static_cast<std::size_t>(outcome)];
-  };
+  const auto count_of = [&](Outcome outcome) { return result.outcomes[outcome]; };
   if (scene.arm) {
     // For a hand that is blocked on its way the arm is not asked.
     const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked) +
@@ -297,7 +295,7 @@ class PlanRun {
       if (known == result_.rules.end()) {
         known = result_.rules.insert(known, {rule, {}});
       }
-      ++known->outcomes[static_cast<std::size_t>(tried.outcome)];
+      ++known->outcomes[tried.outcome];
     }
     try {
       result_.advice = find_advice(scene_, options_, result_, finished_.trials, context_);

@@ -10,6 +10,7 @@
 #include "planner/plan/advice.h"
 #include "planner/plan/path/grasp_path.h"
 #include "planner/plan/stopwatch.h"
+#include "sim/base/named_enum.h"
 #include "sim/manipulation/shake.h"
 #include "sim/motion/control/trajectory.h"
 #include "sim/quality/interval.h"
@@ -84,23 +85,10 @@ enum class PlanCount {
   paths              // ranked grasps for which a path was found
 };
 
-// All of them, in the order of the enum.
-inline constexpr std::array<PlanCount, 9> kPlanCounts = {PlanCount::primitives_given,
-                                                         PlanCount::primitives,
-                                                         PlanCount::candidates,
-                                                         PlanCount::reach,
-                                                         PlanCount::obstacles,
-                                                         PlanCount::trials,
-                                                         PlanCount::refined,
-                                                         PlanCount::ranked,
-                                                         PlanCount::paths};
-
 // "primitives", "candidates", ...: names of the stages in output for people and in files.
-constexpr std::string_view plan_count_name(PlanCount what) {
-  constexpr std::array<std::string_view, kPlanCounts.size()> kNames = {
-      "primitives given", "primitives", "candidates", "reach", "obstacles",
-      "trials",           "refined",    "ranked",     "paths"};
-  return kNames[static_cast<std::size_t>(what)];
+constexpr auto enum_names(PlanCount /*of*/) {
+  return std::to_array<std::string_view>({"primitives given", "primitives", "candidates", "reach",
+                                          "obstacles", "trials", "refined", "ranked", "paths"});
 }
 
 // One count of PlanResult::stages.
@@ -119,16 +107,10 @@ enum class PlanStatus {
   no_candidates      // there was no candidate for another reason
 };
 
-// All of them, in the order of the enum.
-inline constexpr std::array<PlanStatus, 5> kPlanStatuses = {
-    PlanStatus::complete, PlanStatus::out_of_time, PlanStatus::cancelled,
-    PlanStatus::object_too_large, PlanStatus::no_candidates};
-
 // "complete", "cancelled", ...: as in files.
-constexpr std::string_view plan_status_name(PlanStatus status) {
-  constexpr std::array<std::string_view, kPlanStatuses.size()> kNames = {
-      "complete", "out_of_time", "cancelled", "object_too_large", "no_candidates"};
-  return kNames[static_cast<std::size_t>(status)];
+constexpr auto enum_names(PlanStatus /*of*/) {
+  return std::to_array<std::string_view>(
+      {"complete", "out_of_time", "cancelled", "object_too_large", "no_candidates"});
 }
 
 // What plan() and evaluate() return.
@@ -146,10 +128,10 @@ struct PlanResult {
   double smallest_width = 0.0;
   double largest_opening = 0.0;
   std::vector<Primitive> primitives;
-  std::vector<ScoredGrasp> grasps;               // plan: best first; evaluate: in the given order
-  std::vector<Tried> tried;                      // finished trials, in the order of candidates
-  std::array<int, kOutcomes.size()> outcomes{};  // number of trials with each Outcome
-  std::vector<CollisionCount> blockers;          // those with the most candidates first
+  std::vector<ScoredGrasp> grasps;       // plan: best first; evaluate: in the given order
+  std::vector<Tried> tried;              // finished trials, in the order of candidates
+  EnumArray<Outcome, int> outcomes;      // number of trials with each Outcome
+  std::vector<CollisionCount> blockers;  // those with the most candidates first
   // Of plan() without a grasp, unless cancelled: how the candidates of each rule ended, in the
   // order in which the rules were first proposed, and what may help. Empty where there are grasps.
   std::vector<RuleCount> rules;

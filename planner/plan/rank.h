@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/trial/trial.h"
 
@@ -15,10 +16,8 @@ enum class RankBy {
   success       // those that lift the object more probably (rank_by_success)
 };
 
-constexpr std::array<std::pair<std::string_view, RankBy>, 3> setting_names(RankBy) {
-  return {{{"epsilon", RankBy::epsilon},
-           {"probability", RankBy::probability},
-           {"success", RankBy::success}}};
+constexpr auto enum_names(RankBy /*of*/) {
+  return std::to_array<std::string_view>({"epsilon", "probability", "success"});
 }
 
 struct RankOptions {

@@ -56,7 +56,7 @@ void check_parents(const std::vector<TriedGrasp>& grasps) {
     require(trial.outcome == Outcome::stable && !trial.contacts.empty(),
             {.field = "grasps[" + std::to_string(i) + "].trial",
              .problem = "not stable",
-             .value = std::string(outcome_name(trial.outcome))});
+             .value = std::string(name_of(trial.outcome))});
   }
 }
 

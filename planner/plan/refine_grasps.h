@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/quality/robust_epsilon.h"
@@ -21,16 +22,9 @@ enum class RefineObjective {
   robust,   // its mean under random errors (RobustEpsilon::mean)
 };
 
-inline constexpr std::array<RefineObjective, 2> kRefineObjectives = {RefineObjective::epsilon,
-                                                                     RefineObjective::robust};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view refine_objective_name(RefineObjective objective) {
-  return objective == RefineObjective::epsilon ? "epsilon" : "robust";
-}
-
-constexpr auto setting_names(RefineObjective) {
-  return names_of(kRefineObjectives, refine_objective_name);
+constexpr auto enum_names(RefineObjective /*of*/) {
+  return std::to_array<std::string_view>({"epsilon", "robust"});
 }
 
 // The defaults are measured, see docs/refinement.md.

@@ -16,13 +16,13 @@ void bind_context(py::module_& core) {
       .def_property_readonly("requested", &Cancellation::requested, "Whether it was raised.");
   py::class_<Progress>(core, "Progress", "How far a stage of a long call is.")
       .def_property_readonly(
-          "stage", [](const Progress& self) { return std::string(stage_name(self.stage)); },
+          "stage", [](const Progress& self) { return std::string(name_of(self.stage)); },
           R"("primitives", "candidates", "trials", "paths", ...)")
       .def_readonly("done", &Progress::done, "Pieces that are done: trials, paths, ...")
       .def_readonly("total", &Progress::total, "Of so many.")
       .def_readonly("stable", &Progress::stable, "Of the trials done, those whose grasp holds.")
       .def("__repr__", [](const Progress& self) {
-        return "Progress(stage='" + std::string(stage_name(self.stage)) +
+        return "Progress(stage='" + std::string(name_of(self.stage)) +
                "', done=" + std::to_string(self.done) + ", total=" + std::to_string(self.total) +
                ", stable=" + std::to_string(self.stable) + ")";
       });

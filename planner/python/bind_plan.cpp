@@ -79,11 +79,7 @@ py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields
   run_in_background(call, [&](const RunContext& context) {
     grasp->trial = run_trial(*scene.scene, grasp->candidate, options, context);
   });
-  const TrialHandle handle{scene.scene, grasp};
-  py::dict trial = trial_dict(handle);
-  trial["candidate"] = candidate_dict(*scene.scene, grasp->candidate);
-  trial["_trial"] = handle;
-  return trial;
+  return trial_dict({scene.scene, grasp}, {});
 }
 
 py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,

@@ -148,8 +148,7 @@ void bind_bodies(py::module_& core) {
           "X_WO", [](const GraspableBody& self) { return to_array(self.X_WO); },
           "(4, 4): the object's pose in the world.")
       .def_property_readonly(
-          "material",
-          [](const GraspableBody& self) { return std::string(material_name(self.material)); },
+          "material", [](const GraspableBody& self) { return std::string(name_of(self.material)); },
           R"("glass", "metal", "plastic", "wood" or "rubber".)")
       .def_readonly("mass", &GraspableBody::mass, "[kg]")
       .def_property_readonly(
@@ -175,8 +174,7 @@ or "stated parts".)")
           "X_WB", [](const StaticBody& self) { return to_array(self.X_WB); },
           "(4, 4): its pose in the world.")
       .def_property_readonly(
-          "material",
-          [](const StaticBody& self) { return std::string(material_name(self.material)); },
+          "material", [](const StaticBody& self) { return std::string(name_of(self.material)); },
           "As of the object.");
 }
 

@@ -19,7 +19,7 @@ std::tuple<py::bytes, py::bytes, py::bytes> truth_in_python(const std::string& f
                                                             bool volumes, const std::string& groups,
                                                             int resamples,
                                                             const CallOptions& call) {
-  CompareOptions options{evaluation, volumes, named_grouping(groups), resamples};
+  CompareOptions options{evaluation, volumes, value_named<Grouping>(groups), resamples};
   if (!groups.empty() && !options.grouping) {
     throw InputError(
         {.field = "groups", .problem = "must be object, session, both or each", .value = groups});

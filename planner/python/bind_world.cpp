@@ -128,8 +128,8 @@ py::tuple step(WorldHandle& self, double longest) {
     Stepping stepping(self);
     result = step_world(stepping.world(), options);
   }
-  return py::make_tuple(std::string(step_outcome_name(result.outcome)), result.time,
-                        result.crossings, result.violation);
+  return py::make_tuple(std::string(name_of(result.outcome)), result.time, result.crossings,
+                        result.violation);
 }
 
 using Class = py::class_<WorldHandle, std::shared_ptr<WorldHandle>>;

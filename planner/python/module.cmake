@@ -59,11 +59,16 @@ add_custom_command(TARGET prehend_python POST_BUILD VERBATIM
 # Debian's Python looks there below /usr/local, the default prefix.
 set(PREHEND_PYTHON_DIR lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages
   CACHE STRING "Where the Python package is installed, relative to the prefix")
-install(TARGETS prehend_python LIBRARY DESTINATION ${PREHEND_PYTHON_DIR}/prehend
-  COMPONENT python EXCLUDE_FROM_ALL)
 list(TRANSFORM python_files PREPEND planner/python/)
-install(FILES ${python_files} ${python_package}/_core.pyi DESTINATION ${PREHEND_PYTHON_DIR}/prehend
-  COMPONENT python EXCLUDE_FROM_ALL)
+function(prehend_install_python component folder)
+  install(TARGETS prehend_python LIBRARY DESTINATION ${folder}/prehend
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${python_files} ${python_package}/_core.pyi DESTINATION ${folder}/prehend
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+prehend_install_python(python ${PREHEND_PYTHON_DIR})
+# Where Debian's packages of Python have their files, below /usr.
+prehend_install_python(python_of_debian lib/python3/dist-packages)
 # What is found by name. The component prehend (package/package.cmake) installs the same files.
 include(GNUInstallDirs)
 install(DIRECTORY robots benchmarks/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/prehend

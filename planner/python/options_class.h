@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/settings.h"
 
 namespace prehend::python {
@@ -45,21 +46,11 @@ Value& nth_setting(Options& options, int number) {
 }
 
 template <typename Enum>
-std::string name_of_value(Enum value) {
-  for (const auto& [word, meaning] : setting_names(value)) {
-    if (meaning == value) return std::string(word);
-  }
-  return {};
-}
-
-template <typename Enum>
 Enum named_value(const std::string& field, const std::string& asked) {
-  std::string known;
-  for (const auto& [word, meaning] : setting_names(Enum{})) {
-    if (word == asked) return meaning;
-    known += (known.empty() ? "" : ", ") + std::string(word);
-  }
-  throw InputError({.field = field, .problem = "not one of " + known, .value = asked});
+  if (const std::optional<Enum> value = value_named<Enum>(asked)) return *value;
+  throw InputError({.field = field,
+                    .problem = "not one of " + joined(enum_names(Enum{}), ", "),
+                    .value = asked});
 }
 
 // The type of a field as it is written in Python.
@@ -68,11 +59,7 @@ std::string type_in_python() {
   if constexpr (std::is_same_v<Value, bool>) {
     return "bool";
   } else if constexpr (std::is_enum_v<Value>) {
-    std::string names;
-    for (const auto& [word, meaning] : setting_names(Value{})) {
-      names += (names.empty() ? "\"" : ", \"") + std::string(word) + "\"";
-    }
-    return "Literal[" + names + "]";
+    return "Literal[\"" + joined(enum_names(Value{}), "\", \"") + "\"]";
   } else if constexpr (std::is_arithmetic_v<Value>) {
     return std::is_integral_v<Value> ? "int" : "float";
   } else if constexpr (prehend::detail::kIsOptional<Value>) {
@@ -90,9 +77,7 @@ void add_property(py::class_<Options>& type, const Setting& setting, int number)
   if constexpr (std::is_enum_v<Value>) {
     type.def_property(
         name.c_str(),
-        [number](const Options& self) {
-          return name_of_value(nth_setting<const Value>(self, number));
-        },
+        [number](const Options& self) { return name_of(nth_setting<const Value>(self, number)); },
         [number, field](Options& self, const std::string& asked) {
           nth_setting<Value>(self, number) = named_value<Value>(field, asked);
         },

@@ -14,7 +14,7 @@ void contact_fields(auto& fields, auto& contact) {
   fields("position", contact.position);
   fields("normal", contact.normal);
   fields("friction", contact.friction);
-  fields.named("model", contact.model, value_names(kContactModels, contact_model_name));
+  fields("model", contact.model);
   fields("torsion", contact.torsion);
   if constexpr (kReads<decltype(fields)>) {
     const JsonField& field = fields.field();

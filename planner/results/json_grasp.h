@@ -27,4 +27,7 @@ struct ReadGrasp {
 ReadGrasp read_grasp(const JsonField& field, const CompiledScene& scene,
                      const std::vector<Primitive>& primitives);
 
+// The JSON schema of an entry as grasp_to_json writes it.
+nlohmann::ordered_json grasp_schema();
+
 }  // namespace prehend

@@ -19,12 +19,8 @@ template <HasSettings Options>
 void option_fields(auto& fields, Options& options) {
   visit_settings(options, [&](const std::string& name, auto& value, const Setting& setting) {
     using Value = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_enum_v<Value>) {
-      ValueNames<Value> names;
-      for (const auto& [word, meaning] : setting_names(value)) names.emplace_back(word, meaning);
-      fields.named(name, value, names);
-    } else {
-      fields(name, value);
+    fields(name, value);
+    if constexpr (!std::is_enum_v<Value>) {
       fields.require(name, setting.range.contains(static_cast<double>(value)),
                      setting.range.words().c_str());
     }
@@ -114,7 +110,7 @@ nlohmann::ordered_json settings_to_json(const RunRecord& record) {
 }
 
 PlanOptions read_accuracy(const std::string& name_or_file, std::vector<std::string>* notes) {
-  if (const auto known = accuracy_named(name_or_file)) return plan_options(*known);
+  if (const auto known = value_named<Accuracy>(name_or_file)) return plan_options(*known);
   const JsonFile file(name_or_file);
   const JsonField root = file.root();
   for (const char* name : {"seed", "top", "learned"}) {
@@ -122,7 +118,7 @@ PlanOptions read_accuracy(const std::string& name_or_file, std::vector<std::stri
   }
   FieldReader fields(root);
   Accuracy base = Accuracy::standard;
-  fields.named("accuracy", base, value_names(kAccuracies, accuracy_name));
+  fields("accuracy", base);
   RunRecord record;
   record.options = plan_options(base);
   settings_fields(fields, record);

@@ -4,17 +4,17 @@
 #include <array>
 #include <string_view>
 
+#include "sim/base/named_enum.h"
+
 namespace prehend {
 
 // What a link or an object is made of.
 enum class Material { glass, metal, plastic, wood, rubber };
 
-// All materials, in the order of the enum.
-inline constexpr std::array<Material, 5> kMaterials = {
-    Material::glass, Material::metal, Material::plastic, Material::wood, Material::rubber};
-
 // Name in files: "glass", "metal", "plastic", "wood" or "rubber".
-std::string_view material_name(Material material);
+constexpr auto enum_names(Material /*of*/) {
+  return std::to_array<std::string_view>({"glass", "metal", "plastic", "wood", "rubber"});
+}
 
 // The material with this name. Throws InputError that lists the known names for any other name.
 Material material_named(std::string_view name);

@@ -3,16 +3,13 @@
 // of the documents are made from these declarations.
 #pragma once
 
-#include <array>
 #include <concepts>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
-#include <utility>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/range.h"
 
 namespace prehend {
@@ -63,15 +60,6 @@ struct SettingName {
   constexpr SettingName(const char* in_code, const char* in_file)
       : name(in_code), in_files(in_file) {}
 };
-
-// The names of an enum's values, for setting_names(E): each of `values` with name(value).
-template <typename Values, typename Name>
-constexpr auto names_of(const Values& values, const Name& name) {
-  using Value = typename Values::value_type;
-  std::array<std::pair<std::string_view, Value>, std::tuple_size_v<Values>> names{};
-  for (std::size_t i = 0; i < values.size(); ++i) names[i] = {name(values[i]), values[i]};
-  return names;
-}
 
 // What is declared of one setting.
 struct Setting {

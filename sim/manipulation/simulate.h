@@ -42,7 +42,7 @@ SimulationStart start_of(const CompiledScene& scene, const Candidate& candidate,
 
 // A phase of a simulation, as times of its frames.
 struct SimulatedPhase {
-  std::string name;  // phase_kind_name()
+  std::string name;  // name_of()
   double from = 0.0;
   double to = 0.0;  // [s]
 };

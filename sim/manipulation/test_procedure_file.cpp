@@ -5,6 +5,7 @@
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_fields.h"
 
 namespace prehend {
@@ -64,13 +65,13 @@ void read_motion(FieldReader& fields, ProcedurePhase& phase) {
 
 void read_phase(FieldReader& fields, ProcedurePhase& phase) {
   for (const char* name : {"kind", "duration"}) fields.needs(name);
-  fields.named("kind", phase.kind, value_names(kPhaseKinds, phase_kind_name));
+  fields("kind", phase.kind);
   positive(fields, "duration", phase.duration);
   fields.require("duration", phase.duration <= kLongestPhase, "must be at most 1000 s");
   fields("pull", phase.pull);
   fields("pull_grows", phase.pull_grows);
   fields("gravity", phase.gravity);
-  fields.named("frame", phase.frame, value_names(kProcedureFrames, protocol_frame_name));
+  fields("frame", phase.frame);
   read_motion(fields, phase);
   fields.object("fails", [&](FieldReader& inner) { read_limits(inner, phase.fails); });
 }
@@ -142,10 +143,7 @@ std::filesystem::path find_test_procedure(const std::string& name_or_file) {
   if (is_there(name_or_file)) return name_or_file;
   const std::filesystem::path in_library = library() / (name_or_file + ".json");
   if (name_or_file.find('/') == std::string::npos && is_there(in_library)) return in_library;
-  std::string names;
-  for (const std::string& name : library_test_procedure_names()) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
+  const std::string names = joined(library_test_procedure_names());
   throw InputError(
       {.file = name_or_file,
        .problem = "no such file, and no protocol of that name (protocols: " + names + ")"});

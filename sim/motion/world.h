@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/motion/contact_memory.h"
 #include "sim/motion/contact_problem.h"
@@ -162,14 +163,9 @@ enum class StepOutcome {
   not_finite,     // velocities beyond all numbers; the bodies are where they were
 };
 
-inline constexpr std::array<StepOutcome, 4> kStepOutcomes = {
-    StepOutcome::moved, StepOutcome::not_converged, StepOutcome::blocked, StepOutcome::not_finite};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view step_outcome_name(StepOutcome outcome) {
-  constexpr std::array<std::string_view, kStepOutcomes.size()> kNames = {"moved", "not_converged",
-                                                                         "blocked", "not_finite"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(StepOutcome /*of*/) {
+  return std::to_array<std::string_view>({"moved", "not_converged", "blocked", "not_finite"});
 }
 
 struct StepResult {

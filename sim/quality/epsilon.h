@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/quality/support.h"
 #include "sim/quality/wrench.h"
@@ -23,10 +24,9 @@ enum class EpsilonStatus {
 };
 
 // The enumerator's name, as it is written in files.
-constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
-  constexpr std::array<std::string_view, 5> kNames = {"converged", "no_force_closure",
-                                                      "below_cutoff", "limit", "stalled"};
-  return kNames[static_cast<std::size_t>(status)];
+constexpr auto enum_names(EpsilonStatus /*of*/) {
+  return std::to_array<std::string_view>(
+      {"converged", "no_force_closure", "below_cutoff", "limit", "stalled"});
 }
 
 struct EpsilonOptions {

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/contact_map.h"
@@ -20,9 +21,8 @@ enum class ForceMeasure {
   largest_normal,  // L-infinity: each contact pushes with its own actuator
   sum_of_normals,  // L1: all contacts share one
 };
-constexpr std::array<std::pair<std::string_view, ForceMeasure>, 2> setting_names(ForceMeasure) {
-  return {{{"largest_normal", ForceMeasure::largest_normal},
-           {"sum_of_normals", ForceMeasure::sum_of_normals}}};
+constexpr auto enum_names(ForceMeasure /*of*/) {
+  return std::to_array<std::string_view>({"largest_normal", "sum_of_normals"});
 }
 
 struct ForceOptions {
@@ -67,9 +67,8 @@ enum class ForceOutcome {
 };
 
 // The enumerator's name, as it is written in files.
-constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
-  constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(ForceOutcome /*of*/) {
+  return std::to_array<std::string_view>({"balanced", "impossible", "limit"});
 }
 
 // The contact forces found, n contacts. Forces are in the unit of the external wrench's force,

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/named_enum.h"
 #include "sim/quality/contact.h"
 
 namespace prehend {
@@ -13,8 +14,8 @@ enum class FrictionCone {
   pyramid,  // the hull of the corners of contact_wrenches
 };
 
-constexpr std::array<std::pair<std::string_view, FrictionCone>, 2> setting_names(FrictionCone) {
-  return {{{"exact", FrictionCone::exact}, {"pyramid", FrictionCone::pyramid}}};
+constexpr auto enum_names(FrictionCone /*of*/) {
+  return std::to_array<std::string_view>({"exact", "pyramid"});
 }
 
 // The allowed forces of one contact. What it transmits, [normal force, force along the first and

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/epsilon.h"
@@ -22,11 +23,11 @@ enum class WrenchNorm { l1, linf };
 // is the same; for L-infinity, forces that have to be exactly unit shrink and shift it.
 enum class UnitForce { at_most, exactly };
 
-constexpr std::array<std::pair<std::string_view, WrenchNorm>, 2> setting_names(WrenchNorm) {
-  return {{{"l1", WrenchNorm::l1}, {"linf", WrenchNorm::linf}}};
+constexpr auto enum_names(WrenchNorm /*of*/) {
+  return std::to_array<std::string_view>({"l1", "linf"});
 }
-constexpr std::array<std::pair<std::string_view, UnitForce>, 2> setting_names(UnitForce) {
-  return {{{"at_most", UnitForce::at_most}, {"exactly", UnitForce::exactly}}};
+constexpr auto enum_names(UnitForce /*of*/) {
+  return std::to_array<std::string_view>({"at_most", "exactly"});
 }
 
 struct WrenchSpaceOptions {

@@ -15,8 +15,8 @@ std::size_t place_of(Material material) { return static_cast<std::size_t>(materi
 void require_friction(Material a, Material b, double friction) {
   if (friction >= 0.0 && friction <= kLargestFriction) return;
   throw InputError({.field = "friction",
-                    .problem = "must be from 0 to 1e6 between " + std::string(material_name(a)) +
-                               " and " + std::string(material_name(b)),
+                    .problem = "must be from 0 to 1e6 between " + std::string(name_of(a)) +
+                               " and " + std::string(name_of(b)),
                     .value = std::to_string(friction)});
 }
 
@@ -59,8 +59,8 @@ bool KineticFriction::empty() const {
 
 FrictionTable sliding_friction(const FrictionTable& statics, const KineticFriction& kinetic) {
   FrictionTable table = statics;
-  for (const Material a : kMaterials) {
-    for (const Material b : kMaterials) {
+  for (const Material a : kAll<Material>) {
+    for (const Material b : kAll<Material>) {
       if (const std::optional<double> own = kinetic.between(a, b)) table.set(a, b, *own);
     }
   }
@@ -73,7 +73,7 @@ void CompliantDepths::set(Material material, double depth) {
   if (!std::isfinite(depth) || depth < 0.0) {
     throw InputError(
         {.field = "depth",
-         .problem = "must be finite and not negative for " + std::string(material_name(material)),
+         .problem = "must be finite and not negative for " + std::string(name_of(material)),
          .value = std::to_string(depth)});
   }
   values_[place_of(material)] = depth;

@@ -6,6 +6,7 @@
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 
 namespace prehend {
 namespace {
@@ -29,8 +30,7 @@ std::filesystem::path find_scene(const std::string& name_or_file) {
   const std::filesystem::path in_library = library() / (name_or_file + ".json");
   const bool is_name = name_or_file.find('/') == std::string::npos;
   if (is_name && is_there(in_library)) return in_library;
-  std::string names;
-  for (const std::string& name : library_scene_names()) names += (names.empty() ? "" : ", ") + name;
+  const std::string names = joined(library_scene_names());
   throw InputError({.file = name_or_file,
                     .problem = "no such file, and no scene of that name (scenes: " + names + ")"});
 }

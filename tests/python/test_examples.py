@@ -1,5 +1,5 @@
 """Each script in docs/examples runs, and says or writes what it is about; so does the example of
-docs/library.md."""
+docs/how-to/python.md."""
 
 import os
 import pathlib
@@ -79,7 +79,7 @@ class Examples(unittest.TestCase):
             self.assertLess(len(file.read_text().splitlines()), 60, file.name)
 
     def test_the_example_of_the_documentation(self):
-        text = (SOURCE / "docs" / "library.md").read_text()
+        text = (SOURCE / "docs" / "how-to" / "python.md").read_text()
         code = re.findall(r"```python\n(.*?)```", text.split("## Python")[1], re.S)
         self.assertTrue(code)
         with tempfile.TemporaryDirectory() as folder:

@@ -224,7 +224,7 @@ class GraspJudge {
     const bool may_be_soft = rubber && known_.options.soft_fingers;
     if (point.model == ContactModel::frictionless ||
         (point.model == ContactModel::soft_finger && !may_be_soft)) {
-      fault("friction", name + " is " + std::string(contact_model_name(point.model)));
+      fault("friction", name + " is " + std::string(name_of(point.model)));
     }
   }
 

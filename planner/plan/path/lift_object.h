@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "planner/plan/path/plan_transfer.h"
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/scene/reach/reach.h"
@@ -41,16 +42,10 @@ enum class LiftEnd {
   retreat_blocked,   // the object is lifted, but no way back to the start was found
 };
 
-// All of them, in the order of the enum.
-inline constexpr std::array<LiftEnd, 5> kLiftEnds = {
-    LiftEnd::not_asked, LiftEnd::complete, LiftEnd::lift_unreachable, LiftEnd::lift_blocked,
-    LiftEnd::retreat_blocked};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view lift_end_name(LiftEnd end) {
-  constexpr std::array<std::string_view, kLiftEnds.size()> kNames = {
-      "not_asked", "complete", "lift_unreachable", "lift_blocked", "retreat_blocked"};
-  return kNames[static_cast<std::size_t>(end)];
+constexpr auto enum_names(LiftEnd /*of*/) {
+  return std::to_array<std::string_view>(
+      {"not_asked", "complete", "lift_unreachable", "lift_blocked", "retreat_blocked"});
 }
 
 // The closed hand, and the posture of the arm that holds it at the grasp.

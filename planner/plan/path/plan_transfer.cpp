@@ -249,13 +249,6 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
 
 }  // namespace
 
-std::optional<PathPlanner> path_planner_named(std::string_view name) {
-  for (const PathPlanner planner : kPathPlanners) {
-    if (path_planner_name(planner) == name) return planner;
-  }
-  return std::nullopt;
-}
-
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
                                      const TransferOptions& options, const RunContext& context) {
   require_settings(options);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/robot/inverse_kinematics.h"
@@ -24,20 +25,10 @@ enum class PathPlanner {
                 // Frazzoli 2011)
 };
 
-// All of them, in the order of the enum.
-inline constexpr std::array<PathPlanner, 3> kPathPlanners = {
-    PathPlanner::rrt_connect, PathPlanner::roadmap, PathPlanner::rrt_star};
-
 // The planner's name on the command line and in files: "rrt_connect", "roadmap" or "rrt_star".
-constexpr std::string_view path_planner_name(PathPlanner planner) {
-  constexpr std::array<std::string_view, kPathPlanners.size()> kNames = {"rrt_connect", "roadmap",
-                                                                         "rrt_star"};
-  return kNames[static_cast<std::size_t>(planner)];
+constexpr auto enum_names(PathPlanner /*of*/) {
+  return std::to_array<std::string_view>({"rrt_connect", "roadmap", "rrt_star"});
 }
-// The inverse of path_planner_name; nothing for a name that is none of these.
-std::optional<PathPlanner> path_planner_named(std::string_view name);
-
-constexpr auto setting_names(PathPlanner) { return names_of(kPathPlanners, path_planner_name); }
 
 struct TransferOptions {
   static constexpr AboutSettings kAbout{"TransferOptions",

@@ -178,7 +178,7 @@ def run_trial(
         _core.TrialOptions() if options is None else options,
         call_options(1, None, cancellation),
     )
-    return Trial(**Trial._arguments(fields))
+    return Trial._of(fields)
 
 
 def decompose(

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields as fields_of
 from functools import cached_property
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
 
 import numpy as np
 
 from . import _core
 from ._arrays import FloatArray, IntArray
+
+
+Kind = TypeVar("Kind")
+
+
+def _made(kind: Type[Kind], values: Dict[str, Any]) -> Kind:
+    """An object of a dataclass from its fields among the values; others have no place in it."""
+    return kind(**{one.name: values[one.name] for one in fields_of(kind)})  # type: ignore[arg-type]
 
 
 class Contact(NamedTuple):
@@ -287,11 +295,11 @@ class Trial:
         """Whether the grasp holds."""
         return self.outcome == "stable"
 
-    @staticmethod
-    def _arguments(fields: Dict[str, Any]) -> Dict[str, Any]:
+    @classmethod
+    def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
         fields["contacts"] = Contacts._of(fields["contacts"])
         fields["candidate"] = Candidate(**fields["candidate"])
-        return fields
+        return _made(cls, fields)
 
 
 @dataclass(frozen=True, eq=False)
@@ -380,16 +388,17 @@ class Grasp(Trial):
     path: Optional[Path] = field(repr=False)
     """The arm's way to it, where that was asked for."""
 
-    @staticmethod
-    def _of(fields: Dict[str, Any]) -> "Grasp":
-        path = fields.pop("path")
+    @classmethod
+    def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
+        path = fields["path"]
+        fields["path"] = None if path is None else Path._of(path)
         holding = fields["holding"]
         if holding is not None:
             fields["holding"] = Holding(Burden(**holding["given"]), Burden(**holding["worst"]))
         robustness = fields["robustness"]
         if robustness is not None:
-            fields["robustness"] = Robustness(**robustness)
-        return Grasp(**Trial._arguments(fields), path=None if path is None else Path._of(path))
+            fields["robustness"] = _made(Robustness, robustness)
+        return super()._of(fields)  # type: ignore[misc]
 
 
 @dataclass(frozen=True)

@@ -108,7 +108,7 @@ std::vector<std::string> happenings(const Simulation& simulation) {
   for (const ShakeTestReport& test : simulation.tests) {
     if (test.outcome == ShakeOutcome::survived) continue;
     lines.push_back(formatted("%s ends after %.3f s: %s", test.name.c_str(), test.failed_at,
-                              std::string(shake_outcome_name(test.outcome)).c_str()));
+                              std::string(name_of(test.outcome)).c_str()));
   }
   lines.push_back(formatted("%.3f s: ", simulation.frames.back().time) +
                   std::string(object_end_meaning(simulation.end)));
@@ -120,7 +120,7 @@ Report simulation_report(const CompiledScene& scene, const Simulation& simulatio
   Report report;
   const std::string& robot = scene.arm ? scene.arm->robot().name : scene.scene.hand.name;
   report.title =
-      scene.scene.object.name + ", " + robot + ": " + std::string(object_end_name(simulation.end));
+      scene.scene.object.name + ", " + robot + ": " + std::string(name_of(simulation.end));
   report.facts = {{"scene", scene.scene.name},
                   {"protocol", simulation.procedure},
                   {"steps", std::to_string(simulation.effort.steps)},
@@ -131,7 +131,7 @@ Report simulation_report(const CompiledScene& scene, const Simulation& simulatio
   report.grasps_in_all = 1;
   ReportGrasp& grasp = report.grasps.emplace_back();
   const Trial trial = final_grasp(scene, simulation, options);
-  grasp.outcome = object_end_name(simulation.end);
+  grasp.outcome = name_of(simulation.end);
   grasp.force_closure = trial.outcome == Outcome::stable;
   grasp.epsilon = trial.epsilon;
   for (const GraspContact& contact : trial.contacts) {

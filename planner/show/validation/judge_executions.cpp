@@ -49,7 +49,9 @@ JudgedExecutions judge_executions(const ExecutedGrasps& truth, const std::vector
         judged.scores[s][places[i]] = scores[s].of(result.grasps[i]);
       }
     }
-    for (std::size_t k = 0; k < kOutcomes.size(); ++k) judged.outcomes[k] += result.outcomes[k];
+    for (const Outcome outcome : kAll<Outcome>) {
+      judged.outcomes[outcome] += result.outcomes[outcome];
+    }
   }
   return judged;
 }

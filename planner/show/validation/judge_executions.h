@@ -11,8 +11,8 @@ namespace prehend {
 
 // The scores of the executions, in the order of the file.
 struct JudgedExecutions {
-  std::vector<std::vector<double>> scores;       // of each score, one number an execution
-  std::array<int, kOutcomes.size()> outcomes{};  // of the trials, each counted once
+  std::vector<std::vector<double>> scores;  // of each score, one number an execution
+  EnumArray<Outcome, int> outcomes;         // of the trials, each counted once
 };
 
 // Evaluates the grasps of each object. Which volumes are computed and whether grasps are tried with

@@ -3,6 +3,7 @@
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/platform_file.h"
@@ -43,8 +44,7 @@ std::filesystem::path file_of(const std::string& name_or_file) {
     return library() / name_or_file / kRobotFile;
   }
   if (is_there(name_or_file)) return name_or_file;
-  std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  const std::string known = joined(names);
   throw InputError(
       {.field = "robot", .problem = "neither a file nor one of " + known, .value = name_or_file});
 }

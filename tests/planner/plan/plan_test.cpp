@@ -142,7 +142,7 @@ TEST(Plan, GivenPrimitivesAreUsed) {
       plan(compile(std::move(scene)), few_candidates(), RunContext{.threads = 2});
   ASSERT_EQ(result.primitives.size(), 1U);
   EXPECT_EQ(result.stages.front().what, PlanCount::primitives_given);
-  EXPECT_EQ(plan_count_name(result.stages.front().what), "primitives given");
+  EXPECT_EQ(name_of(result.stages.front().what), "primitives given");
 }
 
 TEST(Plan, OfAnObjectTooLargeSaysBothSizes) {

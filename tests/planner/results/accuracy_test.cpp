@@ -44,18 +44,18 @@ TEST(Accuracy, StandardAreTheDefaults) {
 }
 
 TEST(Accuracy, TheirNamesAreRead) {
-  for (const Accuracy accuracy : kAccuracies) {
-    const std::string name(accuracy_name(accuracy));
-    EXPECT_EQ(accuracy_named(name), accuracy);
+  for (const Accuracy accuracy : kAll<Accuracy>) {
+    const std::string name(name_of(accuracy));
+    EXPECT_EQ(value_named<Accuracy>(name), accuracy);
     EXPECT_EQ(settings_json(read_accuracy(name)), settings_json(plan_options(accuracy)));
   }
-  EXPECT_FALSE(accuracy_named("coarse").has_value());
+  EXPECT_FALSE(value_named<Accuracy>("coarse").has_value());
   EXPECT_THROW((void)read_accuracy("no such file"), InputError);
 }
 
 // None of them gives up what makes a grasp sound.
 TEST(Accuracy, AllHaveContactsAtTheSameGap) {
-  for (const Accuracy accuracy : kAccuracies) {
+  for (const Accuracy accuracy : kAll<Accuracy>) {
     EXPECT_EQ(plan_options(accuracy).trial.contact_gap, TrialOptions{}.contact_gap);
     EXPECT_EQ(plan_options(accuracy).trial.contact.threshold, ContactOptions{}.threshold);
   }

@@ -9,6 +9,7 @@
 #include "planner/plan/plan_options.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/output_file.h"
 
 namespace prehend {
@@ -27,10 +28,7 @@ std::string default_text(const Value& value) {
   if constexpr (std::is_same_v<Value, bool>) {
     return value ? "true" : "false";
   } else if constexpr (std::is_enum_v<Value>) {
-    for (const auto& [word, meaning] : setting_names(value)) {
-      if (meaning == value) return std::string(word);
-    }
-    return "";
+    return std::string(name_of(value));
   } else {
     return formatted("%.6g", static_cast<double>(value));
   }
@@ -39,11 +37,7 @@ std::string default_text(const Value& value) {
 template <typename Value>
 std::string range_text(const Setting& setting) {
   if constexpr (std::is_enum_v<Value>) {
-    std::string words;
-    for (const auto& [word, meaning] : setting_names(Value{})) {
-      words += (words.empty() ? "" : ", ") + std::string(word);
-    }
-    return words;
+    return joined(enum_names(Value{}), ", ");
   } else {
     return setting.range.interval();
   }

@@ -38,8 +38,7 @@ Value changed(const Value& value) {
   if constexpr (std::is_same_v<Value, bool>) {
     return !value;
   } else if constexpr (std::is_enum_v<Value>) {
-    const auto names = setting_names(value);
-    return names.front().second == value ? names.back().second : names.front().second;
+    return value == kAll<Value>.front() ? kAll<Value>.back() : kAll<Value>.front();
   } else {
     return value + 1;
   }

@@ -103,7 +103,7 @@ TEST(ClosedForms, PainlevesRodGoesOn) {
         const StepResult result = step_world(world);
         ASSERT_TRUE(result.outcome == StepOutcome::moved ||
                     result.outcome == StepOutcome::not_converged)
-            << friction << " " << degrees << " " << step_outcome_name(result.outcome);
+            << friction << " " << degrees << " " << name_of(result.outcome);
         time += result.time;
         const double after = energy_of(world);
         EXPECT_LT(after, before + 1e-4) << friction << " " << degrees << " at " << time;

@@ -30,7 +30,7 @@ void examine(World world, double seconds) {
   double energy = start;
   for (double time = 0.0; time < seconds;) {
     const StepResult result = step_world(world);
-    ASSERT_GT(result.time, 0.0) << step_outcome_name(result.outcome) << " at " << time;
+    ASSERT_GT(result.time, 0.0) << name_of(result.outcome) << " at " << time;
     time += result.time;
     const test::Placement after = test::WorldJudge::placement(world);
     double farthest = 0.0;

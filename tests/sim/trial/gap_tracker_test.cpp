@@ -31,7 +31,7 @@ std::vector<Bodies> bodies() {
 
 // Turns and shifts b's pose by less than `most` for any of its points within `radius` of its frame.
 Pose nudged(Random& random, const Pose& X, double radius, double most) {
-  const Vector3 shift = random.uniform(0.0, 0.6) * most * random.direction();
+  const Vector3 shift = random.vector(0.0, 0.6 * most);
   const double angle = random.uniform(-0.4, 0.4) * most / radius;
   const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
   return pose_from(turn * X.linear(), X.translation() + shift);
@@ -47,7 +47,8 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
     for (int run = 0; run < 8; ++run) {
       // In every second run nearly all lists of near pairs are too long to be kept.
       GapTracker tracker(a, b, run % 2 == 0 ? 400 : 3);
-      Pose X_AB = pose_from(random.rotation(), 0.15 * random.direction());
+      const Matrix3 turn = random.rotation();
+      Pose X_AB = pose_from(turn, 0.15 * random.direction());
       double moved = 0.0;
       for (int step = 0; step < 40; ++step) {
         SCOPED_TRACE(pair.name + " run " + std::to_string(run) + " step " + std::to_string(step));

@@ -43,7 +43,7 @@ class GraspPanel {
 
   loadWeight() {
     const {object} = this.live.state;
-    const weight = object ? 9.80665 * object.mass : 0;
+    const weight = object ? data.gravity * object.mass : 0;
     const down = new THREE.Vector3(0, 0, -weight);
     ['x', 'y', 'z'].forEach((axis) => {
       byId(`load-${axis}`).value = Number(down[axis].toFixed(3));

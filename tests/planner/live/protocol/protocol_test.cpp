@@ -202,7 +202,10 @@ std::string garbage(Random& random) {
     return text;
   }
   if (kind == 1) return text.substr(0, random.index(text.size() + 1));
-  if (kind == 2) return std::string(random.index(400), random.index(2) == 0 ? '[' : '{');
+  if (kind == 2) {
+    const std::size_t depth = random.index(400);
+    return std::string(depth, random.index(2) == 0 ? '[' : '{');
+  }
   for (int i = random.integer(1, 3); i > 0; --i) {
     text[random.index(text.size())] = static_cast<char>(random.integer(0, 255));
   }
@@ -254,7 +257,7 @@ TEST(TestProcedure, WhatAClientSendsAheadIsBounded) {
 // The documents in which the table of commands is written down. With PREHEND_WRITE_PROTOCOL in the
 // environment they are written instead of compared.
 std::filesystem::path document(const std::string& name) {
-  return std::filesystem::path(PREHEND_SOURCE_DIR) / "docs" / name;
+  return std::filesystem::path(PREHEND_SOURCE_DIR) / "docs/reference" / name;
 }
 
 bool writes_documents() { return std::getenv("PREHEND_WRITE_PROTOCOL") != nullptr; }
