@@ -35,11 +35,10 @@ namespace prehend {
 //     visit.relation("angle", angle <= inner.limit, "must be at most inner.limit");
 //   }
 //
-// A number has a range (range.h) and a unit, "" for none; a flag, an enum and a struct have
-// neither. An enum E has a function setting_names(E) beside it, which gives the name of each value.
-// What is unlisted stands in no file: it derives from another setting, such as a seed, or is asked
-// for otherwise. SettingsOf accepts the struct both const (for writing a file) and mutable (for
-// reading one).
+// A number has a range (range.h) and a unit, "" for none; a flag, an enum (named_enum.h) and a
+// struct have neither. What is unlisted stands in no file: it derives from another setting, such as
+// a seed, or is asked for otherwise. SettingsOf accepts the struct both const (for writing a file)
+// and mutable (for reading one).
 template <typename T, typename Options>
 concept SettingsOf = std::same_as<std::remove_const_t<T>, Options>;
 
