@@ -82,7 +82,10 @@
 //   simulation_report.h   its report
 //   shake.h               one grasp under a protocol, and what became of it
 //   protocol_file.h       protocols from files and from the library
-//   world.h               bodies and robots that move, step by step
+//   world.h               bodies and robots that move
+//   step_world.h          moves them on, step by step
+//   require_world.h       whether that can be done
+//   energy.h              their energy
 //   scene_bodies.h        a scene's bodies in a world, and how they touch
 //   controller.h          what drives a robot: a function from its state to efforts
 //   joint_controllers.h   PD, gravity compensation and computed torque
@@ -144,7 +147,10 @@
 #include "sim/motion/control/wrist_impedance.h"
 #include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
+#include "sim/motion/energy.h"
+#include "sim/motion/require_world.h"
 #include "sim/motion/scene_bodies.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/quality/quality.h"
 #include "sim/robot/files/converted.h"

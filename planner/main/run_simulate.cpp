@@ -148,7 +148,7 @@ std::vector<std::string> write_moments(const SimulateCommand& command, const Ask
 
 void print_simulation(const Simulation& simulation, const std::vector<std::string>& written,
                       const std::filesystem::path& folder) {
-  for (const std::string& line : happenings(simulation)) std::cout << line << "\n";
+  for (const std::string& line : event_lines(simulation)) std::cout << line << "\n";
   const SimulationEffort& effort = simulation.effort;
   std::cout << std::string(name_of(simulation.end)) << " after "
             << formatted("%.3f s: ", simulation.frames.back().time) << effort.steps << " steps, "

@@ -233,7 +233,6 @@ SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primiti
   ProposalSequence sequence(scene, primitives, candidates);
   std::optional<OrderedProposals> ordered;
   if (search.learned) {
-    require_settings(*search.learned);
     ordered.emplace(scene, primitives, candidates, sequence, *search.learned);
   }
   return GraspSearch(scene, sequence, ordered ? &*ordered : nullptr, search, trial, context, found)

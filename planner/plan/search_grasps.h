@@ -62,6 +62,7 @@ void for_each_setting(Options& options, const Visit& visit) {
         "boxes, spheres, cylinders and cones.");
   visit("patience", trials_before_extra_back_offs, kAtLeast0, "",
         "After so many trials of which none has held, the hand backs off more often.");
+  visit.unlisted("learned", learned, "Set: a model orders the proposals of the sequence.");
 }
 
 // Why a search ended.

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/controller_handle.h"
 #include "planner/python/world_handle.h"
 #include "sim/base/input_error.h"

@@ -4,7 +4,6 @@
 
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
-#include "planner/python/bindings.h"
 #include "planner/python/results.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/best_viewpoint.h"

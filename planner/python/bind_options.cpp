@@ -1,7 +1,6 @@
 #include <pybind11/pybind11.h>
 
 #include "planner/plan/plan_options.h"
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/results/json_settings.h"
 #include "sim/quality/quality.h"

@@ -5,7 +5,6 @@
 
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
-#include "planner/python/bindings.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/scene_handle.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
@@ -251,7 +250,7 @@ void bind_compiled_scene(py::module_& core) {
         return "<prehend.CompiledScene " + self.scene->scene.name + ", hand " +
                self.scene->scene.hand.name + ">";
       });
-  core.def("compile", &compile_in_python);
+  core.def("compile_scene", &compile_in_python);
 }
 
 }  // namespace

@@ -3,13 +3,14 @@
 #include <pybind11/stl.h>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/python/scene_handle.h"
 #include "planner/python/world_handle.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/energy.h"
 #include "sim/motion/scene_bodies.h"
+#include "sim/motion/step_world.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend::python {

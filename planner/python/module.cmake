@@ -27,7 +27,7 @@ target_compile_definitions(prehend_python PRIVATE PREHEND_VERSION="${PROJECT_VER
 target_precompile_headers(prehend_python PRIVATE
   <pybind11/pybind11.h> <pybind11/numpy.h> <pybind11/stl.h> <Eigen/Geometry>)
 # As in prehend_library.
-if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
   target_compile_options(prehend_python PRIVATE
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()

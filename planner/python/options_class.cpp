@@ -43,8 +43,9 @@ std::string setting_doc(const Setting& setting) {
   return limits.empty() ? doc : doc.substr(0, doc.size() - 1) + "; " + limits.substr(1) + ".";
 }
 
-void detail::finish_class(const py::handle& type, const py::dict& types) {
-  type.attr("__annotations__") = types;
+void add_field(const py::handle& type, const std::string& name, const std::string& type_name) {
+  const py::dict types = type.attr("__annotations__");
+  types[py::str(name)] = type_name;
   type.attr("_fields") = py::tuple(types);
 }
 

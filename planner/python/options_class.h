@@ -28,6 +28,10 @@ void check_range(const std::string& field, double value, const Range& range);
 // "First turn of the hand [rad]; > 0.": meaning, unit and range.
 std::string setting_doc(const Setting& setting);
 
+// Lists a property as a field, with its type as it is written in Python: in `_fields` and
+// `__annotations__`, from which the stub is made.
+void add_field(const py::handle& type, const std::string& name, const std::string& type_name);
+
 namespace detail {
 
 // Setting number `number` of the options, which has this type.
@@ -103,18 +107,22 @@ void add_property(py::class_<Options>& type, const Setting& setting, int number)
   }
 }
 
-// The types of the fields stand in `__annotations__`, from which the stub is made.
-void finish_class(const py::handle& type, const py::dict& types);
-
 }  // namespace detail
 
-// Registers the struct, and those nested in it before it, unless that was done. Instances have
-// keywords for all fields, a range is checked when a number is set, an enum is one of its names.
+// Registers the struct, and those nested in it before it. Instances have keywords for all fields, a
+// range is checked when a number is set, an enum is one of its names.
+template <HasSettings Options>
+py::class_<Options> settings_class(py::module_& module);
+
+// The same, unless it is registered already.
 template <HasSettings Options>
 void bind_settings(py::module_& module) {
   const std::string name(Options::kAbout.name);
-  const std::string meaning(Options::kAbout.meaning);
-  if (py::hasattr(module, name.c_str())) return;
+  if (!py::hasattr(module, name.c_str())) settings_class<Options>(module);
+}
+
+template <HasSettings Options>
+py::class_<Options> settings_class(py::module_& module) {
   Options defaults;
   const auto bind_nested = [&](const Setting&, auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
@@ -125,6 +133,8 @@ void bind_settings(py::module_& module) {
     }
   };
   for_each_setting(defaults, SettingVisitor(bind_nested));
+  const std::string name(Options::kAbout.name);
+  const std::string meaning(Options::kAbout.meaning);
   py::class_<Options> type(module, name.c_str(), meaning.c_str());
   type.def(py::init([](const py::kwargs& given) {
     Options options;
@@ -134,15 +144,16 @@ void bind_settings(py::module_& module) {
   type.def("__repr__", [](const py::object& self) { return describe_fields(self); });
   type.def("__copy__", [](const Options& self) { return Options(self); });
   type.def("__deepcopy__", [](const Options& self, const py::dict&) { return Options(self); });
+  type.attr("_fields") = py::tuple();
+  type.attr("__annotations__") = py::dict();
   int number = 0;
-  py::dict types;
   const auto add = [&](const Setting& setting, auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
     detail::add_property<Options, Value>(type, setting, number++);
-    types[py::str(std::string(setting.name.name))] = detail::type_in_python<Value>();
+    add_field(type, std::string(setting.name.name), detail::type_in_python<Value>());
   };
   for_each_setting(defaults, SettingVisitor(add));
-  detail::finish_class(type, types);
+  return type;
 }
 
 }  // namespace prehend::python

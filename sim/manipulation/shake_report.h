@@ -9,6 +9,7 @@
 
 #include "sim/base/named_enum.h"
 #include "sim/manipulation/test_procedure.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 
 namespace prehend {

@@ -6,6 +6,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
 #include "sim/manipulation/phase_run.h"
+#include "sim/motion/require_world.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/trial/approach_line.h"
 

@@ -11,6 +11,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/motion/require_world.h"
 #include "sim/motion/world.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/object_generator.h"

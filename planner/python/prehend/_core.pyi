@@ -5,12 +5,136 @@ from typing import Any, Callable, Dict, List, Literal, Optional, Tuple
 import numpy as np
 import numpy.typing as npt
 
+from ._names import NamedEnum
+
 _Floats = npt.NDArray[np.float64]
 _Integers = npt.NDArray[np.intc]
 _Bytes = npt.NDArray[np.uint8]
 
 __version__: str
 most_detailed: int
+fields_of_results: Dict[str, Tuple[str, ...]]
+
+class Outcome(NamedEnum):
+    stable = "stable"
+    not_force_closure = "not_force_closure"
+    no_contact = "no_contact"
+    hand_blocked = "hand_blocked"
+    approach_blocked = "approach_blocked"
+    unreachable = "unreachable"
+    arm_blocked = "arm_blocked"
+    pushed_away = "pushed_away"
+    toppled = "toppled"
+    squeezed_out = "squeezed_out"
+    dropped = "dropped"
+    not_simulated = "not_simulated"
+    no_path = "no_path"
+
+class PlanStatus(NamedEnum):
+    complete = "complete"
+    out_of_time = "out_of_time"
+    cancelled = "cancelled"
+    object_too_large = "object_too_large"
+    no_candidates = "no_candidates"
+
+class PlanCount(NamedEnum):
+    primitives_given = "primitives given"
+    primitives = "primitives"
+    candidates = "candidates"
+    reach = "reach"
+    obstacles = "obstacles"
+    trials = "trials"
+    refined = "refined"
+    ranked = "ranked"
+    paths = "paths"
+
+class Stage(NamedEnum):
+    load = "load"
+    compile = "compile"
+    primitives = "primitives"
+    candidates = "candidates"
+    trials = "trials"
+    rank = "rank"
+    refine = "refine"
+    paths = "paths"
+    volumes = "volumes"
+    disturb = "disturb"
+    shake = "shake"
+    report = "report"
+    picture = "picture"
+
+class LiftEnd(NamedEnum):
+    not_asked = "not_asked"
+    complete = "complete"
+    lift_unreachable = "lift_unreachable"
+    lift_blocked = "lift_blocked"
+    retreat_blocked = "retreat_blocked"
+
+class Hint(NamedEnum):
+    friction = "friction"
+    soft_contacts = "soft_contacts"
+    other_hand = "other_hand"
+    tolerance = "tolerance"
+    obstacle = "obstacle"
+    arm = "arm"
+    candidates = "candidates"
+    path = "path"
+    unit = "unit"
+
+class Accuracy(NamedEnum):
+    draft = "draft"
+    standard = "standard"
+    fine = "fine"
+
+class Material(NamedEnum):
+    glass = "glass"
+    metal = "metal"
+    plastic = "plastic"
+    wood = "wood"
+    rubber = "rubber"
+
+class ContactModel(NamedEnum):
+    frictionless = "frictionless"
+    point = "point"
+    soft_finger = "soft_finger"
+
+class EpsilonStatus(NamedEnum):
+    converged = "converged"
+    no_force_closure = "no_force_closure"
+    below_cutoff = "below_cutoff"
+    limit = "limit"
+    stalled = "stalled"
+
+class ForceOutcome(NamedEnum):
+    balanced = "balanced"
+    impossible = "impossible"
+    limit = "limit"
+
+class StepOutcome(NamedEnum):
+    moved = "moved"
+    not_converged = "not_converged"
+    blocked = "blocked"
+    not_finite = "not_finite"
+
+class ControlOutcome(NamedEnum):
+    finished = "finished"
+    stopped = "stopped"
+    not_a_number = "not_a_number"
+    wrong_size = "wrong_size"
+    blocked = "blocked"
+    not_finite = "not_finite"
+
+class ObjectPlace(NamedEnum):
+    between = "between"
+    beside = "beside"
+    inside = "inside"
+    palm = "palm"
+
+class Grouping(NamedEnum):
+    object = "object"
+    session = "session"
+    both = "both"
+    each = "each"
 
 class Cancellation:
     def __init__(self) -> None: ...
@@ -20,7 +144,7 @@ class Cancellation:
 
 class Progress:
     @property
-    def stage(self) -> str: ...
+    def stage(self) -> Stage: ...
     @property
     def done(self) -> int: ...
     @property
@@ -29,6 +153,18 @@ class Progress:
     def stable(self) -> int: ...
 
 # <options>
+
+class TreeModel:
+    @property
+    def name(self) -> str: ...
+    @property
+    def hands(self) -> List[str]: ...
+    @property
+    def any_hand(self) -> bool: ...
+    @property
+    def objects(self) -> int: ...
+    @property
+    def trials(self) -> int: ...
 
 class Robot:
     @property
@@ -189,9 +325,10 @@ def solve_near(robot: Robot, joints: List[int], X_JT: _Floats, X_BT: _Floats, st
 def solve_all(robot: Robot, joints: List[int], X_JT: _Floats, X_BT: _Floats, start: _Floats, options: IkOptions, /) -> _Floats: ...
 def load_scene(scene: bytes, hand: bytes, unit: str, repair: bool, /) -> _Scene: ...
 def make_scene(vertices: _Floats, faces: _Integers, hand: bytes, name: str, material: str, mass: float, repair: bool, /) -> _Scene: ...
-def compile(scene: _Scene, /) -> CompiledScene: ...
+def compile_scene(scene: _Scene, /) -> CompiledScene: ...
 def load_mesh(file: bytes, unit: str, /) -> Tuple[_Floats, _Integers]: ...
 def library_scene_names() -> List[str]: ...
+def read_tree_model(file: str, /) -> TreeModel: ...
 def plan_options(accuracy: str, /) -> PlanOptions: ...
 def plan(scene: CompiledScene, options: PlanOptions, call: _CallOptions, /) -> _PlanResult: ...
 def evaluate(scene: CompiledScene, candidates: List[Dict[str, Any]], options: EvaluateOptions, call: _CallOptions, /) -> _PlanResult: ...
@@ -209,7 +346,7 @@ def export_files(plan: _PlanResult, format: str, /) -> List[Tuple[str, bytes]]: 
 def grasp_picture(trial: _Trial, title: str, size: Tuple[int, int], direction: Optional[_Floats], /) -> _Bytes: ...
 def arm_picture(trial: _Trial, title: str, size: Tuple[int, int], /) -> _Bytes: ...
 def png_bytes(pixels: _Bytes, /) -> bytes: ...
-def truth(file: bytes, options: EvaluateOptions, volumes: bool, groups: str, resamples: int, call: _CallOptions, /) -> Tuple[bytes, bytes, bytes]: ...
+def compare_executions(file: bytes, options: EvaluateOptions, volumes: bool, groups: str, resamples: int, call: _CallOptions, /) -> Tuple[bytes, bytes, bytes]: ...
 def quality_epsilon(sets: _ContactSets, space: WrenchSpaceOptions, options: Optional[EpsilonOptions], call: _CallOptions, /) -> Dict[str, Any]: ...
 def quality_measure(sets: _ContactSets, name: str, options: _MeasureOptions, call: _CallOptions, /) -> Tuple[_Floats, _Floats]: ...
 def quality_robust_epsilon(sets: _ContactSets, space: WrenchSpaceOptions, noise: NoiseOptions, call: _CallOptions, /) -> _Floats: ...

@@ -42,7 +42,7 @@ struct ReportGrasp {
   std::optional<GraspMotion> motion = {};  // empty without a hand
   std::optional<GraspDetail> detail = {};  // empty for grasps that are not analysed further
   std::optional<ShakeReport> shake = {};   // empty for grasps that were not shaken
-  std::vector<std::string> happened = {};  // what a simulation saw, in the order of time
+  std::vector<std::string> events = {};    // what a simulation saw, in the order of time
   std::optional<Vector3> side = {};        // viewing direction, unit, towards the eye, world frame
 };
 

@@ -207,7 +207,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   json["motion"] = grasp.motion ? motion_json(*grasp.motion, most_frames) : Json();
   json["side"] = grasp.side ? rounded(*grasp.side) : Json();
   if (grasp.shake) json["shake"] = shake_to_json(*grasp.shake);
-  if (!grasp.happened.empty()) json["happened"] = grasp.happened;
+  if (!grasp.events.empty()) json["events"] = grasp.events;
   json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
   return json;
 }

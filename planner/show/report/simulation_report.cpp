@@ -70,7 +70,7 @@ Trial final_grasp(const CompiledScene& scene, const Simulation& simulation,
   trial.X_OH = X_WO.inverse() * hand_pose(world, simulation.hand);
   trial.dofs = hand_dofs(world, simulation.hand);
   trial.joints = hand_joints(world, simulation.hand);
-  GraspWorkspace workspace;
+  ScoringWorkspace workspace;
   score_contacts(scene, options, workspace, trial);
   return trial;
 }
@@ -102,7 +102,7 @@ GraspMotion motion_of(const CompiledScene& scene, const Simulation& simulation) 
   return motion;
 }
 
-std::vector<std::string> happenings(const Simulation& simulation) {
+std::vector<std::string> event_lines(const Simulation& simulation) {
   std::vector<std::string> lines;
   for (const ObjectEvent& event : simulation.events) lines.push_back(words_of(event));
   for (const ShakeTestReport& test : simulation.tests) {
@@ -138,7 +138,7 @@ Report simulation_report(const CompiledScene& scene, const Simulation& simulatio
     grasp.contacts.push_back({contact.point, scene.links[index(contact.link)].name, contact.gap});
   }
   grasp.motion = motion_of(scene, simulation);
-  grasp.happened = happenings(simulation);
+  grasp.events = event_lines(simulation);
   return report;
 }
 

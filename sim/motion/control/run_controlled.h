@@ -10,6 +10,7 @@
 #include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/motion/control/controller.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 

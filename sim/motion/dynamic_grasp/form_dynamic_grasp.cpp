@@ -7,6 +7,7 @@
 #include "sim/motion/control/quintic_step.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/dynamic_grasp/resting.h"
+#include "sim/motion/require_world.h"
 
 namespace prehend {
 namespace {

@@ -8,6 +8,7 @@
 #include "sim/base/run_context.h"
 #include "sim/motion/dynamic_grasp/dynamic_grasp_options.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
+#include "sim/motion/step_world.h"
 
 namespace prehend {
 

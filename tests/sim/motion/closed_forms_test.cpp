@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/energy.h"
 #include "sim/motion/world.h"
 #include "tests/support/sample_worlds.h"
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/step_world.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/support/judge_world.h"
 #include "tests/support/random_world.h"

@@ -6,7 +6,7 @@ const restAfter = 250;   // ms without a new picture
 const longPause = 1500;  // ms; pictures farther apart are not part of one motion
 const coarsest = 0.35;   // lowest fraction of the resolution
 
-class Pace {
+class AdaptiveResolution {
   // `onRest` is called when nothing moves any more and the last picture was coarse.
   constructor(onRest) {
     this.onRest = onRest;

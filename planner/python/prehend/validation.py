@@ -6,16 +6,33 @@ import json
 import os
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _core
 from ._arrays import FloatArray
+from ._calls import ProgressCallback, call_options
+from ._core import Grouping, ObjectPlace, Outcome
 from ._errors import InputError
-from ._files import write_whole
-from ._plan import ProgressCallback, call_options
-from ._scene import PathLike
+from ._names import show_in
+from .files import write_whole
+from .scenes import PathLike
+
+__all__ = [
+    "Calibration",
+    "FrameCheck",
+    "FrameSuspicion",
+    "Grouping",
+    "ObjectPlace",
+    "ReliabilityBin",
+    "ValidationPart",
+    "ValidationReport",
+    "ValidationScore",
+    "compare_executions",
+]
+
+show_in(__name__, Grouping, ObjectPlace)
 
 Interval = Tuple[float, float]
 
@@ -73,7 +90,7 @@ def _interval(bounds: Optional[List[float]]) -> Optional[Interval]:
 
 
 @dataclass(frozen=True, eq=False)
-class TruthScore:
+class ValidationScore:
     """How well one score tells grasps that lifted from those that failed."""
 
     name: str
@@ -93,9 +110,9 @@ class TruthScore:
     """(K, 2): shares of the failed and of the lifted grasps with at least some score."""
 
     @staticmethod
-    def _of(fields: Dict[str, Any]) -> "TruthScore":
+    def _of(fields: Dict[str, Any]) -> "ValidationScore":
         calibration = fields.get("calibration")
-        return TruthScore(
+        return ValidationScore(
             name=fields["name"],
             title=fields["title"],
             auc=fields["auc"],
@@ -107,7 +124,7 @@ class TruthScore:
         )
 
 
-class TruthPart(NamedTuple):
+class ValidationPart(NamedTuple):
     """The executions of one object or one session."""
 
     name: str
@@ -131,8 +148,8 @@ class FrameCheck:
     """Whether the poses are in the frames that they are said to be in, judged by surfaces alone."""
 
     grasps: int
-    object: Dict[str, int]
-    """Of how many grasps the object is "between" the fingers, "beside", "inside", in the "palm"."""
+    object: Dict[ObjectPlace, int]
+    """Of how many grasps the object is where."""
     in_obstacles: int
     words: str
     """All of this as a sentence."""
@@ -140,17 +157,17 @@ class FrameCheck:
 
 
 @dataclass(frozen=True, eq=False)
-class TruthReport:
+class ValidationReport:
     """Scores of executed grasps, compared with what became of these. str() is the table."""
 
     lifted: int
     """Executions."""
     failed: int
-    scores: Dict[str, TruthScore]
+    scores: Dict[str, ValidationScore]
     """By name, in the order of the table."""
-    objects: List[TruthPart]
-    sessions: List[TruthPart]
-    outcomes: Dict[str, int]
+    objects: List[ValidationPart]
+    sessions: List[ValidationPart]
+    outcomes: Dict[Outcome, int]
     """How the trials ended, one for each entry of the file."""
     frames: FrameCheck
     settings: Dict[str, Any]
@@ -180,20 +197,21 @@ class TruthReport:
 
 def _frames(fields: Dict[str, Any]) -> FrameCheck:
     suspicion = fields.pop("suspicion")
+    fields["object"] = {ObjectPlace(place): count for place, count in fields["object"].items()}
     return FrameCheck(
         **fields, suspicion=None if suspicion is None else FrameSuspicion(**suspicion)
     )
 
 
-def _report(text: str, html: str, table: str) -> TruthReport:
+def _report(text: str, html: str, table: str) -> ValidationReport:
     fields = json.loads(text)
-    return TruthReport(
+    return ValidationReport(
         lifted=fields["lifted"],
         failed=fields["failed"],
-        scores={one["name"]: TruthScore._of(one) for one in fields["scores"]},
-        objects=[TruthPart(**part) for part in fields["objects"]],
-        sessions=[TruthPart(**part) for part in fields["sessions"]],
-        outcomes=fields["outcomes"],
+        scores={one["name"]: ValidationScore._of(one) for one in fields["scores"]},
+        objects=[ValidationPart(**part) for part in fields["objects"]],
+        sessions=[ValidationPart(**part) for part in fields["sessions"]],
+        outcomes={Outcome(outcome): count for outcome, count in fields["outcomes"].items()},
         frames=_frames(fields["frames"]),
         settings=fields["settings"],
         groups_drawn=fields["groups_drawn"],
@@ -204,17 +222,17 @@ def _report(text: str, html: str, table: str) -> TruthReport:
     )
 
 
-def truth(
+def compare_executions(
     file: PathLike,
     options: Optional["_core.EvaluateOptions"] = None,
     *,
     volumes: bool = True,
-    groups: Optional[str] = None,
+    groups: Union[None, str, Grouping] = None,
     resamples: int = 2000,
     threads: int = 0,
     progress: Optional[ProgressCallback] = None,
     cancellation: Optional["_core.Cancellation"] = None,
-) -> TruthReport:
+) -> ValidationReport:
     """Compares what prehend says of executed grasps with what became of them.
 
     The same file, options and seed give the same report, to the byte, on any number of threads.
@@ -224,7 +242,7 @@ def truth(
         options: how grasps are tried, and the seed; None: EvaluateOptions(). Its robustness, volumes
             and sections do not count: they follow from the scores.
         volumes: whether the volume is a score as well, which takes about half of the time.
-        groups: what is drawn as a whole for the intervals: "object", "session", "both" or "each".
+        groups: what is drawn as a whole for the intervals.
             None: objects where there are several, else sessions where there are several, else each.
         resamples: from how many intervals are computed.
         threads, progress: as of plan().
@@ -238,11 +256,11 @@ def truth(
         raise InputError("must be from 1 to 1000000", field="resamples", value=str(resamples))
     if groups == "":
         raise InputError("must be object, session, both or each", field="groups")
-    texts = _core.truth(
+    texts = _core.compare_executions(
         os.fsencode(file),
         _core.EvaluateOptions() if options is None else options,
         volumes,
-        groups or "",
+        str(groups or ""),
         resamples,
         call_options(threads, progress, cancellation),
     )

@@ -1,9 +1,10 @@
-#include "sim/motion/contact_problem.h"
+#include "sim/motion/solve_contacts.h"
 
 #include <utility>
 
 #include "sim/motion/contact_pyramids.h"
 #include "sim/motion/multiplier_method.h"
+
 namespace prehend {
 namespace {
 

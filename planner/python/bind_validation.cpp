@@ -3,7 +3,6 @@
 #include <tuple>
 
 #include "planner/python/background.h"
-#include "planner/python/bindings.h"
 #include "planner/show/validation/compare_executions.h"
 #include "planner/show/validation/validation_page.h"
 #include "planner/show/validation/validation_text.h"
@@ -14,11 +13,9 @@ namespace prehend::python {
 namespace {
 
 // The report as JSON, as a page and as a table. `groups` empty: those that suit.
-std::tuple<py::bytes, py::bytes, py::bytes> truth_in_python(const std::string& file,
-                                                            const EvaluateOptions& evaluation,
-                                                            bool volumes, const std::string& groups,
-                                                            int resamples,
-                                                            const CallOptions& call) {
+std::tuple<py::bytes, py::bytes, py::bytes> compare_in_python(
+    const std::string& file, const EvaluateOptions& evaluation, bool volumes,
+    const std::string& groups, int resamples, const CallOptions& call) {
   CompareOptions options{evaluation, volumes, value_named<Grouping>(groups), resamples};
   if (!groups.empty() && !options.grouping) {
     throw InputError(
@@ -39,6 +36,6 @@ std::tuple<py::bytes, py::bytes, py::bytes> truth_in_python(const std::string& f
 
 }  // namespace
 
-void bind_truth(py::module_& core) { core.def("truth", &truth_in_python); }
+void bind_validation(py::module_& core) { core.def("compare_executions", &compare_in_python); }
 
 }  // namespace prehend::python

@@ -1,70 +1,85 @@
-"""Planning and its parts: decompose, propose, try, rank, find paths."""
+"""Planning and its steps by themselves: decompose, propose, try, find paths."""
 
 from __future__ import annotations
 
 import copy
 import os
-from typing import Callable, List, Optional, Sequence, Union
+from typing import List, Optional, Sequence, Union
 
 import numpy as np
 
 from . import _core
 from ._arrays import ArrayLike, as_finite, as_pose
+from ._calls import ProgressCallback, call_options
 from ._candidates import as_candidates, candidate_fields
+from ._core import Progress, TreeModel
 from ._errors import InputError
-from ._results import (
+from ._names import show_in
+from ._steps import (
     Candidate,
     Decomposition,
     Path,
-    PlanResult,
     Primitive,
     Proposals,
     ProposedGrasp,
-    Trial,
+    Segment,
+    SurfaceDistances,
 )
-from ._scene import MeshLike, Scene, as_compiled, as_mesh
+from .results import PlanResult, Trial
+from .scenes import MeshLike, PathLike, Scene, as_compiled, as_mesh
 
-#: How a trial can end.
-OUTCOMES = (
-    "stable",
-    "not_force_closure",
-    "no_contact",
-    "hand_blocked",
-    "approach_blocked",
-    "unreachable",
-    "arm_blocked",
-    "pushed_away",
-    "toppled",
-    "squeezed_out",
-    "dropped",
-    "not_simulated",
-    "no_path",
+__all__ = [
+    "Candidate",
+    "Decomposition",
+    "Path",
+    "Primitive",
+    "Progress",
+    "ProposedGrasp",
+    "Proposals",
+    "Segment",
+    "SurfaceDistances",
+    "TreeModel",
+    "decompose",
+    "evaluate",
+    "load_model",
+    "plan",
+    "plan_grasp_path",
+    "plan_options",
+    "propose_grasps",
+    "run_trial",
+]
+
+show_in(
+    __name__,
+    Decomposition,
+    Path,
+    Primitive,
+    Progress,
+    ProposedGrasp,
+    Proposals,
+    Segment,
+    SurfaceDistances,
+    TreeModel,
 )
 
-ProgressCallback = Callable[["_core.Progress"], object]
 AnyScene = Union[Scene, "_core.CompiledScene"]
 
 
-def call_options(
-    threads: int,
-    progress: Optional[ProgressCallback],
-    cancellation: Optional["_core.Cancellation"],
-    budget: Optional[float] = None,
-) -> "_core._CallOptions":
-    """What long calls share. Raises InputError for fewer than no threads or no time at all."""
-    if threads < 0:
-        raise InputError("must be at least 0", field="threads", value=str(threads))
-    if budget is not None and not budget > 0.0:
-        raise InputError("must be above 0", field="budget", value=str(budget))
-    seconds = float("inf") if budget is None else budget
-    return _core._CallOptions(threads, progress, cancellation or _core.Cancellation(), seconds)
+def load_model(file: PathLike) -> TreeModel:
+    """A model that was learnt from earlier trials (docs/learning.md). It orders the candidates of a
+    plan with options.search.learned = options.LearnedOrder(model=model).
+
+    Raises:
+        InputError: that names the file and what is wrong with it.
+    """
+    return _core.read_tree_model(os.fsdecode(file))
 
 
-def plan_options(accuracy: Union[str, "os.PathLike[str]"] = "standard") -> "_core.PlanOptions":
+def plan_options(accuracy: PathLike = "standard") -> "_core.PlanOptions":
     """Options of one accuracy, to be changed further or given to plan().
 
     Args:
-        accuracy: "draft", "standard" or "fine", or a file of settings (docs/accuracy-file.md).
+        accuracy: one of options.Accuracy, or a file of settings (docs/accuracy-file.md).
 
     Raises:
         InputError: for a file that does not exist, or has a setting or a value that does not.
@@ -200,8 +215,7 @@ def decompose(
         _core.DecomposeOptions() if options is None else options,
         call_options(1, None, cancellation),
     )
-    primitives = [Primitive(**primitive) for primitive in fields["primitives"]]
-    return Decomposition(primitives, fields["share"], fields["explained"])
+    return Decomposition._of(fields)
 
 
 def propose_grasps(

@@ -8,8 +8,47 @@ from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tu
 
 import numpy as np
 
-from . import _core
+from . import _core, _notebook
 from ._arrays import FloatArray, IntArray
+from ._core import (
+    ContactModel,
+    EpsilonStatus,
+    Hint,
+    LiftEnd,
+    Outcome,
+    PlanCount,
+    PlanStatus,
+    Stage,
+)
+from ._names import show_in
+from ._steps import Candidate, Path, Primitive
+
+__all__ = [
+    "Advice",
+    "CollisionCount",
+    "Contact",
+    "ContactModel",
+    "Contacts",
+    "EpsilonStatus",
+    "Grasp",
+    "Hint",
+    "LiftEnd",
+    "LoadCase",
+    "Outcome",
+    "PayloadMargin",
+    "PlanCount",
+    "PlanResult",
+    "PlanStatus",
+    "Refinement",
+    "Robustness",
+    "RuleCount",
+    "Stage",
+    "StageCount",
+    "Trial",
+    "Tried",
+]
+
+show_in(__name__, ContactModel, EpsilonStatus, Hint, LiftEnd, PlanCount, PlanStatus, Stage)
 
 
 Kind = TypeVar("Kind")
@@ -33,8 +72,8 @@ class Contact(NamedTuple):
     """Soft fingers: largest torque about the normal over largest friction force [m]; else 0."""
     gap: float
     """Between link and object [m]."""
-    model: str
-    """"frictionless", "point" or "soft_finger"."""
+    model: ContactModel
+    """What it can exert."""
     link: str
     """Name of the link."""
 
@@ -53,8 +92,8 @@ class Contacts(Sequence[Contact]):
     """(M,) [m]."""
     gap: FloatArray
     """(M,) [m]."""
-    models: List[str]
-    """M names of contact models."""
+    models: List[ContactModel]
+    """M contact models."""
     links: List[str]
     """M names of links."""
     grasps: IntArray
@@ -84,6 +123,7 @@ class Contacts(Sequence[Contact]):
 
     @staticmethod
     def _of(fields: Dict[str, Any]) -> "Contacts":
+        fields["models"] = [ContactModel(model) for model in fields["models"]]
         return Contacts(**fields, grasps=np.zeros(len(fields["links"]), dtype=np.intc))
 
     @staticmethod
@@ -104,149 +144,18 @@ class Contacts(Sequence[Contact]):
         )
 
 
-class Segment(NamedTuple):
-    """A named stretch of a path: samples first .. last, both included."""
-
-    name: str
-    """"preshape", "transfer", "approach", "close", "lift" or "retreat"."""
-    first: int
-    last: int
-
-
-@dataclass(frozen=True, eq=False)
-class Path:
-    """A motion of named joints in time: between two samples, the cubic that their positions and
-    velocities determine."""
-
-    joints: List[str]
-    """Names of the J joints."""
-    times: FloatArray
-    """(T,): from 0, increasing [s]."""
-    positions: FloatArray = field(repr=False)
-    """(T, J) [rad or m]."""
-    velocities: FloatArray = field(repr=False)
-    """(T, J) [rad/s or m/s]."""
-    segments: List[Segment]
-    """In order; neighbours share a sample."""
-    lift: str
-    """What comes after the grasp: "complete", "not_asked", or why it is not there:
-    "lift_unreachable", "lift_blocked", "retreat_blocked"."""
-
-    @property
-    def duration(self) -> float:
-        """[s]."""
-        return float(self.times[-1])
-
-    @staticmethod
-    def _of(fields: Dict[str, Any]) -> "Path":
-        segments = [Segment(*segment) for segment in fields.pop("segments")]
-        return Path(**fields, segments=segments)
-
-
-@dataclass(frozen=True, eq=False)
-class Primitive:
-    """A solid or a curve that stands for a piece of an object."""
-
-    shape: str
-    """"box", "sphere", "cylinder", "cone", "rim" or "bar"."""
-    X_OP: FloatArray
-    """(4, 4): its pose in the object's frame; the axis of a cylinder or cone is its z."""
-    size: Optional[FloatArray] = None
-    """(3,): of a box [m]."""
-    radius: Optional[float] = None
-    """Of a sphere or cylinder [m]."""
-    height: Optional[float] = None
-    """Of a cylinder or cone [m]."""
-    radius_low: Optional[float] = None
-    """Of a cone, at its lower end along z [m]."""
-    radius_high: Optional[float] = None
-    """Of a cone, at its upper end along z [m]."""
-    points: Optional[FloatArray] = None
-    """(n, 3): of a rim, along its edge; of a bar, along its middle [m]."""
-    into: Optional[FloatArray] = None
-    """(n, 3): of a rim, for each point the unit direction from the edge into the wall."""
-    across: Optional[FloatArray] = None
-    """(n, 3): of a rim, for each point the unit normal of the wall."""
-    width: Optional[float] = None
-    """Thickness of the wall of a rim, largest size of a bar across [m]."""
-    depth: Optional[float] = None
-    """How far the wall of a rim goes on behind its edge [m]."""
-    closed: Optional[bool] = None
-    """Of a rim or bar: whether the last point is followed by the first."""
-
-
-@dataclass(frozen=True, eq=False)
-class Decomposition:
-    """The primitives that explain an object's surface."""
-
-    primitives: List[Primitive]
-    """The one that explains most area first."""
-    share: FloatArray
-    """For each, the fraction of the area that it explains."""
-    explained: float
-    """Fraction of the area within tolerance of some primitive."""
-
-
-@dataclass(frozen=True, eq=False)
-class Candidate:
-    """Where a hand is tried: a pose, the way it comes, and how far its fingers are open.
-
-    One of `preshape` and `dofs` says how the hand starts. Where both are None, the hand's only
-    preshape is meant, if it has just one.
-    """
-
-    X_OH: FloatArray
-    """(4, 4): the hand's base in the object's frame, where the approach ends if nothing is touched."""
-    approach: Optional[FloatArray] = None
-    """(3,): unit, object's frame: the way the hand moves. None: along the hand's own approach axis."""
-    approach_distance: float = 0.0
-    """From the pre-grasp to X_OH; 0: the hand is there [m]."""
-    preshape: Optional[str] = None
-    """Name of an opening of the hand."""
-    dofs: Optional[FloatArray] = None
-    """(D,): values of the hand's degrees of freedom [rad or m]."""
-    joints: Optional[FloatArray] = None
-    """(J,): of its joints, where they are not as the degrees of freedom say [rad or m]."""
-
-
-class ProposedGrasp(NamedTuple):
-    """A candidate and where it came from."""
-
-    candidate: Candidate
-    primitive: int
-    """Number of the primitive."""
-    rule: str
-    """"box face", "cylinder side, thumb across", ..."""
-
-
-@dataclass(frozen=True, eq=False)
-class Proposals:
-    """The candidates for an object and a hand."""
-
-    grasps: List[ProposedGrasp]
-    smallest_width: float
-    """Smallest size that a rule wanted to close on; infinite without a rule [m]."""
-    largest_opening: float
-    """Largest size that a preshape takes [m]."""
-
-    @property
-    def candidates(self) -> List[Candidate]:
-        """The candidates alone."""
-        return [grasp.candidate for grasp in self.grasps]
-
-
 @dataclass(frozen=True, eq=False)
 class Trial:
     """What became of one candidate."""
 
-    outcome: str
-    """"stable" if the grasp holds, else why it does not; see prehend.OUTCOMES."""
+    outcome: Outcome
+    """Outcome.stable if the grasp holds, else why it does not."""
     epsilon: float
     """Smallest disturbance that breaks the grasp, a lower bound; 0 unless it holds."""
     epsilon_upper: float
     """Upper bound of the same."""
-    epsilon_status: str
-    """"converged", "no_force_closure", "below_cutoff", "limit" or "stalled"."""
+    epsilon_status: EpsilonStatus
+    """How the search for epsilon ended."""
     weakest_wrench: FloatArray = field(repr=False)
     """(6,): the disturbance that it resists least, [force; torque * torque_scale]."""
     X_OH: FloatArray = field(repr=False)
@@ -293,17 +202,26 @@ class Trial:
     @property
     def stable(self) -> bool:
         """Whether the grasp holds."""
-        return self.outcome == "stable"
+        return self.outcome is Outcome.stable
 
     @classmethod
     def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
+        fields["outcome"] = Outcome(fields["outcome"])
+        fields["epsilon_status"] = EpsilonStatus(fields["epsilon_status"])
         fields["contacts"] = Contacts._of(fields["contacts"])
         fields["candidate"] = Candidate(**fields["candidate"])
         return _made(cls, fields)
 
+    def _repr_html_(self) -> str:
+        return _notebook.trial_html(self)
+
+
+def _by_outcome(counts: Dict[str, int]) -> Dict[Outcome, int]:
+    return {Outcome(outcome): count for outcome, count in counts.items()}
+
 
 @dataclass(frozen=True, eq=False)
-class Burden:
+class LoadCase:
     """What it takes to hold the object's weight in one attitude."""
 
     down: FloatArray = field(repr=False)
@@ -318,12 +236,12 @@ class Burden:
 
 
 @dataclass(frozen=True, eq=False)
-class Holding:
+class PayloadMargin:
     """What a grasp's weight takes: in the attitude of the scene and in the worst of 42."""
 
-    given: Burden
+    given: LoadCase
     """As the object lies in the scene."""
-    worst: Burden
+    worst: LoadCase
     """In the attitude with the largest sum of normal forces."""
 
     @property
@@ -346,14 +264,14 @@ class Robustness:
     """Mean epsilon of the trials."""
     epsilon_low: float
     """At most a tenth of the trials have less."""
-    outcomes: Dict[str, int] = field(repr=False)
+    outcomes: Dict[Outcome, int] = field(repr=False)
     """How many trials ended with each outcome."""
     spare: float
     """The object may be off by this along any axis of the hand, of 0, 1, 2.5, 5 and 10 mm [m]."""
     weakest: FloatArray = field(repr=False)
     """(3,): the direction in which it may be off the least, object's frame; 0: none."""
-    weakest_outcome: str = field(repr=False)
-    """How a trial ends that is farther off that way; "stable": the drives do not hold the weight."""
+    weakest_outcome: Outcome = field(repr=False)
+    """How a trial ends that is farther off that way; stable: the drives do not hold the weight."""
     strength: float
     """So many times the weight the drives hold without errors."""
     success: float
@@ -363,6 +281,21 @@ class Robustness:
     def probability(self) -> float:
         """Share of the trials that held."""
         return self.held / self.samples
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Robustness":
+        fields["outcomes"] = _by_outcome(fields["outcomes"])
+        fields["weakest_outcome"] = Outcome(fields["weakest_outcome"])
+        return _made(Robustness, fields)
+
+
+class Refinement(NamedTuple):
+    """What the refinement of a grasp took and gave."""
+
+    gain: float
+    """By how much its objective is larger than before."""
+    trials: int
+    """That were made for it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -375,7 +308,7 @@ class Grasp(Trial):
     epsilon_nearby: Optional[Tuple[float, float]]
     """Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
     or the contact threshold changed by 10 %; None where the volume was not computed."""
-    holding: Optional[Holding] = field(repr=False)
+    holding: Optional[PayloadMargin] = field(repr=False)
     """What its weight takes; None without contacts and where the volume was not computed."""
     robustness: Optional[Robustness] = field(repr=False)
     """How it fares with errors of the pose; None where that was not asked for."""
@@ -383,8 +316,8 @@ class Grasp(Trial):
     """Number of the primitive that it came from; None for a grasp that was given."""
     rule: str
     """Which rule of the primitive; "given" for a grasp that was given."""
-    refinement: Optional[Tuple[float, int]]
-    """Of a grasp that was refined: what that gained in its objective, and the trials it took."""
+    refinement: Optional[Refinement]
+    """Of a grasp that was refined: what that gained, and the trials it took."""
     path: Optional[Path] = field(repr=False)
     """The arm's way to it, where that was asked for."""
 
@@ -394,36 +327,41 @@ class Grasp(Trial):
         fields["path"] = None if path is None else Path._of(path)
         holding = fields["holding"]
         if holding is not None:
-            fields["holding"] = Holding(Burden(**holding["given"]), Burden(**holding["worst"]))
+            fields["holding"] = PayloadMargin(
+                LoadCase(**holding["given"]), LoadCase(**holding["worst"])
+            )
         robustness = fields["robustness"]
         if robustness is not None:
-            fields["robustness"] = _made(Robustness, robustness)
+            fields["robustness"] = Robustness._of(robustness)
+        refinement = fields["refinement"]
+        if refinement is not None:
+            fields["refinement"] = Refinement(*refinement)
         return super()._of(fields)  # type: ignore[misc]
 
 
 @dataclass(frozen=True)
-class Blocker:
+class CollisionCount:
     """How many candidates ended in `outcome` because `link` met `by`."""
 
-    outcome: str
+    outcome: Outcome
     link: str
     by: str
     count: int
 
 
 @dataclass(frozen=True)
-class Stage:
-    """A stage of a plan and how many of what it makes came out of it."""
+class StageCount:
+    """What a stage of a plan makes and how many came out of it."""
 
-    name: str
+    what: PlanCount
     count: int
 
 
 class Advice(NamedTuple):
     """Something that may help where a plan found no grasp."""
 
-    hint: str
-    """"friction", "soft_contacts", "other_hand", "tolerance", "obstacle", "arm", "candidates", "path" or "unit"."""
+    hint: Hint
+    """What may help."""
     words: str
     """What to change and why, with the option of the program or the field of the scene file."""
 
@@ -432,7 +370,7 @@ class RuleCount(NamedTuple):
     """How the candidates of one rule ended."""
 
     rule: str
-    outcomes: Dict[str, int]
+    outcomes: Dict[Outcome, int]
 
 
 class Tried(NamedTuple):
@@ -444,8 +382,13 @@ class Tried(NamedTuple):
     """(N, 4, 4): where the approach was to end, the hand in the object's frame."""
     approach: FloatArray
     """(N, 3): unit, object's frame."""
-    outcomes: List[str]
+    outcomes: List[Outcome]
     """N outcomes."""
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Tried":
+        fields["outcomes"] = [Outcome(outcome) for outcome in fields["outcomes"]]
+        return Tried(**fields)
 
 
 class PlanResult:
@@ -458,35 +401,45 @@ class PlanResult:
         fields = core.fields()
         self.grasps: List[Grasp] = [Grasp._of(core.grasp(i)) for i in range(fields["count"])]
         """plan(): best first; evaluate(): as given."""
-        self.status: str = fields["status"]
-        """"complete", "out_of_time", "cancelled", "object_too_large" or "no_candidates"."""
+        self.status: PlanStatus = PlanStatus(fields["status"])
+        """How the call ended."""
         self.reason: str = fields["words"]
         """Why nothing could be tried, in one line; "" where something was."""
-        self.advice: List[Advice] = [Advice(*one) for one in fields["advice"]]
+        self.advice: List[Advice] = [
+            Advice(Hint(hint), words) for hint, words in fields["advice"]
+        ]
         """Of plan() without a grasp: what may help."""
-        self.rules: List[RuleCount] = [RuleCount(*rule) for rule in fields["rules"]]
+        self.rules: List[RuleCount] = [
+            RuleCount(rule, _by_outcome(outcomes)) for rule, outcomes in fields["rules"]
+        ]
         """Of plan() without a grasp: how the candidates of each rule ended."""
         self.untested: int = fields["untested"]
         """Candidates that a call which was cancelled or ran out of time left untried."""
-        self.ways: int = fields["ways"]
-        """Of plan(): ways to grasp, each a rule of a primitive with a preshape and a depth."""
-        self.ways_untested: int = fields["ways_untested"]
+        self.families: int = fields["ways"]
+        """Of plan(): families of grasps, each a rule of a primitive with a preshape and a depth."""
+        self.families_untested: int = fields["ways_untested"]
         """Of plan(): how many of them no trial has looked at."""
         self.smallest_width: float = fields["smallest_width"]
         """Of plan(): smallest size that a rule wanted to close on [m]."""
         self.largest_opening: float = fields["largest_opening"]
         """Of plan(): largest size that an opening of the hand takes [m]."""
-        self.outcomes: Dict[str, int] = fields["outcomes"]
+        self.outcomes: Dict[Outcome, int] = _by_outcome(fields["outcomes"])
         """How many candidates ended how."""
-        self.blockers: List[Blocker] = [Blocker(*blocker) for blocker in fields["blockers"]]
+        self.blockers: List[CollisionCount] = [
+            CollisionCount(Outcome(outcome), *of) for outcome, *of in fields["blockers"]
+        ]
         """What was in the way, most often first."""
-        self.stages: List[Stage] = [Stage(*stage) for stage in fields["stages"]]
+        self.stages: List[StageCount] = [
+            StageCount(PlanCount(what), count) for what, count in fields["stages"]
+        ]
         """What came out of each stage."""
-        self.seconds: Dict[str, float] = fields["seconds"]
+        self.seconds: Dict[Stage, float] = {
+            Stage(stage): seconds for stage, seconds in fields["seconds"].items()
+        }
         """How long each stage took [s]."""
         self.primitives: List[Primitive] = [Primitive(**one) for one in fields["primitives"]]
         """The object's, which Grasp.primitive counts."""
-        self.tried: Tried = Tried(**fields["tried"])
+        self.tried: Tried = Tried._of(fields["tried"])
         """All candidates."""
 
     def __len__(self) -> int:
@@ -501,6 +454,9 @@ class PlanResult:
     def __repr__(self) -> str:
         best = f", best epsilon {self.grasps[0].epsilon:.4f}" if self.grasps else ""
         return f"<prehend.PlanResult, {self.status}: {len(self)} grasps of {sum(self.outcomes.values())} tried{best}>"
+
+    def _repr_html_(self) -> str:
+        return _notebook.plan_html(self)
 
     def _array(self, name: str, shape: Tuple[int, ...] = ()) -> FloatArray:
         rows = [getattr(grasp, name) for grasp in self.grasps]

@@ -17,7 +17,7 @@ function matrixOfPose({position, quaternion_wxyz: [w, x, y, z]}) {
   return matrixOf([...position, x, y, z, w]);
 }
 
-class Live {
+class SessionClient {
   constructor() {
     this.state = null;
     this.known = null;  // what `hello` tells
@@ -25,7 +25,9 @@ class Live {
     this.gesture = 0;  // that is going on; 0: none
     this.lastGesture = Date.now() % 1e9;
     this.connection = new Connection({
-      opened: () => this.greet(),
+      opened: () => this.greet().catch((error) => {
+        if (!(error instanceof Disconnected)) throw error;  // else the next connection greets
+      }),
       closed: () => this.tell('connected', false),
       event: (event) => this.hear(event),
     });
@@ -69,17 +71,18 @@ class Live {
 
   // Asks for something that a person wants: a refusal is shown, and answered with null.
   async ask(command, fields = {}) {
+    let result;
     try {
-      const result = await this.connection.call(command, fields);
-      if (result.revision !== undefined && result.hand) this.take(result);
-      if (result.state) this.take(result.state);
-      if (result.hand && result.revision === undefined) this.moved(result);
-      this.tell('done', command);
-      return result;
+      result = await this.connection.call(command, fields);
     } catch (error) {
       this.tell('refused', error.message);
       return null;
     }
+    if (result.revision !== undefined && result.hand) this.take(result);
+    if (result.state) this.take(result.state);
+    if (result.hand && result.revision === undefined) this.moved(result);
+    this.tell('done', command);
+    return result;
   }
 
   // The hand as a reply has it; the state follows.

@@ -11,10 +11,22 @@ import numpy.typing as npt
 
 from . import _core
 from ._arrays import ArrayLike, as_finite
+from ._calls import ProgressCallback, call_options
 from ._errors import InputError
-from ._plan import ProgressCallback, call_options
-from ._results import Grasp, PlanResult, Trial
-from ._scene import PathLike
+from .results import Grasp, PlanResult, Trial
+from .scenes import PathLike
+
+__all__ = [
+    "arm_picture",
+    "export_files",
+    "export_formats",
+    "grasp_picture",
+    "grasps_json",
+    "png_bytes",
+    "report_html",
+    "timings_json",
+    "write_grasps",
+]
 
 ByteArray = npt.NDArray[np.uint8]
 
@@ -133,7 +145,7 @@ def write_whole(file: FilePath, content: Union[str, bytes]) -> None:
         raise
 
 
-def write(
+def write_grasps(
     result: PlanResult,
     folder: PathLike,
     *,

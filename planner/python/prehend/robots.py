@@ -9,8 +9,29 @@ import numpy as np
 
 from . import _core
 from ._arrays import ArrayLike, FloatArray, as_finite, as_pose
+from ._core import IkOptions, Robot
 from ._errors import InputError
-from ._scene import PathLike
+from ._names import show_in
+from .scenes import Mesh, PathLike
+
+__all__ = [
+    "IkOptions",
+    "IkTarget",
+    "Robot",
+    "find_platform",
+    "find_robot",
+    "joint_poses",
+    "joint_values",
+    "library_platform_names",
+    "library_robot_names",
+    "link_mesh",
+    "link_poses",
+    "preshapes",
+    "solve_all",
+    "solve_near",
+]
+
+show_in(__name__, Robot)
 
 #: A Robot, or the name of one.
 RobotLike = Union[str, "_core.Robot"]
@@ -62,6 +83,13 @@ def as_robot(robot: RobotLike) -> "_core.Robot":
     return find_platform(robot) if robot in library_platform_names() else find_robot(robot)
 
 
+def link_mesh(robot: "_core.Robot", link: str) -> Mesh:
+    """The mesh of a robot's link, in the link's frame [m]."""
+    if link not in robot.links:
+        raise InputError(f"not one of {', '.join(robot.links)}", field="link", value=link)
+    return Mesh(*robot._link_mesh(robot.links.index(link)))
+
+
 def joint_values(robot: RobotLike, dofs: ArrayLike) -> FloatArray:
     """(J,): the values of all joints for (D,) degrees of freedom [rad or m]."""
     body = as_robot(robot)
@@ -85,7 +113,7 @@ def preshapes(hand: RobotLike) -> List[str]:
     return [preshape[0] for preshape in as_robot(hand)._preshapes]
 
 
-def _joint_number(robot: "_core.Robot", joint: Union[None, int, str]) -> int:
+def joint_number(robot: "_core.Robot", joint: Union[None, int, str]) -> int:
     if joint is None:
         joint = robot.tip_joint
     if isinstance(joint, str):
@@ -116,7 +144,7 @@ def _arguments(
         targets = target
     else:
         targets = [IkTarget(target)]
-    numbers = [_joint_number(body, one.joint) for one in targets]
+    numbers = [joint_number(body, one.joint) for one in targets]
     in_joint = [np.eye(4) if one.X_JT is None else as_pose(one.X_JT, "X_JT") for one in targets]
     in_base = [as_pose(one.X_BT, "X_BT") for one in targets]
     first = body.initial if start is None else as_finite(start, "start", (len(body.dofs),))

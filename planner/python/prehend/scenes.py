@@ -10,7 +10,25 @@ import numpy as np
 
 from . import _core
 from ._arrays import ArrayLike, FloatArray, IntArray, as_faces, as_floats, as_pose
+from ._core import CompiledScene, GraspableBody, Material, StaticBody
 from ._errors import InputError
+from ._names import show_in
+
+__all__ = [
+    "CompiledScene",
+    "GraspableBody",
+    "Material",
+    "Mesh",
+    "Scene",
+    "StaticBody",
+    "compile_scene",
+    "library_scene_names",
+    "load_mesh",
+    "load_scene",
+    "make_scene",
+]
+
+show_in(__name__, GraspableBody, Material, StaticBody)
 
 PathLike = Union[str, "os.PathLike[str]"]
 
@@ -155,7 +173,7 @@ class Scene:
         """Puts the hand on an arm: the scene's hand becomes the one that stands there.
 
         Args:
-            platform: a name of the library (library_platform_names()) or a file with robots.
+            platform: a name of the library (robots.library_platform_names()) or a file with robots.
             X_WB: (4, 4), the platform's base in the world; None: at the world's origin.
             hand: in place of the platform's own; "": that one.
             start: degrees of freedom by name, "ROBOT/NAME": where they start, if not where the
@@ -174,7 +192,7 @@ class Scene:
         mesh: MeshLike,
         X_WB: Optional[ArrayLike] = None,
         *,
-        material: str = "wood",
+        material: Union[str, Material] = Material.wood,
     ) -> None:
         """Adds a body that does not move: it can be touched and stands in the way.
 
@@ -182,11 +200,11 @@ class Scene:
             name: for messages and files.
             mesh: in its own frame B [m].
             X_WB: (4, 4), its pose in the world; None: at its origin.
-            material: "glass", "metal", "plastic", "wood" or "rubber".
+            material: of its surface.
         """
         vertices, faces = as_mesh(mesh)
         pose = np.eye(4) if X_WB is None else as_pose(X_WB, "X_WB")
-        self._core.add_obstacle(name, vertices, faces, pose, material)
+        self._core.add_obstacle(name, vertices, faces, pose, str(material))
 
     def save(self, file: PathLike) -> None:
         """Writes a scene file (docs/scene-file.md), which load_scene() and the program read. From
@@ -207,9 +225,9 @@ def load_scene(
     """Reads a scene.
 
     Args:
-        scene: a name of the library (library_scene_names()), a scene file (.json), or a mesh file,
+        scene: a name of the library (scenes.library_scene_names()), a scene file (.json), or a mesh file,
             which becomes the object of a scene with nothing else in it.
-        hand: replaces the scene's: a name of the library (library_robot_names()) or a robot file.
+        hand: replaces the scene's: a name of the library (robots.library_robot_names()) or a robot file.
         unit: of a mesh file: "m", "cm", "mm" or "in"; "": the likely one by the object's size, which
             Scene.notes says where it is not the metre.
         repair: closes small and flat holes and cracks in the object's surface if it comes from a
@@ -226,7 +244,7 @@ def make_scene(
     *,
     hand: PathLike = "barrett",
     name: str = "object",
-    material: str = "plastic",
+    material: Union[str, Material] = Material.plastic,
     mass: float = 0.3,
     X_WO: Optional[ArrayLike] = None,
     repair: bool = True,
@@ -239,7 +257,7 @@ def make_scene(
         mesh: in the object's frame O [m].
         hand: a name of the library or a robot file.
         name: of the object.
-        material: "glass", "metal", "plastic", "wood" or "rubber".
+        material: of its surface.
         mass: [kg].
         X_WO: (4, 4), the object's pose in the world; None: at the world's origin.
         repair: as of load_scene().
@@ -249,14 +267,14 @@ def make_scene(
     """
     vertices, faces = as_mesh(mesh)
     scene = Scene(
-        _core.make_scene(vertices, faces, os.fsencode(hand), name, material, float(mass), repair)
+        _core.make_scene(vertices, faces, os.fsencode(hand), name, str(material), float(mass), repair)
     )
     if X_WO is not None:
         scene.set_pose(X_WO)
     return scene
 
 
-def compile(scene: Scene) -> "_core.CompiledScene":  # as in C++
+def compile_scene(scene: Scene) -> "_core.CompiledScene":
     """Makes a scene ready for trials: search structures, friction, pairs of bodies that may meet.
 
     Worth keeping where the same scene is planned for or evaluated more than once.
@@ -265,21 +283,14 @@ def compile(scene: Scene) -> "_core.CompiledScene":  # as in C++
         InputError: for a hand or object that cannot be used, or where the object overlaps an
             obstacle or the arm starts in collision.
     """
-    return _core.compile(scene._core)
+    return _core.compile_scene(scene._core)
 
 
 def as_compiled(scene: Union[Scene, "_core.CompiledScene"]) -> "_core.CompiledScene":
     """A scene as it is if it is compiled, else compiled."""
-    return compile(scene) if isinstance(scene, Scene) else scene
+    return compile_scene(scene) if isinstance(scene, Scene) else scene
 
 
 def library_scene_names() -> List[str]:
     """Names of the scenes that come with prehend."""
     return _core.library_scene_names()
-
-
-def link_mesh(robot: "_core.Robot", link: str) -> Mesh:
-    """The mesh of a robot's link, in the link's frame [m]."""
-    if link not in robot.links:
-        raise InputError(f"not one of {', '.join(robot.links)}", field="link", value=link)
-    return Mesh(*robot._link_mesh(robot.links.index(link)))
