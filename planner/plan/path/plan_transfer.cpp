@@ -186,7 +186,7 @@ ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t
 // sampler of the space only.
 ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
                           const TransferOptions& options) {
-  const auto with_range = [&options](auto planner) -> ob::PlannerPtr {
+  const auto with_range = [](auto planner) -> ob::PlannerPtr {
     planner->setRange(kLongestEdge);
     return planner;
   };

@@ -57,7 +57,6 @@ inline constexpr double kWeakestPatch = 0.1;
 // kWeakestPatch of the strongest's force are left out. `X_OL` is the link's pose in the
 // object's frame O. `patches` is replaced.
 void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
-                  double depth, const ContactOptions& options, SoftPatchWorkspace& workspace,
-                  std::vector<SoftPatch>& patches);
+                  double depth, SoftPatchWorkspace& workspace, std::vector<SoftPatch>& patches);
 
 }  // namespace prehend

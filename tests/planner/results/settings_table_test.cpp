@@ -52,9 +52,8 @@ void write_section(std::ostream& text, const Options& options, const std::string
     using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (!HasSettings<Value> && !detail::kIsOptional<Value>) {
       if (!setting.listed) return;
-      rows << "| `" << prefix << setting.name.in_files << "` | " << default_text(value) << " | "
-           << range_text<Value>(setting) << " | " << setting.unit << " | " << setting.meaning
-           << " |\n";
+      rows << "|`" << prefix << setting.name.in_files << "`|" << default_text(value) << "|"
+           << range_text<Value>(setting) << "|" << setting.unit << "|" << setting.meaning << "|\n";
     }
   };
   for_each_setting(options, SettingVisitor(row));
@@ -62,7 +61,7 @@ void write_section(std::ostream& text, const Options& options, const std::string
     text << "\n### " << Options::kAbout.name << (prefix.empty() ? "" : ": `" + prefix + "...`")
          << "\n\n"
          << meaning << " " << Options::kAbout.meaning
-         << "\n\n| setting | standard | range | unit | meaning |\n|---|---|---|---|---|\n"
+         << "\n\n|setting|standard|range|unit|meaning|\n|---|---|---|---|---|\n"
          << rows.str();
   }
   const auto nested = [&](const Setting& setting, const auto& value) {
