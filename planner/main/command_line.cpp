@@ -19,7 +19,7 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   throw InputError({.problem = "unknown command, known are " + known, .value = argv[1]});
 }
 
-void add_commands(CLI::App& app, Request& request) {
+void add_commands(CLI::App& app, CommandRequest& request) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "prehend " PREHEND_VERSION);
   add_plan(app, request);
@@ -39,9 +39,9 @@ void add_commands(CLI::App& app, Request& request) {
 
 }  // namespace
 
-std::optional<Request> read_command_line(int argc, char** argv) {
+std::optional<CommandRequest> read_command_line(int argc, char** argv) {
   CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
-  Request request;
+  CommandRequest request;
   add_commands(app, request);
   check_command(app, argc, argv);
   try {

@@ -22,7 +22,7 @@ struct Limits {
 };
 
 // What a command line asks for.
-struct Request {
+struct CommandRequest {
   Limits limits = {};
   // Prints to stdout and returns the exit status. Throws InputError for a caller's mistake, before
   // anything is written. Interrupted, `plan` writes the grasps that it has found, `batch` keeps the
@@ -32,23 +32,23 @@ struct Request {
 };
 
 // Nothing where the words ask for help or the version, which is then printed. Throws InputError.
-std::optional<Request> read_command_line(int argc, char** argv);
+std::optional<CommandRequest> read_command_line(int argc, char** argv);
 
 // Each declares a command below `app`, which sets request.run once it is read.
-void add_plan(CLI::App& app, Request& request);
-void add_evaluate(CLI::App& app, Request& request);
-void add_simulate(CLI::App& app, Request& request);
-void add_render(CLI::App& app, Request& request);
-void add_inspect(CLI::App& app, Request& request);
-void add_quality(CLI::App& app, Request& request);
-void add_validate(CLI::App& app, Request& request);
-void add_convert(CLI::App& app, Request& request);
-void add_learn(CLI::App& app, Request& request);
-void add_replay(CLI::App& app, Request& request);
-void add_serve(CLI::App& app, Request& request);
-void add_studio(CLI::App& app, Request& request);
-void add_batch(CLI::App& app, Request& request);
+void add_plan(CLI::App& app, CommandRequest& request);
+void add_evaluate(CLI::App& app, CommandRequest& request);
+void add_simulate(CLI::App& app, CommandRequest& request);
+void add_render(CLI::App& app, CommandRequest& request);
+void add_inspect(CLI::App& app, CommandRequest& request);
+void add_quality(CLI::App& app, CommandRequest& request);
+void add_validate(CLI::App& app, CommandRequest& request);
+void add_convert(CLI::App& app, CommandRequest& request);
+void add_learn(CLI::App& app, CommandRequest& request);
+void add_replay(CLI::App& app, CommandRequest& request);
+void add_serve(CLI::App& app, CommandRequest& request);
+void add_studio(CLI::App& app, CommandRequest& request);
+void add_batch(CLI::App& app, CommandRequest& request);
 // submit, cancel and queue, below `batch`.
-void add_cluster_commands(CLI::App& batch, Request& request);
+void add_cluster_commands(CLI::App& batch, CommandRequest& request);
 
 }  // namespace prehend

@@ -34,7 +34,7 @@ int say(int status, const std::string& message) {
 }
 
 int run(int argc, char** argv) {
-  const std::optional<prehend::Request> request = prehend::read_command_line(argc, argv);
+  const std::optional<prehend::CommandRequest> request = prehend::read_command_line(argc, argv);
   if (!request) return 0;
   // Made before any other thread, as its constructor demands.
   prehend::Interrupts interrupts;

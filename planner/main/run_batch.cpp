@@ -126,7 +126,7 @@ int run_batch_status(const BatchCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 // The commands below `batch` share its options, so that those which stand before their names count.
-void add_batch(CLI::App& app, Request& request) {
+void add_batch(CLI::App& app, CommandRequest& request) {
   const auto options = std::make_shared<BatchCommand>();
   BatchCommand& command = *options;
   CLI::App& batch =

@@ -163,7 +163,7 @@ int run_queue(const JobCommand& command, Interrupts& /*interrupts*/) {
 
 }  // namespace
 
-void add_cluster_commands(CLI::App& batch, Request& request) {
+void add_cluster_commands(CLI::App& batch, CommandRequest& request) {
   add_unlimited_command(batch, request, "submit", "give the shards of a batch to a cluster",
                         declare, run_submit);
   add_unlimited_command(batch, request, "cancel", "take a submitted batch back", declare,

@@ -51,7 +51,7 @@ int run_convert(const ConvertCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_convert(CLI::App& app, Request& request) {
+void add_convert(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "convert", "write a robot or a mesh in another format", declare,
               run_convert);
 }

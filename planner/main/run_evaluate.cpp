@@ -200,7 +200,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_evaluate(CLI::App& app, Request& request) {
+void add_evaluate(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "evaluate", "simulate and score given grasps", declare, run_evaluate);
 }
 

@@ -335,7 +335,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_inspect(CLI::App& app, Request& request) {
+void add_inspect(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "inspect", "say what prehend sees in a mesh, robot or scene", declare,
               run_inspect);
 }

@@ -55,7 +55,7 @@ int run_learn(const LearnCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_learn(CLI::App& app, Request& request) {
+void add_learn(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "learn", "learn from data sets what to try first", declare, run_learn);
 }
 

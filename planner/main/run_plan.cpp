@@ -326,7 +326,7 @@ int run_plan(const PlanCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_plan(CLI::App& app, Request& request) {
+void add_plan(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "plan", "plan grasps of an object and rank them", declare, run_plan);
 }
 

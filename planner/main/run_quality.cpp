@@ -252,7 +252,7 @@ int run_quality(const QualityCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_quality(CLI::App& app, Request& request) {
+void add_quality(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "quality", "judge contacts without a scene (JSON)", declare,
               run_quality);
 }

@@ -187,7 +187,7 @@ int run_render(const RenderCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_render(CLI::App& app, Request& request) {
+void add_render(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "render", "draw grasps of a grasp file (PNG)", declare, run_render);
 }
 

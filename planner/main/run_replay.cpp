@@ -68,7 +68,7 @@ int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Request& request) {
+void add_replay(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "replay", "carry out a recorded session again", declare, run_replay);
 }
 

@@ -64,11 +64,11 @@ int run_studio(const StudioCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_serve(CLI::App& app, Request& request) {
+void add_serve(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "serve", "take the commands of other programs", declare, run_serve);
 }
 
-void add_studio(CLI::App& app, Request& request) {
+void add_studio(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "studio", "take hold of a scene in the browser", declare, run_studio);
 }
 

@@ -197,7 +197,7 @@ int run_simulate(const SimulateCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Request& request) {
+void add_simulate(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "simulate", "simulate what a hand does to an object", declare,
               run_simulate);
 }

@@ -93,7 +93,7 @@ int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
 
 }  // namespace
 
-void add_validate(CLI::App& app, Request& request) {
+void add_validate(CLI::App& app, CommandRequest& request) {
   add_command(app, request, "truth", "compare scores with executed grasps", declare, run_validate);
 }
 

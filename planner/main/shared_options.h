@@ -33,7 +33,7 @@ void add_limits(CLI::App& command, Limits& limits);
 // declare(command, options) adds them, and run(options, interrupts) is what request.run calls once
 // the command is read. Returns the command.
 template <typename Options>
-CLI::App& add_unlimited_command(CLI::App& app, Request& request, const std::string& name,
+CLI::App& add_unlimited_command(CLI::App& app, CommandRequest& request, const std::string& name,
                                 const std::string& summary, void (*declare)(CLI::App&, Options&),
                                 int (*run)(const Options&, Interrupts&)) {
   CLI::App& command = *app.add_subcommand(name, summary);
@@ -47,7 +47,7 @@ CLI::App& add_unlimited_command(CLI::App& app, Request& request, const std::stri
 
 // The same with --budget and --memory-limit.
 template <typename Options>
-void add_command(CLI::App& app, Request& request, const std::string& name,
+void add_command(CLI::App& app, CommandRequest& request, const std::string& name,
                  const std::string& summary, void (*declare)(CLI::App&, Options&),
                  int (*run)(const Options&, Interrupts&)) {
   add_limits(add_unlimited_command(app, request, name, summary, declare, run), request.limits);

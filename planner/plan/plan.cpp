@@ -262,14 +262,11 @@ class PlanRun {
     // Finished trial i is entry i of result_.tried, which ScoredGrasp::tried refers to.
     for (const std::size_t i : rank(finished_.trials, ranking)) {
       const ProposedGrasp& proposed = proposed_[finished_.candidates[i]];
-      result_.grasps.push_back({std::move(finished_.trials[i]),
-                                proposed.candidate,
-                                {},
-                                proposed.primitive,
-                                proposed.rule,
-                                {},
-                                {},
-                                static_cast<int>(i)});
+      result_.grasps.push_back({.trial = std::move(finished_.trials[i]),
+                                .candidate = proposed.candidate,
+                                .primitive = proposed.primitive,
+                                .rule = proposed.rule,
+                                .tried = static_cast<int>(i)});
       const auto refined = refinements_.find(i);
       if (refined != refinements_.end()) result_.grasps.back().refinement = refined->second;
     }
@@ -344,14 +341,10 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   record_trials(scene, candidates, finished, result);
   add_trial_stages(scene, result);
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
-    result.grasps.push_back({std::move(finished.trials[i]),
-                             candidates[finished.candidates[i]],
-                             {},
-                             std::nullopt,
-                             "given",
-                             {},
-                             {},
-                             static_cast<int>(i)});
+    result.grasps.push_back({.trial = std::move(finished.trials[i]),
+                             .candidate = candidates[finished.candidates[i]],
+                             .rule = "given",
+                             .tried = static_cast<int>(i)});
   }
   watch.lap(Stage::trials);
   if (options.robustness && result.status == PlanStatus::complete) {

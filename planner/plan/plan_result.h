@@ -36,11 +36,12 @@ struct ScoredGrasp {
   Candidate candidate;  // what was tried
   // Volume of the convex hull of contact wrenches (6-D, torques scaled); 0 without force closure,
   // nothing where it was not asked for or the call was cancelled before it was computed.
-  std::optional<double> volume;
-  std::optional<int> primitive;  // index into PlanResult::primitives; none: given by the caller
-  std::string rule;              // rule that proposed it, or "given"
-  std::optional<Trajectory> path;
-  std::optional<WrenchSections> sections;
+  std::optional<double> volume = {};
+  std::optional<int> primitive =
+      {};                 // index into PlanResult::primitives; none: given by the caller
+  std::string rule = {};  // rule that proposed it, or "given"
+  std::optional<Trajectory> path = {};
+  std::optional<WrenchSections> sections = {};
   int tried = 0;  // index into PlanResult::tried
   // Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
   // (epsilon_nearby). Computed with the volume.
