@@ -49,7 +49,7 @@ TEST(Plan, OneSeedGoesToAllThatIsRandom) {
 TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
   const PlanResult result = plan(default_scene(), few_candidates(), RunContext{.threads = 2});
   int total = 0;
-  for (int count : result.outcomes) total += count;
+  for (const int count : result.outcomes.entries) total += count;
   EXPECT_EQ(total, 40);
   for (std::size_t i = 1; i < result.grasps.size(); ++i) {
     EXPECT_GE(result.grasps[i - 1].trial.epsilon.lower, result.grasps[i].trial.epsilon.lower);
