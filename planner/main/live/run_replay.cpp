@@ -2,6 +2,9 @@
 
 #include "planner/live/protocol/recording.h"
 #include "planner/live/protocol/session_film.h"
+#include "planner/main/live/live_commands.h"
+#include "planner/main/live/live_options.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
@@ -71,7 +74,7 @@ int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_replay(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "replay", "carry out a recorded session again", declare, run_replay);
+  add_command(app, request, kReplay.name, kReplay.summary, declare, run_replay);
 }
 
 }  // namespace prehend

@@ -1,3 +1,6 @@
+#include "planner/main/live/live_commands.h"
+#include "planner/main/live/live_options.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/shared_options.h"
 
 namespace prehend {
@@ -67,11 +70,11 @@ int run_studio(const StudioCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_serve(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "serve", "take the commands of other programs", declare, run_serve);
+  add_command(app, request, kServe.name, kServe.summary, declare, run_serve);
 }
 
 void add_studio(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "studio", "take hold of a scene in the browser", declare, run_studio);
+  add_command(app, request, kStudio.name, kStudio.summary, declare, run_studio);
 }
 
 }  // namespace prehend

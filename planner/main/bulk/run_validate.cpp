@@ -1,5 +1,7 @@
 #include <iostream>
 
+#include "planner/main/bulk/bulk_commands.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/shared_options.h"
@@ -95,7 +97,7 @@ int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_validate(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "truth", "compare scores with executed grasps", declare, run_validate);
+  add_command(app, request, kTruth.name, kTruth.summary, declare, run_validate);
 }
 
 }  // namespace prehend
