@@ -14,7 +14,6 @@
 #include "planner/results/datasets/graspgen_file.h"
 #include "planner/results/datasets/hdf5_reader.h"
 #include "planner/results/datasets/set_candidates.h"
-#include "planner/results/json_settings.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/exports/result_files.h"
 #include "planner/show/report/plan_report.h"
@@ -113,7 +112,7 @@ bool goes_on(PlanResult& result, Interrupts& interrupts) {
 }
 
 EvaluateOptions options_of(const EvaluateCommand& command) {
-  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  const PlanOptions accuracy = requested_accuracy(command.common.accuracy);
   EvaluateOptions options;
   options.seed = command.common.seed;
   options.trial = accuracy.trial;

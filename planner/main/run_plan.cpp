@@ -10,7 +10,6 @@
 #include "planner/plan/plan.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/grasps_file.h"
-#include "planner/results/json_settings.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
@@ -125,7 +124,7 @@ void check_together(const PlanCommand& command) {
 }
 
 PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
-  PlanOptions options = read_accuracy(command.common.accuracy);
+  PlanOptions options = requested_accuracy(command.common.accuracy);
   if (command.primitive_tolerance) {
     options.primitives.tolerance = requested_tolerance(object, *command.primitive_tolerance);
   }

@@ -20,6 +20,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 namespace {
@@ -315,6 +316,7 @@ class PlanRun {
 
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
                 const FoundListener& found) {
+  require_settings(options);
   if (options.paths && !scene.arm) {
     throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
   }
@@ -326,6 +328,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
                     const EvaluateOptions& options, const RunContext& context) {
+  require_settings(options);
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;

@@ -40,26 +40,18 @@ void bind_model(py::module_& core) {
 
 void bind_learned_order(py::module_& core) {
   bind_model(core);
-  OptionsClass<LearnedOrder>(core, "LearnedOrder", "How a model orders the candidates of a search.")
-      .property(
-          "model",
-          [](const LearnedOrder& self) -> std::optional<ModelHandle> {
-            if (!self.model) return std::nullopt;
-            return ModelHandle{self.model};
-          },
-          [](LearnedOrder& self, const std::optional<ModelHandle>& model) {
-            self.model = model ? model->model : nullptr;
-          },
-          "TreeModel, that of planning.load_model().")
-      .number("choose_from", &LearnedOrder::choose_from,
-              "The next candidate is chosen among so many (>= 1).")
-      .number("variety", &LearnedOrder::variety,
-              "How much likeness to earlier candidates counts against a score (>= 0).")
-      .number("unordered", &LearnedOrder::unordered,
-              "The part of the candidates that come in the order of the sequence, in 0 .. 1.")
-      .number("ordered_first", &LearnedOrder::ordered_first, "So many are ordered (>= 0).")
-      .number("unknown_hand_first", &LearnedOrder::unknown_hand_first,
-              "So many come before them for a hand that the model was not trained on (>= 0).");
+  py::class_<LearnedOrder> type = settings_class<LearnedOrder>(core);
+  type.def_property(
+      "model",
+      [](const LearnedOrder& self) -> std::optional<ModelHandle> {
+        if (!self.model) return std::nullopt;
+        return ModelHandle{self.model};
+      },
+      [](LearnedOrder& self, const std::optional<ModelHandle>& model) {
+        self.model = model ? model->model : nullptr;
+      },
+      "TreeModel, that of planning.load_model().");
+  add_field(type, "model", "Optional[TreeModel]");
 }
 
 }  // namespace prehend::python

@@ -40,12 +40,21 @@ set_target_properties(prehend_python PROPERTIES
   OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${python_package})
 file(GLOB python_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/planner/python
   planner/python/prehend/*.py planner/python/prehend/*.pyi planner/python/prehend/py.typed)
+# The stub has the classes of options, which are made from their declarations in C++.
+set(python_stub planner/python/prehend/_core.pyi)
+list(REMOVE_ITEM python_files prehend/_core.pyi)
 file(MAKE_DIRECTORY ${python_package})
 file(RELATIVE_PATH python_folder ${python_package} ${PROJECT_SOURCE_DIR}/planner/python/prehend)
 foreach(file IN LISTS python_files)
   cmake_path(GET file FILENAME name)
   file(CREATE_LINK ${python_folder}/${name} ${python_package}/${name} SYMBOLIC)
 endforeach()
+
+set_property(TARGET prehend_python APPEND PROPERTY LINK_DEPENDS
+  ${PROJECT_SOURCE_DIR}/planner/python/write_stub.py ${PROJECT_SOURCE_DIR}/${python_stub})
+add_custom_command(TARGET prehend_python POST_BUILD VERBATIM
+  COMMAND ${PREHEND_PYTHON} -B ${PROJECT_SOURCE_DIR}/planner/python/write_stub.py
+    ${PROJECT_SOURCE_DIR}/${python_stub} ${python_package}/_core.pyi)
 
 # Debian's Python looks there below /usr/local, the default prefix.
 set(PREHEND_PYTHON_DIR lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages
@@ -54,7 +63,7 @@ list(TRANSFORM python_files PREPEND planner/python/)
 function(prehend_install_python component folder)
   install(TARGETS prehend_python LIBRARY DESTINATION ${folder}/prehend
     COMPONENT ${component} EXCLUDE_FROM_ALL)
-  install(FILES ${python_files} DESTINATION ${folder}/prehend
+  install(FILES ${python_files} ${python_package}/_core.pyi DESTINATION ${folder}/prehend
     COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 prehend_install_python(python ${PREHEND_PYTHON_DIR})

@@ -12,10 +12,9 @@ void bind_enums(pybind11::module_& core);            // enumerations by their na
 void bind_fields(pybind11::module_& core);           // names of the fields of results
 void bind_files(pybind11::module_& core);            // grasps.json, report, exports, pictures
 void bind_learned_order(pybind11::module_& core);    // models that order candidates
-void bind_options(pybind11::module_& core);          // of planning and its parts
+void bind_options(pybind11::module_& core);          // of planning and of the quality measures
 void bind_plan(pybind11::module_& core);             // decompose, propose, trial, plan, evaluate
 void bind_quality(pybind11::module_& core);          // measures of many grasps at a time
-void bind_quality_options(pybind11::module_& core);  // of the quality measures
 void bind_robot(pybind11::module_& core);            // robots, their kinematics and its inverse
 void bind_scene(pybind11::module_& core);            // scenes, meshes and what the library has
 void bind_validation(pybind11::module_& core);       // scores against executed grasps
@@ -38,7 +37,6 @@ PYBIND11_MODULE(_core, core) {
   bind_context(core);
   bind_learned_order(core);
   bind_options(core);
-  bind_quality_options(core);
   bind_robot(core);
   bind_scene(core);
   bind_plan(core);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/motion/contact_memory.h"
 #include "sim/motion/rigid_motion.h"
 #include "sim/motion/robot_model.h"
@@ -29,20 +31,35 @@ struct WorldBody {
   bool asleep = false;                 // it rests, and is not moved until something touches it
 };
 
-// What moves a degree of freedom. Several may act on the same one.
 struct Drive {
+  static constexpr AboutSettings kAbout{
+      "Drive", "What moves a degree of freedom of a robot; several may act on one."};
   int dof = 0;
-  // effort = stiffness (target - value) + damping (target_rate - rate), at the end of the step, so
-  // that stiff drives stay stable. Both >= 0.
+  // Both act as they are at the end of the step, so that stiff drives stay stable.
   double stiffness = 0.0;
   double damping = 0.0;
-  double target = 0.0;       // rad or m
-  double target_rate = 0.0;  // rad/s or m/s
-  // Keeps the rate at target_rate with whatever effort that takes; stiffness, damping and target
-  // are not used.
+  double target = 0.0;
+  double target_rate = 0.0;
   bool holds_rate = false;
-  double max_effort = std::numeric_limits<double>::infinity();  // >= 0 [N m or N]
+  double max_effort = std::numeric_limits<double>::infinity();
 };
+
+template <SettingsOf<Drive> Options, typename Visit>
+void for_each_setting(Options& drive, const Visit& visit) {
+  auto& [dof, stiffness, damping, target, target_rate, holds_rate, max_effort] = drive;
+  visit("dof", dof, kAtLeast0, "", "Number of the degree of freedom.");
+  visit("stiffness", stiffness, kAtLeast0, "N m/rad or N/m",
+        "Effort for each unit of target - value.");
+  visit("damping", damping, kAtLeast0, "N m s/rad or N s/m",
+        "Effort for each unit of target_rate - rate.");
+  visit("target", target, kAnyNumber, "rad or m", "Value that the stiffness pulls to.");
+  visit("target_rate", target_rate, kAnyNumber, "rad/s or m/s", "Rate that the damping pulls to.");
+  visit("holds_rate", holds_rate,
+        "Keeps the rate at target_rate with whatever effort that takes; stiffness, damping and "
+        "target are not used.");
+  visit("max_effort", max_effort, Range{.with_infinity = true}, "N m or N",
+        "The largest; infinite without a limit.");
+}
 
 // A robot of the world. Its base is not free: it stands, or is moved at a velocity that is given.
 struct WorldRobot {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/approach_line.h"
@@ -282,12 +283,14 @@ Trial run_trial(const CompiledScene& scene, const Candidate& candidate, const Tr
 
 void run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
                TrialWorkspace& workspace, Trial& trial, const RunContext& context) {
+  require_settings(options);
   TrialRun(scene, candidate, options, true, workspace.buffers(), context).run(trial);
 }
 
 void run_hand_trial(const CompiledScene& scene, const Candidate& candidate,
                     const TrialOptions& options, TrialWorkspace& workspace, Trial& trial,
                     const RunContext& context) {
+  require_settings(options);
   TrialRun(scene, candidate, options, false, workspace.buffers(), context).run(trial);
 }
 

@@ -21,7 +21,7 @@ MODULES = [prehend] + [
 PACKAGE = pathlib.Path(prehend.__file__).parent
 EXAMPLES = pathlib.Path(os.environ["PREHEND_SOURCE"]) / "docs" / "examples"
 # What pybind11 and Python give to every class.
-COMMON = set(dir(object)) | {"__module__", "__slots__", "__dict__", "__weakref__"}
+COMMON = set(dir(object)) | {"__annotations__", "__module__", "__slots__", "__dict__", "__weakref__"}
 
 
 def members(cls):

@@ -4,8 +4,8 @@
 #include "planner/main/other_programs.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
+#include "planner/main/requested_scene.h"
 #include "planner/main/shared_options.h"
-#include "planner/results/json_settings.h"
 #include "planner/show/validation/compare_executions.h"
 #include "planner/show/validation/validation_page.h"
 #include "planner/show/validation/validation_text.h"
@@ -43,7 +43,7 @@ void declare(CLI::App& command, ValidateCommand& options) {
 }
 
 CompareOptions truth_options(const ValidateCommand& command) {
-  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  const PlanOptions accuracy = requested_accuracy(command.common.accuracy);
   CompareOptions options;
   options.evaluation.seed = command.common.seed;
   options.evaluation.trial = accuracy.trial;

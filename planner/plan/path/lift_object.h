@@ -8,6 +8,7 @@
 
 #include "planner/plan/path/plan_transfer.h"
 #include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/trial/trial.h"
@@ -19,22 +20,17 @@ inline constexpr const char* kLift = "lift";
 inline constexpr const char* kRetreat = "retreat";
 
 struct LiftOptions {
-  // How far the hand moves straight up, away from gravity (>= 0); 0: the path ends in the grasp
-  // [m].
+  static constexpr AboutSettings kAbout{"LiftOptions", "What comes after the grasp."};
   double height = 0.1;
-  // Whether the arm then takes the object back to its start posture.
   bool retreat = true;
-  // What the object or the hand touches when the lift begins has to be apart before any point has
-  // moved by more than this (> 0) [m].
-  double leave_within = 0.02;
 };
 
 template <SettingsOf<LiftOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [height, retreat, leave_within] = options;
-  visit("height", height, kAtLeast0);
-  visit("retreat", retreat);
-  visit("leave_within", leave_within, kAbove0);
+  auto& [height, retreat] = options;
+  visit("height", height, kAtLeast0, "m",
+        "How far the hand moves straight up, away from gravity; 0: the path ends in the grasp.");
+  visit("retreat", retreat, "Whether the arm then takes the object back to its start posture.");
 }
 
 // How far it came.

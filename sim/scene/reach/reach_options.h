@@ -6,34 +6,29 @@
 
 namespace prehend {
 
-// How finely motions are checked for collision.
 struct MotionCheckOptions {
-  // A stretch of the motion on which the bodies of a pair move by no more than this relative to
-  // each other is not divided further: a pair not yet proved free there counts as blocked. Motions
-  // with gaps below about half of this may therefore be refused [m].
+  static constexpr AboutSettings kAbout{"MotionCheckOptions",
+                                        "How motions are proven free of collision."};
+  // Motions with gaps below about half of this may be refused.
   double tightest = 2e-4;
-  // Relative error by which the gap of a pair may be underestimated. A larger one makes each
-  // distance query faster, but divides the motion into more stretches.
-  double gap_error = 0.5;
 };
 
 template <SettingsOf<MotionCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [tightest, gap_error] = options;
-  visit("tightest", tightest, kAbove0);
-  visit("gap_error", gap_error, kPart);
+  auto& [tightest] = options;
+  visit("tightest", tightest, kAbove0, "m",
+        "A stretch on which the bodies of a pair move by no more than this against each other is "
+        "not divided further: a pair not yet proved free there counts as blocked.");
 }
 
-// How the arm's postures along the line are searched for and checked.
 struct ReachOptions {
+  static constexpr AboutSettings kAbout{"ReachOptions", "How an arm follows the hand's approach."};
   // Fewer restarts than IkOptions has: redundant robots arrive from one of the first few starts or
   // not at all.
   IkOptions kinematics = {.restarts = 30, .max_solutions = 24};
-  // Longest step along the line; between two steps the joints move along a straight line in joint
-  // space, from which the hand deviates a little [m].
+  // Between two steps the joints move along a straight line in joint space, from which the hand
+  // deviates a little.
   double line_step = 2e-3;
-  // Largest change of a joint in one step: more counts as a jump to another branch of the inverse
-  // kinematics, where the hand would leave the line [rad or m].
   double largest_joint_step = 0.15;
   MotionCheckOptions motion;
 };
@@ -41,10 +36,12 @@ struct ReachOptions {
 template <SettingsOf<ReachOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [kinematics, line_step, largest_joint_step, motion] = options;
-  visit("kinematics", kinematics);
-  visit("line_step", line_step, kAbove0);
-  visit("largest_joint_step", largest_joint_step, kAbove0);
-  visit("motion", motion);
+  visit("kinematics", kinematics, "The arm's inverse kinematics.");
+  visit("line_step", line_step, kAbove0, "m", "Longest step along the line.");
+  visit("largest_joint_step", largest_joint_step, kAbove0, "rad or m",
+        "More change of a joint in one step counts as a jump to another branch of the inverse "
+        "kinematics, where the hand would leave the line.");
+  visit("motion", motion, "How the arm's motion is proven free of collision.");
 }
 
 }  // namespace prehend

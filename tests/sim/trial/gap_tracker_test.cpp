@@ -46,8 +46,7 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
     const double radius = max_distance(pair.b, Vector3::Zero());
     for (int run = 0; run < 8; ++run) {
       // In every second run nearly all lists of near pairs are too long to be kept.
-      const GapTrackerOptions options{.most_pairs = run % 2 == 0 ? 400 : 3};
-      GapTracker tracker(a, b, options);
+      GapTracker tracker(a, b, run % 2 == 0 ? 400 : 3);
       const Matrix3 turn = random.rotation();
       Pose X_AB = pose_from(turn, 0.15 * random.direction());
       double moved = 0.0;
@@ -76,8 +75,7 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
 TEST(GapTracker, IsExactCloseBy) {
   const ProximityMesh box(make_box({0.05, 0.05, 0.05}, 3));
   for (const int most_pairs : {400, 3}) {
-    const GapTrackerOptions options{.most_pairs = most_pairs};
-    GapTracker tracker(box, box, options);
+    GapTracker tracker(box, box, most_pairs);
     double height = 0.06;
     for (int i = 0; i < 200 && height > 0.05 + 4e-5; ++i) {
       const Gap gap = tracker.query(translation({0.0, 0.0, height}), i == 0 ? 0.0 : 1e-4, 1.0);
