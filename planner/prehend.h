@@ -1,5 +1,6 @@
 // prehend, whole: from a mesh and a hand to ranked grasps, and each step of that by itself.
-// docs/library.md has an example and the conventions; sim/quality/quality.h what judges contacts.
+// docs/how-to/cpp.md has an example and the conventions; sim/quality/quality.h what judges
+// contacts.
 //
 // The question
 //   scene.h               an object, a hand, what is around them, friction: a plain value

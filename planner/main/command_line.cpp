@@ -19,30 +19,14 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   throw InputError({.problem = "unknown command, known are " + known, .value = argv[1]});
 }
 
-void add_commands(CLI::App& app, CommandRequest& request) {
-  app.require_subcommand(1);
-  app.set_version_flag("--version", "prehend " PREHEND_VERSION);
-  add_plan(app, request);
-  add_evaluate(app, request);
-  add_simulate(app, request);
-  add_render(app, request);
-  add_inspect(app, request);
-  add_quality(app, request);
-  add_validate(app, request);
-  add_convert(app, request);
-  add_learn(app, request);
-  add_replay(app, request);
-  add_serve(app, request);
-  add_studio(app, request);
-  add_batch(app, request);
-}
-
 }  // namespace
 
-std::optional<CommandRequest> read_command_line(int argc, char** argv) {
+std::optional<CommandRequest> read_command_line(int argc, char** argv, const AddCommands& add) {
   CLI::App app{"prehend plans robot grasps: a mesh and a hand in, ranked grasps out."};
   CommandRequest request;
-  add_commands(app, request);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", "prehend " PREHEND_VERSION);
+  add(app, request);
   check_command(app, argc, argv);
   try {
     app.parse(argc, argv);

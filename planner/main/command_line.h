@@ -1,5 +1,6 @@
 // The words after "prehend": the command they ask for, with its options. Each command stands in a
-// file of its own, run_NAME.cpp, with its options, how they are declared and what it does.
+// file of its own, run_NAME.cpp, with its options, how they are declared and what it does; those of
+// prehend-live and prehend-bulk (other_programs.h) in the folders live and bulk.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +32,12 @@ struct CommandRequest {
   std::function<int(Interrupts&)> run = {};
 };
 
-// Nothing where the words ask for help or the version, which is then printed. Throws InputError.
-std::optional<CommandRequest> read_command_line(int argc, char** argv);
+// Declares the commands of a program below `app`.
+using AddCommands = std::function<void(CLI::App& app, CommandRequest& request)>;
+
+// Reads the words by the commands that `add` declares. Nothing where they ask for help or the
+// version, which is then printed. Throws InputError.
+std::optional<CommandRequest> read_command_line(int argc, char** argv, const AddCommands& add);
 
 // Each declares a command below `app`, which sets request.run once it is read.
 void add_plan(CLI::App& app, CommandRequest& request);
@@ -41,14 +46,6 @@ void add_simulate(CLI::App& app, CommandRequest& request);
 void add_render(CLI::App& app, CommandRequest& request);
 void add_inspect(CLI::App& app, CommandRequest& request);
 void add_quality(CLI::App& app, CommandRequest& request);
-void add_validate(CLI::App& app, CommandRequest& request);
 void add_convert(CLI::App& app, CommandRequest& request);
-void add_learn(CLI::App& app, CommandRequest& request);
-void add_replay(CLI::App& app, CommandRequest& request);
-void add_serve(CLI::App& app, CommandRequest& request);
-void add_studio(CLI::App& app, CommandRequest& request);
-void add_batch(CLI::App& app, CommandRequest& request);
-// submit, cancel and queue, below `batch`.
-void add_cluster_commands(CLI::App& batch, CommandRequest& request);
 
 }  // namespace prehend

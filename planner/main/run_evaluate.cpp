@@ -44,7 +44,8 @@ struct EvaluateCommand {
 void declare(CLI::App& command, EvaluateCommand& options) {
   command
       .add_option("grasps", options.grasps,
-                  "grasp file (docs/grasps-file.md), or a set of grasps (docs/datasets.md)")
+                  "grasp file (docs/reference/grasps-file.md), or a set of grasps "
+                  "(docs/reference/datasets.md)")
       ->required();
   add_scene_options(command, options.scene, options.hand, options.unit, options.repair);
   command

@@ -66,7 +66,7 @@ void declare(CLI::App& command, PlanCommand& options) {
   command.add_option("--enough", options.enough, "grasps that hold after which the search ends")
       ->check(CLI::Range(1, 1000000));
   command.add_option("--model", options.model,
-                     "file of a model that orders the candidates (docs/learning.md)");
+                     "file of a model that orders the candidates (docs/how-to/learning.md)");
   command.add_option("--primitive-tolerance", options.primitive_tolerance,
                      "how far the object's surface may be from its primitives, in mm");
   CLI::Option* path =

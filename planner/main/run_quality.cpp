@@ -33,7 +33,8 @@ struct QualityCommand {
 };
 
 void declare(CLI::App& command, QualityCommand& options) {
-  command.add_option("contacts", options.contacts, "contacts file (docs/contacts-file.md)")
+  command
+      .add_option("contacts", options.contacts, "contacts file (docs/reference/contacts-file.md)")
       ->required();
   command.add_option("--space", options.space, "what is unit: sum of forces, or each")
       ->check(CLI::IsMember({"L1", "Linf"}))

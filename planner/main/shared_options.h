@@ -10,7 +10,6 @@
 #include <CLI/CLI.hpp>
 
 #include "planner/main/command_line.h"
-#include "planner/main/live_server.h"
 #include "sim/robot/files/package_folders.h"
 
 namespace prehend {
@@ -92,11 +91,5 @@ void add_foreign(CLI::App& command, std::vector<std::string>& packages,
 // for words without "=".
 ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
                                     const std::filesystem::path& srdf);
-
-// --listen, --record, --folder, --threads.
-void add_live(CLI::App& command, LiveOptions& live);
-
-// --folder, --threads.
-void add_session(CLI::App& command, std::vector<std::filesystem::path>& folders, int& threads);
 
 }  // namespace prehend

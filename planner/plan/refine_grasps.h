@@ -27,7 +27,7 @@ constexpr auto enum_names(RefineObjective /*of*/) {
   return std::to_array<std::string_view>({"epsilon", "robust"});
 }
 
-// The defaults are measured, see docs/refinement.md.
+// The defaults are measured, see docs/reference/refinement.md.
 struct RefineOptions {
   static constexpr AboutSettings kAbout{"RefineOptions",
                                         "How the best grasps are improved by trials of grasps near "

@@ -33,7 +33,7 @@ struct SearchOptions {
   // their tips.
   int trials_before_extra_back_offs = 100;
   // Set: a model that was learnt from earlier trials orders the proposals of the sequence
-  // (docs/learning.md).
+  // (docs/how-to/learning.md).
   std::optional<LearnedOrder> learned = {};
 };
 

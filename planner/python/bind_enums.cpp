@@ -1,10 +1,11 @@
 #include <algorithm>
+#include <pybind11/pybind11.h>
 #include <string>
 
 #include "planner/plan/accuracy.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/path/lift_object.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/python/enum_names.h"
 #include "planner/show/validation/bootstrap.h"
 #include "planner/show/validation/open_hand.h"
@@ -24,7 +25,7 @@ namespace {
 namespace py = pybind11;
 
 // A class of strings, one for each value; a space in a name is an underscore in its member. What a
-// value means is the docstring of its member.
+// value means, where that is given, is the docstring of its member.
 template <NamedEnum Enum>
 void add_enum(py::module_& core, const char* name, const char* doc,
               std::string_view (*meaning_of)(Enum) = nullptr) {
@@ -46,22 +47,6 @@ void add_enum(py::module_& core, const char* name, const char* doc,
   core.attr(name) = made;
 }
 
-void add_enums_of_quality(py::module_& core) {
-  add_enum<ContactModel>(core, "ContactModel", "What a contact can exert.");
-  add_enum<EpsilonStatus>(core, "EpsilonStatus", "How the search for epsilon ended.");
-  add_enum<ForceOutcome>(core, "ForceOutcome", "What is known about balancing forces.");
-}
-
-void add_enums_of_motion(py::module_& core) {
-  add_enum<StepOutcome>(core, "StepOutcome", "How a step of a world ended.");
-  add_enum<ControlOutcome>(core, "ControlOutcome", "How a run with controllers ended.");
-}
-
-void add_enums_of_validation(py::module_& core) {
-  add_enum<ObjectPlace>(core, "ObjectPlace", "Where the object is in the open hand.");
-  add_enum<Grouping>(core, "Grouping", "What resamples draw as a whole.");
-}
-
 }  // namespace
 
 py::object enum_member(const char* enumeration, std::string_view name) {
@@ -79,9 +64,13 @@ void bind_enums(py::module_& core) {
   add_enum<Hint>(core, "Hint", "What may help where a plan found no grasp.");
   add_enum<Accuracy>(core, "Accuracy", "How exact a plan is, and how long it takes.");
   add_enum<Material>(core, "Material", "What surfaces are made of.");
-  add_enums_of_quality(core);
-  add_enums_of_motion(core);
-  add_enums_of_validation(core);
+  add_enum<ContactModel>(core, "ContactModel", "What a contact can exert.");
+  add_enum<EpsilonStatus>(core, "EpsilonStatus", "How the search for epsilon ended.");
+  add_enum<ForceOutcome>(core, "ForceOutcome", "What is known about balancing forces.");
+  add_enum<StepOutcome>(core, "StepOutcome", "How a step of a world ended.");
+  add_enum<ControlOutcome>(core, "ControlOutcome", "How a run with controllers ended.");
+  add_enum<ObjectPlace>(core, "ObjectPlace", "Where the object is in the open hand.");
+  add_enum<Grouping>(core, "Grouping", "What resamples draw as a whole.");
 }
 
 }  // namespace prehend::python

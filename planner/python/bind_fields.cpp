@@ -2,12 +2,14 @@
 #include <sstream>
 #include <string>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/plan/propose/candidates.h"
 #include "primitives/decompose.h"
 #include "sim/motion/control/run_controlled.h"
-#include "sim/motion/world.h"
+#include "sim/motion/step_world.h"
 #include "sim/quality/forces.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/perturbed_trials.h"
 #include "sim/trial/trial.h"
 
 namespace prehend::python {

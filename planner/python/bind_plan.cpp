@@ -139,7 +139,8 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
                                const CallOptions& call) {
   const GraspPathOptions options = asked;
   const ScoredGrasp& grasp = *trial.grasp;
-  // plan_grasp_path requires both. prehend/_plan.py refuses them before, with a message in words.
+  // plan_grasp_path requires both. prehend/planning.py refuses them before, with a message in
+  // words.
   if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {
     throw std::invalid_argument("no stable grasp of an arm");
   }

@@ -31,7 +31,7 @@ py::object in_python(const T& value) {
   }
 }
 
-// The name in prehend/_results.py of a field that has another one in files.
+// The name in prehend/results.py of a field that has another one in files.
 inline std::string name_in_python(std::string_view name) {
   constexpr std::array<std::array<std::string_view, 2>, 6> kOther = {{
       {"X_object_hand", "X_OH"},

@@ -85,7 +85,7 @@ py::dict tried_dict(const std::vector<Tried>& tried) {
   return fields;
 }
 
-// What prehend/_results.py has in other shapes than files: an object there is a tuple, or its
+// What prehend/results.py has in other shapes than files: an object there is a tuple, or its
 // fields stand among those of the grasp.
 void reshape(py::dict& fields) {
   const auto taken = [&](const char* name) {

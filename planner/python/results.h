@@ -1,5 +1,5 @@
 // What a plan found as dictionaries of NumPy arrays, one key for each field of the classes in
-// prehend/_results.py.
+// prehend/results.py.
 #pragma once
 
 #include <memory>

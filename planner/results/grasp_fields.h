@@ -1,5 +1,5 @@
 // The fields of a grasp, once for all: of an entry of "grasps" in a grasp file
-// (docs/grasps-file.md), of its schema and of the grasps in Python. They are
+// (docs/reference/grasps-file.md), of its schema and of the grasps in Python. They are
 // visited as in json_fields.h, by
 // - FieldWriter and FieldReader, so that writing and reading cannot differ,
 // - FieldSchema, which writes down names and types,

@@ -1,4 +1,4 @@
-// One grasp in a grasp file: an entry of "grasps" (docs/grasps-file.md).
+// One grasp in a grasp file: an entry of "grasps" (docs/reference/grasps-file.md).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // A motion of a robot in a grasp file: "joints", "times", "positions", "velocities" and "segments"
-// (docs/grasps-file.md).
+// (docs/reference/grasps-file.md).
 #pragma once
 
 #include "sim/base/json/json_fields.h"

@@ -21,7 +21,7 @@ Material material_named(std::string_view name);
 
 // Density [kg/m^3], a round figure of a typical material of each kind: soda-lime glass (EN 572-1),
 // aluminium alloys (EN 1999-1-1), ABS, oak and beech (Wood Handbook, USDA Forest Products
-// Laboratory, table 5-3), filled natural rubber. docs/robot-file.md has the table.
+// Laboratory, table 5-3), filled natural rubber. docs/reference/robot-file.md has the table.
 double density_of(Material material);
 
 }  // namespace prehend

@@ -5,9 +5,11 @@
 
 namespace prehend {
 
-// The shortest decimal that reads back as `value`, always with a point, and with a sign in its
-// exponent: readers of YAML 1.1 (PyYAML, and so ROS and Isaac Sim) take 1e-05 for a word. Throws
-// InputError for what is not finite.
+// The shortest decimal that reads back as `value`: "1", "0.1", "1e-05", "inf".
+std::string shortest_text(double value);
+
+// The same, but always with a point: readers of YAML 1.1 (PyYAML, and so ROS and Isaac Sim) take
+// 1e-05 for a word. Throws InputError for what is not finite.
 std::string number_text(double value);
 
 }  // namespace prehend

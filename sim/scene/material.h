@@ -9,7 +9,7 @@
 namespace prehend {
 
 // Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default
-// materials (Miller and Allen 2004, section "Contacts and Friction"; docs/scene-file.md).
+// materials (Miller and Allen 2004, section "Contacts and Friction"; docs/reference/scene-file.md).
 class FrictionTable {
  public:
   FrictionTable();

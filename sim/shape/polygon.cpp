@@ -130,4 +130,17 @@ void add_triangles(TriangleMesh& mesh, std::span<const int> face) {
   }
 }
 
+void add_strip(TriangleMesh& mesh, std::span<const int> strip) {
+  for (std::size_t k = 0; k + 2 < strip.size(); ++k) {
+    const std::size_t odd = k % 2;
+    mesh.triangles.push_back({strip[k], strip[k + 1 + odd], strip[k + 2 - odd]});
+  }
+}
+
+void add_fan(TriangleMesh& mesh, std::span<const int> fan) {
+  for (std::size_t k = 1; k + 1 < fan.size(); ++k) {
+    mesh.triangles.push_back({fan[0], fan[k], fan[k + 1]});
+  }
+}
+
 }  // namespace prehend

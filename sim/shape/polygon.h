@@ -26,4 +26,9 @@ std::vector<Triangle> triangulate_face(const std::vector<Vector3>& corners);
 // Appends the triangles of a face whose corners are these vertices of the mesh.
 void add_triangles(TriangleMesh& mesh, std::span<const int> face);
 
+// The same for a strip of triangles, of which every second one is wound the other way, and for a
+// fan, all of whose triangles have the first corner.
+void add_strip(TriangleMesh& mesh, std::span<const int> strip);
+void add_fan(TriangleMesh& mesh, std::span<const int> fan);
+
 }  // namespace prehend

@@ -44,6 +44,19 @@ void append(TriangleMesh& mesh, const TriangleMesh& part) {
   }
 }
 
+void append(TriangleMesh& mesh, const TriangleMesh& part, const Eigen::Affine3d& X_AB) {
+  const std::size_t first_vertex = mesh.vertices.size();
+  const std::size_t first_triangle = mesh.triangles.size();
+  append(mesh, part);
+  for (std::size_t i = first_vertex; i < mesh.vertices.size(); ++i) {
+    mesh.vertices[i] = X_AB * mesh.vertices[i];
+  }
+  const bool mirrored = X_AB.linear().determinant() < 0.0;
+  for (std::size_t t = first_triangle; mirrored && t < mesh.triangles.size(); ++t) {
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  }
+}
+
 double max_distance(const TriangleMesh& mesh, const Vector3& point) {
   double squared = 0.0;
   for (const Vector3& p : mesh.vertices) squared = std::max(squared, (p - point).squaredNorm());

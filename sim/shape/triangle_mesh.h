@@ -47,6 +47,10 @@ TriangleMesh transformed(const TriangleMesh& mesh, const Pose& X_AB);
 // Appends the vertices and triangles of `part` to `mesh` without joining them.
 void append(TriangleMesh& mesh, const TriangleMesh& part);
 
+// As append, of `part` in a frame B that `X_AB` places in the frame A of `mesh`. A transform that
+// mirrors would reverse the winding: the triangles are turned back.
+void append(TriangleMesh& mesh, const TriangleMesh& part, const Eigen::Affine3d& X_AB);
+
 // Largest distance of a vertex from `point` (mesh frame) [m]; 0 without vertices.
 double max_distance(const TriangleMesh& mesh, const Vector3& point);
 

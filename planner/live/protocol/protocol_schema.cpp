@@ -115,12 +115,13 @@ std::string protocol_schema() {
 
 std::string protocol_reference() {
   std::ostringstream text;
-  text << "Fields in bold are needed. Commands with * are refused while a plan runs. Where no reply is "
+  text << "Fields in bold are needed. Commands with * are refused while a plan runs. Where no "
+          "reply is "
           "named, it is "
        << kState << ".\n\n| command | fields | what it does |\n|---|---|---|\n";
   for (const Command& command : commands()) {
-    text << "| `" << command.name << "`" << (command.kind == CommandKind::world ? " *" : "") << " | "
-         << field_names(command) << " | " << command.summary;
+    text << "| `" << command.name << "`" << (command.kind == CommandKind::world ? " *" : "")
+         << " | " << field_names(command) << " | " << command.summary;
     if (command.result != kState) text << " Replies " << command.result << ".";
     text << " |\n";
   }

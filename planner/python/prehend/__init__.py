@@ -20,7 +20,7 @@ What most programs need is here; the rest is in
 
 Lengths are in metres, angles in radians. X_AB, a 4 x 4 array, is the pose of frame B in frame A, so that
 p_A = X_AB @ p_B for homogeneous points; O is the object's frame, H the hand's base, W the world, B a
-robot's base. Names are those of the C++ library (docs/reference/python.md).
+robot's base. Names are those of the C++ library (docs/how-to/python.md).
 
 A caller's mistake raises InputError. Long calls run without the GIL; Ctrl-C ends them.
 """

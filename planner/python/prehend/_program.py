@@ -5,6 +5,6 @@ import pathlib
 import sys
 
 
-def main():
+def main() -> None:
     program = pathlib.Path(__file__).parent / "bin" / "prehend"
     os.execv(program, ["prehend", *sys.argv[1:]])

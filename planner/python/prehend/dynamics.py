@@ -1,4 +1,4 @@
-"""Worlds of bodies and robots that move through time, and controllers of the robots (docs/dynamics.md)."""
+"""Worlds of bodies and robots that move through time, and controllers of the robots (docs/reference/dynamics.md)."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ ByteArray = npt.NDArray[np.uint8]
 
 
 def grasps_json(result: PlanResult) -> str:
-    """The text of grasps.json (docs/grasps-file.md): the same as the program's, byte for byte.
+    """The text of grasps.json (docs/reference/grasps-file.md): the same as the program's, byte for byte.
 
     Of a scene that was made in code the file can name no scene; Scene.save() gives it one.
     """
@@ -50,7 +50,7 @@ def report_html(
     threads: int = 0,
     cancellation: Optional["_core.Cancellation"] = None,
 ) -> str:
-    """The report as one page for a browser, which fetches nothing (docs/report.md).
+    """The report as one page for a browser, which fetches nothing (docs/reference/report.md).
 
     Wrench spaces are shown for the grasps that were planned with PlanOptions.sections.
     """
@@ -63,7 +63,7 @@ def export_formats() -> List[str]:
 
 
 def export_files(result: PlanResult, format: str) -> Dict[str, bytes]:
-    """Files for other programs by name (docs/exports.md).
+    """Files for other programs by name (docs/reference/exports.md).
 
     Raises:
         InputError: that lists the formats for another one.
@@ -158,7 +158,7 @@ def write_grasps(
 
     That is grasps.json, timings.json, best.png (and best_arm.png), with `report` report.html, and
     the files of the formats in `exports`. Everything is made before anything is written. What an
-    earlier result left in the folder is removed (docs/exports.md).
+    earlier result left in the folder is removed (docs/reference/exports.md).
 
     Args:
         folder: made where it is missing.

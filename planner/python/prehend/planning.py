@@ -66,7 +66,7 @@ AnyScene = Union[Scene, "_core.CompiledScene"]
 
 
 def load_model(file: PathLike) -> TreeModel:
-    """A model that was learnt from earlier trials (docs/learning.md). It orders the candidates of a
+    """A model that was learnt from earlier trials (docs/how-to/learning.md). It orders the candidates of a
     plan with options.search.learned = options.LearnedOrder(model=model).
 
     Raises:
@@ -79,7 +79,7 @@ def plan_options(accuracy: PathLike = "standard") -> "_core.PlanOptions":
     """Options of one accuracy, to be changed further or given to plan().
 
     Args:
-        accuracy: one of options.Accuracy, or a file of settings (docs/accuracy-file.md).
+        accuracy: one of options.Accuracy, or a file of settings (docs/reference/accuracy-file.md).
 
     Raises:
         InputError: for a file that does not exist, or has a setting or a value that does not.

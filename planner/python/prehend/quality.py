@@ -13,7 +13,7 @@ Wrenches are [force; torque * torque_scale], torques about torque_origin. With t
 the object's largest distance from the origin, forces and torques weigh alike and numbers of objects of
 different sizes compare; CompiledScene.torque_scale has it for a scene.
 
-Source of the definitions: Ferrari and Canny, ICRA 1992; docs/contacts-file.md has the rest.
+Source of the definitions: Ferrari and Canny, ICRA 1992; docs/reference/contacts-file.md has the rest.
 """
 
 from __future__ import annotations

@@ -56,7 +56,7 @@ Kind = TypeVar("Kind")
 
 def _made(kind: Type[Kind], values: Dict[str, Any]) -> Kind:
     """An object of a dataclass from its fields among the values; others have no place in it."""
-    return kind(**{one.name: values[one.name] for one in fields_of(kind)})  # type: ignore[arg-type]
+    return kind(**{one.name: values[one.name] for one in fields_of(kind)})
 
 
 class Contact(NamedTuple):
@@ -336,7 +336,7 @@ class Grasp(Trial):
         refinement = fields["refinement"]
         if refinement is not None:
             fields["refinement"] = Refinement(*refinement)
-        return super()._of(fields)  # type: ignore[misc]
+        return super()._of(fields)
 
 
 @dataclass(frozen=True)

@@ -138,7 +138,7 @@ class Scene:
             density: of what no part covers, or of the whole [kg/m^3].
             center_of_mass: (3,), frame O [m]; None: what follows from the parts, or that of uniform
                 density.
-            parts: of other densities or masses, as in a scene file (docs/scene-file.md), for
+            parts: of other densities or masses, as in a scene file (docs/reference/scene-file.md), for
                 instance [{"component": 1, "density": 7800}] or [{"at": [0, 0, 0.1], "mass": 0.2}].
 
         Raises:
@@ -207,7 +207,7 @@ class Scene:
         self._core.add_obstacle(name, vertices, faces, pose, str(material))
 
     def save(self, file: PathLike) -> None:
-        """Writes a scene file (docs/scene-file.md), which load_scene() and the program read. From
+        """Writes a scene file (docs/reference/scene-file.md), which load_scene() and the program read. From
         then on grasps.json of this scene names that file."""
         self._core.save(os.fsencode(file))
 

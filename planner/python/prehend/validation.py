@@ -1,4 +1,4 @@
-"""Scores compared with what became of executed grasps (docs/truth-file.md)."""
+"""Scores compared with what became of executed grasps (docs/reference/truth-file.md)."""
 
 from __future__ import annotations
 
@@ -238,7 +238,7 @@ def compare_executions(
     The same file, options and seed give the same report, to the byte, on any number of threads.
 
     Args:
-        file: executed grasps (docs/truth-file.md).
+        file: executed grasps (docs/reference/truth-file.md).
         options: how grasps are tried, and the seed; None: EvaluateOptions(). Its robustness, volumes
             and sections do not count: they follow from the scores.
         volumes: whether the volume is a score as well, which takes about half of the time.

@@ -25,8 +25,8 @@ struct ExportInput {
   std::vector<ExportGrasp> grasps;
 };
 
-// A format (docs/exports.md). All that is known of it stands here: the command line, the protocol
-// and the page of the studio offer it, and what it left is found again (result_files.h).
+// A format (docs/reference/exports.md). All that is known of it stands here: the command line, the
+// protocol and the page of the studio offer it, and what it left is found again (result_files.h).
 struct ExportFormat {
   std::string_view name;
   std::vector<std::string_view> files;  // names of its files; '#' stands for a grasp's rank

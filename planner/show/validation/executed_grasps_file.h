@@ -1,4 +1,4 @@
-// Reader of files of executed grasps (docs/truth-file.md).
+// Reader of files of executed grasps (docs/reference/truth-file.md).
 #pragma once
 
 #include <string>

@@ -86,8 +86,8 @@ std::string from_base64(std::string_view text) {
 
 GltfBuffers fetch_gltf_buffers(const nlohmann::json& buffers, std::string_view chunk,
                                const std::filesystem::path& folder) {
-  // A GLB, as which the data is handed on, counts its bytes in 32 bits. What is fetched is counted,
-  // not what is declared: many buffers of no length may name one large file.
+  // What is fetched is counted, not what is declared: many buffers of no length may name one large
+  // file.
   constexpr std::size_t kMostBytes = std::size_t{1} << 31;
   std::size_t bytes = 0;
   GltfBuffers result;

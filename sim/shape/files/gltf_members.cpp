@@ -6,6 +6,10 @@
 
 namespace prehend {
 
+void need_object(const nlohmann::json& value) {
+  if (!value.is_object()) throw InputError("an entry is not an object");
+}
+
 nlohmann::json gltf_list(const nlohmann::json& object, const char* name) {
   const auto found = object.find(name);
   if (found == object.end()) return nlohmann::json::array();
@@ -36,23 +40,13 @@ std::uint64_t gltf_index(const nlohmann::json& object, const char* name, std::si
   return index;
 }
 
-nlohmann::json gltf_members(const nlohmann::json& object,
-                            std::initializer_list<const char*> names) {
-  if (!object.is_object()) throw InputError("an entry is not an object");
-  nlohmann::json kept = nlohmann::json::object();
-  for (const char* name : names) {
-    if (object.contains(name)) kept[name] = object[name];
-  }
-  return kept;
-}
-
-nlohmann::json gltf_numbers(const nlohmann::json& object, const char* name, std::size_t size) {
-  const nlohmann::json& list = object[name];
+std::vector<double> gltf_numbers(const nlohmann::json& object, const char* name, std::size_t size) {
+  const nlohmann::json& list = object.at(name);
   bool fits = list.is_array() && list.size() == size;
   for (std::size_t i = 0; fits && i < size; ++i) fits = list[i].is_number();
   if (!fits)
     throw InputError({.field = name, .problem = "must be " + std::to_string(size) + " numbers"});
-  return list;
+  return list.get<std::vector<double>>();
 }
 
 }  // namespace prehend

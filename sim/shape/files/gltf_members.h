@@ -3,11 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
 namespace prehend {
+
+// Throws unless the value is an object.
+void need_object(const nlohmann::json& value);
 
 // A list of the document; empty when the document has none of that name.
 nlohmann::json gltf_list(const nlohmann::json& object, const char* name);
@@ -20,9 +23,6 @@ std::uint64_t gltf_count(const nlohmann::json& object, const char* name, std::ui
 std::uint64_t gltf_index(const nlohmann::json& object, const char* name, std::size_t size);
 
 // Member `name`, which must be a list of `size` numbers.
-nlohmann::json gltf_numbers(const nlohmann::json& object, const char* name, std::size_t size);
-
-// A copy of the object with the named members only.
-nlohmann::json gltf_members(const nlohmann::json& object, std::initializer_list<const char*> names);
+std::vector<double> gltf_numbers(const nlohmann::json& object, const char* name, std::size_t size);
 
 }  // namespace prehend

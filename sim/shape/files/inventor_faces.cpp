@@ -74,14 +74,6 @@ Runs counted_runs(const InventorNode& node, int points) {
   return runs;
 }
 
-void add_strip(TriangleMesh& mesh, std::span<const int> strip) {
-  for (std::size_t k = 0; k + 2 < strip.size(); ++k) {
-    // Every second triangle of a strip is wound the other way.
-    const std::size_t odd = k % 2;
-    mesh.triangles.push_back({strip[k], strip[k + 1 + odd], strip[k + 2 - odd]});
-  }
-}
-
 // Whether the triangles between the first corner and the others all face the same way, as those of
 // a convex polygon do.
 bool is_fan(const TriangleMesh& mesh, std::span<const int> run) {
@@ -100,10 +92,7 @@ bool is_fan(const TriangleMesh& mesh, std::span<const int> run) {
 // Corners that are not in one plane make another surface of each way to divide a face. Coin, which
 // GraspIt! reads files with, divides convex faces into a fan.
 void add_polygon(TriangleMesh& mesh, std::span<const int> run) {
-  if (!is_fan(mesh, run)) return add_triangles(mesh, run);
-  for (std::size_t k = 1; k + 1 < run.size(); ++k) {
-    mesh.triangles.push_back({run[0], run[k], run[k + 1]});
-  }
+  return is_fan(mesh, run) ? add_fan(mesh, run) : add_triangles(mesh, run);
 }
 
 void spend(const InventorNode& node, const Runs& runs, bool strips, InventorBudget& budget) {

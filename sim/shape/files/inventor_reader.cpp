@@ -82,7 +82,6 @@ class InventorWalk {
                     InventorState& state);
   void refuse_surface(const InventorNode& node) const;
   bool holds_surface(const InventorNode& node) const;
-  void add(TriangleMesh shape, const InventorState& state);
   std::span<const int> listed(const InventorNode& node, const char* field) const;
 
   const InventorTree& tree_;
@@ -94,14 +93,6 @@ class InventorWalk {
 std::span<const int> InventorWalk::listed(const InventorNode& node, const char* field) const {
   const InventorField* found = node.field(field);
   return found ? std::span<const int>(found->nodes) : std::span<const int>();
-}
-
-void InventorWalk::add(TriangleMesh shape, const InventorState& state) {
-  for (Vector3& p : shape.vertices) p = state.X * p;
-  if (state.X.linear().determinant() < 0.0) {
-    for (Triangle& triangle : shape.triangles) std::swap(triangle[1], triangle[2]);
-  }
-  append(mesh_, shape);
 }
 
 // Switch and its relatives: one child, none (-1) or, in Inventor, all (-3).
@@ -171,11 +162,11 @@ void InventorWalk::visit(const InventorNode& node, InventorState& state) {
   } else if (node.type == "ShapeHints") {
     state.coordinates.clockwise = node.word("vertexOrdering", "UNKNOWN_ORDERING") == "CLOCKWISE";
   } else if (auto faces = inventor_faces(tree_, node, state.coordinates, budget_)) {
-    add(std::move(*faces), state);
+    append(mesh_, *faces, state.X);
   } else if (auto shape = basic_inventor_shape(node)) {
     budget_.triangles -= static_cast<double>(shape->triangles.size());
     if (budget_.triangles < 0.0) fail_in_line(node.line, "millions of triangles", node.type);
-    add(std::move(*shape), state);
+    append(mesh_, *shape, state.X);
   } else {
     refuse_surface(node);
   }

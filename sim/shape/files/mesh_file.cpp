@@ -8,13 +8,14 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
-#include "sim/shape/files/assimp_reader.h"
+#include "sim/shape/files/collada_reader.h"
+#include "sim/shape/files/gltf_reader.h"
 #include "sim/shape/files/inventor_reader.h"
-#include "sim/shape/files/mesh_bytes.h"
 #include "sim/shape/files/obj_reader.h"
 #include "sim/shape/files/off_reader.h"
 #include "sim/shape/files/ply_reader.h"
 #include "sim/shape/files/stl_reader.h"
+#include "sim/shape/files/text_scan.h"
 #include "sim/shape/weld.h"
 
 // A mesh file is read in steps: the bytes as a whole, their validation and parsing by format, then,
@@ -72,8 +73,9 @@ TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& fil
     need_text(bytes);
     return read_inventor(bytes);
   }
-  return read_with_assimp(checked_mesh_bytes(extension, bytes, file.parent_path()),
-                          extension == "gltf" ? "glb" : extension);
+  if (extension == "gltf") return read_gltf(bytes, file.parent_path());
+  if (extension == "glb") return read_glb(bytes, file.parent_path());
+  return read_collada(bytes, file);
 }
 
 // `bytes` is called for the content of the file, after everything else was checked.

@@ -45,8 +45,7 @@ struct LoadedMesh {
 // Throws InputError, one line that starts with the name of the file and states the defect, when the
 // file is missing, unreadable, empty or larger than 1 GiB, has an unknown format, is damaged
 // (truncated, counts or indices out of range, coordinates that are not finite numbers), has a
-// coordinate beyond 1e6 m, or has no triangle of positive area. Damage that makes assimp crash,
-// hang or return wrong data is detected before assimp is called (mesh_bytes.h).
+// coordinate beyond 1e6 m, or has no triangle of positive area.
 LoadedMesh load_mesh(const std::filesystem::path& file, const MeshFileOptions& options = {});
 
 // As load_mesh, of a file whose content is `bytes`. The file itself is not opened, only buffers

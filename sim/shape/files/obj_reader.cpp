@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "sim/base/input_error.h"
-#include "sim/shape/files/mesh_bytes.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

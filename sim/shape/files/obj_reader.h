@@ -12,7 +12,6 @@ namespace prehend {
 // vertices. Points, lines, groups, names, normals, texture coordinates and materials are ignored;
 // curved surfaces and references to other files are errors, because a part of the surface would be
 // missing. Throws InputError with the line number.
-// assimp is not used for this format: it does not read ".5" as a number and drops the vertex.
 TriangleMesh read_obj(std::string_view text);
 
 }  // namespace prehend

@@ -10,7 +10,7 @@
 #include "sim/shape/polygon.h"
 
 // OFF: an optional keyword, the numbers of vertices, faces and edges, a line for each vertex and a
-// line for each face. OFF is read here, not by assimp. The keyword may have a prefix that tells
+// line for each face. The keyword may have a prefix that tells
 // what else is given for each vertex: ST texture coordinates, C a colour, N a normal; these follow
 // the three coordinates and are ignored. Other prefixes (4, n) change the number of coordinates,
 // and such files are rejected.

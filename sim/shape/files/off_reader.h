@@ -11,9 +11,6 @@ namespace prehend {
 // or face per line; comments from # to the end of the line; the count of edges may be missing.
 // Faces are triangulated (triangulate_face); faces with one or two corners are left out. The
 // variants 4OFF, nOFF and BINARY are not supported. Throws InputError with the line number.
-// assimp is not used for this format: it reads blank lines and comments between the lists as
-// vertices and faces, drops faces with ten or more corners and changes indices that are out of
-// range.
 TriangleMesh read_off(std::string_view text);
 
 }  // namespace prehend

@@ -1,7 +1,5 @@
-// The header declares elements (vertex, face, others)
-// with typed properties; the body is traversed as declared, and lengths, indices and coordinates
-// are checked. assimp is not used for this format: of some damaged files it frees
-// memory that it did not allocate.
+// The header declares elements (vertex, face, others) with typed properties; the body is traversed
+// as declared, and lengths, indices and coordinates are checked.
 #include "sim/shape/files/ply_reader.h"
 
 #include <algorithm>
@@ -19,7 +17,6 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
-#include "sim/shape/files/mesh_bytes.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

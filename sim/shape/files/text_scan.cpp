@@ -77,6 +77,16 @@ std::optional<double> number_in(std::string_view word) {
 
 std::optional<long long> integer_in(std::string_view word) { return parse<long long>(word); }
 
+// Text in UTF-16 has a byte order mark or, without one, zero bytes, as have nearly all binary
+// files. Text in UTF-8 has none.
+void need_text(std::string_view bytes) {
+  const std::string_view mark = bytes.substr(0, 2);
+  if (mark == "\xFE\xFF" || mark == "\xFF\xFE") {
+    throw InputError("the text is UTF-16, save it as UTF-8");
+  }
+  if (bytes.find('\0') != bytes.npos) throw InputError("binary data where text was expected");
+}
+
 std::string in_quotes(std::string_view word) {
   constexpr std::size_t kLongest = 40;
   std::string text = "'";

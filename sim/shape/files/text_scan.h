@@ -17,8 +17,7 @@ class TextScan {
   // Moves to the next line (lines end with LF, CR or CR LF). False at the end of the text.
   bool next_line();
   // The next word of the current line; empty when there is none left. Words are separated by spaces
-  // and tabs, and by nothing else: what other parsers do with a vertical tab differs, and assimp
-  // reads numbers from one in a COLLADA list until the memory is full.
+  // and tabs, and by nothing else: what other parsers do with a vertical tab differs.
   std::string_view next_word();
   // Number of the current line, from 1; 0 before the first line.
   int line_number() const { return line_number_; }
@@ -40,6 +39,10 @@ class TextScan {
 std::optional<double> number_in(std::string_view word);
 // The word as a decimal integer, or nullopt unless the whole word is one that fits.
 std::optional<long long> integer_in(std::string_view word);
+
+// Throws InputError unless the text may be UTF-8 or another superset of ASCII: no zero bytes, no
+// byte order mark of UTF-16.
+void need_text(std::string_view bytes);
 
 // The word in quotes for an error message: at most 40 characters, others than printable ones
 // replaced by ?.

@@ -205,8 +205,8 @@ TEST(ColladaSurface, IsReadFromListsOfPolygons) {
 
 void expect_unsupported(const std::string& name, const std::string& surface) {
   const auto file = written("refused.dae", dae_with(surface));
-  const std::string problem = test::refusal_of([&] { (void)load_mesh(file); }).problem();
-  EXPECT_NE(problem.find("'" + name + "' is not supported"), std::string::npos) << problem;
+  const std::string error = test::refusal_of([&] { (void)load_mesh(file); }).what();
+  EXPECT_NE(error.find("<" + name + ">: is not supported"), std::string::npos) << error;
 }
 
 TEST(ColladaSurface, WithHolesIsRefused) {
@@ -234,6 +234,26 @@ TEST(ColladaSurface, IsThereForEveryNodeThatRefersToIt) {
                R"(<node id="b"><translate>10 0 0</translate><scale>-2 2 2</scale>)"
                R"(<instance_node url="#part"/></node>)");
   expect_solid(written("shared.dae", shared), 9.0, Vector3::Zero(), Vector3(10, 4, 6));
+}
+
+// All kinds of transforms, in the order in which they are written.
+TEST(ColladaSurface, IsWhereTheTransformsOfItsNodePutIt) {
+  const std::string moved =
+      replaced(test::dae_sample(), "<instance_g",
+               "<translate>5 0 0</translate><rotate>0 0 2 90</rotate><scale>1 1 2</scale>"
+               "<matrix>1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1</matrix>"
+               "<lookat>0 0 0 0 0 -1 0 1 0</lookat><instance_g");
+  expect_solid(written("moved.dae", moved), 2.0, Vector3(3, 1, 0), Vector3(5, 2, 6));
+}
+
+// A skin is read in the shape in which it was modelled.
+TEST(ColladaSurface, OfAControllerIsThatOfItsGeometry) {
+  const std::string skinned = replaced(
+      replaced(test::dae_sample(), "<library_visual_scenes>",
+               R"(<library_controllers><controller id="c"><skin source="#g"/></controller>)"
+               R"(</library_controllers><library_visual_scenes>)"),
+      R"(<instance_geometry url="#g"/>)", R"(<instance_controller url="#c"/>)");
+  expect_sample("skin.dae", skinned);
 }
 
 TEST(ColladaSurface, IsInTheUnitOfTheFileAndInItsAxes) {

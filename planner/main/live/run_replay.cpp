@@ -2,6 +2,9 @@
 
 #include "planner/live/protocol/recording.h"
 #include "planner/live/protocol/session_film.h"
+#include "planner/main/live/live_commands.h"
+#include "planner/main/live/live_options.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
@@ -20,7 +23,9 @@ struct ReplayCommand {
 };
 
 void declare(CLI::App& command, ReplayCommand& options) {
-  command.add_option("file", options.file, "recording, one command a line (docs/protocol.md)")
+  command
+      .add_option("file", options.file,
+                  "recording, one command a line (docs/reference/protocol.md)")
       ->required();
   command.add_option("--out", options.out, "file to write what comes of it to")
       ->capture_default_str();
@@ -69,7 +74,7 @@ int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_replay(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "replay", "carry out a recorded session again", declare, run_replay);
+  add_command(app, request, kReplay.name, kReplay.summary, declare, run_replay);
 }
 
 }  // namespace prehend

@@ -1,4 +1,4 @@
-#include "planner/main/batch_bar.h"
+#include "planner/main/bulk/batch_bar.h"
 
 #include <cstdio>
 #include <unistd.h>

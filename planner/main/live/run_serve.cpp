@@ -1,3 +1,6 @@
+#include "planner/main/live/live_commands.h"
+#include "planner/main/live/live_options.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/shared_options.h"
 
 namespace prehend {
@@ -12,11 +15,13 @@ struct ServeCommand {
 };
 
 void declare(CLI::App& command, ServeCommand& options) {
-  command.add_option("--tcp", options.tcp, "port for JSON lines (docs/protocol.md), 0: a free one")
+  command
+      .add_option("--tcp", options.tcp,
+                  "port for JSON lines (docs/reference/protocol.md), 0: a free one")
       ->capture_default_str();
   command
       .add_option("--graspit", options.graspit,
-                  "port for GraspIt!'s text protocol (docs/graspit-protocol.md); 4765")
+                  "port for GraspIt!'s text protocol (docs/reference/graspit-protocol.md); 4765")
       ->expected(0, 1)
       ->default_str("4765");
   command.add_option("--scene", options.scene,
@@ -65,11 +70,11 @@ int run_studio(const StudioCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_serve(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "serve", "take the commands of other programs", declare, run_serve);
+  add_command(app, request, kServe.name, kServe.summary, declare, run_serve);
 }
 
 void add_studio(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "studio", "take hold of a scene in the browser", declare, run_studio);
+  add_command(app, request, kStudio.name, kStudio.summary, declare, run_studio);
 }
 
 }  // namespace prehend

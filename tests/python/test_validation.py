@@ -1,4 +1,4 @@
-"""Tests of prehend.truth: the same bytes as the program, consistent figures, refusals."""
+"""Tests of validation.compare_executions: the same bytes as the program, consistent figures, refusals."""
 
 import json
 import os
@@ -10,6 +10,7 @@ import unittest
 import numpy as np
 
 import prehend
+from prehend import validation
 
 SCORES = {"force_closure", "epsilon", "volume", "weight_given", "weight_worst", "success"}
 
@@ -51,7 +52,7 @@ class Truth(unittest.TestCase):
         cls.path = pathlib.Path(cls.folder.name)
         cls.file = cls.path / "executed.json"
         cls.file.write_text(json.dumps(rim_grasps(12)))
-        cls.report = prehend.truth(cls.file, draft(), resamples=50)
+        cls.report = validation.compare_executions(cls.file, draft(), resamples=50)
 
     def test_the_program_writes_the_same_bytes(self):
         out = self.path / "out"
@@ -99,14 +100,14 @@ class Truth(unittest.TestCase):
         self.assertAlmostEqual(scores["success"].calibration.brier_of_base_rate, 0.25)
 
     def test_keywords_are_the_options_of_the_program(self):
-        one = prehend.truth(
+        one = validation.compare_executions(
             self.file, draft(), volumes=False, groups="each", resamples=20, threads=1
         )
         self.assertNotIn("volume", one.scores)
         self.assertEqual(one.settings["groups"], "each")
         self.assertEqual(one.settings["resamples"], 20)
         self.assertEqual(one.groups_drawn, 12)
-        two = prehend.truth(
+        two = validation.compare_executions(
             self.file, draft(), volumes=False, groups="each", resamples=20, threads=2
         )
         self.assertEqual(one.json, two.json)
@@ -117,7 +118,7 @@ class Truth(unittest.TestCase):
             execution["X_object_hand"]["position"][2] -= 0.2
         shifted = self.path / "shifted.json"
         shifted.write_text(json.dumps(file))
-        frames = prehend.truth(shifted, draft(), volumes=False, resamples=1).frames
+        frames = validation.compare_executions(shifted, draft(), volumes=False, resamples=1).frames
         self.assertIsNotNone(frames.suspicion)
         self.assertGreater(frames.suspicion.between, frames.object["between"])
         self.assertIn(frames.suspicion.change, frames.words)
@@ -126,7 +127,7 @@ class Truth(unittest.TestCase):
 class Refusals(unittest.TestCase):
     def refused(self, words, *arguments, **keywords):
         with self.assertRaises(prehend.InputError) as caught:
-            prehend.truth(*arguments, **keywords)
+            validation.compare_executions(*arguments, **keywords)
         self.assertIn(words, str(caught.exception))
         return caught.exception
 
@@ -153,7 +154,7 @@ class Refusals(unittest.TestCase):
             file = pathlib.Path(folder) / "executed.json"
             file.write_text(json.dumps(rim_grasps(4)))
             with self.assertRaises(prehend.Cancelled):
-                prehend.truth(file, draft(), cancellation=cancellation)
+                validation.compare_executions(file, draft(), cancellation=cancellation)
 
 
 if __name__ == "__main__":

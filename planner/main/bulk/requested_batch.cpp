@@ -1,4 +1,4 @@
-#include "planner/main/requested_batch.h"
+#include "planner/main/bulk/requested_batch.h"
 
 #include "sim/base/json/json_field.h"
 

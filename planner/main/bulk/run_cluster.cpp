@@ -3,7 +3,8 @@
 #include "planner/bulk/cluster/cluster_job.h"
 #include "planner/bulk/cluster/cluster_words.h"
 #include "planner/bulk/cluster/submit_job.h"
-#include "planner/main/requested_batch.h"
+#include "planner/main/bulk/bulk_commands.h"
+#include "planner/main/bulk/requested_batch.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
 
@@ -56,11 +57,15 @@ std::filesystem::path absolute_folder(const std::filesystem::path& path) {
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
+// The program that started this one.
+std::filesystem::path this_prehend() {
+  return std::filesystem::read_symlink("/proc/self/exe").replace_filename("prehend");
+}
+
 ClusterJob asked_job(const SubmitCommand& command) {
   return {.engine = engine_named(command.engine),
           .name = command.name,
-          .program = command.program.empty() ? std::filesystem::read_symlink("/proc/self/exe")
-                                             : absolute_path(command.program),
+          .program = command.program.empty() ? this_prehend() : absolute_path(command.program),
           .batch = absolute_path(command.batch),
           .out = absolute_folder(command.out),
           .shards = command.shards,

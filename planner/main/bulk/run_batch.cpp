@@ -8,8 +8,10 @@
 
 #include "planner/bulk/cluster/submit_job.h"
 #include "planner/bulk/merge_batch.h"
-#include "planner/main/batch_bar.h"
-#include "planner/main/requested_batch.h"
+#include "planner/main/bulk/batch_bar.h"
+#include "planner/main/bulk/bulk_commands.h"
+#include "planner/main/bulk/requested_batch.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/shared_options.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
@@ -31,7 +33,8 @@ struct BatchCommand {
 
 // Returns the option of the batch file.
 CLI::Option* add_folder_options(CLI::App& command, BatchCommand& batch) {
-  CLI::Option* file = command.add_option("file", batch.file, "batch file (docs/batch-file.md)");
+  CLI::Option* file =
+      command.add_option("file", batch.file, "batch file (docs/reference/batch-file.md)");
   file->required();
   command.add_option("-o,--out", batch.out,
                      "folder of the results, out/NAME where it is not stated");
@@ -129,8 +132,7 @@ int run_batch_status(const BatchCommand& command, Interrupts& interrupts) {
 void add_batch(CLI::App& app, CommandRequest& request) {
   const auto options = std::make_shared<BatchCommand>();
   BatchCommand& command = *options;
-  CLI::App& batch =
-      *app.add_subcommand("batch", "plan many objects with many hands, on one machine or many");
+  CLI::App& batch = *app.add_subcommand(kBatch.name, kBatch.summary);
   batch.require_subcommand(0, 1);
   // Required, but where a command below it has a batch file of its own.
   add_folder_options(batch, command)->required(false);

@@ -2,6 +2,8 @@
 
 #include "planner/bulk/train/data_sets.h"
 #include "planner/bulk/train/train_order.h"
+#include "planner/main/bulk/bulk_commands.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/shared_options.h"
 #include "planner/plan/learn/tree_model_file.h"
 #include "planner/results/datasets/acronym_file.h"
@@ -22,7 +24,8 @@ struct LearnCommand {
 void declare(CLI::App& command, LearnCommand& options) {
   command.add_option("sets", options.sets, "data sets (.h5), or folders with such files")
       ->required();
-  command.add_option("-o,--out", options.model, "model to write (docs/learning.md)")->required();
+  command.add_option("-o,--out", options.model, "model to write (docs/how-to/learning.md)")
+      ->required();
   command.add_flag("--any-hand", options.any_hand,
                    "the model may be used for hands that it was not trained on");
   command.add_option("--seed", options.seed, "of the training")->capture_default_str();
@@ -56,7 +59,7 @@ int run_learn(const LearnCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_learn(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "learn", "learn from data sets what to try first", declare, run_learn);
+  add_command(app, request, kLearn.name, kLearn.summary, declare, run_learn);
 }
 
 }  // namespace prehend

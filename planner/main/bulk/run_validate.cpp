@@ -1,5 +1,7 @@
 #include <iostream>
 
+#include "planner/main/bulk/bulk_commands.h"
+#include "planner/main/other_programs.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/requested_scene.h"
@@ -23,7 +25,8 @@ struct ValidateCommand {
 };
 
 void declare(CLI::App& command, ValidateCommand& options) {
-  command.add_option("file", options.file, "file of executed grasps (docs/truth-file.md)")
+  command
+      .add_option("file", options.file, "file of executed grasps (docs/reference/truth-file.md)")
       ->required();
   command.add_flag("!--no-volumes", options.volumes, "do without the volume: half of the time");
   command.add_option("--resamples", options.resamples, "how many samples make the intervals")
@@ -94,7 +97,7 @@ int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_validate(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, "truth", "compare scores with executed grasps", declare, run_validate);
+  add_command(app, request, kTruth.name, kTruth.summary, declare, run_validate);
 }
 
 }  // namespace prehend

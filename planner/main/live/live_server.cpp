@@ -1,4 +1,4 @@
-#include "planner/main/live_server.h"
+#include "planner/main/live/live_server.h"
 
 #include <chrono>
 #include <fstream>
