@@ -28,10 +28,10 @@ struct DecomposeOptions {
 template <SettingsOf<DecomposeOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [tolerance, coverage, points, max_primitives, seed] = options;
-  visit({"tolerance", "primitive_tolerance"}, tolerance, kShareAbove0, "",
+  visit({"tolerance", "primitive_tolerance"}, tolerance, kFractionAbove0, "",
         "A point of the surface is explained when it lies within this part of the bounding box's "
         "diagonal of some primitive's surface; larger: fewer, coarser primitives.");
-  visit({"coverage", "primitive_coverage"}, coverage, kShareAbove0, "",
+  visit({"coverage", "primitive_coverage"}, coverage, kFractionAbove0, "",
         "Primitives are added until this part of the area is explained.");
   visit({"points", "primitive_points"}, points, Range{.lower = 100.0}, "",
         "Points that stand for the surface; more take longer, and what is smaller than their "

@@ -53,7 +53,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("batch", batch, kAtLeast1, "",
         "Candidates that are chosen together; more: better use of many processors, later use of "
         "what was found.");
-  visit("follow", local_fraction, kShare, "",
+  visit("follow", local_fraction, kFraction, "",
         "Part of a batch that lies beside the best grasps so far; the others continue the sequence "
         "of proposals.");
   visit("followed", followed, kAtLeast0, "", "How many of the best grasps are followed.");

@@ -42,8 +42,8 @@ inline constexpr Range kAnyNumber{.lower = -std::numeric_limits<double>::infinit
 inline constexpr Range kAtLeast0{};
 inline constexpr Range kAtLeast1{.lower = 1.0};
 inline constexpr Range kAbove0{.without_lower = true};
-inline constexpr Range kShare{.upper = 1.0};
-inline constexpr Range kShareAbove0{.upper = 1.0, .without_lower = true};
+inline constexpr Range kFraction{.upper = 1.0};
+inline constexpr Range kFractionAbove0{.upper = 1.0, .without_lower = true};
 // Edges of a pyramid that stands for a friction cone.
 inline constexpr Range kConeEdges{.lower = 3.0, .upper = 1024.0};
 

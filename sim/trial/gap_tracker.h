@@ -11,7 +11,7 @@ namespace prehend {
 // A longer list of near triangle pairs is not kept; the next one is tried when the gap is half as
 // large. Searches of the bounding-volume trees cost more than this many pairs, of which most are
 // only looked at.
-inline constexpr int kMostPairs = 2000;
+inline constexpr int kMostListedPairs = 2000;
 // Most gap queries for one pair of bodies in one motion. A pair that needs more counts as touching
 // where it is: the motion may then end short of a contact, but never in a penetration.
 inline constexpr int kMaxGapQueries = 400;
@@ -34,13 +34,13 @@ class GapTracker {
  public:
   // To be started before it is asked.
   GapTracker() = default;
-  // Both meshes must outlive the tracker. `most_pairs`: kMostPairs.
-  GapTracker(const ProximityMesh& a, const ProximityMesh& b, int most_pairs = kMostPairs) {
+  // Both meshes must outlive the tracker. `most_pairs`: kMostListedPairs.
+  GapTracker(const ProximityMesh& a, const ProximityMesh& b, int most_pairs = kMostListedPairs) {
     start(a, b, most_pairs);
   }
 
   // Begins anew, with these bodies, in the memory that it has.
-  void start(const ProximityMesh& a, const ProximityMesh& b, int most_pairs = kMostPairs);
+  void start(const ProximityMesh& a, const ProximityMesh& b, int most_pairs = kMostListedPairs);
 
   // A proven lower bound and an upper bound of the gap [m] with B at X_AB in A's frame. `moved`
   // [m] bounds how far any point of one body moved relative to the other since the last query,
@@ -61,7 +61,7 @@ class GapTracker {
 
   const ProximityMesh* a_ = nullptr;
   const ProximityMesh* b_ = nullptr;
-  int most_pairs_ = kMostPairs;
+  int most_pairs_ = kMostListedPairs;
   double list_below_ = 0.0;  // gaps above this are not worth a list of near pairs [m]
   // Per pair of convex parts, the direction that separated them last: a good start for the next
   // query.

@@ -43,7 +43,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("variety", variety, kAtLeast0, "",
         "What is chosen has the largest score, less this times the square of its likeness to the "
         "most alike that came before it.");
-  visit("unordered", unordered, kShare, "",
+  visit("unordered", unordered, kFraction, "",
         "Part of the proposals that come in the order of the sequence: what the model scores badly "
         "is tried as well.");
   visit("ordered_first", ordered_first, kAtLeast0, "",

@@ -16,7 +16,7 @@ using JointPath = std::vector<std::vector<double>>;
 
 // Relative error by which the gap of a pair may be underestimated. A larger one makes each distance
 // query faster, but divides the motion into more stretches.
-inline constexpr double kGapError = 0.5;
+inline constexpr double kMotionGapError = 0.5;
 
 // Continuous collision check: a pair that could not be proved to stay apart along the path (the
 // first one found), or none if the whole motion is free, between the waypoints too. If the gap of a

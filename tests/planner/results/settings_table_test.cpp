@@ -1,5 +1,6 @@
 // docs/reference/settings.md is the table of all settings, as they are declared.
 #include <cstdlib>
+#include <map>
 #include <sstream>
 #include <string>
 #include <type_traits>
@@ -19,8 +20,11 @@ constexpr const char* kHead =
     R"(# Settings
 
 For: changing one tolerance or limit in an [accuracy file](accuracy-file.md), in C++ (`PlanOptions`) or
-in Python. `grasps.json` lists them under `settings`, by the same names. The program's tests make this
-table from the declarations of the settings: `PREHEND_WRITE_SETTINGS=1 ctest -R SettingsTable` writes it.
+in Python. The tests make this page: `PREHEND_WRITE_SETTINGS=1 ctest -R SettingsTable` writes it anew.
+
+```json
+{"trials": 300, "cone_edges": 12}
+```
 )";
 
 template <typename Value>
@@ -43,45 +47,62 @@ std::string range_text(const Setting& setting) {
   }
 }
 
-// The listed values of a struct, then those of the structs in it.
-template <HasSettings Options>
-void write_section(std::ostream& text, const Options& options, const std::string& prefix,
-                   std::string_view meaning) {
-  std::ostringstream rows;
-  const auto row = [&](const Setting& setting, const auto& value) {
-    using Value = std::remove_cvref_t<decltype(value)>;
-    if constexpr (!HasSettings<Value> && !detail::kIsOptional<Value>) {
-      if (!setting.listed) return;
-      rows << "|`" << prefix << setting.name.in_files << "`|" << default_text(value) << "|"
-           << range_text<Value>(setting) << "|" << setting.unit << "|" << setting.meaning << "|\n";
+// The listed values of a struct, then those of the structs in it. A struct that was there before
+// has the same settings again, under other names.
+class Table {
+ public:
+  template <HasSettings Options>
+  void add(const Options& options, const std::string& prefix = "") {
+    const std::string name(Options::kAbout.name);
+    const std::string rows = rows_of(options, prefix);
+    if (!rows.empty()) text_ << "\n### " << name << "\n\n" << Options::kAbout.meaning << "\n\n";
+    if (const auto [before, is_new] = prefixes_.try_emplace(name, prefix); !is_new) {
+      text_ << "`" << prefix << "...` as `" << before->second << "...` above.\n";
+      return;
     }
-  };
-  for_each_setting(options, SettingVisitor(row));
-  if (!rows.str().empty()) {
-    text << "\n### " << Options::kAbout.name << (prefix.empty() ? "" : ": `" + prefix + "...`")
-         << "\n\n"
-         << meaning << " " << Options::kAbout.meaning
-         << "\n\n|setting|standard|range|unit|meaning|\n|---|---|---|---|---|\n"
-         << rows.str();
+    if (!rows.empty()) {
+      text_ << "|setting|standard|range|unit|meaning|\n|---|---|---|---|---|\n" << rows;
+    }
+    const auto nested = [&](const Setting& setting, const auto& value) {
+      if constexpr (HasSettings<std::remove_cvref_t<decltype(value)>>) {
+        const std::string inner(setting.name.in_files);
+        add(value, inner.empty() ? prefix : prefix + inner + "_");
+      }
+    };
+    for_each_setting(options, SettingVisitor(nested));
   }
-  const auto nested = [&](const Setting& setting, const auto& value) {
-    using Value = std::remove_cvref_t<decltype(value)>;
-    if constexpr (HasSettings<Value>) {
-      const std::string name(setting.name.in_files);
-      write_section(text, value, name.empty() ? prefix : prefix + name + "_", setting.meaning);
-    }
-  };
-  for_each_setting(options, SettingVisitor(nested));
-}
+
+  void add(const char* text) { text_ << text; }
+  std::string text() const { return text_.str(); }
+
+ private:
+  template <HasSettings Options>
+  static std::string rows_of(const Options& options, const std::string& prefix) {
+    std::ostringstream rows;
+    const auto row = [&](const Setting& setting, const auto& value) {
+      using Value = std::remove_cvref_t<decltype(value)>;
+      if constexpr (!HasSettings<Value> && !detail::kIsOptional<Value>) {
+        if (!setting.listed) return;
+        rows << "|`" << prefix << setting.name.in_files << "`|" << default_text(value) << "|"
+             << range_text<Value>(setting) << "|" << setting.unit << "|" << setting.meaning
+             << "|\n";
+      }
+    };
+    for_each_setting(options, SettingVisitor(row));
+    return rows.str();
+  }
+
+  std::ostringstream text_;
+  std::map<std::string, std::string> prefixes_;  // of each struct, where it was first
+};
 
 std::string settings_table() {
-  std::ostringstream text;
-  text << kHead << "\n## Of a plan\n";
-  const PlanOptions options;
-  write_section(text, options, "", "");
-  text << "\n## Of paths\n\nIn the object `paths`, for `--path`.\n";
-  write_section(text, GraspPathOptions{}, "", "");
-  return text.str();
+  Table table;
+  table.add(kHead);
+  table.add(PlanOptions{});
+  table.add("\n## Paths\n\nIn the object `paths`, for `--path`.\n");
+  table.add(GraspPathOptions{});
+  return table.text();
 }
 
 TEST(SettingsTable, IsTheOneInTheDocuments) {

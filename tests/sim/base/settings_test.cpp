@@ -111,8 +111,8 @@ TEST(Range, IsWrittenAsAnInterval) {
   EXPECT_EQ(kAnyNumber.interval(), "");
   EXPECT_EQ(kAbove0.interval(), "> 0");
   EXPECT_EQ(kAtLeast1.interval(), ">= 1");
-  EXPECT_EQ(kShare.interval(), "[0, 1]");
-  EXPECT_EQ(kShareAbove0.interval(), "(0, 1]");
+  EXPECT_EQ(kFraction.interval(), "[0, 1]");
+  EXPECT_EQ(kFractionAbove0.interval(), "(0, 1]");
 }
 
 }  // namespace
