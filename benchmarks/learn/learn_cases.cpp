@@ -8,6 +8,7 @@
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/random.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/object_generator.h"
@@ -107,7 +108,7 @@ std::optional<LearnRun> run_learn_case(const LearnObject& object, const std::str
   SearchOptions options;
   options.trials = search.trials;
   options.learned = search.learned;
-  if (!search.follow) options.follow = 0.0;
+  if (!search.follow) options.local_fraction = 0.0;
   const SearchResult found =
       search_grasps(scene, primitives, {}, options, {}, {.threads = search.threads});
   if (found.trials.empty()) return std::nullopt;
