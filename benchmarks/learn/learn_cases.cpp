@@ -8,6 +8,7 @@
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/random.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/object_generator.h"

@@ -45,38 +45,30 @@ constexpr double kLeastGain = 0.01;
 // A refinement takes at most this part of the number of trials.
 constexpr double kRefinementPart = 0.4;
 
-// The trials that were finished, each with the place of its candidate.
-struct Finished {
+// The grasps that were proposed, and the trials of them that were finished.
+struct Attempts {
+  std::vector<ProposedGrasp> proposed;
   std::vector<Trial> trials;
-  std::vector<std::size_t> candidates;
+  std::vector<std::size_t> candidates;            // of each trial, the index into `proposed`
+  std::map<std::size_t, Refinement> refinements;  // of the trials that a refinement found
 };
-
-Finished finished_of(std::vector<std::optional<Trial>> trials) {
-  Finished finished;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (!trials[i]) continue;
-    finished.trials.push_back(std::move(*trials[i]));
-    finished.candidates.push_back(i);
-  }
-  return finished;
-}
 
 // Enters how every trial ended into the result. Collisions are counted by outcome, link and body.
 // The map iterates in the order of these keys, so that blockers with equal counts are listed in the
 // same order in every run.
-void record_trials(const CompiledScene& scene, const std::vector<Candidate>& candidates,
-                   const Finished& finished, PlanResult& result) {
+void record_trials(const CompiledScene& scene, const Attempts& attempts, PlanResult& result) {
   std::map<std::tuple<Outcome, std::string, std::string>, int> blocked;
-  for (std::size_t i = 0; i < finished.trials.size(); ++i) {
-    const Trial& trial = finished.trials[i];
-    const std::size_t c = finished.candidates[i];
+  for (std::size_t i = 0; i < attempts.trials.size(); ++i) {
+    const Trial& trial = attempts.trials[i];
+    const std::size_t c = attempts.candidates[i];
+    const Candidate& candidate = attempts.proposed[c].candidate;
     ++result.outcomes[trial.outcome];
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
     const CollisionNames why = collision_of(scene, trial);
     result.tried.push_back(
-        {static_cast<int>(c), candidates[c].X_OH, candidates[c].approach_O, trial.outcome, why});
+        {static_cast<int>(c), candidate.X_OH, candidate.approach_O, trial.outcome, why});
     if (!why.by.empty()) ++blocked[{trial.outcome, why.link, why.by}];
   }
   for (const auto& [what, count] : blocked) {
@@ -105,212 +97,249 @@ void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   result.stages.push_back({PlanCount::trials, total});
 }
 
-// The stages of plan(), each of which adds to the result.
-class PlanRun {
- public:
-  PlanRun(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
-          const FoundListener& found)
-      : scene_(scene), options_(options), context_(context), found_(found) {}
+void add_count(PlanCount what, std::size_t number, PlanResult& result) {
+  result.stages.push_back({what, static_cast<int>(number)});
+}
 
-  // plan() does not throw Cancelled: from here on it returns what it has.
-  PlanResult run() {
-    try {
-      find_primitives();
-      search();
-      refine();
-    } catch (const Cancelled&) {
-      result_.status = PlanStatus::cancelled;
-    }
-    record();
-    rank_trials();
-    shortlist();
-    count(PlanCount::ranked, result_.grasps.size());
-    // A plan that was cancelled during the trials returns its ranked grasps without paths.
-    if (goes_on() && options_.paths) {
-      find_paths(scene_, options_, context_, result_);
-      count(PlanCount::paths, result_.grasps.size());
-      watch_.lap(Stage::paths);
-    }
-    if (result_.grasps.empty() && !is_over(context_)) explain();
-    if (goes_on() && options_.robustness && options_.rank.by == RankBy::epsilon) {
-      perturb_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, context_,
-                     result_);
-      watch_.lap(Stage::disturb);
-    }
-    WantedMeasures wanted{.sections = options_.sections};
-    if (!options_.volumes) wanted.volumes = 0;
-    measure_grasps(scene_, options_.trial, wanted, context_, result_);
-    watch_.lap(Stage::volumes);
-    result_.times = watch_.laps();
-    return std::move(result_);
-  }
+RunContext until(double share, const RunContext& context) {
+  RunContext part = context;
+  part.deadline = context.deadline.part(share);
+  return part;
+}
 
- private:
-  void count(PlanCount what, std::size_t number) {
-    result_.stages.push_back({what, static_cast<int>(number)});
-  }
+TimeShares shares(const PlanOptions& options) {
+  return options.paths ? kSharesWithPaths : TimeShares{};
+}
 
-  void begin(Stage stage) const {
-    context_.cancellation.check();
-    if (context_.progress) context_.progress({stage, 0, 1, 0});
-  }
+// Throws Cancelled.
+std::vector<Primitive> find_primitives(const CompiledScene& scene, const PlanOptions& options,
+                                       const RunContext& context) {
+  context.cancellation.check();
+  if (context.progress) context.progress({Stage::primitives, 0, 1, 0});
+  return object_primitives(scene, options.primitives, options.thin_parts, context);
+}
 
-  void find_primitives() {
-    begin(Stage::primitives);
-    const bool given = !scene_.scene.primitives.empty();
-    result_.primitives =
-        object_primitives(scene_, options_.primitives, options_.thin_parts, context_);
-    count(given ? PlanCount::primitives_given : PlanCount::primitives, result_.primitives.size());
-    watch_.lap(Stage::primitives);
-  }
+bool is_short_of_trials(const SearchResult& found) {
+  return found.end == SearchEnd::out_of_time || found.end == SearchEnd::cancelled;
+}
 
-  // Whether stages that take time are still wanted.
-  bool goes_on() const { return result_.status != PlanStatus::cancelled && !result_.tried.empty(); }
+PlanStatus status_of(const SearchResult& found, const RunContext& context) {
+  if (is_short_of_trials(found)) return cut_short(context);
+  if (!found.trials.empty()) return PlanStatus::complete;
+  // Otherwise some width is at most the largest opening, but no preshape has a range that
+  // contains it, or the rules gave nothing at all.
+  const bool too_large =
+      std::isfinite(found.smallest_width) && found.smallest_width > found.largest_opening;
+  return too_large ? PlanStatus::object_too_large : PlanStatus::no_candidates;
+}
 
-  void search() {
-    context_.cancellation.check();
-    const RunContext context = context_until(shares().trials);
-    SearchResult found = search_grasps(scene_, result_.primitives, options_.candidates,
-                                       options_.search, options_.trial, context, found_);
-    result_.smallest_width = found.smallest_width;
-    result_.largest_opening = found.largest_opening;
-    result_.families = found.families;
-    result_.families_untested = found.families_untested;
-    result_.status = status_of(found);
-    proposed_ = std::move(found.proposed);
-    finished_.trials = std::move(found.trials);
-    finished_.candidates = std::move(found.candidates);
-    watch_.lap(Stage::trials);
-  }
+// How many of the trials that were asked for a search has not made.
+int untested(const SearchResult& found, int trials) {
+  if (!is_short_of_trials(found)) return 0;
+  const auto made = std::count_if(found.trials.begin(), found.trials.end(),
+                                  [](const Trial& t) { return !is_blocked(t.outcome); });
+  return trials - static_cast<int>(made);
+}
 
-  TimeShares shares() const { return options_.paths ? kSharesWithPaths : TimeShares{}; }
+// Searches, enters how that ended into the result, and returns the attempts. Throws Cancelled
+// before it begins.
+Attempts search(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+                const FoundListener& listener, PlanResult& result) {
+  context.cancellation.check();
+  SearchResult found =
+      search_grasps(scene, result.primitives, options.candidates, options.search, options.trial,
+                    until(shares(options).trials, context), listener);
+  result.smallest_width = found.smallest_width;
+  result.largest_opening = found.largest_opening;
+  result.families = found.families;
+  result.families_untested = found.families_untested;
+  result.untested = untested(found, options.search.trials);
+  result.status = status_of(found, context);
+  return {std::move(found.proposed), std::move(found.trials), std::move(found.candidates), {}};
+}
 
-  RunContext context_until(double share) const {
-    RunContext context = context_;
-    context.deadline = context_.deadline.part(share);
-    return context;
-  }
+// Which trials a refinement starts from, and how.
+struct RefinementPlan {
+  std::vector<std::size_t> best;  // indices into Attempts::trials
+  RefineOptions options;
 
-  // Adds what is better than the best of the search to the trials. Throws Cancelled, and then adds
-  // nothing.
-  void refine() {
-    RefineOptions options = options_.refine;
-    options.trials =
-        std::min(options.trials,
-                 static_cast<int>(kRefinementPart * static_cast<double>(finished_.trials.size())));
-    RankOptions ranking = options_.rank;
-    ranking.top = options.grasps;
-    const std::vector<std::size_t> best = rank(finished_.trials, ranking);
-    std::vector<TriedGrasp> grasps;
-    for (const std::size_t i : best) {
-      grasps.push_back({proposed_[finished_.candidates[i]].candidate, finished_.trials[i]});
-    }
-    if (refine_trials(grasps.size(), options) == 0) return;
-    const RunContext context = context_until(shares().refinement);
-    for (RefinedGrasp& refined : refine_grasps(scene_, grasps, options_.trial, options, context)) {
-      const std::size_t parent = best[index(refined.parent)];
-      if (refined.gain < kLeastGain * finished_.trials[parent].epsilon.lower) continue;
-      ProposedGrasp proposed = proposed_[finished_.candidates[parent]];
-      proposed.candidate = std::move(refined.candidate);
-      refinements_[finished_.trials.size()] = {static_cast<int>(parent), refined.gain,
-                                               refined.trials_used};
-      finished_.candidates.push_back(proposed_.size());
-      finished_.trials.push_back(std::move(refined.trial));
-      proposed_.push_back(std::move(proposed));
-    }
-    watch_.lap(Stage::refine);
-  }
-
-  void record() {
-    std::vector<Candidate> candidates;
-    for (const ProposedGrasp& grasp : proposed_) candidates.push_back(grasp.candidate);
-    if (!candidates.empty()) count(PlanCount::candidates, candidates.size());
-    record_trials(scene_, candidates, finished_, result_);
-    if (result_.status == PlanStatus::complete || !result_.tried.empty()) {
-      add_trial_stages(scene_, result_);
-    }
-    if (!refinements_.empty()) count(PlanCount::refined, refinements_.size());
-  }
-
-  PlanStatus status_of(const SearchResult& found) {
-    const bool short_of_trials =
-        found.end == SearchEnd::out_of_time || found.end == SearchEnd::cancelled;
-    if (short_of_trials) {
-      const auto made = std::count_if(found.trials.begin(), found.trials.end(),
-                                      [](const Trial& t) { return !is_blocked(t.outcome); });
-      result_.untested = options_.search.trials - static_cast<int>(made);
-      return cut_short(context_);
-    }
-    if (!found.trials.empty()) return PlanStatus::complete;
-    // Otherwise some width is at most the largest opening, but no preshape has a range that
-    // contains it, or the rules gave nothing at all.
-    const bool too_large =
-        std::isfinite(found.smallest_width) && found.smallest_width > found.largest_opening;
-    return too_large ? PlanStatus::object_too_large : PlanStatus::no_candidates;
-  }
-
-  void rank_trials() {
-    if (finished_.trials.empty()) return;
-    RankOptions ranking = options_.rank;
-    // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
-    // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
-    if (options_.paths && goes_on()) ranking.top = std::numeric_limits<int>::max();
-    if (options_.rank.by != RankBy::epsilon) {
-      const double pool = options_.rank.pool * static_cast<double>(options_.rank.top);
-      ranking.top = static_cast<int>(std::min(pool, 1e9));
-    }
-    // Finished trial i is entry i of result_.tried, which ScoredGrasp::tried refers to.
-    for (const std::size_t i : rank(finished_.trials, ranking)) {
-      const ProposedGrasp& proposed = proposed_[finished_.candidates[i]];
-      result_.grasps.push_back({.trial = std::move(finished_.trials[i]),
-                                .candidate = proposed.candidate,
-                                .primitive = proposed.primitive,
-                                .rule = proposed.rule,
-                                .tried = static_cast<int>(i)});
-      const auto refined = refinements_.find(i);
-      if (refined != refinements_.end()) result_.grasps.back().refinement = refined->second;
-    }
-    watch_.lap(Stage::rank);
-  }
-
-  // Of grasps that are not ranked by epsilon, more than wanted are tried with errors.
-  void shortlist() {
-    if (options_.rank.by == RankBy::epsilon || !goes_on()) return;
-    // Some may turn out to have no path: then none is dropped.
-    const int top = options_.paths ? static_cast<int>(result_.grasps.size()) : options_.rank.top;
-    shortlist_grasps(scene_, options_.trial, options_.uncertainty, options_.seed, options_.rank.by,
-                     top, context_, result_);
-    watch_.lap(Stage::disturb);
-  }
-
-  // Says why there is no grasp. A caller who does not wait for advice gets the rest.
-  void explain() {
-    for (const Tried& tried : result_.tried) {
-      const std::string& rule = proposed_[index(tried.candidate)].rule;
-      auto known = std::find_if(result_.rules.begin(), result_.rules.end(),
-                                [&](const RuleCount& count) { return count.rule == rule; });
-      if (known == result_.rules.end()) {
-        known = result_.rules.insert(known, {rule, {}});
-      }
-      ++known->outcomes[tried.outcome];
-    }
-    try {
-      result_.advice = find_advice(scene_, options_, result_, finished_.trials, context_);
-    } catch (const Cancelled&) {
-      result_.advice.clear();
-    }
-  }
-
-  const CompiledScene& scene_;
-  const PlanOptions& options_;
-  const RunContext& context_;
-  const FoundListener& found_;
-  std::vector<ProposedGrasp> proposed_;
-  Finished finished_;  // trials of all of them; those of ranked grasps are in the result
-  std::map<std::size_t, Refinement> refinements_;  // of trials that a refinement found
-  PlanResult result_;
-  Stopwatch watch_;
+  bool is_empty() const { return refine_trials(best.size(), options) == 0; }
 };
+
+RefinementPlan plan_refinement(const Attempts& attempts, const PlanOptions& options) {
+  RefinementPlan from{{}, options.refine};
+  from.options.trials =
+      std::min(from.options.trials,
+               static_cast<int>(kRefinementPart * static_cast<double>(attempts.trials.size())));
+  RankOptions ranking = options.rank;
+  ranking.top = from.options.grasps;
+  from.best = rank(attempts.trials, ranking);
+  return from;
+}
+
+// Adds what is better than the best of the attempts. Throws Cancelled, and then adds nothing.
+void refine(const CompiledScene& scene, const RefinementPlan& from, const PlanOptions& options,
+            const RunContext& context, Attempts& attempts) {
+  std::vector<TriedGrasp> grasps;
+  for (const std::size_t i : from.best) {
+    grasps.push_back({attempts.proposed[attempts.candidates[i]].candidate, attempts.trials[i]});
+  }
+  for (RefinedGrasp& refined : refine_grasps(scene, grasps, options.trial, from.options,
+                                             until(shares(options).refinement, context))) {
+    const std::size_t parent = from.best[index(refined.parent)];
+    if (refined.gain < kLeastGain * attempts.trials[parent].epsilon.lower) continue;
+    ProposedGrasp proposed = attempts.proposed[attempts.candidates[parent]];
+    proposed.candidate = std::move(refined.candidate);
+    attempts.refinements[attempts.trials.size()] = {static_cast<int>(parent), refined.gain,
+                                                    refined.trials_used};
+    attempts.candidates.push_back(attempts.proposed.size());
+    attempts.trials.push_back(std::move(refined.trial));
+    attempts.proposed.push_back(std::move(proposed));
+  }
+}
+
+// Enters the attempts of a plan into the result.
+void record(const CompiledScene& scene, const Attempts& attempts, PlanResult& result) {
+  if (!attempts.proposed.empty())
+    add_count(PlanCount::candidates, attempts.proposed.size(), result);
+  record_trials(scene, attempts, result);
+  if (result.status == PlanStatus::complete || !result.tried.empty()) {
+    add_trial_stages(scene, result);
+  }
+  if (!attempts.refinements.empty()) {
+    add_count(PlanCount::refined, attempts.refinements.size(), result);
+  }
+}
+
+// How many grasps are ranked. `goes_on`: whether the stages behind the ranking are wanted.
+int ranked_grasps(const PlanOptions& options, bool goes_on) {
+  if (options.rank.by != RankBy::epsilon) {
+    const double pool = options.rank.pool * static_cast<double>(options.rank.top);
+    return static_cast<int>(std::min(pool, 1e9));
+  }
+  // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
+  // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
+  if (options.paths && goes_on) return std::numeric_limits<int>::max();
+  return options.rank.top;
+}
+
+// The grasp of a trial, which it takes. Trial i is entry i of PlanResult::tried.
+ScoredGrasp scored(Attempts& attempts, std::size_t i) {
+  const ProposedGrasp& proposed = attempts.proposed[attempts.candidates[i]];
+  return {.trial = std::move(attempts.trials[i]),
+          .candidate = proposed.candidate,
+          .primitive = proposed.primitive,
+          .rule = proposed.rule,
+          .tried = static_cast<int>(i)};
+}
+
+// The best grasps of the attempts, whose trials they take.
+std::vector<ScoredGrasp> ranked(const RankOptions& options, Attempts& attempts) {
+  std::vector<ScoredGrasp> grasps;
+  for (const std::size_t i : rank(attempts.trials, options)) {
+    grasps.push_back(scored(attempts, i));
+    const auto refined = attempts.refinements.find(i);
+    if (refined != attempts.refinements.end()) grasps.back().refinement = refined->second;
+  }
+  return grasps;
+}
+
+// How the candidates of each rule ended, in the order in which the rules were first proposed.
+std::vector<RuleCount> rule_counts(const std::vector<Tried>& all,
+                                   const std::vector<ProposedGrasp>& proposed) {
+  std::vector<RuleCount> rules;
+  for (const Tried& tried : all) {
+    const std::string& rule = proposed[index(tried.candidate)].rule;
+    auto known = std::find_if(rules.begin(), rules.end(),
+                              [&](const RuleCount& count) { return count.rule == rule; });
+    if (known == rules.end()) known = rules.insert(known, {rule, {}});
+    ++known->outcomes[tried.outcome];
+  }
+  return rules;
+}
+
+// Says why there is no grasp. A caller who does not wait for advice gets the rest.
+void explain(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+             const Attempts& attempts, PlanResult& result) {
+  result.rules = rule_counts(result.tried, attempts.proposed);
+  try {
+    result.advice = find_advice(scene, options, result, attempts.trials, context);
+  } catch (const Cancelled&) {
+    result.advice.clear();
+  }
+}
+
+// The stages up to the trials. plan() does not throw Cancelled: what was found until then is
+// returned, and the status says so.
+Attempts find_grasps(const CompiledScene& scene, const PlanOptions& options,
+                     const RunContext& context, const FoundListener& listener, PlanResult& result,
+                     Stopwatch& watch) {
+  Attempts attempts;
+  try {
+    const bool given = !scene.scene.primitives.empty();
+    result.primitives = find_primitives(scene, options, context);
+    add_count(given ? PlanCount::primitives_given : PlanCount::primitives, result.primitives.size(),
+              result);
+    watch.lap(Stage::primitives);
+    attempts = search(scene, options, context, listener, result);
+    watch.lap(Stage::trials);
+    const RefinementPlan refinement = plan_refinement(attempts, options);
+    if (!refinement.is_empty()) {
+      refine(scene, refinement, options, context, attempts);
+      watch.lap(Stage::refine);
+    }
+  } catch (const Cancelled&) {
+    result.status = PlanStatus::cancelled;
+  }
+  return attempts;
+}
+
+PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options,
+                          const RunContext& context, const FoundListener& listener) {
+  PlanResult result;
+  Stopwatch watch;
+  Attempts attempts = find_grasps(scene, options, context, listener, result, watch);
+  record(scene, attempts, result);
+  // Whether stages that take time are still wanted.
+  const auto goes_on = [&] {
+    return result.status != PlanStatus::cancelled && !result.tried.empty();
+  };
+  const bool by_epsilon = options.rank.by == RankBy::epsilon;
+  if (!attempts.trials.empty()) {
+    RankOptions ranking = options.rank;
+    ranking.top = ranked_grasps(options, goes_on());
+    result.grasps = ranked(ranking, attempts);
+    watch.lap(Stage::rank);
+  }
+  // Of grasps that are not ranked by epsilon, more than wanted are tried with errors. Some may
+  // turn out to have no path: then none is dropped.
+  if (!by_epsilon && goes_on()) {
+    const int top = options.paths ? static_cast<int>(result.grasps.size()) : options.rank.top;
+    shortlist_grasps(scene, options.trial, options.uncertainty, options.seed, options.rank.by, top,
+                     context, result);
+    watch.lap(Stage::disturb);
+  }
+  add_count(PlanCount::ranked, result.grasps.size(), result);
+  // A plan that was cancelled during the trials returns its ranked grasps without paths.
+  if (goes_on() && options.paths) {
+    find_paths(scene, options, context, result);
+    add_count(PlanCount::paths, result.grasps.size(), result);
+    watch.lap(Stage::paths);
+  }
+  if (result.grasps.empty() && !is_over(context)) {
+    explain(scene, options, context, attempts, result);
+  }
+  if (goes_on() && options.robustness && by_epsilon) {
+    perturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
+    watch.lap(Stage::disturb);
+  }
+  WantedMeasures wanted{.sections = options.sections};
+  if (!options.volumes) wanted.volumes = 0;
+  measure_grasps(scene, options.trial, wanted, context, result);
+  watch.lap(Stage::volumes);
+  result.times = watch.laps();
+  return result;
+}
 
 }  // namespace
 
@@ -323,7 +352,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
   if (options.rank.by != RankBy::epsilon && !options.robustness) {
     throw InputError({.field = "rank.by", .problem = "needs the trials with errors (robustness)"});
   }
-  return PlanRun(scene, search_settings(options), context, found).run();
+  return plan_in_stages(scene, search_settings(options), context, found);
 }
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
@@ -335,16 +364,23 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   // As search_settings does for plan().
   TrialOptions trial = options.trial;
   trial.reach.kinematics.seed = derived_seed(options.seed);
-  Finished finished = finished_of(run_trials(scene, candidates, trial, context));
-  result.untested = static_cast<int>(candidates.size() - finished.trials.size());
+  Attempts attempts;
+  for (const Candidate& candidate : candidates) {
+    attempts.proposed.push_back({.candidate = candidate, .rule = "given"});
+  }
+  std::vector<std::optional<Trial>> trials = run_trials(scene, candidates, trial, context);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (!trials[i]) continue;
+    attempts.trials.push_back(std::move(*trials[i]));
+    attempts.candidates.push_back(i);
+  }
+  result.untested = static_cast<int>(candidates.size() - attempts.trials.size());
   if (result.untested > 0) result.status = cut_short(context);
-  record_trials(scene, candidates, finished, result);
+  record_trials(scene, attempts, result);
   add_trial_stages(scene, result);
-  for (std::size_t i = 0; i < finished.trials.size(); ++i) {
-    result.grasps.push_back({.trial = std::move(finished.trials[i]),
-                             .candidate = candidates[finished.candidates[i]],
-                             .rule = "given",
-                             .tried = static_cast<int>(i)});
+  for (std::size_t i = 0; i < attempts.trials.size(); ++i) {
+    result.grasps.push_back(scored(attempts, i));
+    result.grasps.back().primitive.reset();
   }
   watch.lap(Stage::trials);
   if (options.robustness && result.status == PlanStatus::complete) {
