@@ -40,7 +40,7 @@ struct PlanOptions {
   CandidateOptions candidates;
   SearchOptions search;
   TrialOptions trial;
-  // The best grasps of the search are improved by at most a fifth of the trials that it made;
+  // The best grasps of the search are improved by at most two fifths of the trials that it made;
   // those that gain less than 1 % of their epsilon are left out.
   RefineOptions refine;
   RankOptions rank;
