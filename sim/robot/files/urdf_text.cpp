@@ -11,7 +11,6 @@
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
 #include "sim/robot/files/robot_text_parts.h"
-#include "sim/robot/files/urdf_form.h"
 #include "sim/shape/files/mesh_text.h"
 
 namespace prehend {
@@ -53,6 +52,68 @@ void write_inertial(XmlText& xml, const Inertial& inertial) {
                           {"iyz", shortest_text(I(1, 2))},
                           {"izz", shortest_text(I(2, 2))}});
   xml.close();
+}
+
+// The joint that stands for the degree of freedom, -1: it drives none.
+int leader_of(const Robot& robot, int dof) {
+  int leader = -1;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (joint.dof != dof) continue;
+    if (leader < 0) leader = static_cast<int>(j);
+    if (joint.ratio == 1.0 && joint.offset == 0.0) return static_cast<int>(j);
+  }
+  return leader;
+}
+
+// Values of the degree of freedom are ratio * old + offset from now on.
+void change_variable(Robot& robot, int dof, double ratio, double offset) {
+  DegreeOfFreedom& motion = robot.dofs[index(dof)];
+  const auto changed = [&](double value) { return ratio * value + offset; };
+  motion.lower = changed(motion.lower);
+  motion.upper = changed(motion.upper);
+  if (ratio < 0.0) std::swap(motion.lower, motion.upper);
+  motion.initial = changed(motion.initial);
+  motion.closing_velocity *= ratio;
+  motion.max_velocity *= std::abs(ratio);
+  motion.max_acceleration *= std::abs(ratio);
+  // Efforts of the new variable are 1 / ratio times those of the old one.
+  if (motion.stiffness) *motion.stiffness /= ratio * ratio;
+  if (motion.damping) *motion.damping /= ratio * ratio;
+  for (Joint& joint : robot.joints) {
+    if (joint.dof != dof) continue;
+    joint.ratio /= ratio;
+    joint.offset -= joint.ratio * offset;
+  }
+  if (!robot.hand) return;
+  for (Preshape& preshape : robot.hand->preshapes) {
+    preshape.dofs[index(dof)] = changed(preshape.dofs[index(dof)]);
+  }
+}
+
+// The same robot with `prefix` before all its names, and every degree of freedom called after one
+// of its joints, whose value it is (ratio 1, offset 0): one that is so already, else the first.
+Robot urdf_form(Robot robot, const std::string& prefix) {
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    const int dof = static_cast<int>(d);
+    const int leader = leader_of(robot, dof);
+    if (leader < 0) continue;
+    Joint& joint = robot.joints[index(leader)];
+    if (joint.ratio != 1.0 || joint.offset != 0.0) {
+      change_variable(robot, dof, joint.ratio, joint.offset);
+      joint.ratio = 1.0;
+      joint.offset = 0.0;
+    }
+    robot.dofs[d].name = joint.name;
+  }
+  const auto rename = [&](auto& named) {
+    for (auto& one : named) one.name = prefix + one.name;
+  };
+  rename(robot.chains);
+  rename(robot.joints);
+  rename(robot.dofs);
+  rename(robot.links);
+  return robot;
 }
 
 class UrdfWriter {
