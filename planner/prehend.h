@@ -1,5 +1,6 @@
 // prehend, whole: from a mesh and a hand to ranked grasps, and each step of that by itself.
-// docs/library.md has an example and the conventions; sim/quality/quality.h what judges contacts.
+// docs/how-to/cpp.md has an example and the conventions; sim/quality/quality.h what judges
+// contacts.
 //
 // The question
 //   scene.h               an object, a hand, what is around them, friction: a plain value
@@ -37,7 +38,8 @@
 //   decompose.h           an object into boxes, spheres, cylinders and cones
 //   thin_parts.h          its rims and bars
 //   candidates.h          where a hand may come from
-//   trial.h               one candidate, from pre-grasp to quality
+//   run_trial.h           one candidate, from pre-grasp to quality
+//   grasp_contacts.h      where a closed hand touches the object
 //   refine_grasps.h       the best grasps improved by trials of grasps near them
 //   sensitivity.h         how much that quality changes with the hand moved by next to nothing
 //   inverse_kinematics.h  the degrees of freedom that bring a robot to a pose
@@ -81,7 +83,10 @@
 //   simulation_report.h   its report
 //   shake.h               one grasp under a protocol, and what became of it
 //   protocol_file.h       protocols from files and from the library
-//   world.h               bodies and robots that move, step by step
+//   world.h               bodies and robots that move
+//   step_world.h          moves them on, step by step
+//   require_world.h       whether that can be done
+//   energy.h              their energy
 //   scene_bodies.h        a scene's bodies in a world, and how they touch
 //   controller.h          what drives a robot: a function from its state to efforts
 //   joint_controllers.h   PD, gravity compensation and computed torque
@@ -143,7 +148,10 @@
 #include "sim/motion/control/wrist_impedance.h"
 #include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
+#include "sim/motion/energy.h"
+#include "sim/motion/require_world.h"
 #include "sim/motion/scene_bodies.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/quality/quality.h"
 #include "sim/robot/files/converted.h"
@@ -174,6 +182,9 @@
 #include "sim/shape/mesh_repair.h"
 #include "sim/shape/object_generator.h"
 #include "sim/shape/triangle_mesh.h"
+#include "sim/trial/approach_line.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/sensitivity.h"
 #include "sim/trial/trial.h"
 

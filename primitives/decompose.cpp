@@ -16,6 +16,7 @@
 #include "primitives/taper.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/require_settings.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend {
@@ -27,20 +28,7 @@ namespace {
 
 // Throws InputError for options out of range and meshes with unusable indices or vertices.
 void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
-  require(options.tolerance > 0.0 && options.tolerance <= 1.0,
-          {.field = "tolerance",
-           .problem = "must be in (0, 1]",
-           .value = std::to_string(options.tolerance)});
-  require(options.coverage > 0.0 && options.coverage <= 1.0,
-          {.field = "coverage",
-           .problem = "must be in (0, 1]",
-           .value = std::to_string(options.coverage)});
-  require(options.points >= 100, {.field = "points",
-                                  .problem = "must be at least 100",
-                                  .value = std::to_string(options.points)});
-  require(options.max_primitives >= 1, {.field = "max_primitives",
-                                        .problem = "must be at least 1",
-                                        .value = std::to_string(options.max_primitives)});
+  require_settings(options);
   require_valid_indices(mesh, "mesh");
   for (const Triangle& t : mesh.triangles) {
     for (const int v : t) {

@@ -12,19 +12,15 @@
 
 namespace prehend {
 
-// Settings of the decomposition.
 struct DecomposeOptions {
-  // A surface point is explained when it lies within this fraction of the mesh's bounding-box
-  // diagonal of some primitive's surface; in (0, 1].
+  static constexpr AboutSettings kAbout{"DecomposeOptions",
+                                        "How a mesh is split into boxes, spheres, cylinders and "
+                                        "cones."};
   double tolerance = 0.05;
-  // The fraction of the area that should be explained, in (0, 1]. Below it, nearly every primitive
-  // that explains more area is added; above it, only one that lowers the objective by more than its
-  // cost (region.h), such as the handle of a cup.
+  // Below the coverage, nearly every primitive that explains more area is added; above it, only one
+  // that lowers the objective by more than its cost (region.h), such as the handle of a cup.
   double coverage = 0.97;
-  // So many points stand for the surface (>= 100). More take longer; what is smaller than their
-  // spacing is not seen.
   int points = 3000;
-  // At most this many primitives (>= 1), also where they do not reach the coverage.
   int max_primitives = 12;
   std::uint64_t seed = 1;
 };
@@ -32,10 +28,17 @@ struct DecomposeOptions {
 template <SettingsOf<DecomposeOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [tolerance, coverage, points, max_primitives, seed] = options;
-  visit("primitive_tolerance", tolerance, Range{0.0, 1.0, true});
-  visit("primitive_coverage", coverage, Range{0.0, 1.0, true});
-  visit("primitive_points", points, Range{.lower = 100.0});
-  visit("max_primitives", max_primitives, kAtLeast1);
+  visit({"tolerance", "primitive_tolerance"}, tolerance, kShareAbove0, "",
+        "A point of the surface is explained when it lies within this part of the bounding box's "
+        "diagonal of some primitive's surface; larger: fewer, coarser primitives.");
+  visit({"coverage", "primitive_coverage"}, coverage, kShareAbove0, "",
+        "Primitives are added until this part of the area is explained.");
+  visit({"points", "primitive_points"}, points, Range{.lower = 100.0}, "",
+        "Points that stand for the surface; more take longer, and what is smaller than their "
+        "spacing is not seen.");
+  visit("max_primitives", max_primitives, kAtLeast1, "",
+        "Most primitives, also where they do not reach the coverage.");
+  visit.unlisted("seed", seed, kAtLeast0, "", "Of the points on the surface.");
 }
 
 // Statistics of the distances of surface points from the primitive nearest to each [m].

@@ -8,6 +8,7 @@
 #include "primitives/surface_sample.h"
 #include "primitives/wall_spots.h"
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 namespace {
@@ -103,6 +104,7 @@ std::vector<SpotCurve> telling_curves(const std::vector<ThinSpot>& spots,
 std::vector<Primitive> find_thin_parts(const ProximityMesh& mesh,
                                        const std::vector<Primitive>& solids,
                                        const ThinPartOptions& options, const RunContext& context) {
+  require_settings(options);
   const double diagonal = bounds(mesh.mesh()).diagonal();
   if (!(diagonal > 0.0 && std::isfinite(diagonal))) return {};
   const ThinLimits limits{.wall = options.rim_width * diagonal,

@@ -11,13 +11,14 @@
 
 namespace prehend {
 
-// What counts as thin, relative to the diagonal of the object's bounding box.
 struct ThinPartOptions {
-  double rim_width = 0.05;  // thickest wall whose edge is a rim; in [0, 1], 0: no rims
-  double bar_width = 0.12;  // widest bar; in [0, 1], 0: no bars
-  int most_rims = 3;        // the longest of them (>= 0)
-  int most_bars = 2;        // the longest of them (>= 0)
-  // So many points of the surface are looked at (>= 100).
+  static constexpr AboutSettings kAbout{"ThinPartOptions",
+                                        "What counts as a rim or a bar; widths are parts of the "
+                                        "bounding box's diagonal."};
+  double rim_width = 0.05;
+  double bar_width = 0.12;
+  int most_rims = 3;
+  int most_bars = 2;
   int points = 800;
   std::uint64_t seed = 1;
 };
@@ -25,11 +26,14 @@ struct ThinPartOptions {
 template <SettingsOf<ThinPartOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [rim_width, bar_width, most_rims, most_bars, points, seed] = options;
-  visit("rim_width", rim_width, Range{0.0, 1.0});
-  visit("bar_width", bar_width, Range{0.0, 1.0});
-  visit("most_rims", most_rims, kAtLeast0);
-  visit("most_bars", most_bars, kAtLeast0);
-  visit("thin_points", points, Range{.lower = 100.0});
+  visit("rim_width", rim_width, kShare, "", "Thickest wall whose edge is a rim; 0: no rims.");
+  visit("bar_width", bar_width, kShare, "", "Widest bar, such as a handle; 0: no bars.");
+  visit("most_rims", most_rims, kAtLeast0, "", "Most rims, the longest of them.");
+  visit("most_bars", most_bars, kAtLeast0, "", "Most bars, the longest of them.");
+  visit({"points", "thin_points"}, points, Range{.lower = 100.0}, "",
+        "Points of the surface that are looked at; more find shorter rims and bars, and take "
+        "longer.");
+  visit.unlisted("seed", seed, kAtLeast0, "", "Of these points.");
 }
 
 // The rims and bars of a closed mesh, in its frame. Those that one of the `solids` describes as

@@ -98,7 +98,7 @@ World heap(int boxes) {
     const int layer = i / (side * side);
     const int row = (i / side) % side;
     const Vector3 place(0.06 * (i % side), 0.06 * row, 0.05 + 0.06 * layer);
-    const Vector3 off(random.uniform(-4e-3, 4e-3), random.uniform(-4e-3, 4e-3), 0.0);
+    const Vector3 off = random.in_box({-4e-3, -4e-3, 0.0}, {4e-3, 4e-3, 0.0});
     box.motion.X_WB = translation(place + off);
     world.bodies.push_back(std::move(box));
   }

@@ -1,5 +1,5 @@
-// How many trials an order that was learnt saves: the table of docs/learning.md, and a model of the
-// same trials.
+// How many trials an order that was learnt saves: the table of docs/how-to/learning.md, and a model
+// of the same trials.
 //
 //   learn_benchmark collect RUNS FIRST LAST TRIALS HANDS FOLDER...
 //   learn_benchmark compare RUNS[,RUNS...] SEEDS TRIALS HANDS FIRST EVERY FOLDER...

@@ -1,4 +1,4 @@
-"""The table of docs/learning.md, from the lines of `learn_benchmark compare`.
+"""The table of docs/how-to/learning.md, from the lines of `learn_benchmark compare`.
 
     python3 table.py LINES...
 

@@ -5,6 +5,7 @@
 
 #include "benchmarks/report/page_writer.h"
 #include "benchmarks/support/percentile.h"
+#include "sim/base/joined.h"
 
 namespace prehend::bench {
 namespace {
@@ -29,7 +30,7 @@ Row summary_of(const std::string& hand, const std::vector<HandOnObject>& plans) 
     if (plan.hand != hand || !plan.of_its_size) continue;
     epsilons.push_back(plan.epsilon);
     seconds.push_back(plan.seconds);
-    if (!(plan.epsilon > 0.0)) without += (without.empty() ? "" : ", ") + plan.object;
+    if (!(plan.epsilon > 0.0)) add_part(without, plan.object);
   }
   const auto held =
       std::count_if(epsilons.begin(), epsilons.end(), [](double e) { return e > 0.0; });

@@ -25,7 +25,7 @@ std::vector<PageFile> page_of(const Results& results) {
   page.heading(1, "Benchmarks");
   page.paragraph(
       "Made by `./run bench` from `results.json`; [how to run, read and compare]"
-      "(../../docs/benchmarks.md). Times are processor times, which other programs disturb "
+      "(../../docs/how-to/benchmarks.md). Times are processor times, which other programs disturb "
       "least; those of whole plans are of a wall clock.");
   add_machine(results, page);
   if (results.effort != "full" || results.machine.build != "Release") {

@@ -1,4 +1,4 @@
-// Result files of the benchmarks: JSON, written whole or not at all (docs/benchmarks.md).
+// Result files of the benchmarks: JSON, written whole or not at all (docs/how-to/benchmarks.md).
 #pragma once
 
 #include <filesystem>

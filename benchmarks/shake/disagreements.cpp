@@ -6,6 +6,7 @@
 
 #include "benchmarks/shake/opinions.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/shape/mass_properties.h"
 
 namespace prehend::bench {
@@ -70,8 +71,8 @@ std::pair<ShakeCase, TestProcedure> with_friction(const ShakeCase& shaken,
     return changed;
   }
   FrictionTable& table = changed.first.scene.scene.friction;
-  for (const Material a : kMaterials) {
-    for (const Material b : kMaterials) {
+  for (const Material a : kAll<Material>) {
+    for (const Material b : kAll<Material>) {
       if (a <= b) table.set(a, b, factor * shaken.scene.scene.friction.between(a, b));
     }
   }
@@ -173,7 +174,7 @@ std::string verdict_text(const ShakeResult& result) {
   for (const ShakeTestResult& test : failed_tests(result)) {
     const PhaseFailure failure = test.phases.back().failure;
     if (failure != last) {
-      text += (text.empty() ? "" : ", ") + std::string(phase_failure_name(failure)) + " in ";
+      add_part(text, std::string(name_of(failure)) + " in ");
     } else {
       text += ", ";
     }

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "benchmarks/support/percentile.h"
+#include "planner/plan/plan.h"
 #include "planner/plan/shake_grasps.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/base/input_error.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/basic_shapes.h"

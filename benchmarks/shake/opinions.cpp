@@ -46,7 +46,7 @@ GraspPosture opened_posture(const ShakeCase& shaken, const ShakenGrasp& grasp, d
 
 // Failures are named in the order of ShakeOutcome.
 PhaseFailure failure_of(ShakeOutcome outcome) {
-  return kPhaseFailures[static_cast<std::size_t>(outcome)];
+  return kAll<PhaseFailure>[static_cast<std::size_t>(outcome)];
 }
 
 ShakeTestResult result_of(const ShakeTestReport& test) {

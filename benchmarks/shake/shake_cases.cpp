@@ -4,6 +4,8 @@
 #include <filesystem>
 
 #include "benchmarks/shake/on_table.h"
+#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/object_generator.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "benchmarks/shake/shake_result.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/show/exports/mjcf.h"
 
 namespace prehend::bench {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/manipulation/test_procedure.h"
 
 namespace prehend::bench {
@@ -35,16 +36,9 @@ enum class PhaseFailure {
   unstable,  // the simulator could not go on
 };
 
-inline constexpr std::array<PhaseFailure, 8> kPhaseFailures = {
-    PhaseFailure::none,         PhaseFailure::moved,        PhaseFailure::turned,
-    PhaseFailure::dropped,      PhaseFailure::did_not_rise, PhaseFailure::lost_contact,
-    PhaseFailure::did_not_fall, PhaseFailure::unstable};
-
-constexpr std::string_view phase_failure_name(PhaseFailure failure) {
-  constexpr std::array<std::string_view, kPhaseFailures.size()> kNames = {
-      "none",         "moved",        "turned",       "dropped",
-      "did_not_rise", "lost_contact", "did_not_fall", "unstable"};
-  return kNames[static_cast<std::size_t>(failure)];
+constexpr auto enum_names(PhaseFailure /*of*/) {
+  return std::to_array<std::string_view>({"none", "moved", "turned", "dropped", "did_not_rise",
+                                          "lost_contact", "did_not_fall", "unstable"});
 }
 
 struct PhaseResult {

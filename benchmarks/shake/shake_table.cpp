@@ -17,11 +17,10 @@ void print_opinion(const OpinionTally& tally, int grasps) {
 
 void print_failures(const char* who, const OpinionTally& tally) {
   bool any = false;
-  for (const PhaseFailure failure : kPhaseFailures) {
+  for (const PhaseFailure failure : kAll<PhaseFailure>) {
     const int times = tally.failures[static_cast<std::size_t>(failure)];
     if (times == 0) continue;
-    std::printf("%s %s %d", any ? "" : who, std::string(phase_failure_name(failure)).c_str(),
-                times);
+    std::printf("%s %s %d", any ? "" : who, std::string(name_of(failure)).c_str(), times);
     any = true;
   }
 }

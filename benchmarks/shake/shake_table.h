@@ -14,7 +14,8 @@ struct OpinionTally {
   int survived = 0;
   double seconds = 0.0;  // of a processor, for all grasps together
   double steps = 0.0;
-  std::vector<int> failures = std::vector<int>(kPhaseFailures.size(), 0);  // tests, by PhaseFailure
+  std::vector<int> failures =
+      std::vector<int>(kAll<PhaseFailure>.size(), 0);  // tests, by PhaseFailure
 
   void add(const ShakeResult& result, double processor_seconds);
 };

@@ -29,8 +29,8 @@ std::uint64_t mixed(std::uint64_t value) {
 void choose_friction(Random& random, test::KnownScene& known) {
   const Material object = known.scene.object.material;
   const bool any = random.index(2) == 0;
-  for (const Material material : kMaterials) {
-    const std::string name(material_name(material));
+  for (const Material material : kAll<Material>) {
+    const std::string name(name_of(material));
     if (any) {
       // Some are slippery, or nearly so.
       const double low = random.index(8) == 0 ? 0.0 : 0.1;
@@ -56,8 +56,7 @@ void add_table(Random& random, Scene& scene, const Vector3& at) {
   const int blocks = random.integer(0, 3);
   for (int i = 0; i < blocks; ++i) {
     const double angle = random.uniform(0.0, 6.28);
-    const Vector3 size(random.uniform(0.02, 0.08), random.uniform(0.02, 0.08),
-                       random.uniform(0.03, 0.25));
+    const Vector3 size = random.in_box({0.02, 0.02, 0.03}, {0.08, 0.08, 0.25});
     const double away = reach + size.head<2>().norm() / 2.0 + random.uniform(0.005, 0.2);
     const Vector3 place =
         at + Vector3(away * std::cos(angle), away * std::sin(angle), 0.5 * size.z() + 1e-4);
@@ -94,7 +93,7 @@ PlanOptions plan_options(Random& random, bool has_arm) {
   options.trial = trial_options(random);
   if (has_arm && random.index(3) > 0) {
     options.paths.emplace();
-    options.paths->transfer.planner = kPathPlanners[random.index(random.index(3) + 1)];
+    options.paths->transfer.planner = kAll<PathPlanner>[random.index(random.index(3) + 1)];
     options.paths->transfer.max_iterations = random.integer(100, 600);
   }
   return options;
@@ -102,14 +101,14 @@ PlanOptions plan_options(Random& random, bool has_arm) {
 
 std::string words_of(const RandomCase& made, const std::string& object, const std::string& hand) {
   const Scene& scene = made.known.scene;
-  std::string words = object + " of " + std::string(material_name(scene.object.material)) + ", ";
+  std::string words = object + " of " + std::string(name_of(scene.object.material)) + ", ";
   words += hand + (scene.carrier ? " on an arm" : "");
   if (!scene.obstacles.empty())
     words += ", " + std::to_string(scene.obstacles.size()) + " obstacles";
   words += made.options.trial.soft_fingers ? ", soft" : ", hard";
   words += ", " + std::to_string(made.options.trial.cone_edges) + " edges";
   if (made.options.paths) {
-    words += ", " + std::string(path_planner_name(made.options.paths->transfer.planner));
+    words += ", " + std::string(name_of(made.options.paths->transfer.planner));
   }
   return words;
 }
@@ -121,7 +120,7 @@ RandomCase random_case(std::uint64_t seed, std::uint64_t number) {
   RandomCase made;
   made.seed = number;
   const RandomObject object = random_object(random);
-  const Material material = kMaterials[random.index(kMaterials.size())];
+  const Material material = kAll<Material>[random.index(kAll<Material>.size())];
   const bool has_arm = random.index(4) == 0;
   // The arm with its own hand reaches most.
   const std::string hand =
@@ -130,7 +129,7 @@ RandomCase random_case(std::uint64_t seed, std::uint64_t number) {
   scene = make_scene(make_graspable("object", object.mesh, material), hand);
   made.known.solid = object.solid;
   choose_friction(random, made.known);
-  const Vector3 at(random.uniform(0.45, 0.7), random.uniform(-0.25, 0.25), kTableHeight);
+  const Vector3 at = random.in_box({0.45, -0.25, kTableHeight}, {0.7, 0.25, kTableHeight});
   if (has_arm) {
     mount(scene, "puma560_barrett", translation({0.0, 0.0, 0.6868}), hand);
     add_table(random, scene, at);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "tests/support/judge_grasp.h"
 
 namespace prehend::soak {

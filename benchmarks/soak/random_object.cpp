@@ -107,12 +107,13 @@ RandomObject base_shape(Random& random) {
     case 1: {
       const double radius = log_uniform(random, 0.004, 0.08);
       const int sides = random.integer(3, 64);
-      return {make_cylinder(radius, log_uniform(random, 0.005, 0.25), sides, random.integer(1, 5)),
-              "cylinder"};
+      const double height = log_uniform(random, 0.005, 0.25);
+      return {make_cylinder(radius, height, sides, random.integer(1, 5)), "cylinder"};
     }
-    case 2:
-      return {make_geodesic_sphere(log_uniform(random, 0.005, 0.08), random.integer(1, 9)),
-              "sphere"};
+    case 2: {
+      const double radius = log_uniform(random, 0.005, 0.08);
+      return {make_geodesic_sphere(radius, random.integer(1, 9)), "sphere"};
+    }
     case 3:
       return {revolved(random), "revolved profile"};
     case 4: {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "benchmarks/support/resources.h"
+#include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -186,8 +187,8 @@ class CaseRun {
                const PlanResult& result) {
     const bool same = tried.outcome == trial.outcome || tried.outcome == Outcome::no_path;
     if (!same) {
-      fault("again", name + " ended as " + std::string(outcome_name(tried.outcome)) + ", then as " +
-                         std::string(outcome_name(trial.outcome)));
+      fault("again", name + " ended as " + std::string(name_of(tried.outcome)) + ", then as " +
+                         std::string(name_of(trial.outcome)));
     }
     for (const ScoredGrasp& grasp : result.grasps) {
       const Tried& of_grasp = result.tried.at(static_cast<std::size_t>(grasp.tried));

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "sim/trial/uncertainty.h"
 
 namespace prehend::bench {

@@ -17,6 +17,8 @@
 
 #include "benchmarks/soak/random_object.h"
 #include "benchmarks/success/executions.h"
+#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
 #include "sim/scene/make_scene.h"
@@ -78,8 +80,7 @@ Candidate moved(Candidate grasp, const Hand& hand, Random& random) {
   const double angle = random.uniform(0.0, 0.52);
   const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
   grasp.X_OH.linear() = turn * grasp.X_OH.linear();
-  grasp.X_OH.translation() =
-      grip_O - grasp.X_OH.linear() * grip_H + random.uniform(0.0, 0.02) * random.direction();
+  grasp.X_OH.translation() = grip_O - grasp.X_OH.linear() * grip_H + random.vector(0.0, 0.02);
   grasp.approach_O = turn * grasp.approach_O;
   return grasp;
 }

@@ -1,4 +1,4 @@
-// The benchmark suite: measures, and makes a page of results (docs/benchmarks.md).
+// The benchmark suite: measures, and makes a page of results (docs/how-to/benchmarks.md).
 #include <algorithm>
 #include <cstdio>
 #include <exception>

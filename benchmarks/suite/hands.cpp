@@ -77,7 +77,7 @@ HandOnObject plan_one(const CompiledScene& scene) {
   const auto start = benchmark::Clock::now();
   const PlanResult result = plan(scene, options);
   found.seconds = 1e-3 * benchmark::milliseconds_since(start);
-  found.stable = result.outcomes[static_cast<std::size_t>(Outcome::stable)];
+  found.stable = result.outcomes[Outcome::stable];
   if (result.grasps.empty()) return found;
   found.epsilon = result.grasps.front().trial.epsilon.lower;
   found.rule = result.grasps.front().rule;

@@ -15,6 +15,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/shape/contact/contact_region.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend::bench {
 namespace {
@@ -67,8 +68,7 @@ void add_distances(const CompiledScene& scene, std::vector<Kernel>& kernels) {
   Random random(1);
   std::vector<Vector3> points;
   for (int i = 0; i < 512; ++i) {
-    const Vector3 part(random.uniform(), random.uniform(), random.uniform());
-    points.emplace_back(box.lower + part.cwiseProduct(box.size()));
+    points.push_back(random.in_box(box.lower, box.upper));
   }
   kernels.push_back(kernel_over("inside test", points, [object](const Vector3& p) {
     return is_inside(object, p) ? 1.0 : 0.0;

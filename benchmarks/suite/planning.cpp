@@ -6,8 +6,8 @@
 namespace prehend::bench {
 std::vector<AccuracySetting> accuracy_settings() {
   std::vector<AccuracySetting> settings;
-  for (const Accuracy accuracy : kAccuracies) {
-    settings.push_back({std::string(accuracy_name(accuracy)), plan_options(accuracy)});
+  for (const Accuracy accuracy : kAll<Accuracy>) {
+    settings.push_back({std::string(name_of(accuracy)), plan_options(accuracy)});
   }
   return settings;
 }

@@ -26,7 +26,7 @@ Scene scene_among(int obstacles) {
   Scene scene = mug_scene(5000);
   Random random(1);
   for (int i = 0; i < obstacles; ++i) {
-    const Vector3 at = random.uniform(kNearest, kFarthest) * random.direction();
+    const Vector3 at = random.vector(kNearest, kFarthest);
     add_obstacle(scene, "box_" + std::to_string(i), make_box(Vector3::Constant(0.02)),
                  translation(at));
   }

@@ -4,7 +4,10 @@
 #include <array>
 
 #include "benchmarks/report/names.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend::bench {
 

@@ -12,6 +12,7 @@
 #include "sim/base/formatted.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend::bench {
 namespace {

@@ -13,7 +13,7 @@ import matplotlib
 import numpy as np
 
 import prehend
-from prehend import quality
+from prehend import options, quality
 
 on_screen = bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 if not on_screen:
@@ -21,8 +21,8 @@ if not on_screen:
 import matplotlib.pyplot as plt
 
 folder = Path(sys.argv[1] if len(sys.argv) > 1 else "out")
-scene = prehend.compile(prehend.load_scene("mug"))
-result = prehend.plan(scene, prehend.PlanOptions(rank=prehend.RankOptions(top=4)))
+scene = prehend.compile_scene(prehend.load_scene("mug"))
+result = prehend.plan(scene, prehend.PlanOptions(rank=options.RankOptions(top=4)))
 
 # For each grasp, one call for all friction coefficients: the same contacts once for each of them.
 frictions = np.linspace(0.02, 1.2, 60)

@@ -6,8 +6,9 @@
 import numpy as np
 
 import prehend
+from prehend import robots
 
-scene = prehend.compile(prehend.load_scene("mug", hand="barrett"))
+scene = prehend.compile_scene(prehend.load_scene("mug", hand="barrett"))
 
 # The height of the hand's base, and its distance from the mug's axis [m].
 height = float(scene.object.vertices[:, 2].mean())
@@ -27,7 +28,7 @@ for angle in np.linspace(0.0, 2.0 * np.pi, 12, endpoint=False):
 
 # Each is tried exactly there, without an approach: result i belongs to pose i. The fingers start at
 # the named opening (preshape).
-opening = prehend.preshapes(scene.hand)[0]
+opening = robots.preshapes(scene.hand)[0]
 result = prehend.evaluate(scene, np.array(poses), preshape=opening)
 for i, grasp in enumerate(result):
     blocked = f" ({grasp.blocked_link} met {grasp.blocked_by})" if grasp.blocked_by else ""

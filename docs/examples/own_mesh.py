@@ -39,7 +39,7 @@ for side in (-0.2, 0.2):
     X_WB[0, 3] = side
     scene.add_obstacle(f"wall at {side}", wall, X_WB)
 
-options = prehend.PlanOptions(search=prehend.SearchOptions(trials=200))
+options = prehend.PlanOptions(search=prehend.options.SearchOptions(trials=200))
 result = prehend.plan(scene, options)
 print(result)
 for blocker in result.blockers[:3]:

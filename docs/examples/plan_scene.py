@@ -6,9 +6,10 @@
 import sys
 
 import prehend
+from prehend import planning
 
 
-def show(progress: prehend.Progress) -> None:
+def show(progress: planning.Progress) -> None:
     if progress.done % 100 == 0:
         print(f"{progress.stage}: {progress.done} of {progress.total}", file=sys.stderr)
 
@@ -18,8 +19,8 @@ def main() -> None:
     folder = sys.argv[2] if len(sys.argv) > 2 else "out"
 
     # Compiling prepares the scene for trials; the compiled scene can be used for many plans.
-    scene = prehend.compile(prehend.load_scene(name))
-    options = prehend.PlanOptions(rank=prehend.RankOptions(top=5))
+    scene = prehend.compile_scene(prehend.load_scene(name))
+    options = prehend.PlanOptions(rank=prehend.options.RankOptions(top=5))
     result = prehend.plan(scene, options, progress=show)
 
     print("rank  epsilon  contacts  preshape   where it came from")
@@ -34,7 +35,7 @@ def main() -> None:
     # poses is an array (N, 4, 4): the poses of the hand's base in the object's frame.
     if len(result):
         print("the best hand is at", result.poses[0, :3, 3].round(3), "m")
-    print("wrote", ", ".join(prehend.write(result, folder, report=False)))
+    print("wrote", ", ".join(prehend.write_grasps(result, folder, report=False)))
 
 
 main()

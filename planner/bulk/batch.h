@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "sim/base/material.h"
 #include "sim/scene/scene.h"
 
@@ -54,10 +54,10 @@ struct Batch {
   std::string licence;                    // of the meshes, for the data card; empty: not stated
 };
 
-// Reads a batch file (docs/batch-file.md). Files are named relative to it. Objects are in the order
-// of their names. Throws InputError that names the file, the field and the value: for unknown
-// fields, patterns and folders without a mesh, two objects (settings, scenes) of one name, a list
-// that names something twice, and more parts than kMostParts. Meshes are not opened.
+// Reads a batch file (docs/reference/batch-file.md). Files are named relative to it. Objects are in
+// the order of their names. Throws InputError that names the file, the field and the value: for
+// unknown fields, patterns and folders without a mesh, two objects (settings, scenes) of one name,
+// a list that names something twice, and more parts than kMostParts. Meshes are not opened.
 Batch read_batch(const JsonFile& file);
 
 // More are likely a mistake, and their numbers would not fit an int everywhere.

@@ -1,7 +1,7 @@
 // The folder of a batch: results that are whole or absent, named by what they depend on.
 //
 //   batch.json        to which batch the folder belongs
-//   parts/3f/KEY.h5   the result of a part (docs/datasets.md); KEY begins with "3f"
+//   parts/3f/KEY.h5   the result of a part (docs/reference/datasets.md); KEY begins with "3f"
 //   parts/3f/KEY.txt  why the part has none, in one line
 //   merged/           what merge_batch makes of the parts
 #pragma once

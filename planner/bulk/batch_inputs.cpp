@@ -91,7 +91,7 @@ std::string part_key(const Batch& batch, const BatchInputs& inputs, const BatchP
   if (const auto* file = std::get_if<MeshFileSource>(&object.source)) {
     key.add(file->unit).add(static_cast<std::uint64_t>(file->repair));
   }
-  key.add(batch.scales[part.scale]).add(material_name(batch.material));
+  key.add(batch.scales[part.scale]).add(name_of(batch.material));
   key.add(batch.density.value_or(0.0)).add(batch.frictions[part.friction].value_or(-1.0));
   key.add(inputs.scene_of(part).key).add(inputs.settings_of(part));
   return key.name();

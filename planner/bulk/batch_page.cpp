@@ -59,10 +59,10 @@ std::string counts_table(const char* what, const std::map<std::string, OutcomeCo
 
 std::string outcome_table(const OutcomeCounts& counts) {
   std::string rows;
-  for (const Outcome outcome : kOutcomes) {
-    const std::size_t count = counts.of[static_cast<std::size_t>(outcome)];
+  for (const Outcome outcome : kAll<Outcome>) {
+    const std::size_t count = counts.of[outcome];
     if (count == 0) continue;
-    std::string name(outcome_name(outcome));
+    std::string name(name_of(outcome));
     std::replace(name.begin(), name.end(), '_', ' ');
     rows += row_of({markup_text(name), std::to_string(count),
                     formatted("%.1f %%", 100.0 * share_of(count, counts.all())),

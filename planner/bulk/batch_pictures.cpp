@@ -29,7 +29,7 @@ std::string title_of(const Batch& batch, const ChosenGrasp& chosen) {
   if (chosen.grasp.outcome == Outcome::stable) {
     return formatted("%s: epsilon %.3f", name.c_str(), chosen.grasp.epsilon.lower);
   }
-  std::string outcome(outcome_name(chosen.grasp.outcome));
+  std::string outcome(name_of(chosen.grasp.outcome));
   std::replace(outcome.begin(), outcome.end(), '_', ' ');
   return name + ": " + outcome;
 }

@@ -6,11 +6,11 @@
 namespace prehend {
 
 std::size_t OutcomeCounts::all() const {
-  return std::accumulate(of.begin(), of.end(), std::size_t{0});
+  return std::accumulate(of.entries.begin(), of.entries.end(), std::size_t{0});
 }
 
 void OutcomeCounts::add(const OutcomeCounts& other) {
-  for (std::size_t i = 0; i < of.size(); ++i) of[i] += other.of[i];
+  for (const Outcome outcome : kAll<Outcome>) of[outcome] += other.of[outcome];
 }
 
 void Histogram::add(double value) {
@@ -25,7 +25,7 @@ void Histogram::add(const Histogram& other) {
 void BatchTally::add(const std::string& object, const GraspSet& set) {
   OutcomeCounts counts;
   for (const GraspSetEntry& grasp : set.grasps) {
-    ++counts.of[static_cast<std::size_t>(grasp.outcome)];
+    ++counts.of[grasp.outcome];
     if (grasp.outcome == Outcome::stable) epsilon.add(grasp.epsilon.lower);
     if (!grasp.contacts.empty()) contacts.add(static_cast<double>(grasp.contacts.size()));
   }

@@ -14,10 +14,10 @@ namespace prehend {
 
 // How many grasps ended in each Outcome.
 struct OutcomeCounts {
-  std::array<std::size_t, kOutcomes.size()> of{};
+  EnumArray<Outcome, std::size_t> of;
 
   std::size_t all() const;
-  std::size_t stable() const { return of[static_cast<std::size_t>(Outcome::stable)]; }
+  std::size_t stable() const { return of[Outcome::stable]; }
   void add(const OutcomeCounts& other);
 };
 

@@ -19,12 +19,12 @@ std::string cell(std::string text) {
 std::string outcome_rows(const BatchSummary& summary) {
   std::string rows = "| outcome | grasps | share | meaning |\n|---|---:|---:|---|\n";
   const OutcomeCounts& counts = summary.tally.outcomes;
-  for (const Outcome outcome : kOutcomes) {
-    const std::size_t count = counts.of[static_cast<std::size_t>(outcome)];
+  for (const Outcome outcome : kAll<Outcome>) {
+    const std::size_t count = counts.of[outcome];
     if (count == 0) continue;
-    rows += formatted("| %s | %zu | %.1f %% | %s |\n", std::string(outcome_name(outcome)).c_str(),
-                      count, percent_of(count, counts.all()),
-                      std::string(outcome_meaning(outcome)).c_str());
+    rows +=
+        formatted("| %s | %zu | %.1f %% | %s |\n", std::string(name_of(outcome)).c_str(), count,
+                  percent_of(count, counts.all()), std::string(outcome_meaning(outcome)).c_str());
   }
   return rows;
 }

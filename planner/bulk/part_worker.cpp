@@ -27,7 +27,7 @@ GraspableBody grasped_object(const Batch& batch, const BatchPart& part, const Tr
 
 // The coefficient of the object's material with every other one, whether it sticks or slides.
 void set_friction(Scene& scene, double friction) {
-  for (const Material other : kMaterials) {
+  for (const Material other : kAll<Material>) {
     scene.friction.set(scene.object.material, other, friction);
     scene.kinetic_friction.set(scene.object.material, other, std::nullopt);
   }

@@ -100,7 +100,7 @@ TriedGrasp grasp_taken_back(const CompiledScene& scene, const HandPosture& close
   grasp.trial.travel = distance;
   grasp.trial.dofs = closed.dofs;
   grasp.trial.joints = closed.joints;
-  GraspWorkspace workspace;
+  ScoringWorkspace workspace;
   score_contacts(scene, options, workspace, grasp.trial);
   return grasp;
 }

@@ -57,7 +57,7 @@ void measure_space(const CompiledScene& scene, int edges, bool sections, GraspSc
 
 GraspScore judge_grasp_of(const CompiledScene& scene, const Trial& trial,
                           const TrialOptions& options, bool sections) {
-  GraspWorkspace workspace;
+  ScoringWorkspace workspace;
   Trial judged = trial;
   score_contacts(scene, options, workspace, judged);
   GraspScore judgement;

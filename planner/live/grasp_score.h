@@ -8,7 +8,10 @@
 
 #include "sim/quality/forces.h"
 #include "sim/quality/wrench_slice.h"
+#include "sim/scene/compiled_arm.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 

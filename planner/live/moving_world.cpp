@@ -9,6 +9,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
+#include "sim/motion/require_world.h"
 
 namespace prehend {
 namespace {

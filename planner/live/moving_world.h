@@ -7,6 +7,7 @@
 
 #include "planner/live/hand_posture.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
+#include "sim/motion/step_world.h"
 
 namespace prehend {
 

@@ -21,6 +21,7 @@
 #include "planner/live/open_folders.h"
 #include "planner/live/plan_job.h"
 #include "planner/live/scene_edits.h"
+#include "sim/base/named_enum.h"
 
 namespace prehend {
 
@@ -74,7 +75,9 @@ struct PlannedPath {
 };
 
 enum class PathEnd { found, not_found, cancelled };
-std::string_view path_end_name(PathEnd end);  // the names above
+constexpr auto enum_names(PathEnd /*of*/) {
+  return std::to_array<std::string_view>({"found", "not_found", "cancelled"});
+}
 
 // A refinement of the grasp in hand.
 struct Refined {

@@ -4,6 +4,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/trial/approach_line.h"
 
 // What a session makes of the grasp that its hand holds.
 namespace prehend {
@@ -16,7 +17,7 @@ TriedGrasp Session::grasp_in_hand() const {
   require(grasp.trial.outcome == Outcome::stable,
           {.field = "hand",
            .problem = "does not hold the object",
-           .value = std::string(outcome_name(grasp.trial.outcome))});
+           .value = std::string(name_of(grasp.trial.outcome))});
   const bool knows_arm = !grasp.trial.arm_line.empty();
   if (knows_arm || !scene.arm || !state_.arm || !state_.arm->reached()) return grasp;
   grasp.trial.arm_line =

@@ -4,7 +4,9 @@
 #include "planner/live/session.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/trial/approach.h"
+#include "sim/trial/grasp_contacts.h"
 
 // What a session does with its hand.
 namespace prehend {
@@ -75,8 +77,7 @@ HandMotion Session::take_preshape(const std::string& name) {
   const std::vector<Preshape>& preshapes = state_.world->scene().hand.hand->preshapes;
   const auto found = std::find_if(preshapes.begin(), preshapes.end(),
                                   [&](const Preshape& preshape) { return preshape.name == name; });
-  std::string known;
-  for (const Preshape& preshape : preshapes) known += (known.empty() ? "" : ", ") + preshape.name;
+  const std::string known = joined(preshapes, ", ", &Preshape::name);
   require(found != preshapes.end(),
           {.field = "preshape", .problem = "must be one of " + known, .value = name});
   return go_to_dofs(found->dofs);

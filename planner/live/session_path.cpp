@@ -6,17 +6,6 @@
 
 // How a session finds the robot's way to the grasp in hand.
 namespace prehend {
-std::string_view path_end_name(PathEnd end) {
-  switch (end) {
-    case PathEnd::found:
-      return "found";
-    case PathEnd::not_found:
-      return "not_found";
-    case PathEnd::cancelled:
-      break;
-  }
-  return "cancelled";
-}
 
 void Session::start_path(std::uint64_t seed, bool lift, const PlanListener& listener) {
   require_no_plan();

@@ -54,7 +54,7 @@ class Sweep {
       PairOnTheWay& pair = on_the_way_.emplace_back();
       pair.place = i;
       pair.stop_gap = options.contact_gap;
-      pair.tracker.start(pairs[i].a->mesh, pairs[i].b->mesh, options.gaps);
+      pair.tracker.start(pairs[i].a->mesh, pairs[i].b->mesh);
     }
   }
 
@@ -129,7 +129,7 @@ class Sweep {
       if (gap.lower > 1.2 * kLeastGap) pair.stop_gap = std::max(pair.stop_gap, kLeastGap);
     }
     const bool touches =
-        gap.upper <= 1.1 * pair.stop_gap || pair.tracker.queries() > options_.max_gap_queries;
+        gap.upper <= 1.1 * pair.stop_gap || pair.tracker.queries() > kMaxGapQueries;
     if (touches) return false;
     const double step =
         gap.lower > 1.1 * pair.stop_gap ? gap.lower - pair.stop_gap : 0.25 * gap.lower;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/scene/collision_body.h"
 #include "sim/trial/trial_options.h"
@@ -21,9 +22,8 @@ enum class MotionEnd {
 };
 
 // "arrived", "touched", "starts_in_collision": as in messages.
-constexpr std::string_view motion_end_name(MotionEnd end) {
-  constexpr std::array<std::string_view, 3> kNames = {"arrived", "touched", "starts_in_collision"};
-  return kNames[static_cast<std::size_t>(end)];
+constexpr auto enum_names(MotionEnd /*of*/) {
+  return std::to_array<std::string_view>({"arrived", "touched", "starts_in_collision"});
 }
 
 // Two bodies that may meet on the way, which is counted in shares of it, 0 .. 1. In a step of the

@@ -53,6 +53,7 @@ Interrupts::~Interrupts() {
 }
 
 void Interrupts::limit_time(double seconds) {
+  deadline_ = Deadline::in(seconds);
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
   // At least one microsecond: a timer of 0 is one that is off.

@@ -9,6 +9,7 @@
 #include <string>
 #include <thread>
 
+#include "sim/base/deadline.h"
 #include "sim/base/run_context.h"
 
 namespace prehend {
@@ -31,6 +32,9 @@ class Interrupts {
 
   // In `seconds` (> 0) of wall-clock time the budget is used up, which acts like a signal.
   void limit_time(double seconds);
+  // When that is; the commands that return what they have begin no more work then. Without a limit
+  // it never comes.
+  const Deadline& deadline() const { return deadline_; }
   // From now on time has no limit. Returns whether the budget was used up before.
   bool unlimit_time();
   // The budget ended the work before its time was quite over: exit_status() and reason() say so.
@@ -59,6 +63,7 @@ class Interrupts {
   sigset_t watched_{};
   sigset_t before_{};
   Cancellation cancellation_;
+  Deadline deadline_;
   std::atomic<int> signal_ = SIGINT;  // the last that came
   std::atomic<bool> is_over_ = false;
   std::mutex lock_;  // of what follows, and held while a file is written

@@ -1,68 +1,16 @@
-#include <csignal>
-#include <cstdio>
-#include <exception>
-#include <filesystem>
-#include <iostream>
-#include <new>
-#include <string>
-#include <sys/resource.h>
-
-#include "planner/main/command_line.h"
-#include "sim/base/input_error.h"
-
-namespace {
-
-// Exit statuses besides 0, and those of interrupted programs (Interrupts::exit_status).
-constexpr int kCallersMistake = 2;
-constexpr int kFailure = 1;
-
-// Memory beyond the limit is refused from now on, which ends the program with "out of memory".
-void limit_memory(std::uint64_t megabytes) {
-  if (megabytes == 0) return;
-  const rlim_t bytes = static_cast<rlim_t>(megabytes) << 20U;
-  const rlimit limit{bytes, bytes};
-  if (::setrlimit(RLIMIT_AS, &limit) == 0) return;
-  throw prehend::InputError(
-      {.field = "--memory-limit", .problem = "cannot be set", .value = std::to_string(megabytes)});
-}
-
-int say(int status, const std::string& message) {
-  std::cerr << "prehend: " << prehend::on_one_line(message) << "\n";
-  return status;
-}
-
-int run(int argc, char** argv) {
-  prehend::CommandLine line;
-  if (!line.read(argc, argv)) return 0;
-  // Made before any other thread, as its constructor demands.
-  prehend::Interrupts interrupts;
-  limit_memory(line.limits().memory);
-  line.limit_time(interrupts);
-  return line.run(interrupts);
-}
-
-// Whether all that was printed arrived; it may not where it goes to a full disk or a closed pipe.
-bool printed_all() {
-  std::cout.flush();
-  return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
-}
-
-}  // namespace
+#include "planner/main/other_programs.h"
+#include "planner/main/program.h"
 
 int main(int argc, char** argv) {
-  // Writing to a closed pipe fails then, and is reported like any other lost output.
-  std::signal(SIGPIPE, SIG_IGN);
-  try {
-    const int status = run(argc, argv);
-    if (printed_all()) return status;
-    return say(status == 0 ? kFailure : status, "the standard output cannot be written");
-  } catch (const prehend::InputError& error) {
-    return say(kCallersMistake, error.what());
-  } catch (const std::filesystem::filesystem_error& error) {
-    return say(kCallersMistake, error.path1().string() + ": " + error.code().message());
-  } catch (const std::bad_alloc&) {
-    return say(kFailure, "out of memory");
-  } catch (const std::exception& error) {
-    return say(kFailure, std::string("internal error: ") + error.what());
-  }
+  return prehend::run_program(argc, argv, [&](CLI::App& app, prehend::CommandRequest& request) {
+    prehend::start_other_program(argc, argv);
+    prehend::add_plan(app, request);
+    prehend::add_evaluate(app, request);
+    prehend::add_simulate(app, request);
+    prehend::add_render(app, request);
+    prehend::add_inspect(app, request);
+    prehend::add_quality(app, request);
+    prehend::add_convert(app, request);
+    prehend::add_other_commands(app);
+  });
 }

@@ -2,8 +2,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace prehend {
+
+// What an option may be, as CLI11 wants it.
+template <typename Texts>
+std::vector<std::string> texts(const Texts& values) {
+  return {values.begin(), values.end()};
+}
 
 // Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds. Throws InputError
 // of --budget for any other word and for times that are not above 0.

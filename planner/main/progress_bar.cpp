@@ -12,8 +12,8 @@ constexpr double kSecondsBetween = 0.1;
 
 // "trials 120 of 800, 31 hold"
 std::string words_of(const Progress& progress) {
-  std::string words = std::string(stage_name(progress.stage)) + " " +
-                      std::to_string(progress.done) + " of " + std::to_string(progress.total);
+  std::string words = std::string(name_of(progress.stage)) + " " + std::to_string(progress.done) +
+                      " of " + std::to_string(progress.total);
   if (progress.stage == Stage::trials) words += ", " + std::to_string(progress.stable) + " hold";
   return words;
 }

@@ -1,9 +1,11 @@
 #include "planner/main/requested_scene.h"
 
+#include <iostream>
 #include <utility>
 
 #include "planner/main/print_notes.h"
 #include "planner/results/datasets/set_scene.h"
+#include "planner/results/json_settings.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
@@ -49,6 +51,13 @@ LoadedScene load_asked_scene(const GraspSet& set, const std::filesystem::path& f
 std::optional<TestProcedure> requested_test_procedure(const std::string& name_or_file) {
   if (name_or_file.empty()) return {};
   return read_test_procedure(find_test_procedure(name_or_file));
+}
+
+PlanOptions requested_accuracy(const std::string& name_or_file) {
+  std::vector<std::string> notes;
+  PlanOptions options = read_accuracy(name_or_file, &notes);
+  for (const std::string& note : notes) std::cerr << "note: " << on_one_line(note) << "\n";
+  return options;
 }
 
 double requested_tolerance(const TriangleMesh& object, double millimetres) {

@@ -31,6 +31,10 @@ LoadedScene load_asked_scene(const GraspSet& set, const std::filesystem::path& f
 // The protocol that --shake names; nothing where it does not. Throws InputError.
 std::optional<TestProcedure> requested_test_procedure(const std::string& name_or_file);
 
+// The options of --accuracy (read_accuracy); prints a note for each setting in its file that has no
+// effect any more. Throws InputError.
+PlanOptions requested_accuracy(const std::string& name_or_file);
+
 // DecomposeOptions::tolerance from --primitive-tolerance [mm]. Throws InputError that names the
 // option.
 double requested_tolerance(const TriangleMesh& object, double millimetres);

@@ -7,6 +7,7 @@
 
 #include "planner/plan/grasp_text.h"
 #include "sim/base/formatted.h"
+#include "sim/base/joined.h"
 #include "sim/trial/success.h"
 
 namespace prehend {
@@ -100,12 +101,12 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
     const std::string volume = volume_text(grasp);
     const std::string weight = weight_text(grasp);
     const std::string preshape = preshape_name(scene, grasp.candidate);
-    text += formatted("%4zu  %8.4f  %9s  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
-                      grasp.trial.epsilon.lower, volume.c_str(), weight.c_str(),
-                      grasp.trial.contacts.size(),
-                      std::string(outcome_name(grasp.trial.outcome)).c_str(),
-                      preshape.empty() ? "-" : preshape.c_str(), optional.rows[i].c_str(),
-                      origin_text(grasp, result).c_str());
+    text +=
+        formatted("%4zu  %8.4f  %9s  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
+                  grasp.trial.epsilon.lower, volume.c_str(), weight.c_str(),
+                  grasp.trial.contacts.size(), std::string(name_of(grasp.trial.outcome)).c_str(),
+                  preshape.empty() ? "-" : preshape.c_str(), optional.rows[i].c_str(),
+                  origin_text(grasp, result).c_str());
   }
   return text;
 }
@@ -113,12 +114,11 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
 std::string outcome_line(const PlanResult& result) {
   int total = 0;
   std::string counts;
-  for (Outcome outcome : kOutcomes) {
-    const int count = result.outcomes[static_cast<std::size_t>(outcome)];
+  for (Outcome outcome : kAll<Outcome>) {
+    const int count = result.outcomes[outcome];
     total += count;
     if (count == 0 && outcome >= Outcome::unreachable) continue;  // only arms have these
-    counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " +
-              std::string(outcome_name(outcome));
+    add_part(counts, std::to_string(count) + " " + std::string(name_of(outcome)));
   }
   return std::to_string(total) + " tried: " + counts;
 }
@@ -155,7 +155,7 @@ std::string blocker_line(const PlanResult& result) {
   std::string text;
   for (const CollisionCount& body : bodies) {
     text += (text.empty() ? "blocked by: " : ", ") + body.by + " " + std::to_string(body.count) +
-            " (" + std::string(outcome_name(body.outcome)) + ")";
+            " (" + std::string(name_of(body.outcome)) + ")";
   }
   return text.empty() ? text : text + "\n";
 }
@@ -165,11 +165,10 @@ std::string advice_lines(const PlanResult& result) {
   if (!result.rules.empty()) text += "no grasp holds; by rule:\n";
   for (const RuleCount& rule : result.rules) {
     std::string counts;
-    for (const Outcome outcome : kOutcomes) {
-      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
+    for (const Outcome outcome : kAll<Outcome>) {
+      const int count = rule.outcomes[outcome];
       if (count == 0) continue;
-      counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " +
-                std::string(outcome_name(outcome));
+      add_part(counts, std::to_string(count) + " " + std::string(name_of(outcome)));
     }
     text += "  " + rule.rule + ": " + counts + "\n";
   }

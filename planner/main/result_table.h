@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

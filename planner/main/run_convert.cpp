@@ -1,22 +1,33 @@
 #include <iostream>
 
-#include "planner/main/commands.h"
+#include "planner/main/shared_options.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/output_file.h"
 #include "sim/robot/files/converted.h"
 
 namespace prehend {
+namespace {
 
-ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
-                                    const std::filesystem::path& srdf) {
-  ForeignRobotOptions options{.srdf = srdf};
-  for (const std::string& words : packages) {
-    const std::size_t sign = words.find('=');
-    require(sign != std::string::npos && sign > 0 && sign + 1 < words.size(),
-            {.field = "--package", .problem = "must be NAME=FOLDER", .value = words});
-    options.packages[words.substr(0, sign)] = words.substr(sign + 1);
-  }
-  return options;
+// Arguments of `convert`.
+struct ConvertCommand {
+  std::string source;
+  std::filesystem::path target;
+  std::string unit = "m";             // of a mesh file that is read
+  std::vector<std::string> packages;  // NAME=FOLDER
+  std::filesystem::path srdf;         // empty: beside the URDF file, if it is there
+};
+
+void declare(CLI::App& command, ConvertCommand& options) {
+  command.add_option("source", options.source, "robot or mesh file, or a robot of the library")
+      ->required();
+  command
+      .add_option("target", options.target,
+                  "file to write: .json or .urdf for a robot, .obj .stl .ply .off for a mesh")
+      ->required();
+  command.add_option("--unit", options.unit, "unit of a mesh file that is read: m, cm, mm, in")
+      ->capture_default_str();
+  add_foreign(command, options.packages, options.srdf);
 }
 
 int run_convert(const ConvertCommand& command, Interrupts& interrupts) {
@@ -32,10 +43,17 @@ int run_convert(const ConvertCommand& command, Interrupts& interrupts) {
   for (const RobotTextFile& file : files) {
     make_folder((folder / file.name).parent_path());
     interrupts.write(folder / file.name, file.content);
-    names += (names.empty() ? "" : ", ") + file.name.string();
+    add_part(names, file.name.string());
   }
   std::cout << "wrote " << folder.string() << ": " << names << "\n";
   return 0;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "convert", "write a robot or a mesh in another format", declare,
+              run_convert);
 }
 
 }  // namespace prehend

@@ -4,18 +4,18 @@
 #include <variant>
 #include <vector>
 
-#include "planner/main/commands.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/requested_scene.h"
 #include "planner/main/result_table.h"
+#include "planner/main/shared_options.h"
+#include "planner/plan/plan.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/datasets/acronym_file.h"
 #include "planner/results/datasets/graspgen_file.h"
 #include "planner/results/datasets/hdf5_reader.h"
 #include "planner/results/datasets/set_candidates.h"
-#include "planner/results/json_settings.h"
-#include "planner/results/result_files.h"
 #include "planner/results/timings_file.h"
+#include "planner/show/exports/result_files.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
 #include "sim/base/json/json_field.h"
@@ -26,6 +26,42 @@
 namespace prehend {
 
 namespace {
+
+// Arguments of `evaluate`.
+struct EvaluateCommand {
+  std::filesystem::path grasps;
+  std::string scene;  // empty: the file's
+  std::string hand;
+  std::string unit;
+  bool repair = true;
+  std::string shake;                    // protocol: name or file; empty: none
+  bool uncertainty = false;             // grasps are tried again on disturbed poses
+  bool dynamic = false;                 // hands close in time, on an object that gives way
+  std::size_t volumes = kMostDetailed;  // of so many grasps: those that the report shows in detail
+  CommonOptions common = {.out = "out/evaluate"};
+};
+
+void declare(CLI::App& command, EvaluateCommand& options) {
+  command
+      .add_option("grasps", options.grasps,
+                  "grasp file (docs/reference/grasps-file.md), or a set of grasps "
+                  "(docs/reference/datasets.md)")
+      ->required();
+  add_scene_options(command, options.scene, options.hand, options.unit, options.repair);
+  command
+      .add_option("--volumes", options.volumes,
+                  "for how many grasps the volume and the weight that they hold are computed, "
+                  "much slower than the rest")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  add_shake(command, options.shake);
+  add_uncertainty(command, options.uncertainty);
+  add_dynamic(command, options.dynamic);
+  add_common(command, options.common);
+  add_accuracy(command, options.common);
+  add_contacts(command, options.common);
+  add_no_report(command, options.common.no_report);
+}
 
 struct Given {
   LoadedScene loaded;
@@ -76,7 +112,7 @@ bool goes_on(PlanResult& result, Interrupts& interrupts) {
 }
 
 EvaluateOptions options_of(const EvaluateCommand& command) {
-  const PlanOptions accuracy = read_accuracy(command.common.accuracy);
+  const PlanOptions accuracy = requested_accuracy(command.common.accuracy);
   EvaluateOptions options;
   options.seed = command.common.seed;
   options.trial = accuracy.trial;
@@ -116,8 +152,6 @@ void print_result(const Given& given, const PlanResult& result, const std::files
             << (given.scaled.empty() ? "" : std::string(", ") + kScaledScene) << "\n";
 }
 
-}  // namespace
-
 int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
   const std::optional<TestProcedure> protocol = requested_test_procedure(command.shake);
@@ -131,7 +165,7 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   const EvaluateOptions options = options_of(command);
   const RunContext context{command.common.threads, interrupts.cancellation(),
                            [&](const Progress& progress) { bar.show(progress); },
-                           command.common.deadline};
+                           interrupts.deadline()};
   interrupts.cancel_first();
   PlanResult result = evaluate(loaded.scene, given.candidates, options, context);
   bar.clear();
@@ -163,6 +197,12 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
   print_result(given, result, command.common.out, !report.empty());
   return 0;
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "evaluate", "simulate and score given grasps", declare, run_evaluate);
 }
 
 }  // namespace prehend

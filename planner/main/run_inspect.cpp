@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
-#include "planner/main/commands.h"
 #include "planner/main/print_mass.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/print_robot.h"
 #include "planner/main/printed_units.h"
 #include "planner/main/requested_scene.h"
+#include "planner/main/shared_options.h"
 #include "planner/show/robot_picture.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
@@ -34,6 +34,29 @@
 
 namespace prehend {
 namespace {
+
+// Arguments of `inspect`.
+struct InspectCommand {
+  std::string file;
+  std::string unit;                           // empty: the likely one
+  bool repair = true;                         // of an object's mesh file
+  std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
+  std::filesystem::path save;                 // of a scene: write it there; empty: do not
+  std::filesystem::path picture;              // of a robot: draw it there (PNG); empty: do not
+  std::vector<std::string> packages;          // of a robot: NAME=FOLDER
+  std::filesystem::path srdf;                 // of a robot; empty: that beside it
+};
+
+void declare(CLI::App& command, InspectCommand& options) {
+  command.add_option("file", options.file, "mesh, robot or scene file, or a library name")
+      ->required();
+  add_mesh_options(command, options.unit, options.repair);
+  command.add_option("--primitive-tolerance", options.primitive_tolerance,
+                     "how far the object's surface may be from its primitives, in mm");
+  command.add_option("--save", options.save, "of a scene: write it to this file");
+  command.add_option("--picture", options.picture, "of a robot: draw it in this file (PNG)");
+  add_foreign(command, options.packages, options.srdf);
+}
 
 void print_checks(const MeshChecks& checks) {
   std::printf("  triangles %d, vertices %d, components %d\n", checks.triangles, checks.vertices,
@@ -105,7 +128,7 @@ void print_volume(const TriangleMesh& mesh, const MeshChecks& checks, bool cente
   if (centered) {
     std::printf("centre of mass (%.2f, %.2f, %.2f) mm, ", center.x(), center.y(), center.z());
   }
-  std::printf("from the %s\n", std::string(mass_source_name(mass.source)).c_str());
+  std::printf("from the %s\n", std::string(name_of(mass.source)).c_str());
   if (!checks.solid()) std::printf("  %s\n", trust_text(checks, mass.source).c_str());
 }
 
@@ -169,7 +192,7 @@ std::vector<InspectedRobot> inspected_robots(const Platform& platform) {
 
 void print_scene(const Scene& scene, const InspectCommand& command) {
   std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
-              scene.object.name.c_str(), std::string(material_name(scene.object.material)).c_str(),
+              scene.object.name.c_str(), std::string(name_of(scene.object.material)).c_str(),
               scene.object.mass, scene.hand.name.c_str(), scene.obstacles.size());
   if (scene.carrier) {
     print_platform(scene.carrier->platform, inspected_robots(scene.carrier->platform));
@@ -178,7 +201,7 @@ void print_scene(const Scene& scene, const InspectCommand& command) {
   print_mass(scene.object);
   for (const StaticBody& body : scene.obstacles) {
     std::printf("obstacle %s of %s\n", body.name.c_str(),
-                std::string(material_name(body.material)).c_str());
+                std::string(name_of(body.material)).c_str());
     print_mesh(body.mesh);
   }
   if (scene.primitives.empty()) {
@@ -278,8 +301,6 @@ void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& 
   print_primitives(loaded.mesh, command);
 }
 
-}  // namespace
-
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   for (const std::filesystem::path& written : {command.save, command.picture}) {
     if (!written.empty()) require_writable(std::filesystem::absolute(written).parent_path());
@@ -310,6 +331,13 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     }
   }
   return 0;
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "inspect", "say what prehend sees in a mesh, robot or scene", declare,
+              run_inspect);
 }
 
 }  // namespace prehend

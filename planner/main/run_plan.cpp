@@ -1,24 +1,26 @@
 #include <iostream>
 
-#include "planner/main/commands.h"
+#include "planner/main/option_values.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/progress_bar.h"
 #include "planner/main/requested_scene.h"
 #include "planner/main/result_table.h"
+#include "planner/main/shared_options.h"
 #include "planner/plan/learn/tree_model_file.h"
+#include "planner/plan/plan.h"
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/grasps_file.h"
-#include "planner/results/json_settings.h"
-#include "planner/results/result_files.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/result_files.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/output_file.h"
 #include "sim/manipulation/grasp_world.h"
 #include "sim/scene/scene_file.h"
@@ -26,6 +28,73 @@
 
 namespace prehend {
 namespace {
+
+// Arguments of `plan`.
+struct PlanCommand {
+  std::string scene = "mug";  // name, scene file or mesh file
+  std::string hand;           // empty: the scene's
+  std::string unit;           // empty: the likely one
+  bool repair = true;         // of an object's mesh file
+  int top = 10;
+  std::optional<int> trials;  // empty: those of the accuracy
+  std::optional<int> enough;  // grasps that hold, after which the search ends; as above
+  std::string model;          // file of a model that orders the candidates; empty: none
+  bool path = false;          // paths of the arm as well
+  std::string path_planner = "rrt_connect";
+  std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
+  std::vector<std::string> exports;           // formats besides grasps.json
+  std::string shake;                          // protocol: name or file; empty: none
+  bool uncertainty = false;                   // grasps are tried again on disturbed poses
+  std::string rank = "epsilon";               // "shake", "probability", "success"
+  bool dynamic = false;                       // hands close in time, on an object that gives way
+  std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
+  CommonOptions common;
+};
+
+void declare(CLI::App& command, PlanCommand& options) {
+  command.add_option("scene", options.scene, "scene name, scene file or mesh file")
+      ->capture_default_str();
+  command.add_option("--hand", options.hand, "robot of the library or robot file");
+  add_mesh_options(command, options.unit, options.repair);
+  command.add_option("--top", options.top, "grasps to return")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  command
+      .add_option("--trials", options.trials,
+                  "candidates to try at most, 800 for accuracy standard")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--enough", options.enough, "grasps that hold after which the search ends")
+      ->check(CLI::Range(1, 1000000));
+  command.add_option("--model", options.model,
+                     "file of a model that orders the candidates (docs/how-to/learning.md)");
+  command.add_option("--primitive-tolerance", options.primitive_tolerance,
+                     "how far the object's surface may be from its primitives, in mm");
+  CLI::Option* path =
+      command.add_flag("--path", options.path, "plan the arm's way to each grasp as well");
+  command.add_option("--path-planner", options.path_planner, "how ways are searched for")
+      ->check(CLI::IsMember(texts(enum_names(PathPlanner{}))))
+      ->needs(path)
+      ->capture_default_str();
+  command
+      .add_option("--export", options.exports,
+                  "more files, with commas: " + joined(export_formats(), ", ", &ExportFormat::name))
+      ->delimiter(',')
+      ->check(CLI::IsMember(export_names()));
+  add_shake(command, options.shake);
+  command
+      .add_option("--rank", options.rank,
+                  "what comes first: larger epsilon, more survived of the tests of --shake, or "
+                  "more held of the trials of --uncertainty, or how probably they lift")
+      ->check(CLI::IsMember({"epsilon", "shake", "probability", "success"}))
+      ->capture_default_str();
+  add_uncertainty(command, options.uncertainty);
+  add_dynamic(command, options.dynamic);
+  add_packages(command, options.packages);
+  add_common(command, options.common);
+  add_accuracy(command, options.common);
+  add_contacts(command, options.common);
+  add_no_report(command, options.common.no_report);
+}
 
 // Pictures of the best grasp, by file name.
 std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& scene,
@@ -39,14 +108,23 @@ std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& sc
   return pictures;
 }
 
-std::string names_of(const std::vector<ExportFile>& files) {
-  std::string names;
-  for (const ExportFile& file : files) names += (names.empty() ? "" : ", ") + file.name;
-  return names;
+// Throws InputError for options that do not go together.
+void check_together(const PlanCommand& command) {
+  const auto check_rank = [&](bool fits, const char* needed) {
+    require(fits, {.field = "--rank", .problem = needed, .value = command.rank});
+  };
+  if (command.rank == "shake") check_rank(!command.shake.empty(), "needs the tests of --shake");
+  if (command.rank == "probability" || command.rank == "success") {
+    check_rank(command.uncertainty, "needs the trials of --uncertainty");
+  }
+  require(!command.path || !command.dynamic,
+          {.field = "--path",
+           .problem = "not together with --dynamic: paths are planned among objects that stand "
+                      "still"});
 }
 
 PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
-  PlanOptions options = read_accuracy(command.common.accuracy);
+  PlanOptions options = requested_accuracy(command.common.accuracy);
   if (command.primitive_tolerance) {
     options.primitives.tolerance = requested_tolerance(object, *command.primitive_tolerance);
   }
@@ -56,23 +134,14 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   options.rank.top = command.top;
   if (command.trials) options.search.trials = *command.trials;
   if (command.enough) options.search.enough = *command.enough;
-  if (command.path && command.dynamic) {
-    throw InputError({.field = "--path",
-                      .problem = "not together with --dynamic: paths are planned among objects "
-                                 "that stand still"});
-  }
   if (!command.path) options.paths.reset();
   if (command.path) {
     if (!options.paths) options.paths.emplace();
     // Paths look for postures of the arm with the same options as trials.
     options.paths->reach = options.trial.reach;
-    options.paths->transfer.planner = path_planner_named(command.path_planner).value();
+    options.paths->transfer.planner = value_named<PathPlanner>(command.path_planner).value();
   }
   if (!command.common.no_report) options.sections = kMostDetailed;
-  if ((command.rank == "probability" || command.rank == "success") && !command.uncertainty) {
-    throw InputError(
-        {.field = "--rank", .problem = "needs the trials of --uncertainty", .value = command.rank});
-  }
   if (command.uncertainty) options.robustness = true;
   if (command.rank == "probability") options.rank.by = RankBy::probability;
   if (command.rank == "success") options.rank.by = RankBy::success;
@@ -99,6 +168,7 @@ class PlanProgram {
       : command_(command), interrupts_(interrupts), folder_(command.common.out) {}
 
   int run() {
+    check_together(command_);
     require_writable(folder_);
     const std::optional<TestProcedure> procedure = requested_test_procedure(command_.shake);
     Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair,
@@ -146,7 +216,7 @@ class PlanProgram {
     PlanResult result =
         plan(scene, options,
              {command_.common.threads, interrupts_.cancellation(),
-              [&](const Progress& progress) { bar.show(progress); }, command_.common.deadline});
+              [&](const Progress& progress) { bar.show(progress); }, interrupts_.deadline()});
     bar.clear();
     // A stage that the deadline alone does not end was cancelled at the end of the budget.
     const bool time_is_up = interrupts_.unlimit_time();
@@ -160,10 +230,9 @@ class PlanProgram {
   void shake(const CompiledScene& scene, const std::optional<TestProcedure>& procedure,
              PlanResult& result) {
     if (!procedure || result.grasps.empty() || result.status == PlanStatus::cancelled) return;
-    shake_grasps(
-        scene, *procedure,
-        {command_.common.threads, interrupts_.cancellation(), {}, command_.common.deadline},
-        result);
+    shake_grasps(scene, *procedure,
+                 {command_.common.threads, interrupts_.cancellation(), {}, interrupts_.deadline()},
+                 result);
     if (command_.rank == "shake") rank_by_shake(result);
     watch_.lap(Stage::shake);
   }
@@ -220,7 +289,7 @@ class PlanProgram {
     }
     // Report and pictures are of earlier grasps, too, until this run writes its own.
     remove_earlier_results(folder_, names, scene, command_.scene);
-    written_ = names_of(files);
+    written_ = joined(files, ", ", &ExportFile::name);
   }
 
   void write_timings(const PlanResult& result) {
@@ -251,10 +320,14 @@ class PlanProgram {
   std::string written_;  // names of the files, with commas
 };
 
-}  // namespace
-
 int run_plan(const PlanCommand& command, Interrupts& interrupts) {
   return PlanProgram(command, interrupts).run();
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "plan", "plan grasps of an object and rank them", declare, run_plan);
 }
 
 }  // namespace prehend

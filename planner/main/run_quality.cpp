@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/main/commands.h"
+#include "planner/main/shared_options.h"
 #include "planner/results/contacts_file.h"
 #include "planner/show/exports/ply.h"
 #include "planner/show/report/contacts_report.h"
@@ -18,6 +18,40 @@
 
 namespace prehend {
 namespace {
+
+// Arguments of `quality`.
+struct QualityCommand {
+  std::filesystem::path contacts;
+  std::string space = "L1";        // L1 or Linf
+  std::string cone = "pyramid:8";  // pyramid:EDGES or exact
+  std::string force;               // at_most or exactly; empty: exactly for L1, at_most for Linf
+  std::string measures;            // names, with commas
+  std::string project;             // see run_quality.cpp; empty: no section
+  std::filesystem::path out = "out/quality";
+  std::uint64_t seed = 1;
+  bool no_report = false;
+};
+
+void declare(CLI::App& command, QualityCommand& options) {
+  command
+      .add_option("contacts", options.contacts, "contacts file (docs/reference/contacts-file.md)")
+      ->required();
+  command.add_option("--space", options.space, "what is unit: sum of forces, or each")
+      ->check(CLI::IsMember({"L1", "Linf"}))
+      ->capture_default_str();
+  command.add_option("--cone", options.cone, "friction cones: pyramid:EDGES or exact")
+      ->capture_default_str();
+  command.add_option("--force", options.force, "unit forces: at_most or exactly")
+      ->check(CLI::IsMember({"at_most", "exactly"}));
+  command.add_option("--measures", options.measures, "more measures by name, with commas");
+  command.add_option("--project", options.project,
+                     "write a section: force, torque, or three like tx=0,ty=0,fz=0.5");
+  command.add_option("--out", options.out, "folder to write to")->capture_default_str();
+  command.add_option("--seed", options.seed, "seed of the robust measures")
+      ->check(complaint_about_seed)
+      ->capture_default_str();
+  add_no_report(command, options.no_report);
+}
 
 using Json = nlohmann::ordered_json;
 
@@ -104,7 +138,7 @@ Json forces_json(const ContactsFile& file, const WrenchSpaceOptions& space) {
   const ContactForces found =
       file.hand ? balancing_forces(file.contacts, file.frame, *file.external, *file.hand, options)
                 : balancing_forces(file.contacts, file.frame, *file.external, options);
-  Json json{{"outcome", force_outcome_name(found.outcome)}};
+  Json json{{"outcome", name_of(found.outcome)}};
   if (found.outcome == ForceOutcome::impossible) {
     json["separating_wrench"] = wrench_json(found.separating);
     return json;
@@ -174,9 +208,8 @@ Json quality_json(const QualityCommand& command, const ContactsFile& file,
                   const MeasureOptions& options, const JudgedContacts& judged) {
   const EpsilonBracket& bracket = judged.epsilon;
   Json json;
-  json["epsilon"] = {{"lower", bracket.lower},
-                     {"upper", bracket.upper},
-                     {"status", epsilon_status_name(bracket.status)}};
+  json["epsilon"] = {
+      {"lower", bracket.lower}, {"upper", bracket.upper}, {"status", name_of(bracket.status)}};
   json["force_closure"] = bracket.force_closure();
   json["volume"] = judged.volume.lower;
   json["volume_bracket"] = interval_json(judged.volume);
@@ -185,8 +218,6 @@ Json quality_json(const QualityCommand& command, const ContactsFile& file,
   if (file.external) json["forces"] = forces_json(file, options.space);
   return json;
 }
-
-}  // namespace
 
 int run_quality(const QualityCommand& command, Interrupts& interrupts) {
   require_writable(command.out);
@@ -218,6 +249,13 @@ int run_quality(const QualityCommand& command, Interrupts& interrupts) {
     throw error.in_file(command.contacts.string());
   }
   return 0;
+}
+
+}  // namespace
+
+void add_quality(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "quality", "judge contacts without a scene (JSON)", declare,
+              run_quality);
 }
 
 }  // namespace prehend

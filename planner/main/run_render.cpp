@@ -1,10 +1,10 @@
 #include <iostream>
 
-#include "planner/main/commands.h"
 #include "planner/main/requested_scene.h"
+#include "planner/main/shared_options.h"
 #include "planner/results/grasps_file.h"
-#include "planner/results/result_files.h"
 #include "planner/show/contact_sheet.h"
+#include "planner/show/exports/result_files.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
 #include "sim/base/formatted.h"
@@ -15,6 +15,32 @@
 
 namespace prehend {
 namespace {
+
+// Arguments of `render`.
+struct RenderCommand {
+  std::filesystem::path grasps;
+  int grasp = 0;   // 1 is the first, 0: all
+  int frames = 8;  // of the approach
+  std::string scene;
+  std::string hand;
+  std::string unit;
+  bool repair = true;
+  std::filesystem::path out = "out/render";
+};
+
+void declare(CLI::App& command, RenderCommand& options) {
+  command.add_option("grasps", options.grasps, "grasp file")->required();
+  command.add_option("--grasp", options.grasp, "number of the one to draw, 0: all")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--frames", options.frames,
+                  "pictures of its approach (for all: of the first), 0: none")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  add_scene_options(command, options.scene, options.hand, options.unit, options.repair);
+  command.add_option("--out", options.out, "folder to write to")->capture_default_str();
+}
 
 constexpr std::size_t kSheetGrasps = 10;
 constexpr GraspPictureOptions kFramePicture{800, 640};
@@ -30,7 +56,7 @@ std::string title_of(const ScoredGrasp& grasp, bool judged, std::size_t number) 
   std::string title = "grasp " + std::to_string(number);
   if (!judged) return title;
   title += formatted("   epsilon %.4f", grasp.trial.epsilon.lower);
-  return title + "   " + std::string(outcome_name(grasp.trial.outcome));
+  return title + "   " + std::string(name_of(grasp.trial.outcome));
 }
 
 // What the file knows of it, in lines that are short enough for a cell.
@@ -45,7 +71,7 @@ std::string numbers_of(const ScoredGrasp& grasp, bool judged, std::size_t number
   }
   if (!second.empty()) text += "\n" + second;
   const bool failed = judged && grasp.trial.outcome != Outcome::stable;
-  return failed ? text + "\n" + std::string(outcome_name(grasp.trial.outcome)) : text;
+  return failed ? text + "\n" + std::string(name_of(grasp.trial.outcome)) : text;
 }
 
 // All of them, or the one that was asked for.
@@ -142,15 +168,13 @@ void write_frames(const std::filesystem::path& folder, const CompiledScene& scen
   print_written(folder, names);
 }
 
-}  // namespace
-
 int run_render(const RenderCommand& command, Interrupts& interrupts) {
-  require_writable(command.common.out);
+  require_writable(command.out);
   const JsonFile file(command.grasps);
   const LoadedScene loaded =
       load_asked_scene(file, {command.scene, command.hand, command.unit, command.repair});
   const std::vector<DrawnGrasp> grasps = drawn_grasps(file, loaded.scene, command.grasp);
-  const std::filesystem::path& folder = command.common.out;
+  const std::filesystem::path& folder = command.out;
   make_folder(folder);
   interrupts.end_at_once("pictures that were drawn are written");
   // All grasps are drawn: pictures of others must not stand beside them.
@@ -159,6 +183,12 @@ int run_render(const RenderCommand& command, Interrupts& interrupts) {
   if (command.grasp == 0) write_sheet(folder, loaded.scene, grasps, interrupts);
   write_frames(folder, loaded.scene, grasps.front(), command.frames, interrupts);
   return 0;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "render", "draw grasps of a grasp file (PNG)", declare, run_render);
 }
 
 }  // namespace prehend

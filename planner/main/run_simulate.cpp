@@ -2,11 +2,11 @@
 #include <optional>
 #include <utility>
 
-#include "planner/main/commands.h"
 #include "planner/main/print_notes.h"
 #include "planner/main/requested_scene.h"
-#include "planner/results/result_files.h"
+#include "planner/main/shared_options.h"
 #include "planner/results/simulation_file.h"
+#include "planner/show/exports/result_files.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
 #include "planner/show/report/report_html.h"
@@ -22,6 +22,51 @@
 
 namespace prehend {
 namespace {
+
+// Arguments of `simulate`.
+struct SimulateCommand {
+  std::string scene;                    // name, scene file or file of grasps
+  int grasp = 1;                        // of a file of grasps: which one
+  std::string hand;                     // of a scene; empty: its own
+  std::string procedure;                // name or file; empty: the hand closes
+  std::string test;                     // of the protocol; empty: the first
+  double seconds = 5.0;                 // for which the hand closes, without a protocol
+  std::optional<double> step;           // s; empty: the protocol's
+  double every = 0.01;                  // s between recorded states
+  std::vector<std::string> quantities;  // of states.csv; "all": all; empty: no such file
+  int frames = 0;                       // pictures of moments
+  std::vector<std::string> packages;    // of a hand or platform: NAME=FOLDER
+  CommonOptions common = {.out = "out/simulate"};
+};
+
+void declare(CLI::App& command, SimulateCommand& options) {
+  command.add_option("scene", options.scene, "scene name, scene file or grasp file")->required();
+  command.add_option("--grasp", options.grasp, "number of the grasp of a grasp file")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  command.add_option("--hand", options.hand, "robot of the library or robot file");
+  command.add_option("--protocol", options.procedure,
+                     "what the hand does, by a protocol's name or file; without it, it closes");
+  command.add_option("--test", options.test, "test of the protocol; without it the first");
+  command.add_option("--seconds", options.seconds, "for how long a hand without protocol closes")
+      ->check(CLI::Range(1e-3, 1000.0))
+      ->capture_default_str();
+  command.add_option("--step", options.step, "longest step of the simulation, in s")
+      ->check(CLI::Range(1e-6, 0.1));
+  command.add_option("--every", options.every, "time between two recorded states, in s")
+      ->check(CLI::Range(1e-6, 1000.0))
+      ->capture_default_str();
+  command
+      .add_option("--csv", options.quantities,
+                  "write states.csv: quantities by name, with commas, or all")
+      ->delimiter(',');
+  command.add_option("--frames", options.frames, "pictures of moments to draw (PNG)")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  add_packages(command, options.packages);
+  add_common(command, options.common);
+  add_no_report(command, options.common.no_report);
+}
 
 constexpr GraspPictureOptions kMomentPicture{800, 640};
 
@@ -47,7 +92,7 @@ AskedSimulation grasp_of_file(const SimulateCommand& command, const JsonFile& fi
   if (is_blocked(trial.outcome) || (loaded.scene.arm && trial.arm_line.empty())) {
     throw InputError(
         {file.path().string(), "grasp " + std::to_string(command.grasp),
-         "cannot be simulated: its trial ends as " + std::string(outcome_name(trial.outcome))});
+         "cannot be simulated: its trial ends as " + std::string(name_of(trial.outcome))});
   }
   SimulationStart start = start_of(loaded.scene, grasp.candidate, trial);
   return {std::move(loaded.scene), loaded.record.scene, std::move(start)};
@@ -103,17 +148,15 @@ std::vector<std::string> write_moments(const SimulateCommand& command, const Ask
 
 void print_simulation(const Simulation& simulation, const std::vector<std::string>& written,
                       const std::filesystem::path& folder) {
-  for (const std::string& line : happenings(simulation)) std::cout << line << "\n";
+  for (const std::string& line : event_lines(simulation)) std::cout << line << "\n";
   const SimulationEffort& effort = simulation.effort;
-  std::cout << std::string(object_end_name(simulation.end)) << " after "
+  std::cout << std::string(name_of(simulation.end)) << " after "
             << formatted("%.3f s: ", simulation.frames.back().time) << effort.steps << " steps, "
             << effort.shortened << " shortened, " << effort.not_converged << " not converged\n";
   std::cout << "wrote " << folder.string() << ": ";
   for (std::size_t i = 0; i < written.size(); ++i) std::cout << (i > 0 ? ", " : "") << written[i];
   std::cout << "\n";
 }
-
-}  // namespace
 
 int run_simulate(const SimulateCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
@@ -122,8 +165,7 @@ int run_simulate(const SimulateCommand& command, Interrupts& interrupts) {
   SimulateOptions options;
   options.every = command.every;
   options.test = command.test;
-  const RunContext context{
-      command.common.threads, interrupts.cancellation(), {}, command.common.deadline};
+  const RunContext context{command.common.threads, interrupts.cancellation(), {}, {}};
   interrupts.end_at_once("nothing is written");
   const Simulation simulation = simulate(asked.scene, asked.start, procedure, options, context);
   const std::vector<std::string> quantities =
@@ -151,6 +193,13 @@ int run_simulate(const SimulateCommand& command, Interrupts& interrupts) {
   }
   print_simulation(simulation, written, command.common.out);
   return 0;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, "simulate", "simulate what a hand does to an object", declare,
+              run_simulate);
 }
 
 }  // namespace prehend

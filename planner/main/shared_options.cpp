@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "planner/main/option_values.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 
@@ -46,8 +47,9 @@ void add_no_report(CLI::App& command, bool& no_report) {
 
 void add_accuracy(CLI::App& command, CommonOptions& common) {
   command
-      .add_option("--accuracy", common.accuracy,
-                  "draft, standard or fine, or a file of settings (docs/accuracy-file.md)")
+      .add_option(
+          "--accuracy", common.accuracy,
+          "draft, standard or fine, or a file of settings (docs/reference/accuracy-file.md)")
       ->capture_default_str();
 }
 
@@ -85,19 +87,16 @@ void add_foreign(CLI::App& command, std::vector<std::string>& packages,
   command.add_option("--srdf", srdf, "SRDF file of a URDF file, in place of the one beside it");
 }
 
-void add_live(CLI::App& command, LiveOptions& live) {
-  command.add_option("--listen", live.address, "address of this machine to listen on")
-      ->capture_default_str();
-  command.add_option("--record", live.record, "file to write the session to, for replay");
-  add_session(command, live.folders, live.threads);
-}
-
-void add_session(CLI::App& command, std::vector<std::filesystem::path>& folders, int& threads) {
-  command.add_option("--folder", folders,
-                     "whose files the commands may read and write; may be repeated");
-  command.add_option("--threads", threads, "threads of plans, 0: all processors")
-      ->check(CLI::Range(0, 1024))
-      ->capture_default_str();
+ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
+                                    const std::filesystem::path& srdf) {
+  ForeignRobotOptions options{.srdf = srdf};
+  for (const std::string& words : packages) {
+    const std::size_t sign = words.find('=');
+    require(sign != std::string::npos && sign > 0 && sign + 1 < words.size(),
+            {.field = "--package", .problem = "must be NAME=FOLDER", .value = words});
+    options.packages[words.substr(0, sign)] = words.substr(sign + 1);
+  }
+  return options;
 }
 
 }  // namespace prehend

@@ -1,19 +1,56 @@
 // Options that several commands have. Each function adds those that it names to a command.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "planner/main/command_line.h"
-#include "planner/main/commands.h"
+#include "sim/robot/files/package_folders.h"
 
 namespace prehend {
 
+// Options of commands that compute something.
+struct CommonOptions {
+  std::filesystem::path out = "out";
+  int threads = 0;  // 0: all processors
+  std::uint64_t seed = 1;
+  std::string accuracy = "standard";  // a name, or a file of settings
+  bool hard_contacts = false;
+  bool no_report = false;
+  bool progress = false;  // lines on stderr that say how far the run is
+};
+
 // --budget, --memory-limit.
 void add_limits(CLI::App& command, Limits& limits);
+
+// Declares a command below `app`. An Options has the values of its options, each with its default:
+// declare(command, options) adds them, and run(options, interrupts) is what request.run calls once
+// the command is read. Returns the command.
+template <typename Options>
+CLI::App& add_unlimited_command(CLI::App& app, CommandRequest& request, const std::string& name,
+                                const std::string& summary, void (*declare)(CLI::App&, Options&),
+                                int (*run)(const Options&, Interrupts&)) {
+  CLI::App& command = *app.add_subcommand(name, summary);
+  const auto options = std::make_shared<Options>();
+  declare(command, *options);
+  command.callback([options, run, &request] {
+    request.run = [options, run](Interrupts& interrupts) { return run(*options, interrupts); };
+  });
+  return command;
+}
+
+// The same with --budget and --memory-limit.
+template <typename Options>
+void add_command(CLI::App& app, CommandRequest& request, const std::string& name,
+                 const std::string& summary, void (*declare)(CLI::App&, Options&),
+                 int (*run)(const Options&, Interrupts&)) {
+  add_limits(add_unlimited_command(app, request, name, summary, declare, run), request.limits);
+}
 
 // --threads, --seed, --out, --progress.
 void add_common(CLI::App& command, CommonOptions& common);
@@ -50,10 +87,9 @@ void add_packages(CLI::App& command, std::vector<std::string>& packages);
 void add_foreign(CLI::App& command, std::vector<std::string>& packages,
                  std::filesystem::path& srdf);
 
-// --listen, --record, --folder, --threads.
-void add_live(CLI::App& command, LiveOptions& live);
-
-// --folder, --threads.
-void add_session(CLI::App& command, std::vector<std::filesystem::path>& folders, int& threads);
+// The options of readers of robots from NAME=FOLDER and the name of an SRDF file. Throws InputError
+// for words without "=".
+ForeignRobotOptions foreign_options(const std::vector<std::string>& packages,
+                                    const std::filesystem::path& srdf);
 
 }  // namespace prehend

@@ -34,12 +34,6 @@ PlanOptions fine_options() {
 
 }  // namespace
 
-std::optional<Accuracy> accuracy_named(std::string_view name) {
-  const auto found = std::find_if(kAccuracies.begin(), kAccuracies.end(),
-                                  [&](Accuracy a) { return accuracy_name(a) == name; });
-  return found == kAccuracies.end() ? std::nullopt : std::optional(*found);
-}
-
 PlanOptions plan_options(Accuracy accuracy) {
   switch (accuracy) {
     case Accuracy::draft:

@@ -5,7 +5,8 @@
 #include <optional>
 #include <string_view>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "sim/base/named_enum.h"
 
 namespace prehend {
 
@@ -16,17 +17,10 @@ enum class Accuracy {
   fine,      // four times the trials, more back-offs and refinement, rounder friction cones
 };
 
-inline constexpr std::array<Accuracy, 3> kAccuracies = {Accuracy::draft, Accuracy::standard,
-                                                        Accuracy::fine};
-
 // The same word as the enumerator.
-constexpr std::string_view accuracy_name(Accuracy accuracy) {
-  constexpr std::array<std::string_view, kAccuracies.size()> kNames = {"draft", "standard", "fine"};
-  return kNames[static_cast<std::size_t>(accuracy)];
+constexpr auto enum_names(Accuracy /*of*/) {
+  return std::to_array<std::string_view>({"draft", "standard", "fine"});
 }
-
-// The accuracy with this name; nothing for any other word.
-std::optional<Accuracy> accuracy_named(std::string_view name);
 
 // Options with the settings of this accuracy; all others have their defaults. Every accuracy has
 // contacts at the same gap, proven free of penetration, and an epsilon that is certified for them.

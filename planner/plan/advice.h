@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "sim/base/named_enum.h"
 #include "sim/trial/outcome.h"
 
 namespace prehend {
@@ -23,17 +24,10 @@ enum class Hint {
   unit,           // another unit of the mesh file
 };
 
-// All of them, in the order of the enum, which is also that of PlanResult::advice.
-inline constexpr std::array<Hint, 9> kHints = {
-    Hint::friction, Hint::soft_contacts, Hint::other_hand, Hint::tolerance, Hint::obstacle,
-    Hint::arm,      Hint::candidates,    Hint::path,       Hint::unit};
-
-// "friction", "soft_contacts", ...: as in files.
-constexpr std::string_view hint_name(Hint hint) {
-  constexpr std::array<std::string_view, kHints.size()> kNames = {
-      "friction", "soft_contacts", "other_hand", "tolerance", "obstacle",
-      "arm",      "candidates",    "path",       "unit"};
-  return kNames[static_cast<std::size_t>(hint)];
+// As in files. Advice stands in this order in PlanResult::advice.
+constexpr auto enum_names(Hint /*of*/) {
+  return std::to_array<std::string_view>({"friction", "soft_contacts", "other_hand", "tolerance",
+                                          "obstacle", "arm", "candidates", "path", "unit"});
 }
 
 // One hint, in words that name the option of the program or the field of the scene file.
@@ -45,7 +39,7 @@ struct Advice {
 // How many candidates of one rule ended with each Outcome.
 struct RuleCount {
   std::string rule;  // "box faces", "cylinder end", ...: see AimedGrasp::rule
-  std::array<int, kOutcomes.size()> outcomes{};
+  EnumArray<Outcome, int> outcomes;
 };
 
 }  // namespace prehend

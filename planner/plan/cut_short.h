@@ -1,7 +1,7 @@
 // What a plan or evaluation that could not do all it was asked for says of itself.
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "sim/base/run_context.h"
 
 namespace prehend {

@@ -12,6 +12,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {
@@ -33,9 +34,7 @@ struct Held {
   }
 };
 
-int count_of(const PlanResult& result, Outcome outcome) {
-  return result.outcomes[static_cast<std::size_t>(outcome)];
-}
+int count_of(const PlanResult& result, Outcome outcome) { return result.outcomes[outcome]; }
 
 // Makes the hints one after the other.
 class Adviser {
@@ -162,7 +161,7 @@ class Adviser {
       });
       if (held.held == 0) continue;
       const std::string& material = scene_.scene.hand.links[index(slippery->link)].material;
-      const std::string object(material_name(scene_.scene.object.material));
+      const std::string object(name_of(scene_.scene.object.material));
       add(Hint::friction,
           formatted("friction: it is %.2g between %s (hand) and %s (object); with %.2g, ",
                     slippery->point.friction, material.c_str(), object.c_str(), friction) +

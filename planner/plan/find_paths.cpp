@@ -81,8 +81,8 @@ class PathSearch {
       result_.grasps.push_back(std::move(grasp));
     } else {
       // The trial was counted as stable. Each candidate is counted under one outcome only.
-      --result_.outcomes[static_cast<std::size_t>(Outcome::stable)];
-      ++result_.outcomes[static_cast<std::size_t>(Outcome::no_path)];
+      --result_.outcomes[Outcome::stable];
+      ++result_.outcomes[Outcome::no_path];
       result_.tried[index(grasp.tried)].outcome = Outcome::no_path;
     }
   }

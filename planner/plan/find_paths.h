@@ -1,7 +1,8 @@
 // Paths of the arm to the best grasps of a plan.
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

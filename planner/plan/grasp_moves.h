@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

@@ -38,7 +38,7 @@ std::string weakness_text(const Robustness& robustness) {
     case Outcome::stable:
       return "the drives do not hold its weight";
     default:
-      return std::string(outcome_name(robustness.weakest_end));
+      return std::string(name_of(robustness.weakest_end));
   }
 }
 

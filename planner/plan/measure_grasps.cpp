@@ -10,6 +10,7 @@
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
+#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/sensitivity.h"
 
 // The full 6-D hull takes much longer than epsilon, which is all that ranking needs.

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <limits>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

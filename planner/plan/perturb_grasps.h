@@ -2,7 +2,8 @@
 // (sim/trial/perturbed_trials.h), in parallel.
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

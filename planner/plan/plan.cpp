@@ -20,6 +20,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 namespace {
@@ -69,7 +70,7 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
     const Trial& trial = finished.trials[i];
     const std::size_t c = finished.candidates[i];
-    ++result.outcomes[static_cast<std::size_t>(trial.outcome)];
+    ++result.outcomes[trial.outcome];
     result.trial_seconds.reach += trial.seconds.reach;
     result.trial_seconds.approach += trial.seconds.approach;
     result.trial_seconds.close += trial.seconds.close;
@@ -91,9 +92,7 @@ void record_trials(const CompiledScene& scene, const std::vector<Candidate>& can
 // an arm, obstacles where there are none.
 void add_trial_stages(const CompiledScene& scene, PlanResult& result) {
   const int total = static_cast<int>(result.tried.size());
-  const auto count_of = [&](Outcome outcome) {
-    return result.outcomes[static_cast<std::size_t>(outcome)];
-  };
+  const auto count_of = [&](Outcome outcome) { return result.outcomes[outcome]; };
   if (scene.arm) {
     // For a hand that is blocked on its way the arm is not asked.
     const int lost = count_of(Outcome::unreachable) + count_of(Outcome::arm_blocked) +
@@ -263,14 +262,11 @@ class PlanRun {
     // Finished trial i is entry i of result_.tried, which ScoredGrasp::tried refers to.
     for (const std::size_t i : rank(finished_.trials, ranking)) {
       const ProposedGrasp& proposed = proposed_[finished_.candidates[i]];
-      result_.grasps.push_back({std::move(finished_.trials[i]),
-                                proposed.candidate,
-                                {},
-                                proposed.primitive,
-                                proposed.rule,
-                                {},
-                                {},
-                                static_cast<int>(i)});
+      result_.grasps.push_back({.trial = std::move(finished_.trials[i]),
+                                .candidate = proposed.candidate,
+                                .primitive = proposed.primitive,
+                                .rule = proposed.rule,
+                                .tried = static_cast<int>(i)});
       const auto refined = refinements_.find(i);
       if (refined != refinements_.end()) result_.grasps.back().refinement = refined->second;
     }
@@ -296,7 +292,7 @@ class PlanRun {
       if (known == result_.rules.end()) {
         known = result_.rules.insert(known, {rule, {}});
       }
-      ++known->outcomes[static_cast<std::size_t>(tried.outcome)];
+      ++known->outcomes[tried.outcome];
     }
     try {
       result_.advice = find_advice(scene_, options_, result_, finished_.trials, context_);
@@ -320,6 +316,7 @@ class PlanRun {
 
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
                 const FoundListener& found) {
+  require_settings(options);
   if (options.paths && !scene.arm) {
     throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
   }
@@ -331,6 +328,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
 
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
                     const EvaluateOptions& options, const RunContext& context) {
+  require_settings(options);
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;
@@ -343,14 +341,10 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   record_trials(scene, candidates, finished, result);
   add_trial_stages(scene, result);
   for (std::size_t i = 0; i < finished.trials.size(); ++i) {
-    result.grasps.push_back({std::move(finished.trials[i]),
-                             candidates[finished.candidates[i]],
-                             {},
-                             std::nullopt,
-                             "given",
-                             {},
-                             {},
-                             static_cast<int>(i)});
+    result.grasps.push_back({.trial = std::move(finished.trials[i]),
+                             .candidate = candidates[finished.candidates[i]],
+                             .rule = "given",
+                             .tried = static_cast<int>(i)});
   }
   watch.lap(Stage::trials);
   if (options.robustness && result.status == PlanStatus::complete) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/require_settings.h"
+
 namespace prehend {
 namespace {
 
@@ -42,6 +44,7 @@ bool is_same(const Trial& a, const Trial& b, const RankOptions& options) {
 }  // namespace
 
 std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options) {
+  require_settings(options);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (trials[i].outcome == Outcome::stable) order.push_back(i);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
 #include "sim/trial/trial.h"
 
@@ -15,31 +16,39 @@ enum class RankBy {
   success       // those that lift the object more probably (rank_by_success)
 };
 
-// How many grasps are returned, in which order, and which count as the same.
+constexpr auto enum_names(RankBy /*of*/) {
+  return std::to_array<std::string_view>({"epsilon", "probability", "success"});
+}
+
 struct RankOptions {
-  int top = 10;  // largest number of grasps to return (>= 1)
-  // Other than by epsilon takes the trials with errors (PlanOptions::robustness).
+  static constexpr AboutSettings kAbout{"RankOptions",
+                                        "How many grasps are returned, in which order, and which "
+                                        "count as the same."};
+  int top = 10;
   RankBy by = RankBy::epsilon;
-  // Where not by epsilon: so many times `top` grasps, the best by epsilon, are tried with errors
-  // (>= 1).
   double pool = 3.0;
-  // Two grasps whose hand poses differ by no more than both of these are the same, and only the
-  // better one is returned.
-  double same_distance = 0.01;  // m
-  double same_angle = 0.35;     // rad
-  // Two grasps are also the same when each contact of one is within this distance of a contact of
-  // the other: a two-finger hand turned by half a turn touches at the same points.
-  double same_contact = 1e-3;  // m
+  // Two grasps are the same when both of these are small, and only the better one is returned.
+  double same_distance = 0.01;
+  double same_angle = 0.35;
+  // A two-finger hand turned by half a turn touches at the same points.
+  double same_contact = 1e-3;
 };
 
 template <SettingsOf<RankOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [top, by, pool, same_distance, same_angle, same_contact] = options;
-  visit("top", top, kAtLeast1);
-  visit("pool", pool, kAtLeast1);
-  visit("same_distance", same_distance, kAtLeast0);
-  visit("same_angle", same_angle, kAtLeast0);
-  visit("same_contact", same_contact, kAtLeast0);
+  visit("top", top, kAtLeast1, "", "Most grasps that are returned.");
+  visit.unlisted("by", by,
+                 "What comes first; anything but epsilon takes the trials with errors "
+                 "(PlanOptions.robustness).");
+  visit("pool", pool, kAtLeast1, "",
+        "Where not by epsilon: so many times `top` grasps, the best by epsilon, are tried with "
+        "errors.");
+  visit("same_distance", same_distance, kAtLeast0, "m",
+        "Grasps whose hands differ by no more than this and `same_angle` are the same.");
+  visit("same_angle", same_angle, kAtLeast0, "rad", "See `same_distance`.");
+  visit("same_contact", same_contact, kAtLeast0, "m",
+        "So are grasps of which each contact is within this distance of one of the other.");
 }
 
 // Indices of stable trials, largest lower bound of epsilon first (equal epsilon: smaller index

@@ -14,6 +14,8 @@
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/base/require_settings.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {
@@ -22,6 +24,10 @@ namespace {
 // nothing otherwise. Each takes two trials.
 constexpr std::size_t kVariablesAtOnce = 2;
 constexpr int kTrialsOfVariable = 2;
+// First change of the degrees of freedom that do not close [rad or m].
+constexpr double kSpread = 0.2;
+// No change is larger than the first one times this.
+constexpr double kReach = 10.0 / 3.0;
 
 // So many grasps take part in a round, and each gets so many trials.
 struct Round {
@@ -44,27 +50,13 @@ std::vector<Round> rounds_of(int grasps, int trials) {
   return rounds;
 }
 
-void require_number(const char* name, double value, bool in_range, const char* range) {
-  require(std::isfinite(value) && in_range,
-          {.field = name, .problem = range, .value = formatted("%.17g", value)});
-}
-
-void check_refinement(const RefineOptions& options) {
-  require_number("grasps", options.grasps, options.grasps >= 1, "must be at least 1");
-  require_number("trials", options.trials, options.trials >= 0, "must be at least 0");
-  require_number("turn", options.turn, options.turn > 0.0, "must be above 0");
-  require_number("shift", options.shift, options.shift > 0.0, "must be above 0");
-  require_number("spread", options.spread, options.spread >= 0.0, "must be at least 0");
-  require_number("reach", options.reach, options.reach >= 1.0, "must be at least 1");
-}
-
 void check_parents(const std::vector<TriedGrasp>& grasps) {
   for (std::size_t i = 0; i < grasps.size(); ++i) {
     const Trial& trial = grasps[i].trial;
     require(trial.outcome == Outcome::stable && !trial.contacts.empty(),
             {.field = "grasps[" + std::to_string(i) + "].trial",
              .problem = "not stable",
-             .value = std::string(outcome_name(trial.outcome))});
+             .value = std::string(name_of(trial.outcome))});
   }
 }
 
@@ -96,14 +88,13 @@ class Refiner {
       : scene_(scene), options_(options), refine_(refine), context_(context) {
     options_.back_off_tries = 0;
     const auto count = static_cast<std::size_t>(most_refined(grasps.size(), refine));
-    const GraspReach reach{refine.reach * refine.turn, refine.reach * refine.shift,
-                           refine.reach * refine.spread};
+    const GraspReach reach{kReach * refine.turn, kReach * refine.shift, kReach * kSpread};
     std::vector<double> values(count);
     for_each_in_parallel(count, context.threads,
                          [&](std::size_t i) { values[i] = objective(grasps[i].trial); });
     for (std::size_t i = 0; i < count; ++i) {
       GraspMoves moves(scene, grasps[i].candidate, grasps[i].trial, reach);
-      PatternSearch search(moves.variables(), values[i], 1.0 / refine.reach);
+      PatternSearch search(moves.variables(), values[i], 1.0 / kReach);
       parents_.push_back({std::move(moves), std::move(search), values[i]});
     }
     order_.resize(count);
@@ -208,7 +199,7 @@ class Refiner {
 }  // namespace
 
 int refine_trials(std::size_t grasps, const RefineOptions& options) {
-  check_refinement(options);
+  require_settings(options);
   int trials = 0;
   for (const Round& round : rounds_of(most_refined(grasps, options), options.trials)) {
     trials += round.grasps * round.trials;
@@ -220,7 +211,8 @@ std::vector<RefinedGrasp> refine_grasps(const CompiledScene& scene,
                                         const std::vector<TriedGrasp>& grasps,
                                         const TrialOptions& options, const RefineOptions& refine,
                                         const RunContext& context) {
-  check_refinement(refine);
+  require_settings(options);
+  require_settings(refine);
   check_parents(grasps);
   context.cancellation.check();
   return Refiner(scene, grasps, options, refine, context).run();

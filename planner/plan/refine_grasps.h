@@ -5,11 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/quality/robust_epsilon.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 
@@ -19,40 +22,37 @@ enum class RefineObjective {
   robust,   // its mean under random errors (RobustEpsilon::mean)
 };
 
-inline constexpr std::array<RefineObjective, 2> kRefineObjectives = {RefineObjective::epsilon,
-                                                                     RefineObjective::robust};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view refine_objective_name(RefineObjective objective) {
-  return objective == RefineObjective::epsilon ? "epsilon" : "robust";
+constexpr auto enum_names(RefineObjective /*of*/) {
+  return std::to_array<std::string_view>({"epsilon", "robust"});
 }
 
-// The defaults are measured, see docs/refinement.md.
+// The defaults are measured, see docs/reference/refinement.md.
 struct RefineOptions {
+  static constexpr AboutSettings kAbout{"RefineOptions",
+                                        "How the best grasps are improved by trials of grasps near "
+                                        "them."};
   RefineObjective objective = RefineObjective::epsilon;
-  int grasps = 4;    // so many of the given grasps, the first ones, are refined (>= 1)
-  int trials = 320;  // most trials for all of them together (>= 0)
-  // The first changes that are tried. Later ones are longer where that helps and shorter where it
-  // does not.
-  double turn = 0.2;    // of the hand about the middle of its contacts, > 0 [rad]
-  double shift = 0.02;  // of the hand, > 0 [m]
-  double spread = 0.2;  // of the degrees of freedom that do not close; 0: none [rad or m]
-  // No change is larger than the first one times this (>= 1).
-  double reach = 10.0 / 3.0;
-  NoiseOptions noise = {.samples = 50};  // for the objective `robust`
+  int grasps = 4;
+  int trials = 320;
+  // Later changes are longer where that helps and shorter where it does not.
+  double turn = 0.2;
+  double shift = 0.02;
+  NoiseOptions noise = {.samples = 50};
 };
 
 template <SettingsOf<RefineOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [objective, grasps, trials, turn, shift, spread, reach, noise] = options;
-  visit("objective", objective);
-  visit("grasps", grasps, kAtLeast1);
-  visit("trials", trials, kAtLeast0);
-  visit("turn", turn, kAbove0);
-  visit("shift", shift, kAbove0);
-  visit("spread", spread, kAtLeast0);
-  visit("reach", reach, kAtLeast1);
-  visit("noise", noise);
+  auto& [objective, grasps, trials, turn, shift, noise] = options;
+  visit("objective", objective,
+        "What is made larger: epsilon, by which grasps are ranked, or its mean under random "
+        "errors.");
+  visit("grasps", grasps, kAtLeast1, "", "How many of the grasps, the best ones, are refined.");
+  visit("trials", trials, kAtLeast0, "", "Most trials for all of them together.");
+  visit("turn", turn, kAbove0, "rad",
+        "First turn of the hand that is tried, about the middle of its contacts.");
+  visit("shift", shift, kAbove0, "m", "First shift of the hand that is tried.");
+  visit("noise", noise, "The random errors of the objective `robust`.");
 }
 
 // A grasp to refine: what was tried, and its trial.

@@ -6,7 +6,11 @@
 
 #include "sim/base/pool.h"
 #include "sim/base/run_context.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 

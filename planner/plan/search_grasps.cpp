@@ -9,9 +9,19 @@
 #include "planner/plan/reach_memory.h"
 #include "planner/plan/run_trials.h"
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 namespace {
+
+// While no grasp is good enough, rims and bars are tried in turn with the solids from this part of
+// the trials on,
+constexpr double kThinPartsAfter = 0.2;
+// at least for this part of them, and longer where some of them are among the grasps that are
+// followed.
+constexpr double kThinPartsLeast = 0.06;
+// How often the hand backs off where none of the first trials has held.
+constexpr int kExtraBackOffs = 4;
 
 class GraspSearch {
  public:
@@ -104,9 +114,8 @@ class GraspSearch {
     const auto tried = static_cast<double>(result_.trials.size());
     const auto asked = static_cast<double>(options_.trials);
     const bool both =
-        !served && tried >= options_.thin_parts_after_fraction * options_.trials &&
-        (curves_proposed_ < options_.thin_parts_min_fraction * std::max(tried, asked) ||
-         thin_parts_competitive());
+        !served && tried >= kThinPartsAfter * options_.trials &&
+        (curves_proposed_ < kThinPartsLeast * std::max(tried, asked) || thin_parts_competitive());
     curve_next_ = both && !curve_next_;
     std::optional<ProposedGrasp> next = next_of(curve_next_ ? Track::curves : Track::solids);
     if (curve_next_) ++curves_proposed_;
@@ -139,7 +148,7 @@ class GraspSearch {
   // Adds the trials of the batch that were finished in time; false where some were not.
   bool try_batch(const std::vector<ProposedGrasp>& batch) {
     if (stable_ == 0 && counted_ >= options_.trials_before_extra_back_offs) {
-      trial_.back_off_tries = std::max(trial_.back_off_tries, options_.extra_back_offs);
+      trial_.back_off_tries = std::max(trial_.back_off_tries, kExtraBackOffs);
     }
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : batch) candidates.push_back(grasp.candidate);
@@ -218,6 +227,9 @@ SearchResult search_grasps(const CompiledScene& scene, const std::vector<Primiti
                            const CandidateOptions& candidates, const SearchOptions& search,
                            const TrialOptions& trial, const RunContext& context,
                            const FoundListener& found) {
+  require_settings(candidates);
+  require_settings(search);
+  require_settings(trial);
   ProposalSequence sequence(scene, primitives, candidates);
   std::optional<OrderedProposals> ordered;
   if (search.learned) {

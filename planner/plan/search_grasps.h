@@ -10,41 +10,30 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 
-// How many candidates are tried, and how much the search follows what it finds.
 struct SearchOptions {
-  // Most trials (>= 1). Those whose hand is blocked on its way to the object (is_blocked) cost next
-  // to nothing and are not counted, up to most_blocked times as many (>= 0). With an arm,
-  // candidates come first whose hand has an orientation near which the arm reached others.
+  static constexpr AboutSettings kAbout{
+      "SearchOptions",
+      "How many candidates are tried, and how much the search follows what it finds."};
+  // With an arm, candidates come first whose hand has an orientation near which the arm reached
+  // others.
   int trials = 800;
   int most_blocked = 10;
-  // The search ends after the batch in which it has found so many stable grasps; 0: after all
-  // trials (>= 0).
   int enough = 0;
-  // Candidates are chosen in batches of this size; what is chosen depends on all trials of the
-  // batches before, in whatever order threads finish them (>= 1).
+  // What is chosen depends on all trials of the batches before, in whatever order threads finish
+  // them.
   int batch = 32;
-  // The part of a batch that lies beside the best grasps so far, in 0 .. 1; the others continue the
-  // sequence of proposals.
   double local_fraction = 0.3;
-  // How many of the best grasps are followed.
   int followed = 10;
-  // While no grasp has an epsilon of at least thin_parts_if_epsilon_below (>= 0), rims and bars are
-  // tried in turn with boxes, spheres, cylinders and cones: from the part thin_parts_after_fraction
-  // of the trials on, at least for the part thin_parts_min_fraction of them, and longer where some
-  // of them are among the grasps that are followed (both in 0 .. 1).
   double thin_parts_if_epsilon_below = 0.15;
-  double thin_parts_after_fraction = 0.2;
-  double thin_parts_min_fraction = 0.06;
-  // Where after so many trials (>= 0) none has held, the hand backs off more often in those that
-  // follow: extra_back_offs times (>= 0), if a trial does not anyway. Fingers that swing while
-  // they close, as those of the Robotiq 2F-85, may hold a box only at their tips.
+  // Fingers that swing while they close, as those of the Robotiq 2F-85, may hold a box only at
+  // their tips.
   int trials_before_extra_back_offs = 100;
-  int extra_back_offs = 4;
   // Set: a model that was learnt from earlier trials orders the proposals of the sequence
-  // (docs/learning.md).
+  // (docs/how-to/learning.md).
   std::optional<LearnedOrder> learned = {};
 };
 
@@ -52,19 +41,28 @@ struct SearchOptions {
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [trials, most_blocked, enough, batch, local_fraction, followed, thin_parts_if_epsilon_below,
-         thin_parts_after_fraction, thin_parts_min_fraction, trials_before_extra_back_offs,
-         extra_back_offs, learned] = options;
-  visit("trials", trials, kAtLeast1);
-  visit("most_blocked", most_blocked, kAtLeast0);
-  visit("enough", enough, kAtLeast0);
-  visit("batch", batch, kAtLeast1);
-  visit("follow", local_fraction, Range{0.0, 1.0});
-  visit("followed", followed, kAtLeast0);
-  visit("well_served", thin_parts_if_epsilon_below, kAtLeast0);
-  visit("solids_first", thin_parts_after_fraction, Range{0.0, 1.0});
-  visit("curves_least", thin_parts_min_fraction, Range{0.0, 1.0});
-  visit("patience", trials_before_extra_back_offs, kAtLeast0);
-  visit("patient_back_offs", extra_back_offs, kAtLeast0);
+         trials_before_extra_back_offs, learned] = options;
+  visit("trials", trials, kAtLeast1, "",
+        "Most trials; those whose hand is blocked on its way cost next to nothing and are not "
+        "counted.");
+  visit("most_blocked", most_blocked, kAtLeast0, "",
+        "Most candidates whose hand is blocked on its way, as a multiple of `trials`.");
+  visit("enough", enough, kAtLeast0, "",
+        "The search ends after the batch in which it has so many stable grasps; 0: after all "
+        "trials.");
+  visit("batch", batch, kAtLeast1, "",
+        "Candidates that are chosen together; more: better use of many processors, later use of "
+        "what was found.");
+  visit("follow", local_fraction, kShare, "",
+        "Part of a batch that lies beside the best grasps so far; the others continue the sequence "
+        "of proposals.");
+  visit("followed", followed, kAtLeast0, "", "How many of the best grasps are followed.");
+  visit("well_served", thin_parts_if_epsilon_below, kAtLeast0, "",
+        "While no grasp has an epsilon of at least this, rims and bars are tried in turn with "
+        "boxes, spheres, cylinders and cones.");
+  visit("patience", trials_before_extra_back_offs, kAtLeast0, "",
+        "After so many trials of which none has held, the hand backs off more often.");
+  visit.unlisted("learned", learned, "Set: a model orders the proposals of the sequence.");
 }
 
 // Why a search ended.

@@ -1,7 +1,7 @@
 // The options of a plan as its stages take them.
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 
 namespace prehend {
 

@@ -1,7 +1,7 @@
 // Every grasp of a result is closed, lifted and shaken (sim/manipulation/shake.h), in parallel.
 #pragma once
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "sim/manipulation/test_procedure.h"
 
 namespace prehend {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/controller_handle.h"
 #include "planner/python/world_handle.h"
 #include "sim/base/input_error.h"
@@ -149,7 +148,7 @@ py::tuple run(WorldHandle& self, const std::vector<std::pair<int, py::object>>& 
     Stepping stepping(self);
     done = run_controlled(stepping.world(), robots, options, context);
   }
-  return py::make_tuple(std::string(control_outcome_name(done.outcome)), done.time, done.steps,
+  return py::make_tuple(std::string(name_of(done.outcome)), done.time, done.steps,
                         done.not_converged, done.why);
 }
 

@@ -4,12 +4,11 @@
 
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
-#include "planner/python/bindings.h"
 #include "planner/python/results.h"
-#include "planner/results/result_files.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/result_files.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
@@ -100,7 +99,7 @@ void bind_files(py::module_& core) {
     remove_earlier_results(folder, written, plan.scene->scene);
   });
   core.def("report_html", &report_in_python);
-  core.def("export_formats", &export_formats);
+  core.def("export_formats", &export_names);
   core.def("export_files", &exports_in_python);
   core.def("grasp_picture", &grasp_picture_in_python);
   core.def("arm_picture", &arm_picture_in_python);

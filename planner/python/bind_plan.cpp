@@ -5,9 +5,9 @@
 #include "planner/plan/plan.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
-#include "planner/python/bindings.h"
 #include "planner/python/results.h"
 #include "sim/base/index.h"
+#include "sim/base/input_error.h"
 
 namespace prehend::python {
 namespace {
@@ -25,6 +25,9 @@ RunRecord record_of(const SceneOrigin& origin, const PlanOptions& options) {
 PlanHandle plan_in_python(const CompiledHandle& scene, const PlanOptions& asked,
                           const CallOptions& call) {
   const PlanOptions options = asked;  // as they are now: Python may change them meanwhile
+  if (options.search.learned && !options.search.learned->model) {
+    throw InputError({.field = "options.search.learned", .problem = "has no model"});
+  }
   PlanResult result;
   run_in_background(
       call, [&](const RunContext& context) { result = plan(*scene.scene, options, context); });
@@ -79,11 +82,11 @@ py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields
   run_in_background(call, [&](const RunContext& context) {
     grasp->trial = run_trial(*scene.scene, grasp->candidate, options, context);
   });
-  const TrialHandle handle{scene.scene, grasp};
-  py::dict trial = trial_dict(handle);
-  trial["candidate"] = candidate_dict(*scene.scene, grasp->candidate);
-  trial["_trial"] = handle;
-  return trial;
+  return trial_dict({scene.scene, grasp}, {});
+}
+
+py::tuple distances_tuple(const SurfaceDistances& distances) {
+  return py::make_tuple(distances.median, distances.percentile_95, distances.largest);
 }
 
 py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
@@ -99,6 +102,13 @@ py::dict decompose_in_python(const Doubles& vertices, const Integers& faces,
   fields["primitives"] = primitives;
   fields["share"] = to_array(found.share);
   fields["explained"] = found.explained;
+  fields["tolerance"] = found.tolerance;
+  fields["distances"] = distances_tuple(found.distances);
+  py::list distances_of;
+  for (const SurfaceDistances& distances : found.distances_of) {
+    distances_of.append(distances_tuple(distances));
+  }
+  fields["distances_of"] = distances_of;
   return fields;
 }
 
@@ -129,7 +139,8 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
                                const CallOptions& call) {
   const GraspPathOptions options = asked;
   const ScoredGrasp& grasp = *trial.grasp;
-  // plan_grasp_path requires both. prehend/_plan.py refuses them before, with a message in words.
+  // plan_grasp_path requires both. prehend/planning.py refuses them before, with a message in
+  // words.
   if (!trial.scene->arm || grasp.trial.outcome != Outcome::stable) {
     throw std::invalid_argument("no stable grasp of an arm");
   }

@@ -5,9 +5,9 @@
 
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
-#include "planner/python/bindings.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/parallel/parallel.h"
 #include "sim/quality/quality.h"
 
@@ -111,7 +111,7 @@ py::dict epsilon_of(const ContactSets& sets, const WrenchSpaceOptions& space,
     lower.push_back(bracket.lower);
     upper.push_back(bracket.upper);
     weakest.push_back(bracket.weakest);
-    status.emplace_back(epsilon_status_name(bracket.status));
+    status.emplace_back(name_of(bracket.status));
   }
   py::dict fields;
   fields["lower"] = to_array(lower);
@@ -137,10 +137,7 @@ py::tuple measure_of(const ContactSets& sets, const std::string& name,
                      const MeasureOptions& options, const CallOptions& call) {
   const NamedMeasure* measure = find_measure(name);
   if (measure == nullptr) {
-    std::string known;
-    for (const NamedMeasure& one : measures()) {
-      known += (known.empty() ? "" : ", ") + std::string(one.name);
-    }
+    const std::string known = joined(measures(), ", ", &NamedMeasure::name);
     throw InputError({.field = "name", .problem = "not one of " + known, .value = name});
   }
   std::vector<double> lower(sets.size());
@@ -167,7 +164,7 @@ Doubles robust_epsilon_of(const ContactSets& sets, const WrenchSpaceOptions& spa
 
 py::dict forces_dict(const ContactForces& found) {
   py::dict fields;
-  fields["outcome"] = std::string(force_outcome_name(found.outcome));
+  fields["outcome"] = std::string(name_of(found.outcome));
   fields["components"] = to_array(Eigen::MatrixXd(found.components.transpose()));
   fields["forces"] = to_array(Eigen::MatrixXd(found.forces.transpose()));
   fields["largest_normal"] = found.largest_normal;

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "sim/base/index.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"

@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/scene_handle.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
@@ -148,8 +147,7 @@ void bind_bodies(py::module_& core) {
           "X_WO", [](const GraspableBody& self) { return to_array(self.X_WO); },
           "(4, 4): the object's pose in the world.")
       .def_property_readonly(
-          "material",
-          [](const GraspableBody& self) { return std::string(material_name(self.material)); },
+          "material", [](const GraspableBody& self) { return std::string(name_of(self.material)); },
           R"("glass", "metal", "plastic", "wood" or "rubber".)")
       .def_readonly("mass", &GraspableBody::mass, "[kg]")
       .def_property_readonly(
@@ -175,8 +173,7 @@ or "stated parts".)")
           "X_WB", [](const StaticBody& self) { return to_array(self.X_WB); },
           "(4, 4): its pose in the world.")
       .def_property_readonly(
-          "material",
-          [](const StaticBody& self) { return std::string(material_name(self.material)); },
+          "material", [](const StaticBody& self) { return std::string(name_of(self.material)); },
           "As of the object.");
 }
 
@@ -253,7 +250,7 @@ void bind_compiled_scene(py::module_& core) {
         return "<prehend.CompiledScene " + self.scene->scene.name + ", hand " +
                self.scene->scene.hand.name + ">";
       });
-  core.def("compile", &compile_in_python);
+  core.def("compile_scene", &compile_in_python);
 }
 
 }  // namespace

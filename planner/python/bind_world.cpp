@@ -3,13 +3,14 @@
 #include <pybind11/stl.h>
 
 #include "planner/python/arrays.h"
-#include "planner/python/bindings.h"
 #include "planner/python/options_class.h"
 #include "planner/python/scene_handle.h"
 #include "planner/python/world_handle.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/energy.h"
 #include "sim/motion/scene_bodies.h"
+#include "sim/motion/step_world.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend::python {
@@ -128,8 +129,8 @@ py::tuple step(WorldHandle& self, double longest) {
     Stepping stepping(self);
     result = step_world(stepping.world(), options);
   }
-  return py::make_tuple(std::string(step_outcome_name(result.outcome)), result.time,
-                        result.crossings, result.violation);
+  return py::make_tuple(std::string(name_of(result.outcome)), result.time, result.crossings,
+                        result.violation);
 }
 
 using Class = py::class_<WorldHandle, std::shared_ptr<WorldHandle>>;
@@ -226,31 +227,10 @@ void bind_bodies_of_world(Class& type) {
       });
 }
 
-constexpr Range kFinite{.lower = -std::numeric_limits<double>::max(),
-                        .upper = std::numeric_limits<double>::max()};
-
-void bind_drive(py::module_& core) {
-  OptionsClass<Drive>(core, "Drive", "What moves a degree of freedom; several may act on one.")
-      .number("dof", &Drive::dof, kAtLeast0, "Number of the degree of freedom.")
-      .number("stiffness", &Drive::stiffness, kAtLeast0,
-              "Effort for each unit of target - value, >= 0 [N m/rad or N/m]. It acts as it is at "
-              "the end of a step, so that stiff drives stay stable.")
-      .number("damping", &Drive::damping, kAtLeast0,
-              "Effort for each unit of target_rate - rate, >= 0 [N m s/rad or N s/m].")
-      .number("target", &Drive::target, kFinite, "[rad or m].")
-      .number("target_rate", &Drive::target_rate, kFinite, "[rad/s or m/s].")
-      .field(
-          "holds_rate", &Drive::holds_rate,
-          "Keeps the rate at target_rate with whatever effort that takes; stiffness, damping and "
-          "target are not used.")
-      .number("max_effort", &Drive::max_effort, kAtLeast0,
-              "The largest, >= 0; infinite without a limit [N m or N].");
-}
-
 }  // namespace
 
 void bind_world(py::module_& core) {
-  bind_drive(core);
+  bind_settings<Drive>(core);
   Class type(core, "_World");
   type.def(py::init<>())
       .def("copy", [](WorldHandle& self) { return std::make_shared<WorldHandle>(self.now()); })

@@ -2,7 +2,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "planner/python/bindings.h"
 #include "sim/base/input_error.h"
 #include "sim/base/run_context.h"
 

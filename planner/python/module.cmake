@@ -27,7 +27,7 @@ target_compile_definitions(prehend_python PRIVATE PREHEND_VERSION="${PROJECT_VER
 target_precompile_headers(prehend_python PRIVATE
   <pybind11/pybind11.h> <pybind11/numpy.h> <pybind11/stl.h> <Eigen/Geometry>)
 # As in prehend_library.
-if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
   target_compile_options(prehend_python PRIVATE
     -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
@@ -40,6 +40,9 @@ set_target_properties(prehend_python PROPERTIES
   OUTPUT_NAME _core LIBRARY_OUTPUT_DIRECTORY ${python_package})
 file(GLOB python_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/planner/python
   planner/python/prehend/*.py planner/python/prehend/*.pyi planner/python/prehend/py.typed)
+# The stub has the classes of options, which are made from their declarations in C++.
+set(python_stub planner/python/prehend/_core.pyi)
+list(REMOVE_ITEM python_files prehend/_core.pyi)
 file(MAKE_DIRECTORY ${python_package})
 file(RELATIVE_PATH python_folder ${python_package} ${PROJECT_SOURCE_DIR}/planner/python/prehend)
 foreach(file IN LISTS python_files)
@@ -47,14 +50,25 @@ foreach(file IN LISTS python_files)
   file(CREATE_LINK ${python_folder}/${name} ${python_package}/${name} SYMBOLIC)
 endforeach()
 
+set_property(TARGET prehend_python APPEND PROPERTY LINK_DEPENDS
+  ${PROJECT_SOURCE_DIR}/planner/python/write_stub.py ${PROJECT_SOURCE_DIR}/${python_stub})
+add_custom_command(TARGET prehend_python POST_BUILD VERBATIM
+  COMMAND ${PREHEND_PYTHON} -B ${PROJECT_SOURCE_DIR}/planner/python/write_stub.py
+    ${PROJECT_SOURCE_DIR}/${python_stub} ${python_package}/_core.pyi)
+
 # Debian's Python looks there below /usr/local, the default prefix.
 set(PREHEND_PYTHON_DIR lib/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/dist-packages
   CACHE STRING "Where the Python package is installed, relative to the prefix")
-install(TARGETS prehend_python LIBRARY DESTINATION ${PREHEND_PYTHON_DIR}/prehend
-  COMPONENT python EXCLUDE_FROM_ALL)
 list(TRANSFORM python_files PREPEND planner/python/)
-install(FILES ${python_files} DESTINATION ${PREHEND_PYTHON_DIR}/prehend
-  COMPONENT python EXCLUDE_FROM_ALL)
+function(prehend_install_python component folder)
+  install(TARGETS prehend_python LIBRARY DESTINATION ${folder}/prehend
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${python_files} ${python_package}/_core.pyi DESTINATION ${folder}/prehend
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
+endfunction()
+prehend_install_python(python ${PREHEND_PYTHON_DIR})
+# Where Debian's packages of Python have their files, below /usr.
+prehend_install_python(python_of_debian lib/python3/dist-packages)
 # What is found by name. The component prehend (package/package.cmake) installs the same files.
 include(GNUInstallDirs)
 install(DIRECTORY robots benchmarks/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/prehend

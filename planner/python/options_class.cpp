@@ -1,5 +1,7 @@
 #include "planner/python/options_class.h"
 
+#include <sstream>
+
 namespace prehend::python {
 
 void set_fields(const py::object& options, const py::kwargs& given) {
@@ -31,6 +33,20 @@ void check_range(const std::string& field, double value, const Range& range) {
   std::ostringstream shown;
   shown << value;
   throw InputError({.field = field, .problem = range.words(), .value = shown.str()});
+}
+
+std::string setting_doc(const Setting& setting) {
+  std::string doc(setting.meaning);
+  const std::string range = setting.range.interval();
+  std::string limits = setting.unit.empty() ? "" : " [" + std::string(setting.unit) + "]";
+  if (!range.empty()) limits += (limits.empty() ? " " : ", ") + range;
+  return limits.empty() ? doc : doc.substr(0, doc.size() - 1) + "; " + limits.substr(1) + ".";
+}
+
+void add_field(const py::handle& type, const std::string& name, const std::string& type_name) {
+  const py::dict types = type.attr("__annotations__");
+  types[py::str(name)] = type_name;
+  type.attr("_fields") = py::tuple(types);
 }
 
 }  // namespace prehend::python

@@ -1,18 +1,15 @@
-// Option structs as Python classes: the same fields with the same defaults, all of them keywords of
-// the constructor.
+// Structs of options as Python classes, made from the declarations of their settings (settings.h):
+// the same fields with the same defaults, all of them keywords of the constructor.
 #pragma once
 
-#include <cmath>
-#include <limits>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
-#include <sstream>
 #include <string>
+#include <string_view>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/settings.h"
 
 namespace prehend::python {
@@ -28,96 +25,135 @@ std::string describe_fields(const py::object& options);
 // Throws InputError that names the class and the field for a value outside of the range.
 void check_range(const std::string& field, double value, const Range& range);
 
-// A field whose C++ type is an enum has its names as text in Python.
-template <class Enum>
-using EnumNames = std::vector<std::pair<std::string, Enum>>;
+// "First turn of the hand [rad]; > 0.": meaning, unit and range.
+std::string setting_doc(const Setting& setting);
 
-// Registers an options struct as a Python class: each call of field, number or choice adds one
-// property. The destructor stores the names of all fields in the class attribute `_fields`.
-template <class Options>
-class OptionsClass {
- public:
-  OptionsClass(py::module_& module, const char* name, const char* doc)
-      : name_(name), class_(module, name, doc) {
-    class_.def(py::init([](const py::kwargs& given) {
-      Options options;
-      set_fields(py::cast(&options, py::return_value_policy::reference), given);
-      return options;
-    }));
-    class_.def("__repr__", [](const py::object& self) { return describe_fields(self); });
-    class_.def("__copy__", [](const Options& self) { return Options(self); });
-    class_.def("__deepcopy__", [](const Options& self, const py::dict&) { return Options(self); });
+// Lists a property as a field, with its type as it is written in Python: in `_fields` and
+// `__annotations__`, from which the stub is made.
+void add_field(const py::handle& type, const std::string& name, const std::string& type_name);
+
+namespace detail {
+
+// Setting number `number` of the options, which has this type.
+template <typename Value, typename Options>
+Value& nth_setting(Options& options, int number) {
+  Value* found = nullptr;
+  const auto look = [&](const Setting&, auto& value) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>,
+                                 std::remove_const_t<Value>>) {
+      if (number == 0) found = &value;
+    }
+    --number;
+  };
+  for_each_setting(options, SettingVisitor(look));
+  return *found;
+}
+
+template <typename Enum>
+Enum named_value(const std::string& field, const std::string& asked) {
+  if (const std::optional<Enum> value = value_named<Enum>(asked)) return *value;
+  throw InputError({.field = field,
+                    .problem = "not one of " + joined(enum_names(Enum{}), ", "),
+                    .value = asked});
+}
+
+// The type of a field as it is written in Python.
+template <typename Value>
+std::string type_in_python() {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return "bool";
+  } else if constexpr (std::is_enum_v<Value>) {
+    return "Literal[\"" + joined(enum_names(Value{}), "\", \"") + "\"]";
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    return std::is_integral_v<Value> ? "int" : "float";
+  } else if constexpr (prehend::detail::kIsOptional<Value>) {
+    return "Optional[" + type_in_python<typename Value::value_type>() + "]";
+  } else {
+    return std::string(Value::kAbout.name);
   }
-  OptionsClass(const OptionsClass&) = delete;
-  OptionsClass& operator=(const OptionsClass&) = delete;
+}
 
-  // Nothing can be done where Python has no memory left for this.
-  // NOLINTNEXTLINE(bugprone-exception-escape)
-  ~OptionsClass() { class_.attr("_fields") = py::tuple(fields_); }
-
-  // Anything but a number: another options struct, an optional one, a flag.
-  template <class Value>
-  OptionsClass& field(const char* name, Value Options::*member, const char* doc) {
-    class_.def_readwrite(name, member, doc);
-    fields_.append(name);
-    return *this;
-  }
-
-  // A number that is one of the settings, whose range (settings.h) is checked when it is set. The
-  // planner itself asserts it, which is right for C++ but would be a crash in Python.
-  template <class Number>
-  OptionsClass& number(const char* name, Number Options::*member, const char* doc) {
-    return number(name, member, range_of(member), doc);
-  }
-
-  // As above, with its range.
-  template <class Number>
-  OptionsClass& number(const char* name, Number Options::*member, const Range& range,
-                       const char* doc) {
-    static_assert(std::is_arithmetic_v<Number>);
-    class_.def_property(
-        name, [member](const Options& self) { return self.*member; },
-        [member, range, field = name_ + "." + name](Options& self, Number value) {
+template <typename Options, typename Value>
+void add_property(py::class_<Options>& type, const Setting& setting, int number) {
+  const std::string name(setting.name.name);
+  const std::string field = std::string(Options::kAbout.name) + "." + name;
+  const std::string doc = setting_doc(setting);
+  if constexpr (std::is_enum_v<Value>) {
+    type.def_property(
+        name.c_str(),
+        [number](const Options& self) { return name_of(nth_setting<const Value>(self, number)); },
+        [number, field](Options& self, const std::string& asked) {
+          nth_setting<Value>(self, number) = named_value<Value>(field, asked);
+        },
+        doc.c_str());
+  } else if constexpr (std::is_arithmetic_v<Value>) {
+    type.def_property(
+        name.c_str(),
+        [number](const Options& self) { return nth_setting<const Value>(self, number); },
+        [number, field, range = setting.range](Options& self, Value value) {
           check_range(field, static_cast<double>(value), range);
-          self.*member = value;
+          nth_setting<Value>(self, number) = value;
         },
-        doc);
-    fields_.append(name);
-    return *this;
+        doc.c_str());
+  } else {
+    // By reference, so that a field of a nested struct can be set.
+    type.def_property(
+        name.c_str(),
+        [number](const Options& self) -> const Value& {
+          return nth_setting<const Value>(self, number);
+        },
+        [number](Options& self, const Value& value) { nth_setting<Value>(self, number) = value; },
+        doc.c_str());
   }
+}
 
-  // An enum, which in Python is one of the given names.
-  template <class Enum>
-  OptionsClass& choice(const char* name, Enum Options::*member, const EnumNames<Enum>& names,
-                       const char* doc) {
-    class_.def_property(
-        name,
-        [member, names](const Options& self) {
-          for (const auto& [word, value] : names) {
-            if (value == self.*member) return word;
-          }
-          return std::string();
-        },
-        [member, names, field = name_ + "." + name](Options& self, const std::string& asked) {
-          std::string known;
-          for (const auto& [word, value] : names) {
-            if (word == asked) {
-              self.*member = value;
-              return;
-            }
-            known += (known.empty() ? "" : ", ") + word;
-          }
-          throw InputError({.field = field, .problem = "not one of " + known, .value = asked});
-        },
-        doc);
-    fields_.append(name);
-    return *this;
-  }
+}  // namespace detail
 
- private:
-  std::string name_;
-  py::class_<Options> class_;
-  py::list fields_;
-};
+// Registers the struct, and those nested in it before it. Instances have keywords for all fields, a
+// range is checked when a number is set, an enum is one of its names.
+template <HasSettings Options>
+py::class_<Options> settings_class(py::module_& module);
+
+// The same, unless it is registered already.
+template <HasSettings Options>
+void bind_settings(py::module_& module) {
+  const std::string name(Options::kAbout.name);
+  if (!py::hasattr(module, name.c_str())) settings_class<Options>(module);
+}
+
+template <HasSettings Options>
+py::class_<Options> settings_class(py::module_& module) {
+  Options defaults;
+  const auto bind_nested = [&](const Setting&, auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    if constexpr (HasSettings<Value>) {
+      bind_settings<Value>(module);
+    } else if constexpr (prehend::detail::kIsOptional<Value>) {
+      bind_settings<typename Value::value_type>(module);
+    }
+  };
+  for_each_setting(defaults, SettingVisitor(bind_nested));
+  const std::string name(Options::kAbout.name);
+  const std::string meaning(Options::kAbout.meaning);
+  py::class_<Options> type(module, name.c_str(), meaning.c_str());
+  type.def(py::init([](const py::kwargs& given) {
+    Options options;
+    set_fields(py::cast(&options, py::return_value_policy::reference), given);
+    return options;
+  }));
+  type.def("__repr__", [](const py::object& self) { return describe_fields(self); });
+  type.def("__copy__", [](const Options& self) { return Options(self); });
+  type.def("__deepcopy__", [](const Options& self, const py::dict&) { return Options(self); });
+  type.attr("_fields") = py::tuple();
+  type.attr("__annotations__") = py::dict();
+  int number = 0;
+  const auto add = [&](const Setting& setting, auto& value) {
+    using Value = std::remove_cvref_t<decltype(value)>;
+    detail::add_property<Options, Value>(type, setting, number++);
+    add_field(type, std::string(setting.name.name), detail::type_in_python<Value>());
+  };
+  for_each_setting(defaults, SettingVisitor(add));
+  return type;
+}
 
 }  // namespace prehend::python

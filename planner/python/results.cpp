@@ -4,7 +4,10 @@
 #include <pybind11/stl.h>
 
 #include "planner/plan/grasp_text.h"
+#include "planner/plan/plan.h"
 #include "planner/python/arrays.h"
+#include "planner/python/dictionary_writer.h"
+#include "planner/results/grasp_fields.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/trial/success.h"
@@ -33,7 +36,7 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
     friction.push_back(contact.point.friction);
     torsion.push_back(contact.point.torsion);
     gap.push_back(contact.gap);
-    models.push_back(text(contact_model_name(contact.point.model)));
+    models.push_back(text(name_of(contact.point.model)));
     links.push_back(scene.links[index(contact.link)].name);
   }
   py::dict fields;
@@ -50,15 +53,15 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
 py::list named_counts(const PlanResult& result) {
   py::list stages;
   for (const auto& stage : result.stages)
-    stages.append(py::make_tuple(text(plan_count_name(stage.what)), stage.count));
+    stages.append(py::make_tuple(text(name_of(stage.what)), stage.count));
   return stages;
 }
 
 py::list blockers(const PlanResult& result) {
   py::list list;
   for (const CollisionCount& blocker : result.blockers) {
-    list.append(py::make_tuple(text(outcome_name(blocker.outcome)), blocker.link, blocker.by,
-                               blocker.count));
+    list.append(
+        py::make_tuple(text(name_of(blocker.outcome)), blocker.link, blocker.by, blocker.count));
   }
   return list;
 }
@@ -72,7 +75,7 @@ py::dict tried_dict(const std::vector<Tried>& tried) {
     candidates.push_back(one.candidate);
     poses.push_back(one.X_OH);
     approaches.push_back(one.approach_O);
-    outcomes.push_back(text(outcome_name(one.outcome)));
+    outcomes.push_back(text(name_of(one.outcome)));
   }
   py::dict fields;
   fields["candidates"] = to_array(candidates);
@@ -82,75 +85,51 @@ py::dict tried_dict(const std::vector<Tried>& tried) {
   return fields;
 }
 
+// What prehend/results.py has in other shapes than files: an object there is a tuple, or its
+// fields stand among those of the grasp.
+void reshape(py::dict& fields) {
+  const auto taken = [&](const char* name) {
+    return py::reinterpret_borrow<py::object>(fields.attr("pop")(name));
+  };
+  const auto values = [](const py::object& object) {
+    return object.is_none() ? object : py::tuple(object.attr("values")());
+  };
+  for (const char* name : {"epsilon_nearby", "refinement"}) {
+    fields[name] = values(fields[name]);
+  }
+  const py::object blocked = taken("blocked");
+  for (const auto& [name, whole] :
+       {std::pair{"link", "blocked_link"}, std::pair{"by", "blocked_by"},
+        std::pair{"overlap", "overlap"}}) {
+    fields[whole] = blocked.is_none() ? py::none() : blocked[name];
+  }
+  const py::object primitive = taken("primitive");
+  fields["primitive"] = primitive.is_none() ? py::none() : primitive["index"];
+  // The object "approach" has the direction under its own name.
+  const py::object approach = taken("approach");
+  fields.attr("update")(approach);
+}
+
 }  // namespace
 
-py::dict trial_dict(const TrialHandle& handle) {
+py::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive>& primitives) {
   const CompiledScene& scene = *handle.scene;
-  const Trial& trial = handle.grasp->trial;
-  const Candidate& candidate = handle.grasp->candidate;
-  const CollisionNames why = collision_of(scene, trial);
-  py::dict fields;
-  fields["outcome"] = text(outcome_name(trial.outcome));
+  const ScoredGrasp& grasp = *handle.grasp;
+  const Trial& trial = grasp.trial;
+  DictionaryWriter writer;
+  grasp_fields(writer, grasp, scene, primitives);
+  py::dict fields = std::move(writer).fields();
+  reshape(fields);
   fields["epsilon"] = trial.epsilon.lower;
   fields["epsilon_upper"] = trial.epsilon.upper;
-  fields["epsilon_status"] = text(epsilon_status_name(trial.epsilon.status));
+  fields["epsilon_status"] = in_python(trial.epsilon.status);
   fields["weakest_wrench"] =
       to_array(std::vector<double>(trial.epsilon.weakest.begin(), trial.epsilon.weakest.end()));
-  fields["X_OH"] = to_array(trial.X_OH);
-  fields["X_WH"] = to_array(Pose(scene.scene.object.X_WO * hand_in_scene(trial)));
-  fields["approach"] = to_array(candidate.approach_O);
-  fields["travel"] = trial.travel;
-  fields["gave_way"] = to_array(trial.overlap_shift);
-  fields["back_offs"] = trial.back_offs;
-  fields["pushed"] = to_array(trial.pushed);
-  fields["turned"] = trial.turned;
-  fields["slid"] = trial.slid;
-  fields["preshape"] = name_or_none(preshape_name(scene, candidate));
-  fields["dofs"] = to_array(trial.dofs);
-  fields["joints"] = to_array(trial.joints);
-  fields["arm_dofs"] = trial.arm_dofs.empty() ? py::none() : py::object(to_array(trial.arm_dofs));
+  fields["rule"] = grasp.rule;
   fields["contacts"] = contacts_dict(scene, trial.contacts);
-  fields["blocked_link"] = name_or_none(why.link);
-  fields["blocked_by"] = name_or_none(why.by);
-  fields["overlap"] = trial.overlap ? py::object(py::float_(*trial.overlap)) : py::none();
-  return fields;
-}
-
-py::dict burden_dict(const LoadCase& load_case) {
-  py::dict fields;
-  fields["down"] = to_array(load_case.down_O);
-  fields["sum_of_normals"] = load_case.sum_of_normals;
-  fields["largest_normal"] = load_case.largest_normal;
-  fields["strength"] = load_case.strength;
-  return fields;
-}
-
-py::dict holding_dict(const PayloadMargin& holding) {
-  py::dict fields;
-  fields["given"] = burden_dict(holding.given);
-  fields["worst"] = burden_dict(holding.worst);
-  return fields;
-}
-
-py::dict robustness_dict(const Robustness& robustness) {
-  const Interval interval = held_interval(robustness.held, robustness.samples);
-  py::dict outcomes;
-  for (const Outcome outcome : kOutcomes) {
-    const int count = robustness.outcomes[static_cast<std::size_t>(outcome)];
-    if (count > 0) outcomes[py::str(text(outcome_name(outcome)))] = count;
-  }
-  py::dict fields;
-  fields["samples"] = robustness.samples;
-  fields["held"] = robustness.held;
-  fields["interval"] = py::make_tuple(interval.lower, interval.upper);
-  fields["epsilon_mean"] = robustness.epsilon_mean;
-  fields["epsilon_low"] = robustness.epsilon_low;
-  fields["outcomes"] = outcomes;
-  fields["spare"] = robustness.position_margin;
-  fields["weakest"] = to_array(robustness.weakest_O);
-  fields["weakest_outcome"] = text(outcome_name(robustness.weakest_end));
-  fields["strength"] = robustness.strength;
-  fields["success"] = success_probability(robustness);
+  fields["candidate"] = candidate_dict(scene, grasp.candidate);
+  fields["path"] = grasp.path ? py::object(path_dict(*grasp.path, grasp.lift)) : py::none();
+  fields["_trial"] = handle;
   return fields;
 }
 
@@ -159,33 +138,16 @@ py::dict grasp_dict(const PlanHandle& plan, std::size_t grasp) {
   // Refers to the grasp inside the result and keeps the whole result alive, without copying the
   // grasp.
   const std::shared_ptr<const ScoredGrasp> shared(plan.result, &scored);
-  const TrialHandle handle{plan.scene, shared};
-  py::dict fields = trial_dict(handle);
+  py::dict fields = trial_dict({plan.scene, shared}, plan.result->primitives);
   // Not computed: the run was cancelled before.
   fields["volume"] = scored.volume.value_or(std::numeric_limits<double>::quiet_NaN());
-  fields["epsilon_nearby"] =
-      scored.epsilon_nearby
-          ? py::object(py::make_tuple(scored.epsilon_nearby->lower, scored.epsilon_nearby->upper))
-          : py::none();
-  fields["holding"] = scored.holding ? py::object(holding_dict(*scored.holding)) : py::none();
-  fields["robustness"] =
-      scored.robustness ? py::object(robustness_dict(*scored.robustness)) : py::none();
-  fields["primitive"] = scored.primitive;
-  fields["rule"] = scored.rule;
-  fields["refinement"] =
-      scored.refinement
-          ? py::object(py::make_tuple(scored.refinement->gain, scored.refinement->trials))
-          : py::none();
-  fields["path"] = scored.path ? py::object(path_dict(*scored.path, scored.lift)) : py::none();
-  fields["candidate"] = candidate_dict(*plan.scene, scored.candidate);
-  fields["_trial"] = handle;
   return fields;
 }
 
 py::list advice(const PlanResult& result) {
   py::list list;
   for (const Advice& one : result.advice) {
-    list.append(py::make_tuple(text(hint_name(one.hint)), text(one.words)));
+    list.append(py::make_tuple(text(name_of(one.hint)), text(one.words)));
   }
   return list;
 }
@@ -195,9 +157,9 @@ py::list rules(const PlanResult& result) {
   py::list list;
   for (const RuleCount& rule : result.rules) {
     py::dict counts;
-    for (const Outcome outcome : kOutcomes) {
-      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
-      if (count > 0) counts[py::str(text(outcome_name(outcome)))] = count;
+    for (const Outcome outcome : kAll<Outcome>) {
+      const int count = rule.outcomes[outcome];
+      if (count > 0) counts[py::str(text(name_of(outcome)))] = count;
     }
     list.append(py::make_tuple(rule.rule, counts));
   }
@@ -207,17 +169,16 @@ py::list rules(const PlanResult& result) {
 py::dict result_dict(const PlanHandle& plan) {
   const PlanResult& result = *plan.result;
   py::dict outcomes;
-  for (const Outcome outcome : kOutcomes) {
-    outcomes[py::str(text(outcome_name(outcome)))] =
-        result.outcomes[static_cast<std::size_t>(outcome)];
+  for (const Outcome outcome : kAll<Outcome>) {
+    outcomes[py::str(text(name_of(outcome)))] = result.outcomes[outcome];
   }
   py::list primitives;
   for (const Primitive& primitive : result.primitives) primitives.append(primitive_dict(primitive));
   py::dict times;
   for (const StageTime& time : result.times)
-    times[py::str(text(stage_name(time.stage)))] = time.seconds;
+    times[py::str(text(name_of(time.stage)))] = time.seconds;
   py::dict fields;
-  fields["status"] = text(plan_status_name(result.status));
+  fields["status"] = text(name_of(result.status));
   fields["untested"] = result.untested;
   fields["ways"] = result.families;
   fields["ways_untested"] = result.families_untested;
@@ -250,7 +211,7 @@ py::dict path_dict(const Trajectory& path, LiftEnd lift) {
   fields["positions"] = to_array(path.positions, path.joints.size());
   fields["velocities"] = to_array(path.velocities, path.joints.size());
   fields["segments"] = segments;
-  fields["lift"] = text(lift_end_name(lift));
+  fields["lift"] = text(name_of(lift));
   return fields;
 }
 

@@ -1,5 +1,5 @@
 // What a plan found as dictionaries of NumPy arrays, one key for each field of the classes in
-// prehend/_results.py.
+// prehend/results.py.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,8 @@ struct PlanHandle {
   RunRecord record;
 };
 
-pybind11::dict trial_dict(const TrialHandle& handle);
+// `primitives`: which the grasp may refer to.
+pybind11::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive>& primitives);
 pybind11::dict grasp_dict(const PlanHandle& plan, std::size_t grasp);
 pybind11::dict result_dict(const PlanHandle& plan);  // all but the grasps
 pybind11::dict primitive_dict(const Primitive& primitive);

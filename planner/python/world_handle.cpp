@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "sim/motion/require_world.h"
+
 namespace prehend::python {
 
 World& WorldHandle::now() {

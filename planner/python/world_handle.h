@@ -4,6 +4,7 @@
 #include <optional>
 #include <pybind11/pybind11.h>
 
+#include "sim/motion/step_options.h"
 #include "sim/motion/world.h"
 
 namespace prehend::python {

@@ -1,4 +1,5 @@
-// Reader of files that state contacts directly, without a scene or a hand (docs/contacts-file.md).
+// Reader of files that state contacts directly, without a scene or a hand
+// (docs/reference/contacts-file.md).
 #pragma once
 
 #include <filesystem>

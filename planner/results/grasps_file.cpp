@@ -36,7 +36,7 @@ Json names_json(const Robot& robot) {
 
 Json object_json(const GraspableBody& object) {
   return {{"name", object.name},
-          {"material", material_name(object.material)},
+          {"material", name_of(object.material)},
           {"mass", object.mass},
           {"center_of_mass", vector_to_json(object.center_of_mass)},
           {"X_world_object", pose_to_json(object.X_WO)}};
@@ -57,7 +57,7 @@ Json obstacles_json(const CompiledScene& scene) {
 // Only what is out of the ordinary is written: the plan ended early, or candidates were left out.
 void status_fields(auto& fields, auto& result) {
   if (kReads<decltype(fields)> || result.status != PlanStatus::complete) {
-    fields.named("status", result.status, value_names(kPlanStatuses, plan_status_name));
+    fields("status", result.status);
   }
   if (kReads<decltype(fields)> || result.untested > 0) fields("untested", result.untested);
   if (kReads<decltype(fields)> || result.families_untested > 0) {
@@ -70,17 +70,17 @@ void result_fields(auto& fields, auto& result) {
   status_fields(fields, result);
   fields.objects("stages", result.stages, [](auto& inner, auto& stage) {
     inner.needs("name");
-    inner.named("name", stage.what, value_names(kPlanCounts, plan_count_name));
+    inner("name", stage.what);
     inner("count", stage.count);
   });
   fields.object("outcomes", [&](auto& inner) {
-    for (const Outcome outcome : kOutcomes) {
-      inner(outcome_name(outcome), result.outcomes[static_cast<std::size_t>(outcome)]);
+    for (const Outcome outcome : kAll<Outcome>) {
+      inner(name_of(outcome), result.outcomes[outcome]);
     }
   });
   fields.objects("blockers", result.blockers, [](auto& inner, auto& blocker) {
     for (const char* name : {"outcome", "link", "by"}) inner.needs(name);
-    inner.named("outcome", blocker.outcome, value_names(kOutcomes, outcome_name));
+    inner("outcome", blocker.outcome);
     inner("link", blocker.link);
     inner("by", blocker.by);
     inner("count", blocker.count);
@@ -94,14 +94,14 @@ void advice_fields(auto& fields, auto& result) {
     inner.needs("rule");
     inner("rule", rule.rule);
     inner.object("outcomes", [&](auto& counts) {
-      for (const Outcome outcome : kOutcomes) {
-        counts(outcome_name(outcome), rule.outcomes[static_cast<std::size_t>(outcome)]);
+      for (const Outcome outcome : kAll<Outcome>) {
+        counts(name_of(outcome), rule.outcomes[outcome]);
       }
     });
   });
   fields.objects("advice", result.advice, [](auto& inner, auto& advice) {
     for (const char* name : {"hint", "words"}) inner.needs(name);
-    inner.named("hint", advice.hint, value_names(kHints, hint_name));
+    inner("hint", advice.hint);
     inner("words", advice.words);
   });
 }

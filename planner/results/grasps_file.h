@@ -1,5 +1,5 @@
-// Writer and reader of grasps.json (docs/grasps-file.md). Reading takes two steps, because grasps
-// can only be checked against their scene: first which scene a file is about
+// Writer and reader of grasps.json (docs/reference/grasps-file.md). Reading takes two steps,
+// because grasps can only be checked against their scene: first which scene a file is about
 // (read_scene_reference), then, when that scene is loaded, its grasps (read_grasps).
 #pragma once
 
@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

@@ -6,15 +6,15 @@
 
 namespace prehend {
 
-// "position", "normal", "friction", "model" and "torsion" (docs/contacts-file.md). Where they are
-// read: throws InputError that names file and field for values that no contact has, see
+// "position", "normal", "friction", "model" and "torsion" (docs/reference/contacts-file.md). Where
+// they are read: throws InputError that names file and field for values that no contact has, see
 // check_contact, and where friction or torsion are missing that the model needs.
 void contact_fields(auto& fields, auto& contact) {
   for (const char* name : {"position", "normal"}) fields.needs(name);
   fields("position", contact.position);
   fields("normal", contact.normal);
   fields("friction", contact.friction);
-  fields.named("model", contact.model, value_names(kContactModels, contact_model_name));
+  fields("model", contact.model);
   fields("torsion", contact.torsion);
   if constexpr (kReads<decltype(fields)>) {
     const JsonField& field = fields.field();

@@ -1,9 +1,9 @@
-// One grasp in a grasp file: an entry of "grasps" (docs/grasps-file.md).
+// One grasp in a grasp file: an entry of "grasps" (docs/reference/grasps-file.md).
 #pragma once
 
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "sim/base/json/json_field.h"
 
 namespace prehend {
@@ -26,5 +26,8 @@ struct ReadGrasp {
 // that no grasp has.
 ReadGrasp read_grasp(const JsonField& field, const CompiledScene& scene,
                      const std::vector<Primitive>& primitives);
+
+// The JSON schema of an entry as grasp_to_json writes it.
+nlohmann::ordered_json grasp_schema();
 
 }  // namespace prehend

@@ -1,12 +1,15 @@
 #include "planner/results/json_settings.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "sim/base/formatted.h"
+#include "sim/base/input_error.h"
 #include "sim/base/json/json_fields.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 namespace {
@@ -14,22 +17,31 @@ namespace {
 // Every option under its name (sim/base/settings.h).
 template <HasSettings Options>
 void option_fields(auto& fields, Options& options) {
-  visit_settings(options, [&](const std::string& name, auto& value, const Range& range) {
+  visit_settings(options, [&](const std::string& name, auto& value, const Setting& setting) {
     using Value = std::remove_cvref_t<decltype(value)>;
-    if constexpr (std::is_same_v<Value, PathPlanner>) {
-      fields.named(name, value, value_names(kPathPlanners, path_planner_name));
-    } else if constexpr (std::is_same_v<Value, RefineObjective>) {
-      fields.named(name, value, value_names(kRefineObjectives, refine_objective_name));
-    } else {
-      fields(name, value);
-      fields.require(name, range.contains(static_cast<double>(value)), range.words().c_str());
+    fields(name, value);
+    if constexpr (!std::is_enum_v<Value>) {
+      fields.require(name, setting.range.contains(static_cast<double>(value)),
+                     setting.range.words().c_str());
     }
   });
 }
 
-// Settings that files of earlier versions have. What they said has no place in today's options.
-constexpr std::array kFormerSettings = {"max_candidates", "cylinder_directions", "places",
-                                        "sphere_directions", "sphere_turns"};
+// Settings that files of earlier versions have, and that have no effect any more: what most of them
+// said is a constant beside its use.
+constexpr std::array kFormerSettings = {
+    "max_candidates",         "cylinder_directions", "places",
+    "sphere_directions",      "sphere_turns",        "duplicate_distance",
+    "duplicate_angle",        "solids_first",        "curves_least",
+    "patient_back_offs",      "contact_same_place",  "contact_flat_corner",
+    "contact_weakest_patch",  "settle_least_part",   "settle_loosen",
+    "settle_least_gain",      "settle_least_force",  "settle_least_arm",
+    "max_gap_queries",        "gaps_near",           "gaps_reach",
+    "gaps_least_reach",       "gaps_most_pairs",     "gaps_looseness",
+    "reach_motion_gap_error", "refine_spread",       "refine_reach"};
+// The same of "paths".
+constexpr std::array kFormerPathSettings = {"gap_error", "motion_gap_error", "longest_edge",
+                                            "lift_leave_within"};
 
 // The order that a model gave to the candidates: by name and checksum, the model itself is a file
 // of its own.
@@ -53,7 +65,12 @@ void settings_fields(auto& fields, auto& record) {
     if (fields.allow("paths")) options.paths.emplace();
   }
   if (options.paths) {
-    fields.object("paths", [&](auto& inner) { option_fields(inner, *options.paths); });
+    fields.object("paths", [&](auto& inner) {
+      option_fields(inner, *options.paths);
+      if constexpr (kReads<decltype(inner)>) {
+        for (const char* name : kFormerPathSettings) (void)inner.allow(name);
+      }
+    });
   }
   // Not read: it is said for people, and a model cannot be found by its name.
   if constexpr (kReads<decltype(fields)>) {
@@ -61,6 +78,27 @@ void settings_fields(auto& fields, auto& record) {
   } else if (options.search.learned) {
     fields.derived("learned", [&] { return learned_to_json(*options.search.learned); });
   }
+}
+
+// What the range of one setting does not say: whether it fits to the others.
+void require_relations(const JsonField& root, const PlanOptions& options) {
+  const std::optional<SettingFault> fault = setting_fault(options);
+  if (!fault) return;
+  if (root.has(fault->in_files)) root[fault->in_files].fail(fault->problem);
+  throw InputError(
+      {.file = root.file().string(), .field = fault->in_files, .problem = fault->problem});
+}
+
+std::vector<std::string> notes_on_former(const JsonField& root) {
+  std::vector<std::string> notes;
+  const auto note = [&](const JsonField& object, const std::string& outer, const char* name) {
+    if (!object.has(name)) return;
+    notes.push_back(root.file().string() + ": " + outer + name + " has no effect any more");
+  };
+  for (const char* name : kFormerSettings) note(root, "", name);
+  if (!root.has("paths")) return notes;
+  for (const char* name : kFormerPathSettings) note(root["paths"], "paths.", name);
+  return notes;
 }
 
 }  // namespace
@@ -71,8 +109,8 @@ nlohmann::ordered_json settings_to_json(const RunRecord& record) {
   return std::move(fields).json();
 }
 
-PlanOptions read_accuracy(const std::string& name_or_file) {
-  if (const auto known = accuracy_named(name_or_file)) return plan_options(*known);
+PlanOptions read_accuracy(const std::string& name_or_file, std::vector<std::string>* notes) {
+  if (const auto known = value_named<Accuracy>(name_or_file)) return plan_options(*known);
   const JsonFile file(name_or_file);
   const JsonField root = file.root();
   for (const char* name : {"seed", "top", "learned"}) {
@@ -80,18 +118,13 @@ PlanOptions read_accuracy(const std::string& name_or_file) {
   }
   FieldReader fields(root);
   Accuracy base = Accuracy::standard;
-  fields.named("accuracy", base, value_names(kAccuracies, accuracy_name));
+  fields("accuracy", base);
   RunRecord record;
   record.options = plan_options(base);
   settings_fields(fields, record);
   fields.finish();
-  // Motions end up to 10 % above the gap, and must end within the threshold.
-  constexpr double kLargestGap = 0.9;
-  const TrialOptions& trial = record.options.trial;
-  if (!(trial.contact_gap > 0.0 && trial.contact_gap <= kLargestGap * trial.contact.threshold)) {
-    root[root.has("contact_gap") ? "contact_gap" : "contact_threshold"].fail(
-        "must be at most 0.9 of the contact_threshold");
-  }
+  require_relations(root, record.options);
+  if (notes != nullptr) *notes = notes_on_former(root);
   return record.options;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "planner/plan/accuracy.h"
 #include "planner/results/grasps_file.h"
@@ -11,12 +12,14 @@ namespace prehend {
 
 nlohmann::ordered_json settings_to_json(const RunRecord& record);
 
-// The options of an accuracy: one of the names of kAccuracies, or a file with an object of settings
-// under the names that grasps.json has for them. In the file "accuracy" names the one that it
-// changes, standard where it is left out; "paths" holds the settings of paths. Throws InputError
+// The options of an accuracy: one of the names of kAll<Accuracy>, or a file with an object of
+// settings under the names that grasps.json has for them. In the file "accuracy" names the one that
+// it changes, standard where it is left out; "paths" holds the settings of paths. Throws InputError
 // that names the file and the field, also for a seed, the number of grasps to return ("top") and a
-// model ("learned"), which are no matter of accuracy.
-PlanOptions read_accuracy(const std::string& name_or_file);
+// model ("learned"), which are no matter of accuracy. `notes`: one for each setting of an earlier
+// version in the file that has no effect any more.
+PlanOptions read_accuracy(const std::string& name_or_file,
+                          std::vector<std::string>* notes = nullptr);
 
 // Seed and options of the record; those that the file leaves out stay as they are. Throws
 // InputError that names the file and the field.

@@ -7,7 +7,7 @@
 
 namespace prehend {
 
-// {protocol, survived, of, holds, tests: [...], simulation: {...}} (docs/grasp-file.md).
+// {protocol, survived, of, holds, tests: [...], simulation: {...}} (docs/reference/grasps-file.md).
 nlohmann::ordered_json shake_to_json(const ShakeReport& report);
 
 // One of its tests, and how much work the simulation was.

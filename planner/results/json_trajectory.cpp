@@ -3,30 +3,9 @@
 #include <cstddef>
 
 #include "planner/results/json_posture.h"
-#include "sim/base/json/json_fields.h"
 
 namespace prehend {
 namespace {
-
-// All fields are needed, since a motion makes no sense without one of them. What they must satisfy
-// together (rows as long as lists, increasing times, segments without gaps) is checked after all of
-// them were read.
-
-void trajectory_fields(auto& fields, auto& trajectory) {
-  for (const char* name : {"joints", "times", "positions", "velocities", "segments"}) {
-    fields.needs(name);
-  }
-  fields("joints", trajectory.joints);
-  fields("times", trajectory.times);
-  fields("positions", trajectory.positions);
-  fields("velocities", trajectory.velocities);
-  fields.objects("segments", trajectory.segments, [](auto& inner, auto& segment) {
-    for (const char* name : {"name", "first", "last"}) inner.needs(name);
-    inner("name", segment.name);
-    inner("first", segment.first);
-    inner("last", segment.last);
-  });
-}
 
 // The order of the joints is part of the motion: rows are numbers without names.
 void check_joints(const JsonField& field, const std::vector<std::string>& joints,
@@ -81,12 +60,6 @@ void check_segments(const JsonField& field, const std::vector<TrajectorySegment>
 }
 
 }  // namespace
-
-nlohmann::ordered_json trajectory_to_json(const Trajectory& trajectory) {
-  FieldWriter fields;
-  trajectory_fields(fields, trajectory);
-  return std::move(fields).json();
-}
 
 Trajectory read_trajectory(const JsonField& field, const Robot& robot) {
   Trajectory read;

@@ -8,6 +8,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
 
 namespace prehend {
@@ -63,7 +64,7 @@ Json state_json(const World& world, const WorldFrame& frame) {
 }
 
 Json event_json(const ObjectEvent& event) {
-  Json json{{"time", event.time}, {"event", object_event_name(event.kind)}};
+  Json json{{"time", event.time}, {"event", name_of(event.kind)}};
   if (!event.link.empty()) json["link"] = event.link;
   return json;
 }
@@ -85,7 +86,7 @@ std::vector<std::size_t> places_of(const World& world, const std::vector<std::st
       std::string like;
       for (const std::string& other : known) {
         const std::string start = name.substr(0, name.find_first_of("./"));
-        if (other.starts_with(start)) like += (like.empty() ? "" : ", ") + other;
+        if (other.starts_with(start)) add_part(like, other);
       }
       throw InputError({.field = "--csv",
                         .problem = like.empty() ? "no such quantity; all are written without names"
@@ -103,9 +104,7 @@ std::vector<std::size_t> places_of(const World& world, const std::vector<std::st
 
 void write_simulation(std::ostream& stream, const std::string& scene,
                       const Simulation& simulation) {
-  Json json{{"scene", scene},
-            {"protocol", simulation.procedure},
-            {"end", object_end_name(simulation.end)}};
+  Json json{{"scene", scene}, {"protocol", simulation.procedure}, {"end", name_of(simulation.end)}};
   json["events"] = Json::array();
   for (const ObjectEvent& event : simulation.events) json["events"].push_back(event_json(event));
   json["tests"] = Json::array();

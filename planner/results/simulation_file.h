@@ -9,8 +9,8 @@
 
 namespace prehend {
 
-// What happened and all recorded states (docs/simulation.md). The same simulation gives the same
-// bytes.
+// What happened and all recorded states (docs/reference/simulation.md). The same simulation gives
+// the same bytes.
 void write_simulation(std::ostream& stream, const std::string& scene, const Simulation& simulation);
 
 // A line of names, then a line for each frame, separated by commas. `names`: which quantities, in

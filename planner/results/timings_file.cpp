@@ -9,7 +9,7 @@ std::string timings_json(const std::vector<StageTime>& times, const TrialSeconds
   nlohmann::ordered_json json{{"threads", threads}, {"stages", nlohmann::ordered_json::array()}};
   double total = 0.0;
   for (const StageTime& time : times) {
-    json["stages"].push_back({{"name", stage_name(time.stage)}, {"seconds", time.seconds}});
+    json["stages"].push_back({{"name", name_of(time.stage)}, {"seconds", time.seconds}});
     total += time.seconds;
   }
   json["total"] = total;

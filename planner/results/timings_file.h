@@ -1,5 +1,5 @@
 // timings.json as text: run times, kept out of grasps.json since they differ from run to run
-// (docs/grasps-file.md).
+// (docs/reference/grasps-file.md).
 #pragma once
 
 #include <string>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "planner/plan/path/grasp_motion.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

@@ -6,6 +6,7 @@
 #include "sim/base/data_folder.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 
 namespace prehend {
 
@@ -26,12 +27,6 @@ std::vector<std::string> DataLibrary::names() const {
   return {names.begin(), names.end()};
 }
 
-std::string DataLibrary::listed_names() const {
-  std::string listed;
-  for (const std::string& name : names()) listed += (listed.empty() ? "" : ", ") + name;
-  return listed;
-}
-
 std::filesystem::path DataLibrary::file(const std::string& name) const {
   return data_folder() / folder_ / (name + suffix_);
 }
@@ -43,7 +38,7 @@ std::filesystem::path DataLibrary::find(const std::string& name_or_file,
   if (is_name && is_there(file(name_or_file))) return file(name_or_file);
   throw InputError({.file = name_or_file,
                     .problem = "no such file, and no " + what + " of that name (" + what +
-                               "s: " + listed_names() + ")"});
+                               "s: " + joined(names()) + ")"});
 }
 
 }  // namespace prehend

@@ -16,8 +16,6 @@ class DataLibrary {
 
   // In alphabetical order.
   std::vector<std::string> names() const;
-  // "a, b, c", for messages.
-  std::string listed_names() const;
   // The file of an entry, whether or not there is one.
   std::filesystem::path file(const std::string& name) const;
   // The path as it is where there is such a file, else the file of the entry of that name. Throws

@@ -15,6 +15,10 @@ namespace prehend {
 // A seeded generator: std::mt19937_64, whose output the C++ standard prescribes, with its own
 // mappings to distributions, because those of the standard (std::uniform_real_distribution and
 // others) differ between libraries.
+//
+// The numbers come in the order of the calls, and compilers evaluate the arguments of a function
+// and the operands of an operator in different orders. An expression therefore draws once, save
+// within braces, which are evaluated from left to right.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -63,6 +67,19 @@ class Random {
     const double y = uniform(-half, half);
     const double z = uniform(-half, half);
     return {x, y, z};
+  }
+
+  // Uniform in the box from `lower` to `upper`.
+  Vector3 in_box(const Vector3& lower, const Vector3& upper) {
+    Vector3 p;
+    for (Vector3::Index k = 0; k < 3; ++k) p[k] = uniform(lower[k], upper[k]);
+    return p;
+  }
+
+  // A vector in a direction() of a length that is uniform in [shortest, longest).
+  Vector3 vector(double shortest, double longest) {
+    const double length = uniform(shortest, longest);
+    return length * direction();
   }
 
   // A pose with a rotation() and a position in_box(half).

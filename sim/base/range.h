@@ -9,21 +9,32 @@
 
 namespace prehend {
 
-// An interval, with its upper end and, unless without_lower, its lower end. NaN is in none.
+// An interval of finite numbers, with its upper end and, unless without_lower, its lower end. NaN
+// is in none.
 struct Range {
   double lower = 0.0;
   double upper = std::numeric_limits<double>::infinity();
   bool without_lower = false;  // above `lower`, not at it
+  bool with_infinity = false;  // where there is no upper end
 
   bool contains(double value) const {
-    return (without_lower ? value > lower : value >= lower) && value <= upper;
+    return (std::isfinite(value) || with_infinity) &&
+           (without_lower ? value > lower : value >= lower) && value <= upper;
   }
 
-  // "must be at least 1 and at most 3", "must be above 0".
+  // "must be at least 1 and at most 3", "must be above 0", "must be a number".
   std::string words() const {
+    if (!std::isfinite(lower)) return "must be a number";
     std::string text = formatted(without_lower ? "must be above %g" : "must be at least %g", lower);
     if (std::isfinite(upper)) text += formatted(" and at most %g", upper);
     return text;
+  }
+
+  // As an interval: "[1, 3]", "(0, 1]", "> 0", ">= 1"; "" for any number.
+  std::string interval() const {
+    if (!std::isfinite(lower)) return "";
+    if (!std::isfinite(upper)) return formatted(without_lower ? "> %g" : ">= %g", lower);
+    return formatted(without_lower ? "(%g, %g]" : "[%g, %g]", lower, upper);
   }
 };
 
@@ -31,7 +42,9 @@ inline constexpr Range kAnyNumber{.lower = -std::numeric_limits<double>::infinit
 inline constexpr Range kAtLeast0{};
 inline constexpr Range kAtLeast1{.lower = 1.0};
 inline constexpr Range kAbove0{.without_lower = true};
-// Fractions in [0, 1): the upper end is the largest double below 1.
-inline constexpr Range kPart{.upper = 0.9999999999999999};
+inline constexpr Range kShare{.upper = 1.0};
+inline constexpr Range kShareAbove0{.upper = 1.0, .without_lower = true};
+// Edges of a pyramid that stands for a friction cone.
+inline constexpr Range kConeEdges{.lower = 3.0, .upper = 1024.0};
 
 }  // namespace prehend

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "sim/base/deadline.h"
+#include "sim/base/named_enum.h"
 
 namespace prehend {
 
@@ -61,18 +62,11 @@ enum class Stage {
   picture      // pictures are rendered
 };
 
-// All stages, in the order of the enum.
-inline constexpr std::array<Stage, 13> kStages = {
-    Stage::load,  Stage::compile, Stage::primitives, Stage::candidates, Stage::trials,
-    Stage::rank,  Stage::refine,  Stage::paths,      Stage::volumes,    Stage::disturb,
-    Stage::shake, Stage::report,  Stage::picture};
-
 // Name of a stage in files and progress lines: "load", "compile" and so on.
-constexpr std::string_view stage_name(Stage stage) {
-  constexpr std::array<std::string_view, kStages.size()> kNames = {
-      "load",  "compile", "primitives", "candidates", "trials", "rank",   "refine",
-      "paths", "volumes", "disturb",    "shake",      "report", "picture"};
-  return kNames[static_cast<std::size_t>(stage)];
+constexpr auto enum_names(Stage /*of*/) {
+  return std::to_array<std::string_view>({"load", "compile", "primitives", "candidates", "trials",
+                                          "rank", "refine", "paths", "volumes", "disturb", "shake",
+                                          "report", "picture"});
 }
 
 // How far a stage is: `done` of `total` pieces of work (trials, paths).

@@ -1,71 +1,144 @@
-// Visits every setting of a struct of options by name and range, for files of settings.
+// Settings: the fields of the structs of options, each declared once with its name, range, unit and
+// meaning. Files of settings, the checks of callers' options, the classes in Python and the tables
+// of the documents are made from these declarations.
 #pragma once
 
 #include <concepts>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/range.h"
 
 namespace prehend {
 
-// Each struct of options that influences a result has a function beside it that visits its fields:
+// A struct of options has a name for callers outside C++, one sentence about it, and a function
+// beside it that visits its fields:
+//
+//   struct SomeOptions {
+//     static constexpr AboutSettings kAbout{"SomeOptions", "How a turn is searched for."};
+//     double angle = 0.2;
+//     int steps = 8;
+//     InnerOptions inner;
+//     std::uint64_t seed = 1;
+//   };
 //
 //   template <SettingsOf<SomeOptions> Options, typename Visit>
 //   void for_each_setting(Options& options, const Visit& visit) {
-//     auto& [angle, steps, inner] = options;   // does not compile while a field is missing
-//     visit("angle", angle, kAbove0);          // a number has a range (range.h), or may be any
-//     visit("steps", steps, kAtLeast1);
-//     visit("inner", inner);                   // has settings of its own: visit_settings goes on
+//     auto& [angle, steps, inner, seed] = options;  // does not compile while a field is missing
+//     visit("angle", angle, kAbove0, "rad", "Largest turn of a step.");
+//     visit("steps", steps, kAtLeast1, "", "Steps at most.");
+//     visit("inner", inner, "Has settings of its own.");  // files have them as inner_NAME
+//     visit.unlisted("seed", seed, kAtLeast0, "", "Of the steps.");
+//     visit.relation("angle", angle <= inner.limit, "must be at most inner.limit");
 //   }
 //
-// It visits all fields except seeds, which derive from the seed of the run (random.h). SettingsOf
-// accepts the struct both const (for writing a file) and mutable (for reading one).
+// A number has a range (range.h) and a unit, "" for none; a flag, an enum (named_enum.h) and a
+// struct have neither. What is unlisted stands in no file: it derives from another setting, such as
+// a seed, or is asked for otherwise. SettingsOf accepts the struct both const (for writing a file)
+// and mutable (for reading one).
 template <typename T, typename Options>
 concept SettingsOf = std::same_as<std::remove_const_t<T>, Options>;
 
-namespace detail {
-// A visitor that accepts every value; for the concept below only.
-struct AnySetting {
-  void operator()(std::string_view, auto&, const Range& = kAnyNumber) const {}
+// The name of a struct of options, and one sentence on what its settings decide.
+struct AboutSettings {
+  std::string_view name;
+  std::string_view meaning;
 };
+
+// The name of a setting in code, and the one in files, where that is another one. The settings of a
+// struct have the name of the struct in files before their own, which may be empty.
+struct SettingName {
+  std::string_view name;
+  std::string_view in_files;
+
+  // Not explicit: most settings have one name.
+  constexpr SettingName(const char* both) : name(both), in_files(both) {}
+  constexpr SettingName(const char* in_code, const char* in_file)
+      : name(in_code), in_files(in_file) {}
+};
+
+// What is declared of one setting.
+struct Setting {
+  SettingName name;
+  std::string_view meaning = {};
+  Range range = kAnyNumber;  // of a number
+  std::string_view unit = {};
+  bool listed = true;  // in files of settings
+};
+
+// What for_each_setting is given: it calls leaf(setting, value) for every field, and
+// leaf.relation(name, holds, problem) for every relation if the leaf has such a function.
+template <typename Leaf>
+class SettingVisitor {
+ public:
+  explicit SettingVisitor(const Leaf& leaf) : leaf_(leaf) {}
+
+  template <typename Number>
+  void operator()(SettingName name, Number& value, const Range& range, std::string_view unit,
+                  std::string_view meaning) const {
+    leaf_(Setting{name, meaning, range, unit}, value);
+  }
+  template <typename Value>
+  void operator()(SettingName name, Value& value, std::string_view meaning) const {
+    leaf_(Setting{name, meaning}, value);
+  }
+  template <typename Number>
+  void unlisted(SettingName name, Number& value, const Range& range, std::string_view unit,
+                std::string_view meaning) const {
+    leaf_(Setting{name, meaning, range, unit, false}, value);
+  }
+  template <typename Value>
+  void unlisted(SettingName name, Value& value, std::string_view meaning) const {
+    leaf_(Setting{name, meaning, kAnyNumber, {}, false}, value);
+  }
+
+  // Two settings that have to fit to each other; `problem` says how, for the setting `name`.
+  void relation(SettingName name, bool holds, std::string_view problem) const {
+    if constexpr (requires { leaf_.relation(name, holds, problem); }) {
+      leaf_.relation(name, holds, problem);
+    }
+  }
+
+ private:
+  const Leaf& leaf_;
+};
+
+namespace detail {
+// A leaf that does nothing; for the concept below only.
+struct AnySetting {
+  void operator()(const Setting&, auto&) const {}
+};
+
+template <typename T>
+inline constexpr bool kIsOptional = false;
+template <typename T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
 }  // namespace detail
 
 // True for structs of options with a function for_each_setting.
 template <typename T>
-concept HasSettings = requires(T& options) {
-  for_each_setting(options, detail::AnySetting{});
+concept HasSettings = requires(T& options, const SettingVisitor<detail::AnySetting>& visit) {
+  for_each_setting(options, visit);
 };
 
-// Calls leaf(name, value, range) for every value in `options` and, recursively, in nested structs
-// of options. The name of a nested value is OUTER_INNER, or INNER alone where the outer struct
-// visits the nested one with an empty name.
+// Calls leaf(name, value, setting) for every listed value in `options` and, recursively, in nested
+// structs of options, with the name that it has in files: that of a nested value is OUTER_INNER, or
+// INNER alone where the name of the struct in files is empty.
 template <HasSettings Options, typename Leaf>
 void visit_settings(Options& options, const Leaf& leaf, const std::string& prefix = "") {
-  const auto visit = [&](std::string_view name, auto& value, const Range& range = kAnyNumber) {
-    const std::string whole = prefix + std::string(name);
+  const auto visit = [&](const Setting& setting, auto& value) {
+    if (!setting.listed) return;
+    const std::string whole = prefix + std::string(setting.name.in_files);
     if constexpr (HasSettings<std::remove_reference_t<decltype(value)>>) {
-      visit_settings(value, leaf, name.empty() ? prefix : whole + "_");
-    } else {
-      leaf(whole, value, range);
+      visit_settings(value, leaf, setting.name.in_files.empty() ? prefix : whole + "_");
+    } else if constexpr (!detail::kIsOptional<std::remove_cvref_t<decltype(value)>>) {
+      leaf(whole, value, setting);
     }
   };
-  for_each_setting(options, visit);
-}
-
-// The range of one number among the settings of an Options; any number for one that is not visited,
-// such as a seed.
-template <HasSettings Options, typename Number>
-Range range_of(Number Options::*member) {
-  Options options;
-  Range found = kAnyNumber;
-  for_each_setting(options, [&](std::string_view, auto& value, const Range& range = kAnyNumber) {
-    if constexpr (std::is_same_v<std::remove_reference_t<decltype(value)>, Number>) {
-      if (&value == &(options.*member)) found = range;
-    }
-  });
-  return found;
+  for_each_setting(options, SettingVisitor(visit));
 }
 
 }  // namespace prehend

@@ -11,6 +11,7 @@
 #include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/resting.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 

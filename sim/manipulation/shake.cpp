@@ -1,6 +1,7 @@
 #include "sim/manipulation/shake.h"
 
 #include "sim/manipulation/phase_run.h"
+#include "sim/motion/require_world.h"
 
 namespace prehend {
 

@@ -7,6 +7,7 @@
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/shake_report.h"
 #include "sim/manipulation/test_procedure.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 

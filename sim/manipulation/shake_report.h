@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/manipulation/test_procedure.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 
 namespace prehend {
@@ -25,17 +27,11 @@ enum class ShakeOutcome {
   unreachable,    // the arm that carries the hand cannot follow the motion of the phase
 };
 
-inline constexpr std::array<ShakeOutcome, 9> kShakeOutcomes = {
-    ShakeOutcome::survived,     ShakeOutcome::moved,         ShakeOutcome::turned,
-    ShakeOutcome::dropped,      ShakeOutcome::not_lifted,    ShakeOutcome::lost_contact,
-    ShakeOutcome::not_released, ShakeOutcome::not_simulated, ShakeOutcome::unreachable};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view shake_outcome_name(ShakeOutcome outcome) {
-  constexpr std::array<std::string_view, kShakeOutcomes.size()> kNames = {
-      "survived",     "moved",        "turned",        "dropped",    "not_lifted",
-      "lost_contact", "not_released", "not_simulated", "unreachable"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(ShakeOutcome /*of*/) {
+  return std::to_array<std::string_view>({"survived", "moved", "turned", "dropped", "not_lifted",
+                                          "lost_contact", "not_released", "not_simulated",
+                                          "unreachable"});
 }
 
 // What happened during a phase. The object's motion is that of its centre of mass and its axes in

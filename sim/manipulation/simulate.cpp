@@ -4,7 +4,11 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/manipulation/phase_run.h"
+#include "sim/motion/require_world.h"
+#include "sim/scene/reach/reach.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {
@@ -29,10 +33,7 @@ const ProcedureTest& test_of(const TestProcedure& procedure, const std::string& 
   const auto found = std::find_if(procedure.tests.begin(), procedure.tests.end(),
                                   [&](const ProcedureTest& test) { return test.name == name; });
   if (found != procedure.tests.end()) return *found;
-  std::string known;
-  for (const ProcedureTest& test : procedure.tests) {
-    known += (known.empty() ? "" : ", ") + test.name;
-  }
+  const std::string known = joined(procedure.tests, ", ", &ProcedureTest::name);
   throw InputError({.field = "test",
                     .problem = "no such test in protocol " + procedure.name + " (" + known + ")",
                     .value = name});
@@ -78,7 +79,7 @@ class SimulationRun {
     ShakeTestReport report = run.run(name, phases);
     for (const PhaseReport& phase : report.phases) {
       simulation_.phases.push_back(
-          {std::string(phase_kind_name(phase.kind)), before_, before_ + phase.seconds});
+          {std::string(name_of(phase.kind)), before_, before_ + phase.seconds});
       before_ += phase.seconds;
     }
     world_ = std::move(run.world());

@@ -10,6 +10,7 @@
 #include "sim/manipulation/shake_report.h"
 #include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 
@@ -41,7 +42,7 @@ SimulationStart start_of(const CompiledScene& scene, const Candidate& candidate,
 
 // A phase of a simulation, as times of its frames.
 struct SimulatedPhase {
-  std::string name;  // phase_kind_name()
+  std::string name;  // name_of()
   double from = 0.0;
   double to = 0.0;  // [s]
 };

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/pose.h"
 
 namespace prehend {
@@ -25,28 +26,18 @@ enum class PhaseKind {
   open,    // the hand opens to its preshape
 };
 
-inline constexpr std::array<PhaseKind, 9> kPhaseKinds = {
-    PhaseKind::settle, PhaseKind::approach, PhaseKind::close, PhaseKind::hold, PhaseKind::lift,
-    PhaseKind::circle, PhaseKind::swing,    PhaseKind::turn,  PhaseKind::open};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view phase_kind_name(PhaseKind kind) {
-  constexpr std::array<std::string_view, kPhaseKinds.size()> kNames = {
-      "settle", "approach", "close", "hold", "lift", "circle", "swing", "turn", "open"};
-  return kNames[static_cast<std::size_t>(kind)];
+constexpr auto enum_names(PhaseKind /*of*/) {
+  return std::to_array<std::string_view>(
+      {"settle", "approach", "close", "hold", "lift", "circle", "swing", "turn", "open"});
 }
 
 // The axes in which a direction is given: of the world; of the object as the grasp has it at the
 // start; or of the hand, with z its approach and x the direction in which it closes.
 enum class ProcedureFrame { world, object, hand };
 
-inline constexpr std::array<ProcedureFrame, 3> kProcedureFrames = {
-    ProcedureFrame::world, ProcedureFrame::object, ProcedureFrame::hand};
-
-constexpr std::string_view protocol_frame_name(ProcedureFrame frame) {
-  constexpr std::array<std::string_view, kProcedureFrames.size()> kNames = {"world", "object",
-                                                                            "hand"};
-  return kNames[static_cast<std::size_t>(frame)];
+constexpr auto enum_names(ProcedureFrame /*of*/) {
+  return std::to_array<std::string_view>({"world", "object", "hand"});
 }
 
 inline constexpr double kNoLimit = std::numeric_limits<double>::infinity();

@@ -60,13 +60,13 @@ void read_motion(FieldReader& fields, ProcedurePhase& phase) {
 
 void read_phase(FieldReader& fields, ProcedurePhase& phase) {
   for (const char* name : {"kind", "duration"}) fields.needs(name);
-  fields.named("kind", phase.kind, value_names(kPhaseKinds, phase_kind_name));
+  fields("kind", phase.kind);
   positive(fields, "duration", phase.duration);
   fields.require("duration", phase.duration <= kLongestPhase, "must be at most 1000 s");
   fields("pull", phase.pull);
   fields("pull_grows", phase.pull_grows);
   fields("gravity", phase.gravity);
-  fields.named("frame", phase.frame, value_names(kProcedureFrames, protocol_frame_name));
+  fields("frame", phase.frame);
   read_motion(fields, phase);
   fields.object("fails", [&](FieldReader& inner) { read_limits(inner, phase.fails); });
 }

@@ -9,8 +9,8 @@
 
 namespace prehend {
 
-// The protocol that a JSON file describes (docs/protocol-file.md). Throws InputError that names
-// file and field, also for fields that no protocol has.
+// The protocol that a JSON file describes (docs/reference/test-procedure-file.md). Throws
+// InputError that names file and field, also for fields that no protocol has.
 TestProcedure read_test_procedure(const std::filesystem::path& file);
 
 // The same text as a file; `name` stands for it in messages.

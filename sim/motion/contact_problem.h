@@ -114,14 +114,4 @@ struct WarmStart {
   double stiffness = std::numeric_limits<double>::infinity();
 };
 
-// Solves the problem as the options say: with all corrections, or where that has no solution, as
-// impulses without bounds show, with none. Deterministic.
-ContactSolution solve_contacts(const ContactProblem& problem,
-                               const ContactSolverOptions& options = {},
-                               const WarmStart& warm = {});
-
-// How far the velocities and impulses are from the law, as ContactSolution::violation.
-double contact_violation(const ContactProblem& problem, const Eigen::VectorXd& velocity,
-                         const std::vector<Eigen::Vector4d>& impulses);
-
 }  // namespace prehend

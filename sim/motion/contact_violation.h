@@ -16,4 +16,8 @@ double violation_of(const ContactProblem& problem, const std::vector<MassFactor>
                     const std::vector<double>& inertias, const Eigen::VectorXd& v,
                     const std::vector<ConeVector>& impulses);
 
+// How far the velocities and impulses are from the law, as ContactSolution::violation.
+double contact_violation(const ContactProblem& problem, const Eigen::VectorXd& velocity,
+                         const std::vector<Eigen::Vector4d>& impulses);
+
 }  // namespace prehend

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/motion/near_pairs.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 

@@ -5,6 +5,7 @@
 #include "sim/base/index.h"
 #include "sim/motion/island.h"
 #include "sim/motion/placed_contact.h"
+#include "sim/motion/solve_contacts.h"
 #include "sim/motion/spatial.h"
 
 namespace prehend {

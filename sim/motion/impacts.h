@@ -1,6 +1,7 @@
 // Impacts of bodies that bounce, in no time.
 #pragma once
 
+#include "sim/motion/step_options.h"
 #include "sim/motion/world.h"
 
 namespace prehend {

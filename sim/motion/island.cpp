@@ -8,6 +8,7 @@
 #include "sim/motion/joint_conditions.h"
 #include "sim/motion/joint_springs.h"
 #include "sim/motion/placed_contact.h"
+#include "sim/motion/solve_contacts.h"
 
 namespace prehend {
 namespace {

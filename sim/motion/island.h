@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/motion/solids.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 

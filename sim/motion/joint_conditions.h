@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "sim/motion/contact_problem.h"
 #include "sim/motion/world.h"
 
 namespace prehend {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/motion/solids.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 

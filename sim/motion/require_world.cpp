@@ -1,3 +1,5 @@
+#include "sim/motion/require_world.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,24 +1,15 @@
-// Bodies that fall, slide, roll, lie on each other and are grasped by robots, stepped through time.
-//
-// A step finds velocities at its end that obey momentum, Signorini's condition and Coulomb's law at
-// all contacts, and the limits, clutches and drives of all joints, at once (contact_problem.h; time
-// stepping after Stewart and Trinkle 1996 and Anitescu and Potra 1997), and moves everything with
-// them. Contacts are those of the exact meshes. Robots move in the coordinates of their joints
-// (Featherstone 2008), so that joints do not drift. Bodies that would pass through each other
-// within a step make it shorter.
+// Bodies and robots that move, as a value; step_world.h moves it on.
 #pragma once
 
-#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
+#include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/motion/contact_memory.h"
-#include "sim/motion/contact_problem.h"
 #include "sim/motion/rigid_motion.h"
 #include "sim/motion/robot_model.h"
 #include "sim/scene/material.h"
@@ -40,20 +31,35 @@ struct WorldBody {
   bool asleep = false;                 // it rests, and is not moved until something touches it
 };
 
-// What moves a degree of freedom. Several may act on the same one.
 struct Drive {
+  static constexpr AboutSettings kAbout{
+      "Drive", "What moves a degree of freedom of a robot; several may act on one."};
   int dof = 0;
-  // effort = stiffness (target - value) + damping (target_rate - rate), at the end of the step, so
-  // that stiff drives stay stable. Both >= 0.
+  // Both act as they are at the end of the step, so that stiff drives stay stable.
   double stiffness = 0.0;
   double damping = 0.0;
-  double target = 0.0;       // rad or m
-  double target_rate = 0.0;  // rad/s or m/s
-  // Keeps the rate at target_rate with whatever effort that takes; stiffness, damping and target
-  // are not used.
+  double target = 0.0;
+  double target_rate = 0.0;
   bool holds_rate = false;
-  double max_effort = std::numeric_limits<double>::infinity();  // >= 0 [N m or N]
+  double max_effort = std::numeric_limits<double>::infinity();
 };
+
+template <SettingsOf<Drive> Options, typename Visit>
+void for_each_setting(Options& drive, const Visit& visit) {
+  auto& [dof, stiffness, damping, target, target_rate, holds_rate, max_effort] = drive;
+  visit("dof", dof, kAtLeast0, "", "Number of the degree of freedom.");
+  visit("stiffness", stiffness, kAtLeast0, "N m/rad or N/m",
+        "Effort for each unit of target - value.");
+  visit("damping", damping, kAtLeast0, "N m s/rad or N s/m",
+        "Effort for each unit of target_rate - rate.");
+  visit("target", target, kAnyNumber, "rad or m", "Value that the stiffness pulls to.");
+  visit("target_rate", target_rate, kAnyNumber, "rad/s or m/s", "Rate that the damping pulls to.");
+  visit("holds_rate", holds_rate,
+        "Keeps the rate at target_rate with whatever effort that takes; stiffness, damping and "
+        "target are not used.");
+  visit("max_effort", max_effort, Range{.with_infinity = true}, "N m or N",
+        "The largest; infinite without a limit.");
+}
 
 // A robot of the world. Its base is not free: it stands, or is moved at a velocity that is given.
 struct WorldRobot {
@@ -118,70 +124,5 @@ struct World {
   double last_step = 0.0;  // [s]
   ContactMemory memory;
 };
-
-struct StepOptions {
-  double step = 2.5e-3;  // longest step, > 0 and at most 0.1 [s]
-  ContactSearchOptions contacts = {};
-  // What bodies at rest keep between them, of which steps may use up all [m].
-  double rest_gap = 5e-5;
-  // Surfaces may cross by this much where no contact was found that keeps them apart [m].
-  double shallow = 1e-5;
-  // A step is not made shorter than this part of `step`.
-  double shortest = 1e-6;
-  // Impacts slower than this do not bounce [m/s].
-  double slowest_bounce = 0.01;
-  // Contacts that slid faster than this in the last step have kinetic friction [m/s].
-  double sliding = 1e-3;
-  // Bodies slower than this at all their points for so long fall asleep [m/s, s].
-  double still = 1e-5;
-  double sleep_after = 0.5;
-  ContactSolverOptions solver = {};
-};
-
-// How a step ended.
-enum class StepOutcome {
-  moved,
-  not_converged,  // the law of contact was not met to its tolerance; the bodies moved all the same
-  blocked,        // no step however short was free of penetration; the bodies are where they were
-  not_finite,     // velocities beyond all numbers; the bodies are where they were
-};
-
-inline constexpr std::array<StepOutcome, 4> kStepOutcomes = {
-    StepOutcome::moved, StepOutcome::not_converged, StepOutcome::blocked, StepOutcome::not_finite};
-
-// The name in files: the same word as the enumerator.
-constexpr std::string_view step_outcome_name(StepOutcome outcome) {
-  constexpr std::array<std::string_view, kStepOutcomes.size()> kNames = {"moved", "not_converged",
-                                                                         "blocked", "not_finite"};
-  return kNames[static_cast<std::size_t>(outcome)];
-}
-
-struct StepResult {
-  StepOutcome outcome = StepOutcome::moved;
-  double time = 0.0;       // that the step took [s]
-  int newton_steps = 0;    // of the solver, of all islands, in the last try
-  int shortened = 0;       // how often it was made shorter because bodies met too far from contacts
-  int crossings = 0;       // pairs that began to cross, by no more than StepOptions::shallow
-  double violation = 0.0;  // of the law of contact, relative (ContactSolution)
-};
-
-// The names of two solids that overlap where they are, if any do.
-std::optional<std::pair<std::string, std::string>> overlap_in(const World& world,
-                                                              const StepOptions& options = {});
-
-// Throws InputError for a world that cannot be stepped: a body that moves without a positive mass
-// or with an inertia that no body has, a drive with negative gains or effort, numbers that are not
-// finite, options out of range.
-void require_quantities(const World& world, const StepOptions& options = {});
-
-// The same, and for solids that overlap.
-void require_world(const World& world, const StepOptions& options = {});
-
-// Moves the world on by at most options.step. The same world gives the same bytes.
-StepResult step_world(World& world, const StepOptions& options = {});
-
-// Kinetic and potential energy of all bodies and robots that move, gravity's from the world's
-// origin, and that of springs in joints; bases of robots count as at rest [J].
-double energy_of(const World& world);
 
 }  // namespace prehend

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/named_enum.h"
+
 namespace prehend {
 
 // The forces and torques that a contact can transmit with a normal force f_n >= 0.
@@ -16,14 +18,9 @@ enum class ContactModel {
                  // the ellipsoidal limit surface (Howe and Cutkosky 1996)
 };
 
-// All contact models, in the order of the enum.
-inline constexpr std::array<ContactModel, 3> kContactModels = {
-    ContactModel::frictionless, ContactModel::point, ContactModel::soft_finger};
-
 // The enumerator's name, as it is written in files.
-constexpr std::string_view contact_model_name(ContactModel model) {
-  constexpr std::array<std::string_view, 3> kNames = {"frictionless", "point", "soft_finger"};
-  return kNames[static_cast<std::size_t>(model)];
+constexpr auto enum_names(ContactModel /*of*/) {
+  return std::to_array<std::string_view>({"frictionless", "point", "soft_finger"});
 }
 
 // A point contact. `position` and `normal` are given in one frame, usually the object's. Contact

@@ -8,6 +8,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/require_settings.h"
 #include "sim/quality/epsilon_workspace.h"
 #include "sim/quality/expanding_polytope.h"
 #include "sim/quality/start_simplex.h"
@@ -27,15 +28,6 @@
 // of the facets of the full hull.
 namespace prehend {
 namespace {
-
-void check(const EpsilonOptions& options) {
-  // Not by require: this runs for every grasp that is judged, and the text is needed for none.
-  if (!(options.relative_tolerance >= 0.0)) {
-    throw InputError({.field = "relative_tolerance",
-                      .problem = "must not be negative",
-                      .value = std::to_string(options.relative_tolerance)});
-  }
-}
 
 // The search for the epsilon of one set, from a simplex inside it.
 class Growth {
@@ -205,7 +197,7 @@ EpsilonBracket epsilon_with(ExpandingPolytope& polytope, const SupportMap& set,
 }  // namespace
 
 EpsilonBracket epsilon(const SupportMap& set, const EpsilonOptions& options) {
-  check(options);
+  require_settings(options);
   ExpandingPolytope polytope;
   return epsilon_with(polytope, set, options);
 }
@@ -218,7 +210,7 @@ EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches,
 
 EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
                           EpsilonWorkspace& workspace) {
-  check(options);
+  require_settings(options);
   if (wrenches.cols() == 0) return {};
   const int exponent = excess_exponent(wrenches);
   if (exponent != 0) return from_scaled(wrenches, options, exponent);

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/quality/support.h"
 #include "sim/quality/wrench.h"
 
@@ -22,27 +24,38 @@ enum class EpsilonStatus {
 };
 
 // The enumerator's name, as it is written in files.
-constexpr std::string_view epsilon_status_name(EpsilonStatus status) {
-  constexpr std::array<std::string_view, 5> kNames = {"converged", "no_force_closure",
-                                                      "below_cutoff", "limit", "stalled"};
-  return kNames[static_cast<std::size_t>(status)];
+constexpr auto enum_names(EpsilonStatus /*of*/) {
+  return std::to_array<std::string_view>(
+      {"converged", "no_force_closure", "below_cutoff", "limit", "stalled"});
 }
 
-// When the search for epsilon stops.
 struct EpsilonOptions {
-  // The search has converged when upper - lower is at most this part of upper (>= 0). A difference
-  // of 2e-14 of the set's largest coordinate counts as rounding and is accepted in any case.
+  static constexpr AboutSettings kAbout{"EpsilonOptions", "When the search for epsilon stops."};
+  // A difference of 2e-14 of the set's largest coordinate counts as rounding and is accepted in any
+  // case.
   double relative_tolerance = 1e-9;
-  // Stop as soon as the upper bound is below this: for callers who rank and know a better grasp.
   double cutoff = 0.0;
-  // Largest number of facets made in all; checked before each expansion, which may exceed it.
   int max_facets = 200000;
-  // Steps of gradient descent on the support function from each new upper bound. They save facets
-  // on smooth sets, where the normal of the nearest facet only approximates the direction of the
-  // smallest support value. On a polytope that direction is the normal of one of its facets, which
-  // the search finds exactly, and 0 steps are best.
+  // They save facets on smooth sets, where the normal of the nearest facet only approximates the
+  // direction of the smallest support value. On a polytope that direction is the normal of one of
+  // its facets, which the search finds exactly, and 0 steps are best.
   int descent_steps = 0;
 };
+
+template <SettingsOf<EpsilonOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [relative_tolerance, cutoff, max_facets, descent_steps] = options;
+  visit("relative_tolerance", relative_tolerance, kAtLeast0, "",
+        "The search has converged when upper - lower is at most this part of upper.");
+  visit("cutoff", cutoff, kAtLeast0, "",
+        "Stop as soon as the upper bound is below this: for callers who rank and know a better "
+        "grasp.");
+  visit("max_facets", max_facets, kAtLeast1, "",
+        "Most facets made in all; checked before each expansion, which may exceed it.");
+  visit("descent_steps", descent_steps, kAtLeast0, "",
+        "Steps of gradient descent on the support function from each new upper bound; they pay on "
+        "smooth sets.");
+}
 
 // Bounds of epsilon: lower <= epsilon <= upper, in the units of the set (for a grasp wrench space,
 // those of the unit normal force). Without force closure both are 0.

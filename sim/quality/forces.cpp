@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/input_error.h"
+#include "sim/base/require_settings.h"
 #include "sim/quality/conic/conic_program.h"
 #include "sim/quality/force_program.h"
 #include "sim/quality/generated_forces.h"
@@ -61,13 +62,6 @@ void check_external(const Wrench& external, const WrenchFrame& frame) {
   if (torque > frame.torque_scale * kLargestLoad) {
     refuse("external", "a torque must be within 1e9 N m of 0", torque / frame.torque_scale);
   }
-}
-
-void check(const ForceOptions& options) {
-  check_edges(options.edges);
-  require(options.residual_tolerance > 0.0,
-          {.field = "residual_tolerance", .problem = "must be positive"});
-  require(options.gap_tolerance > 0.0, {.field = "gap_tolerance", .problem = "must be positive"});
 }
 
 void check(const HandTorques& hand, Eigen::Index contacts) {
@@ -187,7 +181,7 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
                              const ForceOptions& options) {
   check_contacts(contacts, frame);
   check_external(external, frame);
-  check(options);
+  require_settings(options);
   if (hand != nullptr) {
     check(*hand, std::ssize(contacts));
     require(corners_of(contacts, options) <= kMostCorners,

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/contact_map.h"
 #include "sim/quality/friction_cone.h"
@@ -19,18 +21,32 @@ enum class ForceMeasure {
   largest_normal,  // L-infinity: each contact pushes with its own actuator
   sum_of_normals,  // L1: all contacts share one
 };
+constexpr auto enum_names(ForceMeasure /*of*/) {
+  return std::to_array<std::string_view>({"largest_normal", "sum_of_normals"});
+}
 
-// What is minimised, under which friction model, and how exactly.
 struct ForceOptions {
+  static constexpr AboutSettings kAbout{"ForceOptions", "Which contact forces balance a wrench."};
   ForceMeasure measure = ForceMeasure::largest_normal;
   FrictionCone cone = FrictionCone::exact;
-  int edges = 8;  // of the pyramid, 3 to 1024; unused by the exact cone
-  // Forces count as balanced when they leave at most this part of the wrench over, and exceed no
-  // joint torque's limit by more than this part of the limit.
+  int edges = 8;
   double residual_tolerance = 1e-8;
-  // ... and when their measure is within this part of the proved lower bound.
   double gap_tolerance = 1e-6;
 };
+
+template <SettingsOf<ForceOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [measure, cone, edges, residual_tolerance, gap_tolerance] = options;
+  visit("measure", measure,
+        "What is made as small as it can be: each contact has its own actuator, or all share one.");
+  visit("cone", cone, "The friction cone: exact, or a pyramid.");
+  visit("edges", edges, kConeEdges, "", "Of a pyramid.");
+  visit("residual_tolerance", residual_tolerance, kAbove0, "",
+        "Forces count as balanced when they leave at most this part of the wrench over, and exceed "
+        "no joint torque's limit by more than this part of it.");
+  visit("gap_tolerance", gap_tolerance, kAbove0, "",
+        "And when their measure is within this part of the proved lower bound.");
+}
 
 // The joint torques that the contact forces cause in the hand, and their limits: |J' f| <= limits,
 // with f the stacked forces of the contacts on the object. The torques of soft fingers about their
@@ -51,9 +67,8 @@ enum class ForceOutcome {
 };
 
 // The enumerator's name, as it is written in files.
-constexpr std::string_view force_outcome_name(ForceOutcome outcome) {
-  constexpr std::array<std::string_view, 3> kNames = {"balanced", "impossible", "limit"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(ForceOutcome /*of*/) {
+  return std::to_array<std::string_view>({"balanced", "impossible", "limit"});
 }
 
 // The contact forces found, n contacts. Forces are in the unit of the external wrench's force,

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "sim/base/named_enum.h"
 #include "sim/quality/contact.h"
 
 namespace prehend {
@@ -12,6 +13,10 @@ enum class FrictionCone {
   exact,    // the quadratic cone of the contact's model
   pyramid,  // the hull of the corners of contact_wrenches
 };
+
+constexpr auto enum_names(FrictionCone /*of*/) {
+  return std::to_array<std::string_view>({"exact", "pyramid"});
+}
 
 // The allowed forces of one contact. What it transmits, [normal force, force along the first and
 // second tangent, torque about the normal], is `transmits` v, where the coordinates v are in a

@@ -3,6 +3,8 @@
 // is below 1e22, and its sixth power, a volume, below 1e132.
 #pragma once
 
+#include "sim/base/range.h"
+
 namespace prehend {
 
 // Coordinates of positions and of the torque origin, and the torsion of a soft finger, are at most
@@ -28,7 +30,7 @@ inline constexpr double kSmallestTask = kSmallestLoad * kSmallestTorqueScale;
 inline constexpr double kLargestJacobian = 1e6;
 
 // Edges of a friction pyramid. With the most, epsilon is within 5e-6 of that of the exact cone.
-inline constexpr int kFewestEdges = 3;
-inline constexpr int kMostEdges = 1024;
+inline constexpr int kFewestEdges = static_cast<int>(kConeEdges.lower);
+inline constexpr int kMostEdges = static_cast<int>(kConeEdges.upper);
 
 }  // namespace prehend

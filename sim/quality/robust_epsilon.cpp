@@ -8,6 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/base/require_settings.h"
 #include "sim/quality/ranges.h"
 
 // Samples are drawn one after the other from one generator, and every number is drawn in a
@@ -32,24 +33,6 @@ Eigen::Matrix3d normal_rotation(Random& random, double deviation) {
   const double angle = turn.norm();
   if (angle == 0.0) return Eigen::Matrix3d::Identity();
   return Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-}
-
-void check(const char* name, double deviation) {
-  require(std::isfinite(deviation) && deviation >= 0.0,
-          {.field = name,
-           .problem = "must be finite and not negative",
-           .value = std::to_string(deviation)});
-}
-
-void check(const NoiseOptions& noise) {
-  check("pose_position", noise.pose_position);
-  check("pose_angle", noise.pose_angle);
-  check("contact_position", noise.contact_position);
-  check("normal_angle", noise.normal_angle);
-  check("friction", noise.friction);
-  require(noise.samples >= 1, {.field = "samples",
-                               .problem = "at least one is needed",
-                               .value = std::to_string(noise.samples)});
 }
 
 // One sample of the contacts: all of them moved and turned together by the error of the pose, then
@@ -80,7 +63,7 @@ std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFr
 RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
                              const WrenchSpaceOptions& space, const NoiseOptions& noise,
                              const RunContext& context) {
-  check(noise);
+  require_settings(noise);
   check_contacts(contacts, frame);
   Random random(noise.seed);
   std::vector<double> values;

@@ -12,17 +12,17 @@
 
 namespace prehend {
 
-// Standard deviations of the errors, which are normally distributed. Lengths are parts of
-// r = 1 / torque_scale, so that the errors grow with the object.
 struct NoiseOptions {
-  // The object as a whole against the hand: moved, and turned about the torque origin.
-  double pose_position = 0.02;  // of r
-  double pose_angle = 0.05;     // rad
-  // Each contact by itself.
-  double contact_position = 0.01;  // of r
-  double normal_angle = 0.05;      // rad
-  double friction = 0.1;           // of the logarithm of the coefficient
-  int samples = 200;               // >= 1
+  static constexpr AboutSettings kAbout{
+      "NoiseOptions",
+      "Standard deviations of random errors of pose, contacts and "
+      "friction; lengths are parts of r = 1 / torque_scale."};
+  double pose_position = 0.02;
+  double pose_angle = 0.05;
+  double contact_position = 0.01;
+  double normal_angle = 0.05;
+  double friction = 0.1;
+  int samples = 200;
   std::uint64_t seed = 1;
 };
 
@@ -30,12 +30,15 @@ template <SettingsOf<NoiseOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [pose_position, pose_angle, contact_position, normal_angle, friction, samples, seed] =
       options;
-  visit("pose_position", pose_position, kAtLeast0);
-  visit("pose_angle", pose_angle, kAtLeast0);
-  visit("contact_position", contact_position, kAtLeast0);
-  visit("normal_angle", normal_angle, kAtLeast0);
-  visit("friction", friction, kAtLeast0);
-  visit("samples", samples, kAtLeast1);
+  visit("pose_position", pose_position, kAtLeast0, "r",
+        "Of the object as a whole against the hand, along each axis.");
+  visit("pose_angle", pose_angle, kAtLeast0, "rad",
+        "Of the object as a whole, about each axis through the torque origin.");
+  visit("contact_position", contact_position, kAtLeast0, "r", "Of each contact by itself.");
+  visit("normal_angle", normal_angle, kAtLeast0, "rad", "Of the normal of each contact.");
+  visit("friction", friction, kAtLeast0, "", "Of the logarithm of each friction coefficient.");
+  visit("samples", samples, kAtLeast1, "", "Samples of these errors.");
+  visit.unlisted("seed", seed, kAtLeast0, "", "Of the samples.");
 }
 
 // Statistics of epsilon over the samples; its lower bound is taken, which is 0 for a sample without

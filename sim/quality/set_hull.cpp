@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 
 #include "sim/base/input_error.h"
+#include "sim/base/require_settings.h"
 #include "sim/quality/start_simplex.h"
 
 // Each round computes the hull of the points known so far, and asks for the set's support point
@@ -141,9 +142,7 @@ std::size_t most_points(std::size_t points, Eigen::Index facets, const SetHullOp
 }  // namespace
 
 SetHull set_hull(const SupportMap& set, const SetHullOptions& options) {
-  require(options.relative_tolerance > 0.0, {.field = "relative_tolerance",
-                                             .problem = "must be positive",
-                                             .value = std::to_string(options.relative_tolerance)});
+  require_settings(options);
   SetHull result;
   const StartSimplex start = start_simplex(set, false);
   if (start.flat) {

@@ -2,22 +2,31 @@
 // set's volume.
 #pragma once
 
+#include "sim/base/settings.h"
 #include "sim/quality/point_hull.h"
 #include "sim/quality/support.h"
 
 namespace prehend {
 
-// How closely the polytope approximates the set.
 struct SetHullOptions {
-  // A facet is final when the set reaches beyond it by at most this part of the set's size (its
-  // largest coordinate), > 0.
+  static constexpr AboutSettings kAbout{"SetHullOptions", "How closely the volume is bracketed."};
   double relative_tolerance = 1e-9;
-  // Largest number of points. Once it is reached the hull of these points is returned.
   int max_points = 500;
-  // No points are added that would probably give the hull more facets than this: a hull of n points
-  // in six dimensions can have n^3 of them. 30,000 take about a second.
+  // A hull of n points in six dimensions can have n^3 facets; 30,000 take about a second.
   int max_facets = 30000;
 };
+
+template <SettingsOf<SetHullOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [relative_tolerance, max_points, max_facets] = options;
+  visit("relative_tolerance", relative_tolerance, kAbove0, "",
+        "A facet is final when the set reaches beyond it by at most this part of its largest "
+        "coordinate.");
+  visit("max_points", max_points, kAtLeast0, "",
+        "Points after which the hull of these points is returned.");
+  visit("max_facets", max_facets, kAtLeast0, "",
+        "No points are added that would probably give the hull more facets than this.");
+}
 
 // The hull of points of the set. It lies inside the set.
 struct SetHull {

@@ -56,7 +56,7 @@ Eigen::Map<const Wrenches> contact_wrenches(std::span<const Contact> contacts,
                                             WrenchWorkspace& workspace) {
   check_contacts(contacts, frame);
   check_edges(edges);
-  for (const ContactModel model : kContactModels) {
+  for (const ContactModel model : kAll<ContactModel>) {
     unit_corners(model, edges, workspace.corners[static_cast<std::size_t>(model)]);
   }
   std::size_t count = 0;

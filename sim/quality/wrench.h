@@ -27,7 +27,7 @@ Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& 
 // Buffers of contact_wrenches, to allocate less; one for each thread.
 struct WrenchWorkspace {
   std::vector<Wrench> columns;
-  std::array<Eigen::Matrix3Xd, kContactModels.size()> corners;  // unit_corners of each model
+  std::array<Eigen::Matrix3Xd, kAll<ContactModel>.size()> corners;  // unit_corners of each model
 };
 
 // The same columns, in the workspace: valid until its next use.

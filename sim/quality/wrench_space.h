@@ -4,6 +4,8 @@
 #include <memory>
 #include <span>
 
+#include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/epsilon.h"
 #include "sim/quality/friction_cone.h"
@@ -21,12 +23,31 @@ enum class WrenchNorm { l1, linf };
 // is the same; for L-infinity, forces that have to be exactly unit shrink and shift it.
 enum class UnitForce { at_most, exactly };
 
+constexpr auto enum_names(WrenchNorm /*of*/) {
+  return std::to_array<std::string_view>({"l1", "linf"});
+}
+constexpr auto enum_names(UnitForce /*of*/) {
+  return std::to_array<std::string_view>({"at_most", "exactly"});
+}
+
 struct WrenchSpaceOptions {
+  static constexpr AboutSettings kAbout{"WrenchSpaceOptions",
+                                        "The set of wrenches that contacts can exert (Ferrari and "
+                                        "Canny 1992)."};
   WrenchNorm norm = WrenchNorm::l1;
   FrictionCone cone = FrictionCone::pyramid;
-  int edges = 8;  // of a pyramid, 3 to 1024
+  int edges = 8;
   UnitForce force = UnitForce::at_most;
 };
+
+template <SettingsOf<WrenchSpaceOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [norm, cone, edges, force] = options;
+  visit("norm", norm, "What is unit: the sum of all normal forces, or each of them.");
+  visit("cone", cone, "The friction cone: exact, or a pyramid.");
+  visit("edges", edges, kConeEdges, "", "Of a pyramid.");
+  visit("force", force, "Whether forces may stay below the unit.");
+}
 
 // The set as its support function, without enumerating its points.
 // Throws as check_contacts, and for a pyramid as check_edges.

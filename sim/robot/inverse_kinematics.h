@@ -1,12 +1,12 @@
 // Inverse kinematics: values of the degrees of freedom that bring frames of a robot to given poses.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/base/settings.h"
+#include "sim/robot/dof_values.h"
+#include "sim/robot/ik_options.h"
 #include "sim/robot/robot.h"
 
 namespace prehend {
@@ -17,30 +17,6 @@ struct IkTarget {
   Pose X_JT = Pose::Identity();  // pose of T in J
   Pose X_BT = Pose::Identity();  // wanted pose of T in the robot's base frame B
 };
-
-// Settings of the inverse kinematics.
-struct IkOptions {
-  double position_tolerance = 1e-9;  // m
-  double angle_tolerance = 1e-9;     // rad
-  int max_iterations = 80;           // from one start
-  int restarts = 100;                // most random starts after the given one
-  int max_solutions = 16;            // the search ends with so many solutions (>= 1)
-  std::uint64_t seed = 1;            // of the random starts
-};
-
-template <SettingsOf<IkOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [position_tolerance, angle_tolerance, max_iterations, restarts, max_solutions, seed] =
-      options;
-  visit("position_tolerance", position_tolerance, kAbove0);
-  visit("angle_tolerance", angle_tolerance, kAbove0);
-  visit("max_iterations", max_iterations, kAtLeast1);
-  visit("restarts", restarts, kAtLeast0);
-  visit("max_solutions", max_solutions, kAtLeast1);
-}
-
-// A value for every degree of freedom of a robot, in the order of Robot::dofs [rad or m].
-using DofValues = std::vector<double>;
 
 // The solution to which damped least squares converge from `start`, for all targets at once and
 // inside the limits; nothing when they do not converge. Degrees of freedom that move no target keep

@@ -8,19 +8,9 @@
 
 #include "sim/robot/platform.h"
 #include "sim/scene/compiled_link.h"
+#include "sim/scene/ids.h"
 
 namespace prehend {
-
-// Two bodies that can collide: a link of the platform with another link, or with the object or an
-// obstacle.
-struct ArmPair {
-  LinkId link = {};
-  std::variant<LinkId, BodyId> other = LinkId{};
-  // Joints that move one body relative to the other, and for each the farthest that a point moves
-  // per unit of the joint's motion (see CompiledLink).
-  std::vector<int> joints = {};
-  std::vector<double> reach = {};
-};
 
 // Immutable after compile_arm, shared by threads. W is the world, B the base of the platform, O the
 // object.

@@ -1,4 +1,4 @@
-// World files of GraspIt! as scenes (docs/graspit-files.md).
+// World files of GraspIt! as scenes (docs/reference/graspit-files.md).
 #pragma once
 
 #include <filesystem>

@@ -1,9 +1,11 @@
-// Typed indices of links and bodies, which the compiler keeps apart.
+// Typed indices of links and bodies, which the compiler keeps apart, and pairs of them.
 #pragma once
 
 #include <cassert>
 #include <compare>
 #include <cstddef>
+#include <variant>
+#include <vector>
 
 #include "sim/base/index.h"
 
@@ -38,6 +40,17 @@ class BodyId {
  private:
   explicit constexpr BodyId(int place) : place_(place) {}
   int place_;
+};
+
+// Two bodies that can collide: a link of the platform with another link, or with the object or an
+// obstacle.
+struct ArmPair {
+  LinkId link = {};
+  std::variant<LinkId, BodyId> other = LinkId{};
+  // Joints that move one body relative to the other, and for each the farthest that a point moves
+  // per unit of the joint's motion (see CompiledLink).
+  std::vector<int> joints = {};
+  std::vector<double> reach = {};
 };
 
 }  // namespace prehend

@@ -11,7 +11,7 @@ namespace prehend {
 double whole_mass(const JsonField& object);
 
 // Changes mass, centre of mass and inertia of a body of that mass and uniform density to what the
-// object's fields state (docs/scene-file.md). Throws InputError that names the field.
+// object's fields state (docs/reference/scene-file.md). Throws InputError that names the field.
 void read_mass(const JsonField& object, GraspableBody& body);
 
 // Adds the fields that read_mass reads. The centre of mass only where it is not that of uniform

@@ -6,8 +6,8 @@
 
 namespace prehend {
 
-// "shape", its sizes and "pose", metres (docs/scene-file.md). Throws InputError that names the
-// field.
+// "shape", its sizes and "pose", metres (docs/reference/scene-file.md). Throws InputError that
+// names the field.
 Primitive read_primitive(const JsonField& field);
 
 // The fields that read_primitive reads.

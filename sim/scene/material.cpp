@@ -17,8 +17,8 @@ void require_friction(Material a, Material b, double friction) {
     checked_friction(friction);
   } catch (const InputError& error) {
     throw InputError({.field = error.field(),
-                      .problem = error.problem() + " between " + std::string(material_name(a)) +
-                                 " and " + std::string(material_name(b)),
+                      .problem = error.problem() + " between " + std::string(name_of(a)) + " and " +
+                                 std::string(name_of(b)),
                       .value = error.value()});
   }
 }
@@ -68,8 +68,8 @@ bool KineticFriction::empty() const {
 
 FrictionTable sliding_friction(const FrictionTable& statics, const KineticFriction& kinetic) {
   FrictionTable table = statics;
-  for (const Material a : kMaterials) {
-    for (const Material b : kMaterials) {
+  for (const Material a : kAll<Material>) {
+    for (const Material b : kAll<Material>) {
       if (const std::optional<double> own = kinetic.between(a, b)) table.set(a, b, *own);
     }
   }
@@ -82,7 +82,7 @@ void CompliantDepths::set(Material material, double depth) {
   if (!std::isfinite(depth) || depth < 0.0) {
     throw InputError(
         {.field = "depth",
-         .problem = "must be finite and not negative for " + std::string(material_name(material)),
+         .problem = "must be finite and not negative for " + std::string(name_of(material)),
          .value = std::to_string(depth)});
   }
   values_[place_of(material)] = depth;

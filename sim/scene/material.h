@@ -13,7 +13,7 @@ namespace prehend {
 double checked_friction(double friction);
 
 // Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default
-// materials (Miller and Allen 2004, section "Contacts and Friction"; docs/scene-file.md).
+// materials (Miller and Allen 2004, section "Contacts and Friction"; docs/reference/scene-file.md).
 class FrictionTable {
  public:
   FrictionTable();

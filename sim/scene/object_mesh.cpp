@@ -3,6 +3,7 @@
 #include <array>
 
 #include "sim/base/formatted.h"
+#include "sim/base/joined.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/mesh_repair.h"
@@ -39,7 +40,7 @@ void note_repair(const LoadedMesh& loaded, const MeshRepair& repair, ObjectMesh&
   const MassSource source = mass_properties(repair.mesh).source;
   std::string words = repair_text(repair);
   if (loaded.duplicates_removed > 0) {
-    words += (words.empty() ? "" : ", ") + counted_repeats(loaded.duplicates_removed) + " left out";
+    add_part(words, counted_repeats(loaded.duplicates_removed) + " left out");
   }
   const std::string missing = missing_text(repair.after);
   if (words.empty() && missing.empty()) return;

@@ -1,4 +1,5 @@
-// Reads scene files (docs/scene-file.md) and mesh files, which stand for a scene of one object.
+// Reads scene files (docs/reference/scene-file.md) and mesh files, which stand for a scene of one
+// object.
 #pragma once
 
 #include <filesystem>

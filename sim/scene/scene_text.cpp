@@ -55,7 +55,7 @@ template <typename Body>
 Json body_json(const Body& body, const Pose& X_WB) {
   Json json{{"name", body.name}};
   json.update(std::visit(ShapeSourceFields{body.mesh}, body.source));
-  json["material"] = material_name(body.material);
+  json["material"] = name_of(body.material);
   json["pose"] = pose_to_json(X_WB);
   if (body.restitution > 0.0) json["restitution"] = body.restitution;
   return json;
@@ -103,12 +103,12 @@ Json carrier_json(const Scene& scene) {
 Json friction_json(const Scene& scene) {
   const FrictionTable standard;
   Json json = Json::array();
-  for (std::size_t a = 0; a < kMaterials.size(); ++a) {
-    for (std::size_t b = a; b < kMaterials.size(); ++b) {
-      const double friction = scene.friction.between(kMaterials[a], kMaterials[b]);
-      const auto kinetic = scene.kinetic_friction.between(kMaterials[a], kMaterials[b]);
-      if (friction == standard.between(kMaterials[a], kMaterials[b]) && !kinetic) continue;
-      json.push_back({{"between", {material_name(kMaterials[a]), material_name(kMaterials[b])}},
+  for (std::size_t a = 0; a < kAll<Material>.size(); ++a) {
+    for (std::size_t b = a; b < kAll<Material>.size(); ++b) {
+      const double friction = scene.friction.between(kAll<Material>[a], kAll<Material>[b]);
+      const auto kinetic = scene.kinetic_friction.between(kAll<Material>[a], kAll<Material>[b]);
+      if (friction == standard.between(kAll<Material>[a], kAll<Material>[b]) && !kinetic) continue;
+      json.push_back({{"between", {name_of(kAll<Material>[a]), name_of(kAll<Material>[b])}},
                       {"static", friction}});
       if (kinetic) json.back()["kinetic"] = *kinetic;
     }
@@ -119,9 +119,9 @@ Json friction_json(const Scene& scene) {
 Json compliant_json(const CompliantDepths& depths) {
   const CompliantDepths standard;
   Json json = Json::object();
-  for (const Material material : kMaterials) {
+  for (const Material material : kAll<Material>) {
     if (depths.of(material) == standard.of(material)) continue;
-    json[std::string(material_name(material))] = depths.of(material);
+    json[std::string(name_of(material))] = depths.of(material);
   }
   return json;
 }

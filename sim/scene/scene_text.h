@@ -1,4 +1,4 @@
-// A scene as the text of a scene file (docs/scene-file.md).
+// A scene as the text of a scene file (docs/reference/scene-file.md).
 #pragma once
 
 #include <string>

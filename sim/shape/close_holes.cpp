@@ -18,6 +18,15 @@
 namespace prehend {
 namespace {
 
+// A hole is flat when no vertex of its rim is farther from the mean plane than this part of the
+// hole's own diagonal.
+constexpr double kFlatness = 0.02;
+// It is small with at most this part of the shell's area and of its diagonal.
+constexpr double kSmallArea = 0.01;
+constexpr double kSmallSize = 0.25;
+// A rim of more edges is left open.
+constexpr std::size_t kMostEdges = 3000;
+
 // A hole, measured: its mean plane (Newell's normal) and what the options limit.
 struct MeasuredHole {
   HoleLoop loop;
@@ -88,18 +97,17 @@ class HoleCloser {
   }
 
   bool small(const MeasuredHole& hole) const {
-    return hole.area <= options_.small_area * shell_of(hole).area &&
-           hole.box.diagonal() <= options_.small_size * shells_.largest_diagonal;
+    return hole.area <= kSmallArea * shell_of(hole).area &&
+           hole.box.diagonal() <= kSmallSize * shells_.largest_diagonal;
   }
 
   bool flat(const MeasuredHole& hole) const {
-    return hole.area > 0.0 && hole.deviation <= options_.flatness * hole.box.diagonal();
+    return hole.area > 0.0 && hole.deviation <= kFlatness * hole.box.diagonal();
   }
 
   bool fits(const MeasuredHole& hole) const {
     return hole.area <= options_.hole_area * shell_of(hole).area &&
-           hole.loop.vertices.size() <= static_cast<std::size_t>(options_.hole_edges) &&
-           (flat(hole) || !hole.large);
+           hole.loop.vertices.size() <= kMostEdges && (flat(hole) || !hole.large);
   }
 
   static bool encloses(const Bounds& outer, const Bounds& inner) {

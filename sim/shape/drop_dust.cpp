@@ -11,6 +11,11 @@
 namespace prehend {
 namespace {
 
+// Shells are dust when their diagonal is shorter than this part of the largest shell's,
+constexpr double kDustSize = 0.01;
+// and, where they are not closed, than this part.
+constexpr double kScrapSize = 0.1;
+
 // Of each shell, whether all its edges have two triangles or more.
 std::vector<bool> closed_shells(const TriangleMesh& mesh, const Shells& shells) {
   std::vector<bool> closed(shells.shells.size(), true);
@@ -35,8 +40,7 @@ DroppedDust drop_dust(TriangleMesh& mesh, const RepairOptions& options) {
   double dust_area = 0.0;
   for (std::size_t s = 0; s < dust.size(); ++s) {
     const Shell& shell = shells.shells[s];
-    const double limit =
-        closed[s] ? options.dust_size : std::max(options.dust_size, options.scrap_size);
+    const double limit = closed[s] ? kDustSize : kScrapSize;
     dust[s] = shell.box.diagonal() < limit * shells.largest_diagonal;
     if (!dust[s]) continue;
     dust_area += shell.area;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "sim/base/named_enum.h"
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
@@ -27,11 +28,10 @@ enum class MassSource {
 };
 
 // A phrase for reports, such as "convex hull, the mesh is not closed".
-constexpr std::string_view mass_source_name(MassSource source) {
-  constexpr std::array<std::string_view, 4> kNames = {
-      "signed volume", "signed volume, holes closed", "convex hull, the mesh is not closed",
-      "surface, the mesh encloses nothing"};
-  return kNames[static_cast<std::size_t>(source)];
+constexpr auto enum_names(MassSource /*of*/) {
+  return std::to_array<std::string_view>({"signed volume", "signed volume, holes closed",
+                                          "convex hull, the mesh is not closed",
+                                          "surface, the mesh encloses nothing"});
 }
 
 // Mass properties at uniform density, without the density itself: multiply `volume` by a density

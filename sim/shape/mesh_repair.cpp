@@ -4,6 +4,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/shape/repair_steps.h"
 #include "sim/shape/shells.h"
 
@@ -72,7 +73,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, const RepairOptions& options,
 std::string repair_text(const MeshRepair& repair) {
   std::string words;
   const auto add = [&](int count, const std::string& text) {
-    if (count > 0) words += (words.empty() ? "" : ", ") + text;
+    if (count > 0) add_part(words, text);
   };
   add(repair.dust_shells, counted(repair.dust_shells, "speck of dust", "specks of dust") +
                               " dropped (" +
@@ -89,7 +90,7 @@ std::string repair_text(const MeshRepair& repair) {
 std::string missing_text(const MeshChecks& checks) {
   std::string words;
   const auto add = [&](int count, const char* one, const char* several) {
-    if (count > 0) words += (words.empty() ? "" : ", ") + counted(count, one, several);
+    if (count > 0) add_part(words, counted(count, one, several));
   };
   add(checks.boundary_edges, "boundary edge (holes)", "boundary edges (holes)");
   add(checks.nonmanifold_edges, "edge of three or more triangles",

@@ -15,38 +15,23 @@ namespace prehend {
 // Where repair ends. Lengths are fractions of the diagonal of the bounds of the largest shell
 // (triangles connected by shared vertices), areas of the area of the shell.
 struct RepairOptions {
-  // Shells are dust, and dropped, when their diagonal is shorter than `dust_size`, or, where they
-  // are not closed, than `scrap_size`, and all of them together have less than `dust_area` of the
-  // whole surface.
-  double dust_size = 0.01;
-  double scrap_size = 0.1;
+  static constexpr AboutSettings kAbout{"RepairOptions", "How far a surface is repaired."};
   double dust_area = 0.01;
-  // A boundary vertex within this distance of a boundary edge lies on it (a T-junction): the
-  // triangle of the edge is divided there.
   double crack = 1e-5;
-  // A hole is closed when its area is at most `hole_area`, and it is either flat (no vertex of its
-  // rim farther from the mean plane than `flatness` times the hole's own diagonal) or small (an
-  // area of at most `small_area` and a diagonal of at most `small_size`).
   double hole_area = 0.25;
-  double flatness = 0.02;
-  double small_area = 0.01;
-  double small_size = 0.25;
-  int hole_edges = 3000;  // a rim of more edges is left open
 };
 
 template <SettingsOf<RepairOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [dust_size, scrap_size, dust_area, crack, hole_area, flatness, small_area, small_size,
-         hole_edges] = options;
-  visit("dust_size", dust_size, kAtLeast0);
-  visit("scrap_size", scrap_size, kAtLeast0);
-  visit("dust_area", dust_area, kAtLeast0);
-  visit("crack", crack, kAtLeast0);
-  visit("hole_area", hole_area, kAtLeast0);
-  visit("flatness", flatness, kAtLeast0);
-  visit("small_area", small_area, kAtLeast0);
-  visit("small_size", small_size, kAtLeast0);
-  visit("hole_edges", hole_edges, kAtLeast0);
+  auto& [dust_area, crack, hole_area] = options;
+  visit("dust_area", dust_area, kAtLeast0, "",
+        "Small shells (drop_dust.cpp) are dropped when all of them together have less than this "
+        "part of the surface.");
+  visit("crack", crack, kAtLeast0, "",
+        "A boundary vertex within this distance of a boundary edge lies on it (a T-junction): the "
+        "triangle of the edge is divided there.");
+  visit("hole_area", hole_area, kAtLeast0, "",
+        "Largest area of a hole that is closed, if it is flat or small (close_holes.cpp).");
 }
 
 // A surface that faces outward as far as it tells, and what was done to it.

@@ -17,7 +17,7 @@ void list_pairs(const CompiledScene& scene, const ApproachMotion& motion,
     ApproachPair& pair = workspace.pairs.add();
     pair.link = link_id(l);
     pair.body = body;
-    pair.tracker.start(scene.body(body).mesh, scene.links[l].mesh, options.gaps);
+    pair.tracker.start(scene.body(body).mesh, scene.links[l].mesh);
     pair.asked_at = 0.0;
     pair.safe_until = 0.0;
   };
@@ -128,7 +128,7 @@ void approach(const CompiledScene& scene, const std::vector<double>& joints,
     next.asked_at = travel;
     // A pair that slides along a narrow gap would take very many short steps: after too many
     // queries it counts as a contact.
-    if (gap.upper <= options.closed_gap() || next.tracker.queries() > options.max_gap_queries) {
+    if (gap.upper <= options.closed_gap() || next.tracker.queries() > kMaxGapQueries) {
       result.end = end_at(next, gap);
       result.touch = {next.link, next.body};
       result.travel = travel;

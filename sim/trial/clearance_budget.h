@@ -4,7 +4,10 @@
 
 #include <vector>
 
+#include "sim/scene/collision_body.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 

@@ -3,21 +3,6 @@
 #include "sim/trial/self_centering.h"
 
 namespace prehend {
-// A lower bound of epsilon above 0 proves force closure.
-void score_contacts(const CompiledScene& scene, const TrialOptions& options,
-                    GraspWorkspace& workspace, Trial& trial) {
-  trial.epsilon = {};
-  grasp_contacts(scene, trial.X_OH, trial.joints, options, workspace.contacts, trial.contacts);
-  if (trial.contacts.empty()) {
-    trial.outcome = Outcome::no_contact;
-    return;
-  }
-  contacts_of(trial.contacts, workspace.points);
-  trial.epsilon = epsilon_l1(contact_wrenches(workspace.points, scene.wrench_frame,
-                                              options.cone_edges, workspace.wrenches),
-                             {}, workspace.epsilon);
-  trial.outcome = trial.epsilon.lower > 0.0 ? Outcome::stable : Outcome::not_force_closure;
-}
 
 // Closing proves that the hand touches without penetrating. Centring then moves the hand as a
 // whole, without a proof, so that collisions have to be looked for; without centring there can be
@@ -37,7 +22,7 @@ void close_and_score(const CompiledScene& scene, const ClosingStart& start,
   trial.joints = closed.joints;
   context.cancellation.check();
   if (!trial.blocked) {
-    score_contacts(scene, options, workspace, trial);
+    score_contacts(scene, options, workspace.scoring, trial);
     return;
   }
   trial.epsilon = {};

@@ -1,14 +1,11 @@
-// Closes the hand once and judges the grasp that results.
+// Closes the hand once and scores the grasp that results.
 #pragma once
 
-#include <vector>
-
-#include "sim/quality/epsilon_workspace.h"
-#include "sim/quality/wrench.h"
 #include "sim/trial/close_hand.h"
-#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/hand_collision.h"
+#include "sim/trial/score_contacts.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 
@@ -17,10 +14,7 @@ struct GraspWorkspace {
   ClosingWorkspace closing;
   ClosedHand closed;
   HandCollisionWorkspace collision;
-  GraspContactsWorkspace contacts;
-  std::vector<Contact> points;
-  WrenchWorkspace wrenches;
-  EpsilonWorkspace epsilon;
+  ScoringWorkspace scoring;
 };
 
 // Closes the hand from `start`, centres it with self-centering fingers (center_hand), finds the
@@ -30,10 +24,5 @@ struct GraspWorkspace {
 void close_and_score(const CompiledScene& scene, const ClosingStart& start,
                      const TrialOptions& options, GraspWorkspace& workspace, Trial& trial,
                      const RunContext& context = {});
-
-// Finds the contacts of the hand as the trial has it, and sets contacts, epsilon and outcome:
-// no_contact, not_force_closure or stable.
-void score_contacts(const CompiledScene& scene, const TrialOptions& options,
-                    GraspWorkspace& workspace, Trial& trial);
 
 }  // namespace prehend

@@ -1,5 +1,7 @@
 #include "sim/trial/close_dynamic.h"
 
+#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
+
 namespace prehend {
 namespace {
 
@@ -55,7 +57,7 @@ void close_dynamic(const CompiledScene& scene, const ClosingStart& start,
   } else if (lost && lost != Outcome::dropped) {
     trial.outcome = *lost;
   } else {
-    score_contacts(scene, options, workspace, trial);
+    score_contacts(scene, options, workspace.scoring, trial);
     if (lost) trial.outcome = *lost;
   }
 }

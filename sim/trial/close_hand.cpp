@@ -92,7 +92,7 @@ class Closing {
     ClosingPair& pairing = pairings_.add();
     pairing.link = link;
     pairing.other = other;
-    pairing.tracker.start(others, scene_.links[index(link)].mesh, options_.gaps);
+    pairing.tracker.start(others, scene_.links[index(link)].mesh);
     pairing.asked_at = 0.0;
     pairing.speed_when_asked = speed(pairing, 0.0);
     pairing.safe_until = std::max(0.0, clearance - options_.contact_gap) / pairing.speed_when_asked;
@@ -135,8 +135,7 @@ class Closing {
     const Gap gap = pairing.tracker.query(relative_pose(pairing, t), moved, left);
     pairing.asked_at = t;
     pairing.speed_when_asked = speed_now;
-    if (gap.upper <= options_.closed_gap() ||
-        pairing.tracker.queries() > options_.max_gap_queries) {
+    if (gap.upper <= options_.closed_gap() || pairing.tracker.queries() > kMaxGapQueries) {
       motion_.stop_before(scene_.links[index(pairing.link)], t);
       if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
         motion_.stop_before(scene_.links[index(*other)], t);

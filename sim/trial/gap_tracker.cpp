@@ -6,13 +6,26 @@
 #include "sim/base/index.h"
 
 namespace prehend {
+namespace {
 
-void GapTracker::start(const ProximityMesh& a, const ProximityMesh& b,
-                       const GapTrackerOptions& options) {
+// Below this gap the pairs of nearby triangles are listed; at larger gaps the list would be too
+// long [m].
+constexpr double kNear = 5e-4;
+// The list holds all pairs closer than this times the gap, and at least those closer than the gap
+// and kLeastReach [m].
+constexpr double kReach = 2.0;
+constexpr double kLeastReach = 3e-4;
+// Relative error allowed in a query of the trees, whose answer only limits the next step. A looser
+// bound costs less but allows shorter steps, so that more queries are needed.
+constexpr double kRelativeError = 0.5;
+
+}  // namespace
+
+void GapTracker::start(const ProximityMesh& a, const ProximityMesh& b, int most_pairs) {
   a_ = &a;
   b_ = &b;
-  options_ = &options;
-  list_below_ = options.near;
+  most_pairs_ = most_pairs;
+  list_below_ = kNear;
   directions_.assign(a.parts().size() * b.parts().size(), Vector3::Zero());
   parts_meet_ = false;
   near_.pairs.clear();
@@ -31,7 +44,7 @@ Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
     }
     // The listed pairs are farther apart than the bound for all others. That bound still holds for
     // every pair, and is worth a step while it is not too small.
-    if (near_.beyond > options_->least_reach) return {near_.beyond, gap.upper, gap.pair};
+    if (near_.beyond > kLeastReach) return {near_.beyond, gap.upper, gap.pair};
     near_.beyond = 0.0;
   }
   return query_trees(X_AB, motion_left);
@@ -56,7 +69,7 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
     // Far away, the distance of the parts is answer enough. It is only a lower bound: the surfaces
     // lie somewhere inside the parts, so that nothing is known of the upper bound.
     const double apart = part_separation(X_AB);
-    if (apart > std::min(options_->near, motion_left)) {
+    if (apart > std::min(kNear, motion_left)) {
       return {apart, std::numeric_limits<double>::infinity(), {}};
     }
     parts_meet_ = apart <= 0.0;
@@ -75,8 +88,7 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
 
 Gap GapTracker::loose_gap(const Pose& X_AB, double motion_left) {
   const Gap gap = find_gap(
-      *a_, *b_, X_AB,
-      {.cap = motion_left, .relative_error = options_->relative_error, .hint = last_pair_});
+      *a_, *b_, X_AB, {.cap = motion_left, .relative_error = kRelativeError, .hint = last_pair_});
   if (gap.pair.a >= 0) last_pair_ = gap.pair;
   return gap;
 }
@@ -85,8 +97,7 @@ Gap GapTracker::loose_gap(const Pose& X_AB, double motion_left) {
 // the exact gap from them. Until the bodies have moved by the difference, the closest pair is in
 // the list, and queries need not search the trees.
 Gap GapTracker::list_near_pairs(const Pose& X_AB, double motion_left) {
-  const NearPairsOptions near{options_->reach, options_->least_reach, index(options_->most_pairs),
-                              last_pair_};
+  const NearPairsOptions near{kReach, kLeastReach, index(most_pairs_), last_pair_};
   if (find_near_pairs(*a_, *b_, X_AB, near, near_)) {
     const Gap exact = gap_of_pairs(*a_, *b_, X_AB, 0.0, near_);
     last_pair_ = exact.pair;
@@ -101,7 +112,7 @@ Gap GapTracker::list_near_pairs(const Pose& X_AB, double motion_left) {
 }
 
 Gap GapTracker::without_list(const Pose& X_AB, const Gap& gap) {
-  if (gap.upper > options_->least_reach) return gap;
+  if (gap.upper > kLeastReach) return gap;
   const Gap exact = find_gap(*a_, *b_, X_AB, {.hint = gap.pair});
   last_pair_ = exact.pair;
   return exact;

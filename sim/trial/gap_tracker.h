@@ -8,6 +8,14 @@
 
 namespace prehend {
 
+// A longer list of near triangle pairs is not kept; the next one is tried when the gap is half as
+// large. Searches of the bounding-volume trees cost more than this many pairs, of which most are
+// only looked at.
+inline constexpr int kMostPairs = 2000;
+// Most gap queries for one pair of bodies in one motion. A pair that needs more counts as touching
+// where it is: the motion may then end short of a contact, but never in a penetration.
+inline constexpr int kMaxGapQueries = 400;
+
 // How far the bodies may move towards each other after a query gave `gap`, without their gap
 // falling below contact_gap [m]. Where the lower bound is too loose to allow such a step but the
 // upper bound does not show contact, they move by a quarter of the lower bound: that is safe too,
@@ -21,18 +29,18 @@ inline double safe_step(const Gap& gap, const TrialOptions& options) {
 // bounding-volume trees of the meshes. Small gaps: the exact distance of the triangle pairs that
 // are near each other, listed once and reused until the bodies have moved too far for the list.
 // Where fine meshes have too many such pairs, it is the search of the trees again, which is exact
-// for gaps up to GapTrackerOptions::least_reach.
+// for gaps up to 0.3 mm. Every answer is a proven bound, whatever the constants.
 class GapTracker {
  public:
   // To be started before it is asked.
   GapTracker() = default;
-  // Both meshes and the options must outlive the tracker.
-  GapTracker(const ProximityMesh& a, const ProximityMesh& b, const GapTrackerOptions& options) {
-    start(a, b, options);
+  // Both meshes must outlive the tracker. `most_pairs`: kMostPairs.
+  GapTracker(const ProximityMesh& a, const ProximityMesh& b, int most_pairs = kMostPairs) {
+    start(a, b, most_pairs);
   }
 
   // Begins anew, with these bodies, in the memory that it has.
-  void start(const ProximityMesh& a, const ProximityMesh& b, const GapTrackerOptions& options);
+  void start(const ProximityMesh& a, const ProximityMesh& b, int most_pairs = kMostPairs);
 
   // A proven lower bound and an upper bound of the gap [m] with B at X_AB in A's frame. `moved`
   // [m] bounds how far any point of one body moved relative to the other since the last query,
@@ -53,7 +61,7 @@ class GapTracker {
 
   const ProximityMesh* a_ = nullptr;
   const ProximityMesh* b_ = nullptr;
-  const GapTrackerOptions* options_ = nullptr;
+  int most_pairs_ = kMostPairs;
   double list_below_ = 0.0;  // gaps above this are not worth a list of near pairs [m]
   // Per pair of convex parts, the direction that separated them last: a good start for the next
   // query.

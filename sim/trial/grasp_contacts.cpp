@@ -20,8 +20,7 @@ void grasp_contacts(const CompiledScene& scene, const Pose& X_OH, const std::vec
     if (!options.soft_fingers || link.compliant_depth <= 0.0 || workspace.touching.empty()) {
       continue;
     }
-    soft_patches(object, link.mesh, X_OL, link.compliant_depth, options.contact, workspace.soft,
-                 workspace.patches);
+    soft_patches(object, link.mesh, X_OL, link.compliant_depth, workspace.soft, workspace.patches);
     for (const SoftPatch& patch : workspace.patches) {
       contacts.push_back(
           {link_id(l),

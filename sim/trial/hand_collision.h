@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
-
-// A link of the hand and the body that it touches or collides with.
-struct HandContact {
-  LinkId link = {};
-  BodyId body = BodyId::object();
-};
 
 // Buffers of hand_collision, to allocate less; one for each thread.
 struct HandCollisionWorkspace {

@@ -4,6 +4,8 @@
 #include <array>
 #include <string_view>
 
+#include "sim/base/named_enum.h"
+
 namespace prehend {
 
 enum class Outcome {
@@ -24,31 +26,22 @@ enum class Outcome {
                   // set by the planner, never by a trial
 };
 
-// All outcomes, in the order of the enumeration.
-inline constexpr std::array<Outcome, 13> kOutcomes = {
-    Outcome::stable,       Outcome::not_force_closure, Outcome::no_contact,
-    Outcome::hand_blocked, Outcome::approach_blocked,  Outcome::unreachable,
-    Outcome::arm_blocked,  Outcome::pushed_away,       Outcome::toppled,
-    Outcome::squeezed_out, Outcome::dropped,           Outcome::not_simulated,
-    Outcome::no_path};
-
 // Whether the hand was stopped on its way to the object, before arm and fingers were asked.
 constexpr bool is_blocked(Outcome outcome) {
   return outcome == Outcome::hand_blocked || outcome == Outcome::approach_blocked;
 }
 
 // The name in files and tables: the same word as the enumerator.
-constexpr std::string_view outcome_name(Outcome outcome) {
-  constexpr std::array<std::string_view, kOutcomes.size()> kNames = {
-      "stable",      "not_force_closure", "no_contact",  "hand_blocked", "approach_blocked",
-      "unreachable", "arm_blocked",       "pushed_away", "toppled",      "squeezed_out",
-      "dropped",     "not_simulated",     "no_path"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(Outcome /*of*/) {
+  return std::to_array<std::string_view>({"stable", "not_force_closure", "no_contact",
+                                          "hand_blocked", "approach_blocked", "unreachable",
+                                          "arm_blocked", "pushed_away", "toppled", "squeezed_out",
+                                          "dropped", "not_simulated", "no_path"});
 }
 
 // What the outcome means, as a clause for reports.
 constexpr std::string_view outcome_meaning(Outcome outcome) {
-  constexpr std::array<std::string_view, kOutcomes.size()> kMeanings = {
+  constexpr std::array<std::string_view, kAll<Outcome>.size()> kMeanings = {
       "the contacts can resist a disturbance in any direction",
       "the hand touches the object, but some disturbance moves it freely",
       "the hand closed without touching the object",

@@ -6,8 +6,10 @@
 #include <limits>
 #include <vector>
 
+#include "sim/base/gravity.h"
 #include "sim/base/index.h"
 #include "sim/quality/ranges.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {

@@ -30,8 +30,6 @@ struct PayloadMargin {
   bool holds() const { return given.strength >= 1.0; }
 };
 
-inline constexpr double kStandardGravity = 9.81;  // m/s^2
-
 // The velocity of each contact point and the turning about its normal for each joint of the hand
 // that moves the contact's link, and the largest efforts of the joints as limits; joints that state
 // none have no limit. X_OH, joints and contacts are those of the trial.

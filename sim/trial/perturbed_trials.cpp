@@ -5,6 +5,7 @@
 
 #include "sim/quality/share_interval.h"
 #include "sim/quality/wrench_space.h"
+#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/payload_margin.h"
 
 namespace prehend {
@@ -111,7 +112,7 @@ void add_samples(const CompiledScene& scene, const Candidate& candidate, const T
   for (const Perturbation& perturbation : perturbations) {
     context.cancellation.check();
     robustness.held += trials.holds(perturbation) ? 1 : 0;
-    ++robustness.outcomes[static_cast<std::size_t>(trials.outcome())];
+    ++robustness.outcomes[trials.outcome()];
     robustness.epsilons.push_back(trials.epsilon(perturbation.friction));
   }
   std::vector<double> epsilons = robustness.epsilons;

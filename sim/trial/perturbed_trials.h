@@ -8,7 +8,10 @@
 
 #include "sim/base/run_context.h"
 #include "sim/quality/interval.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 #include "sim/trial/uncertainty.h"
 
 namespace prehend {
@@ -23,8 +26,8 @@ struct Robustness {
   // largest value that at most a tenth of the samples are below.
   double epsilon_mean = 0.0;
   double epsilon_low = 0.0;
-  std::vector<double> epsilons;                  // of the samples, in their order
-  std::array<int, kOutcomes.size()> outcomes{};  // of the samples
+  std::vector<double> epsilons;      // of the samples, in their order
+  EnumArray<Outcome, int> outcomes;  // of the samples
   // How many times the weight the drives hold without errors (weight_strength).
   double strength = 0.0;
   // How far the object may be off, alone, along each axis of the hand's base, both ways, before the

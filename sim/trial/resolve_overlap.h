@@ -6,31 +6,11 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/base/settings.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/hand_collision.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
-
-// By how much an overlap may be resolved; 0: any overlap ends the trial [m].
-struct OverlapOptions {
-  // Of hand and object: scans and models of hands are wrong by this much, and a light object moves
-  // aside.
-  double object = 2e-3;
-  // Of a hand that overlaps obstacles only: how far an arm with a stiffness of 2 N/mm yields to
-  // 10 N.
-  double obstacle = 5e-3;
-  // How deep an overlap that stays is measured (Trial::overlap); 0: it is not [m].
-  double deepest = 20e-3;
-};
-
-template <SettingsOf<OverlapOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [object, obstacle, deepest] = options;
-  visit("object", object, kAtLeast0);
-  visit("obstacle", obstacle, kAtLeast0);
-  visit("deepest", deepest, kAtLeast0);
-}
 
 // Buffers of resolve_overlap, to allocate less; one for each thread.
 struct GiveWayWorkspace {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/trial/grasp_contacts.h"
+
 namespace prehend {
 namespace {
 

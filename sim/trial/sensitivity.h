@@ -2,7 +2,9 @@
 #pragma once
 
 #include "sim/quality/interval.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend {
 

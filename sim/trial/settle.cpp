@@ -10,6 +10,19 @@
 namespace prehend {
 namespace {
 
+// A step that does not bring the fingers closer is tried again with half the motion, down to this
+// part of the largest one. Its angle then moves the surface, over the width of a finger, by less
+// than contacts need to count as even (ContactOptions::evenness).
+constexpr double kLeastPart = 3.5e-3;
+// Fingers open by this before the object moves, so that they do not start inside it [m].
+constexpr double kLoosen = 3e-3;
+// Settling goes on while the fingers come closer by more than this in a step [m].
+constexpr double kLeastGain = 1e-6;
+// Forces of the fingers count as balanced when their sum is below this part of one of them, and
+// the distance between their lines of action below kLeastArm [m].
+constexpr double kLeastForce = 1e-2;
+constexpr double kLeastArm = 1e-4;
+
 // The first self-centering degree of freedom of the hand, where it has one.
 std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
   for (std::size_t d = 0; d < hand.dofs.size(); ++d) {
@@ -22,23 +35,22 @@ std::optional<FingerPair> self_centering_fingers(const Robot& hand) {
 
 // Where the hand starts to close after a motion: with fingers a little open, because at their
 // present opening the motion would push them into the object.
-void set_closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers,
-                       const SettleOptions& options, const Trial& trial, const Pose& X_OH,
-                       ClosingStart& start) {
+void set_closing_start(const DegreeOfFreedom& dof, const FingerPair& fingers, const Trial& trial,
+                       const Pose& X_OH, ClosingStart& start) {
   start.X_OH = X_OH;
   start.dofs = trial.dofs;
   double& opening = start.dofs[index(fingers.dof)];
-  opening += dof.closing_velocity < 0.0 ? std::min(options.loosen, dof.upper - opening)
-                                        : -std::min(options.loosen, opening - dof.lower);
+  opening += dof.closing_velocity < 0.0 ? std::min(kLoosen, dof.upper - opening)
+                                        : -std::min(kLoosen, opening - dof.lower);
 }
 
 // Whether the fingers of `next` are closer together than those of `trial`. That is the criterion of
 // a motion that really happens: a squeezed object moves so that the fingers yield to their drive,
 // and a motion that pushes them apart would need work from outside.
-bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const SettleOptions& options,
-               const Trial& trial, const Trial& next) {
+bool is_closer(const DegreeOfFreedom& dof, const FingerPair& fingers, const Trial& trial,
+               const Trial& next) {
   const double change = trial.joints[index(fingers.first)] - next.joints[index(fingers.first)];
-  return (dof.closing_velocity < 0.0 ? change : -change) > options.least_gain;
+  return (dof.closing_velocity < 0.0 ? change : -change) > kLeastGain;
 }
 
 // One grasp that settles.
@@ -60,9 +72,8 @@ class Settling {
     // Part of the largest motion of a step that is tried. It stays halved: the object comes to rest
     // with ever smaller motions.
     double part = 1.0;
-    for (int k = 0; k < options_.settle.steps && part >= options_.settle.least_part &&
-                    now.outcome != Outcome::stable;
-         ++k) {
+    for (int k = 0;
+         k < options_.settle.steps && part >= kLeastPart && now.outcome != Outcome::stable; ++k) {
       if (step(now, part, workspace_.next)) {
         now = workspace_.next;
       } else {
@@ -87,7 +98,7 @@ class Settling {
     if (!motion) return false;
     const DegreeOfFreedom& dof = scene_.scene.hand.dofs[index(fingers_.dof)];
     ClosingStart& start = workspace_.start;
-    set_closing_start(dof, fingers_, options_.settle, trial, after(*motion, trial.X_OH), start);
+    set_closing_start(dof, fingers_, trial, after(*motion, trial.X_OH), start);
     // The room is checked before the hand closes, which takes much longer, and again afterwards,
     // when it is known how far the fingers and the hand have moved.
     HandTurn& turn = workspace_.turn;
@@ -103,8 +114,7 @@ class Settling {
     close_and_score(scene_, start, options_, grasping_, next, context_);
     const bool touches =
         next.outcome == Outcome::stable || next.outcome == Outcome::not_force_closure;
-    const bool settles =
-        is_closer(dof, fingers_, options_.settle, trial, next) || next.outcome == Outcome::stable;
+    const bool settles = is_closer(dof, fingers_, trial, next) || next.outcome == Outcome::stable;
     if (!touches || !settles) return false;
     turn.closed = next.joints;
     turn.shift = (next.X_OH.translation() - start.X_OH.translation()).norm();
@@ -115,7 +125,7 @@ class Settling {
 
   SqueezeLimits limits(double part) const {
     const SettleOptions& settle = options_.settle;
-    return {part * settle.slide, part * settle.angle, settle.least_force, settle.least_arm};
+    return {part * settle.slide, part * settle.angle, kLeastForce, kLeastArm};
   }
 
   const CompiledScene& scene_;

@@ -5,9 +5,7 @@
 namespace prehend {
 namespace {
 
-int count_of(const Robustness& robustness, Outcome outcome) {
-  return robustness.outcomes[static_cast<std::size_t>(outcome)];
-}
+int count_of(const Robustness& robustness, Outcome outcome) { return robustness.outcomes[outcome]; }
 
 }  // namespace
 

@@ -28,7 +28,7 @@ SuccessFeatures success_features(const SuccessFacts& facts);
 // A hand that does not close on the object lifts nothing; one that does lifts it with the
 // probability of a logistic regression: closed / (1 + exp(-(intercept + weights . features))), no
 // weight below 0. The numbers are those of the maximum likelihood for grasps of made-up objects
-// that were carried out in simulation (benchmarks/success, docs/success.md).
+// that were carried out in simulation (benchmarks/success, docs/reference/success.md).
 struct SuccessModel {
   double intercept = 0.0;
   SuccessFeatures weights{};

@@ -1,33 +1,25 @@
-// A grasp trial: one candidate is carried out from the pre-grasp to the closed hand, and the
-// quality of the grasp is computed. A pure function of scene, candidate and options.
+// The result of a trial: what became of one candidate (run_trial.h).
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sim/base/run_context.h"
+#include "sim/base/pose.h"
 #include "sim/quality/contact.h"
 #include "sim/quality/epsilon.h"
-#include "sim/scene/compiled_scene.h"
-#include "sim/trial/hand_collision.h"
+#include "sim/robot/dof_values.h"
+#include "sim/scene/ids.h"
 #include "sim/trial/outcome.h"
-#include "sim/trial/trial_options.h"
 
 namespace prehend {
 
-// A grasp to try: where the hand goes, from which direction, and with which opening it starts.
-struct Candidate {
-  // Pose of the hand's base at the end of an approach that touches nothing.
-  Pose X_OH = Pose::Identity();
-  Vector3 approach_O = Vector3::UnitZ();  // direction in which the hand moves, unit, object frame
-  double approach_distance = 0.0;         // from the pre-grasp to X_OH; 0: no approach [m]
-  std::optional<int> preshape;            // index into Hand::preshapes; none: `dofs` is used
-  // Without a preshape, the start values of the hand's degrees of freedom [rad or m].
-  std::vector<double> dofs;
-  // With `dofs`, the start values of the joints [rad or m]; empty: joint_values of `dofs`.
-  std::vector<double> joints;
+struct CompiledScene;
+
+// A link of the hand and the body that it touches or collides with.
+struct HandContact {
+  LinkId link = {};
+  BodyId body = BodyId::object();
 };
 
 // A contact of the grasp. The position [m] and the unit normal (into the object) of `point` are in
@@ -92,60 +84,5 @@ struct CollisionNames {
   std::string by;    // the object, an obstacle or another link
 };
 CollisionNames collision_of(const CompiledScene& scene, const Trial& trial);
-
-// The straight motion of the hand from the pre-grasp to the grasp of `trial`, with the joint values
-// at which the candidate starts.
-HandLine approach_line(const CompiledScene& scene, const Candidate& candidate, const Trial& trial);
-
-// Carries out `candidate`: the hand approaches until it touches the object, closes and is centred,
-// an object that is not held may settle (settle.h), and the contacts are judged by epsilon in the
-// L1 wrench space. A grasp that does not hold is tried again up to options.back_off_tries times
-// with the hand backed off along the approach; only a stable grasp replaces the first. In a scene
-// with an arm, the arm must also follow the approach without a collision (find_reach).
-//
-// `candidate` must fit the hand: a preshape in range, or one value per degree of freedom (and per
-// joint, where given). Throws Cancelled.
-Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
-                const TrialOptions& options = {}, const RunContext& context = {});
-
-// The memory that trials need besides their results: one for each thread, for any number of trials
-// of any scenes. It grows to what the largest trial needs; from then on the trials of a free hand
-// do not allocate, except in the rare case in which rounding stalls epsilon and qhull has to help
-// (epsilon_l1). Inverse kinematics and the checks of an arm do allocate. Trials leave nothing in it
-// that the next one could depend on.
-class TrialWorkspace {
- public:
-  TrialWorkspace();
-  ~TrialWorkspace();
-  TrialWorkspace(TrialWorkspace&& other) noexcept;
-  TrialWorkspace& operator=(TrialWorkspace&& other) noexcept;
-
-  // Internal, for run_trial.
-  struct Buffers;
-  Buffers& buffers() { return *buffers_; }
-
- private:
-  std::unique_ptr<Buffers> buffers_;
-};
-
-// As run_trial above, in the memory of `workspace` and of `trial`, which is replaced. After
-// Cancelled, `trial` means nothing. The context has no default, since making one allocates.
-void run_trial(const CompiledScene& scene, const Candidate& candidate, const TrialOptions& options,
-               TrialWorkspace& workspace, Trial& trial, const RunContext& context);
-
-// The same without asking the arm, where there is one, whether it follows.
-void run_hand_trial(const CompiledScene& scene, const Candidate& candidate,
-                    const TrialOptions& options, TrialWorkspace& workspace, Trial& trial,
-                    const RunContext& context);
-
-// All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
-// ordered by link: hard point contacts with friction, then, for compliant links and with
-// options.soft_fingers, patches with torsional friction.
-std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
-                                         const std::vector<double>& joints,
-                                         const TrialOptions& options);
-
-// The contacts without link and gap, as the quality measures take them (sim/quality).
-std::vector<Contact> contacts_of(const std::vector<GraspContact>& contacts);
 
 }  // namespace prehend

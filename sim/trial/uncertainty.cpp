@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/base/random.h"
+#include "sim/base/require_settings.h"
 #include "sim/scene/object_mass.h"
 
 namespace prehend {
@@ -74,6 +75,7 @@ Matrix3 center_shift(const CompiledScene& scene, double part_of_radius) {
 
 std::vector<Perturbation> perturbations(const CompiledScene& scene,
                                         const UncertaintyOptions& options, std::uint64_t seed) {
+  require_settings(options);
   const Matrix3 R_OW = scene.scene.object.X_WO.linear().transpose();
   const Vector3& center_O = scene.wrench_frame.torque_origin;
   const double across = std::hypot(options.across, options.hand);

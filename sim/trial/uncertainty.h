@@ -11,19 +11,21 @@
 
 namespace prehend {
 
-// Standard deviations of the errors, which are normally distributed and independent. The defaults
-// are those of an object that a depth camera sees and of a calibrated arm.
+// The defaults are those of an object that a depth camera sees and of a calibrated arm.
 struct UncertaintyOptions {
-  int samples = 16;       // disturbed trials of a grasp (>= 1)
-  double across = 5e-3;   // of the object, along each horizontal axis of the world [m]
-  double along = 5e-3;    // of the object, along gravity [m]
-  double angle = 0.0524;  // of the object, about each axis through its centre of mass: 3 deg [rad]
-  double hand = 1e-3;     // of the hand, along each axis [m]
-  double hand_angle = 5e-3;  // of the hand, about each axis [rad]
-  double friction = 0.25;    // of the logarithm of each friction coefficient
-  // Of the centre of mass, along each axis, as a part of the object's largest distance from it,
-  // where nothing is known of it but the shape. Of one that is stated, or follows from stated
-  // parts, it is kStatedCenter times that; along a long object that is taken as uniform
+  static constexpr AboutSettings kAbout{
+      "UncertaintyOptions",
+      "Standard deviations of what is not known when a grasp is carried out: errors that are "
+      "normally distributed and independent."};
+  int samples = 16;
+  double across = 5e-3;
+  double along = 5e-3;
+  double angle = 0.0524;  // 3 degrees
+  double hand = 1e-3;
+  double hand_angle = 5e-3;
+  double friction = 0.25;
+  // Where nothing is known of the object but its shape. Of a centre that is stated, or follows from
+  // stated parts, it is kStatedCenter times that; along a long object that is taken as uniform
   // (long_object_of_uniform_mass) kLongCenter times.
   double center_of_mass = 0.05;
 };
@@ -31,14 +33,19 @@ struct UncertaintyOptions {
 template <SettingsOf<UncertaintyOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [samples, across, along, angle, hand, hand_angle, friction, center_of_mass] = options;
-  visit("samples", samples, kAtLeast1);
-  visit("across", across, kAtLeast0);
-  visit("along", along, kAtLeast0);
-  visit("angle", angle, kAtLeast0);
-  visit("hand", hand, kAtLeast0);
-  visit("hand_angle", hand_angle, kAtLeast0);
-  visit("friction", friction, kAtLeast0);
-  visit("center_of_mass", center_of_mass, kAtLeast0);
+  visit("samples", samples, kAtLeast1, "",
+        "Trials with errors of each grasp: more make narrower intervals.");
+  visit("across", across, kAtLeast0, "m", "Of the object, along each horizontal axis.");
+  visit("along", along, kAtLeast0, "m", "Of the object, along gravity.");
+  visit("angle", angle, kAtLeast0, "rad",
+        "Of the object, about each axis through its centre of mass.");
+  visit("hand", hand, kAtLeast0, "m", "Of the hand, along each axis.");
+  visit("hand_angle", hand_angle, kAtLeast0, "rad", "Of the hand, about each axis.");
+  visit("friction", friction, kAtLeast0, "", "Of the logarithm of each friction coefficient.");
+  visit("center_of_mass", center_of_mass, kAtLeast0, "",
+        "Of the centre of mass, along each axis, as a part of the object's largest distance from "
+        "it; a quarter where the centre is stated, three times along a long object of uniform "
+        "mass.");
 }
 
 // Who states a centre of mass has found where the object balances, or weighed its parts.

@@ -118,7 +118,7 @@ class Slurm:
             self.start("slurmctld", ["slurmctld", "-D"])
             for node in self.nodes:
                 self.start_node(node)
-            wait_until(lambda: self.node_states() == ["idle"] * len(self.nodes), "all nodes are idle")
+            wait_until(self.all_are_idle, "all nodes are idle")
         except BaseException:
             self.__exit__()
             raise
@@ -174,6 +174,15 @@ class Slurm:
         shown = subprocess.run(["sinfo", "-h", "-N", "-p", "main", "-o", "%t"], env=self.environment,
                                check=False, capture_output=True, text=True)
         return shown.stdout.split()
+
+    def all_are_idle(self):
+        """Raises where a daemon has ended: it says why in what it printed and logged."""
+        for name, daemon in self.daemons.items():
+            if daemon.poll() is not None:
+                said = "\n".join(file.read_text(errors="replace") for file in
+                                 (self.folder / f"{name}.out", self.folder / f"{name}.log") if file.exists())
+                raise RuntimeError(f"{name} ended with {daemon.returncode}: {said}")
+        return self.node_states() == ["idle"] * len(self.nodes)
 
     def start_waiting_tasks(self):
         """Slurm keeps what it starts again waiting for two minutes, which a test need not."""

@@ -1,4 +1,4 @@
-% A session of prehend, as docs/protocol.md describes it.
+% A session of prehend, as docs/reference/protocol.md describes it.
 1;
 source (fullfile (fileparts (mfilename ('fullpath')), 'error_id_of.m'));
 

@@ -1,5 +1,5 @@
 # Installs the package, moves it, and uses it in projects of their own: the README's example with the
-# component `quality` alone, that of docs/library.md and a program that uses every part with all of it.
+# component `quality` alone, that of docs/how-to/cpp.md and a program that uses every part with all of it.
 cmake_minimum_required(VERSION 3.25)
 set(examples ${SOURCE}/tests/package)
 set(folder ${BUILD}/package_test)
@@ -118,8 +118,8 @@ endif()
 
 # --- prehend::prehend ---------------------------------------------------------------------------------
 set(prefix ${folder}/everything)
-expect_shown(docs/library.md cpp ${examples}/library/main.cpp)
-expect_shown(docs/library.md cmake ${examples}/library/CMakeLists.txt)
+expect_shown(docs/how-to/cpp.md cpp ${examples}/library/main.cpp)
+expect_shown(docs/how-to/cpp.md cmake ${examples}/library/CMakeLists.txt)
 install_moved(${prefix})
 expect_no_source_paths(${prefix})
 expect_no_other_headers(${prefix})

@@ -78,7 +78,7 @@ TEST(Primitive, AConeWithEqualRadiiIsACylinder) {
   const Primitive cylinder{Cylinder{0.7, 2.0}, Pose::Identity()};
   EXPECT_NEAR(surface_area(cone.shape), surface_area(cylinder.shape), kRounding);
   for (int i = 0; i < 200; ++i) {
-    const Vector3 p = 2.0 * random.uniform() * random.direction();
+    const Vector3 p = random.vector(0.0, 2.0);
     EXPECT_NEAR(signed_distance(cone, p), signed_distance(cylinder, p), kRounding);
   }
 }
@@ -100,7 +100,7 @@ TEST(Primitive, DistanceMovesWithTheFrame) {
   for (const Shape& shape : some_shapes()) {
     for (int i = 0; i < 20; ++i) {
       const Pose X_OP = random.pose(2.0);
-      const Vector3 p_P = random.uniform(0.0, 4.0) * random.direction();
+      const Vector3 p_P = random.vector(0.0, 4.0);
       EXPECT_NEAR(signed_distance({shape, X_OP}, X_OP * p_P),
                   signed_distance({shape, Pose::Identity()}, p_P), 1e-9);
     }
@@ -123,11 +123,11 @@ TEST(SpreadPoints, LieOnTheSurfaceAndAddUpToItsArea) {
 TEST(NearSurface, KnowsTheDistanceToItsPointsToACell) {
   Random random(3);
   std::vector<SurfacePoint> points(5);
-  for (SurfacePoint& s : points) s.p_O = random.uniform(0.0, 1.0) * random.direction();
+  for (SurfacePoint& s : points) s.p_O = random.vector(0.0, 1.0);
   constexpr double kRadius = 0.2;
   const NearSurface near(points, kRadius);
   for (int i = 0; i < 2000; ++i) {
-    const Vector3 p = random.uniform(0.0, 2.0) * random.direction();
+    const Vector3 p = random.vector(0.0, 2.0);
     double distance = 1e9;
     for (const SurfacePoint& s : points) distance = std::min(distance, (s.p_O - p).norm());
     // Half the diagonal of a cell, which is a third of the radius wide, decides in between.

@@ -59,7 +59,7 @@ inline TriangleMesh triangle_soup(int count, Random& random) {
   TriangleMesh soup;
   for (int i = 0; i < count; ++i) {
     for (int corner = 0; corner < 3; ++corner) {
-      soup.vertices.emplace_back(random.uniform(0.0, 1.0) * random.direction());
+      soup.vertices.emplace_back(random.vector(0.0, 1.0));
     }
     soup.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }

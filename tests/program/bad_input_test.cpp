@@ -47,6 +47,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"MissingFile", "plan FOLDER/none.obj --out FOLDER/out", "", "none.obj"},
         Mistake{"MissingScene", "plan teacup --out FOLDER/out", "", "teacup"},
+        Mistake{"RankByShakeWithoutShake", "plan mug --rank shake --out FOLDER/out", "",
+                "--rank: needs the tests of --shake (shake)"},
+        Mistake{"RankBySuccessWithoutUncertainty", "plan mug --rank success --out FOLDER/out", "",
+                "--rank: needs the trials of --uncertainty (success)"},
+        Mistake{"PathPlannerWithoutPath",
+                "plan mug_on_table --path-planner roadmap --out FOLDER/out", "",
+                "--path-planner requires --path"},
         Mistake{"UnknownUnit", "plan FOLDER/in.json --unit yard --out FOLDER/out",
                 R"({"object": {"mesh": "in.json", "unit": "yard"}})", "yard"},
         Mistake{"EmptyMesh", "plan FOLDER/in.json --out FOLDER/out",

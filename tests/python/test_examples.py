@@ -1,5 +1,5 @@
-"""Each script in docs/examples runs, and says or writes what it is about; so does the example of
-docs/library.md."""
+"""Each script in docs/examples runs, and says or writes what it is about; so do those of
+docs/how-to/python.md."""
 
 import os
 import pathlib
@@ -78,15 +78,16 @@ class Examples(unittest.TestCase):
             self.assertIn(f'"{file.name}"', here)
             self.assertLess(len(file.read_text().splitlines()), 60, file.name)
 
-    def test_the_example_of_the_documentation(self):
-        text = (SOURCE / "docs" / "library.md").read_text()
-        code = re.findall(r"```python\n(.*?)```", text.split("## Python")[1], re.S)
-        self.assertTrue(code)
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "example.py"
-            file.write_text(code[0])
-            done = run(file, folder=folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
+    def test_the_examples_of_the_documentation(self):
+        text = (SOURCE / "docs" / "how-to" / "python.md").read_text()
+        examples = re.findall(r"```python\n(.*?)```", text, re.S)
+        self.assertTrue(examples)
+        for code in examples:
+            with tempfile.TemporaryDirectory() as folder:
+                file = pathlib.Path(folder) / "example.py"
+                file.write_text(code)
+                done = run(file, folder=folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
 
 
 if __name__ == "__main__":

@@ -16,14 +16,14 @@ import weakref
 import numpy as np
 
 import prehend
-from prehend import quality
+from prehend import files, planning, quality, results, robots
 
 FEW = 40  # candidates, where it does not matter how many
 
 
 def few_options(**fields):
     return prehend.PlanOptions(
-        search=prehend.SearchOptions(trials=FEW), **fields
+        search=prehend.options.SearchOptions(trials=FEW), **fields
     )
 
 
@@ -53,7 +53,7 @@ class Mug(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.scene = prehend.compile(prehend.load_scene("mug"))
+        cls.scene = prehend.compile_scene(prehend.load_scene("mug"))
         cls.result = prehend.plan(cls.scene, few_options())
 
     def test_the_program_writes_the_same_bytes(self):
@@ -65,7 +65,7 @@ class Mug(unittest.TestCase):
             )
             written = (pathlib.Path(folder) / "grasps.json").read_bytes()
         result = prehend.plan(prehend.load_scene("mug"))
-        self.assertEqual(prehend.grasps_json(result).encode(), written)
+        self.assertEqual(files.grasps_json(result).encode(), written)
 
     def test_arrays_have_the_shapes_they_are_said_to_have(self):
         result, n = self.result, len(self.result)
@@ -87,14 +87,14 @@ class Mug(unittest.TestCase):
         self.assertTrue(np.all(np.diff(result.epsilon) <= 0.0))
 
     def test_poses_are_those_of_the_grasps_file(self):
-        grasps = json.loads(prehend.grasps_json(self.result))["grasps"]
+        grasps = json.loads(files.grasps_json(self.result))["grasps"]
         for grasp, written in zip(self.result, grasps):
             position = written["X_object_hand"]["position"]
             np.testing.assert_array_equal(grasp.X_OH[:3, 3], position)
             self.assertEqual(grasp.epsilon, written["epsilon"])
 
     def test_returned_arrays_own_their_memory(self):
-        scene = prehend.compile(prehend.load_scene("mug"))
+        scene = prehend.compile_scene(prehend.load_scene("mug"))
         result = prehend.plan(scene, few_options())
         pose = result[0].X_OH
         vertices = scene.object.vertices
@@ -127,59 +127,59 @@ class Mug(unittest.TestCase):
 
     def test_threads_and_seed(self):
         one = prehend.plan(self.scene, few_options(), threads=1)
-        self.assertEqual(prehend.grasps_json(one), prehend.grasps_json(self.result))
+        self.assertEqual(files.grasps_json(one), files.grasps_json(self.result))
         seeded = prehend.plan(self.scene, few_options(), seed=7)
-        self.assertEqual(json.loads(prehend.grasps_json(seeded))["settings"]["seed"], 7)
+        self.assertEqual(json.loads(files.grasps_json(seeded))["settings"]["seed"], 7)
 
     def test_evaluate_and_run_trial_agree_with_plan(self):
         candidates = [grasp.candidate for grasp in self.result]
         again = prehend.evaluate(self.scene, candidates)
         np.testing.assert_array_equal(again.poses, self.result.poses)
         np.testing.assert_array_equal(again.epsilon, self.result.epsilon)
-        alone = prehend.run_trial(self.scene, candidates[0])
+        alone = planning.run_trial(self.scene, candidates[0])
         np.testing.assert_array_equal(alone.X_OH, self.result[0].X_OH)
         self.assertEqual(alone.epsilon, self.result[0].epsilon)
 
     def test_proposals_are_what_plan_tries(self):
-        proposals = prehend.propose_grasps(self.scene, count=FEW)
-        options = prehend.PlanOptions(search=prehend.SearchOptions(trials=FEW, follow=0.0))
+        proposals = planning.propose_grasps(self.scene, count=FEW)
+        options = prehend.PlanOptions(search=prehend.options.SearchOptions(trials=FEW, follow=0.0))
         np.testing.assert_array_equal(
             [one.X_OH for one in proposals.candidates],
             prehend.plan(self.scene, options).tried.poses,
         )
 
     def test_pictures_are_pixels(self):
-        picture = prehend.grasp_picture(self.result[0], size=(120, 90))
+        picture = files.grasp_picture(self.result[0], size=(120, 90))
         self.assertEqual((picture.shape, picture.dtype), ((90, 120, 3), np.uint8))
         self.assertGreater(len(np.unique(picture.reshape(-1, 3), axis=0)), 50)
-        self.assertTrue(prehend.png_bytes(picture).startswith(b"\x89PNG"))
+        self.assertTrue(files.png_bytes(picture).startswith(b"\x89PNG"))
 
     def test_files_are_written(self):
         with tempfile.TemporaryDirectory() as folder:
             for earlier in ("grasp_7.glb", "notes.txt"):
                 (pathlib.Path(folder) / earlier).write_text("of an earlier result")
-            names = prehend.write(self.result, folder, exports=["csv"])
+            names = prehend.write_grasps(self.result, folder, exports=["csv"])
             (pathlib.Path(folder) / "notes.txt").unlink()
             self.assertEqual(sorted(os.listdir(folder)), sorted(names))
             self.assertIn("report.html", names)
             text = (pathlib.Path(folder) / "grasps.json").read_text()
-        self.assertEqual(text, prehend.grasps_json(self.result))
+        self.assertEqual(text, files.grasps_json(self.result))
         with self.assertRaisesRegex(prehend.InputError, "csv"):
-            prehend.export_files(self.result, "docx")
+            files.export_files(self.result, "docx")
 
     def test_nothing_leaks(self):
         mesh = box_mesh(0.05, 0.05, 0.1)
         counts = None
         for _ in range(20):
             scene = prehend.make_scene(mesh)
-            compiled = prehend.compile(scene)
+            compiled = prehend.compile_scene(scene)
             contacts = quality.epsilon(self.result[0].contacts)
-            trial = prehend.run_trial(compiled, prehend.Candidate(moved(0, 0, -0.3), preshape="spread_0"))
+            trial = planning.run_trial(compiled, prehend.Candidate(moved(0, 0, -0.3), preshape="spread_0"))
             gone = weakref.ref(trial)
             del trial, contacts
             gc.collect()
             self.assertIsNone(gone())
-            now = [sys.getrefcount(part) for part in (*mesh, prehend.InputError, prehend.Trial)]
+            now = [sys.getrefcount(part) for part in (*mesh, prehend.InputError, results.Trial)]
             counts = counts or now
             self.assertEqual(now, counts)
 
@@ -187,7 +187,7 @@ class Mug(unittest.TestCase):
 class Cancelling(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.scene = prehend.compile(prehend.load_scene("mug"))
+        cls.scene = prehend.compile_scene(prehend.load_scene("mug"))
 
     def test_progress_is_reported_in_the_thread_that_called(self):
         seen = []
@@ -227,7 +227,7 @@ class Cancelling(unittest.TestCase):
         stop = prehend.Cancellation()
         stop.request()
         with self.assertRaises(prehend.Cancelled):
-            prehend.decompose(self.scene.object, cancellation=stop)
+            planning.decompose(self.scene.object, cancellation=stop)
 
     def test_a_signal_in_the_callback_raises_keyboard_interrupt(self):
         def interrupt(progress):
@@ -297,7 +297,7 @@ class Scenes(unittest.TestCase):
             np.testing.assert_allclose(scene.object.center_of_mass, 0.0, atol=1e-12)
             inertia = 0.2 / 12 * (0.05**2 + 0.06**2)
             self.assertAlmostEqual(scene.object.inertia[2, 2], inertia, places=12)
-            texts.add(prehend.grasps_json(prehend.plan(scene, few_options())))
+            texts.add(files.grasps_json(prehend.plan(scene, few_options())))
         # The last one has its triangles turned: the same grasps, not the same bytes of a mesh.
         self.assertLessEqual(len(texts), 2)
 
@@ -347,7 +347,7 @@ class Scenes(unittest.TestCase):
         self.assertIsNone(scene.platform)
         scene.mount("puma560_barrett")
         self.assertIsNotNone(scene.platform)
-        ready = prehend.compile(scene)
+        ready = prehend.compile_scene(scene)
         self.assertGreater(len(ready.robot.dofs), len(ready.hand.dofs))
         start = {name: 0.1 for name in ready.robot.dofs[:1]}
         scene.mount("puma560_barrett", start=start)
@@ -362,7 +362,7 @@ class Scenes(unittest.TestCase):
             again = prehend.load_scene(file)
         self.assertEqual(again.hand.name, scene.hand.name)
         np.testing.assert_array_equal(again.object.vertices, scene.object.vertices)
-        record = json.loads(prehend.grasps_json(prehend.plan(scene, few_options())))["scene"]
+        record = json.loads(files.grasps_json(prehend.plan(scene, few_options())))["scene"]
         self.assertEqual(record["file"], str(file))
 
     def test_too_large_an_object_is_a_status(self):
@@ -377,39 +377,39 @@ class Scenes(unittest.TestCase):
         result = prehend.plan(prehend.make_scene(box_mesh(0.12, 0.12, 0.12), hand="parallel_jaw"))
         self.assertEqual([one.hint for one in result.advice], ["other_hand"])
         self.assertIn("--hand parallel_jaw_wide, which opens to 140 mm", result.advice[0].words)
-        few = prehend.PlanOptions(search=prehend.SearchOptions(trials=5))
+        few = prehend.PlanOptions(search=prehend.options.SearchOptions(trials=5))
         held = prehend.plan(prehend.make_scene(box_mesh(0.05, 0.05, 0.1), hand="franka_hand"), few)
         self.assertEqual((held.advice, held.rules), ([], []))
 
     def test_decompositions_and_primitives(self):
-        found = prehend.decompose(box_mesh(0.05, 0.06, 0.12))
+        found = planning.decompose(box_mesh(0.05, 0.06, 0.12))
         self.assertEqual([one.shape for one in found.primitives], ["box"])
         np.testing.assert_allclose(sorted(found.primitives[0].size), [0.05, 0.06, 0.12], atol=2e-3)
-        sphere = prehend.Primitive("sphere", np.eye(4), radius=0.03)
+        sphere = planning.Primitive("sphere", np.eye(4), radius=0.03)
         scene = prehend.make_scene(box_mesh(0.05, 0.06, 0.12))
-        self.assertTrue(prehend.propose_grasps(scene, [sphere]).grasps)
+        self.assertTrue(planning.propose_grasps(scene, [sphere]).grasps)
         with self.assertRaisesRegex(prehend.InputError, "height"):
-            prehend.propose_grasps(scene, [prehend.Primitive("cylinder", np.eye(4), radius=0.03)])
+            planning.propose_grasps(scene, [planning.Primitive("cylinder", np.eye(4), radius=0.03)])
 
 
 class Kinematics(unittest.TestCase):
     def test_solutions_reach_the_target(self):
-        arm = prehend.find_robot("puma560")
+        arm = robots.find_robot("puma560")
         dofs = np.clip(np.linspace(-0.6, 0.7, len(arm.dofs)), *arm.dof_limits.T)
-        target = prehend.joint_poses(arm, prehend.joint_values(arm, dofs))[arm.tip_joint]
-        solutions = prehend.solve_all(arm, target)
+        target = robots.joint_poses(arm, robots.joint_values(arm, dofs))[arm.tip_joint]
+        solutions = robots.solve_all(arm, target)
         self.assertEqual(solutions.shape[1:], (len(arm.dofs),))
         self.assertGreater(len(solutions), 1)
-        for solution in [*solutions, prehend.solve_near(arm, target, dofs)]:
-            pose = prehend.joint_poses(arm, prehend.joint_values(arm, solution))[arm.tip_joint]
+        for solution in [*solutions, robots.solve_near(arm, target, dofs)]:
+            pose = robots.joint_poses(arm, robots.joint_values(arm, solution))[arm.tip_joint]
             np.testing.assert_allclose(pose, target, atol=1e-7)
-        self.assertIsNone(prehend.solve_near("puma560", moved(10.0, 0.0, 0.0)))
-        joint = prehend.IkTarget(target, joint=arm.joints[arm.tip_joint])
-        np.testing.assert_array_equal(prehend.solve_all(arm, [joint]), solutions)
+        self.assertIsNone(robots.solve_near("puma560", moved(10.0, 0.0, 0.0)))
+        joint = robots.IkTarget(target, joint=arm.joints[arm.tip_joint])
+        np.testing.assert_array_equal(robots.solve_all(arm, [joint]), solutions)
 
     def test_a_path_to_a_grasp(self):
-        scene = prehend.compile(prehend.load_scene("mug_on_table"))
-        options = few_options(paths=prehend.GraspPathOptions())
+        scene = prehend.compile_scene(prehend.load_scene("mug_on_table"))
+        options = few_options(paths=prehend.options.GraspPathOptions())
         options.search.trials = 150
         options.rank.top = 1
         result = prehend.plan(scene, options)
@@ -421,9 +421,9 @@ class Kinematics(unittest.TestCase):
         self.assertEqual(path.segments[-1].last, samples - 1)
         self.assertEqual(path.lift, "complete")
         self.assertEqual([s.name for s in path.segments[-2:]], ["lift", "retreat"])
-        bare = prehend.GraspPathOptions(lift=prehend.LiftOptions(height=0.0))
-        self.assertEqual(prehend.plan_grasp_path(result[0], bare).lift, "not_asked")
-        alone = prehend.plan_grasp_path(result[0])
+        bare = prehend.options.GraspPathOptions(lift=prehend.options.LiftOptions(height=0.0))
+        self.assertEqual(planning.plan_grasp_path(result[0], bare).lift, "not_asked")
+        alone = planning.plan_grasp_path(result[0])
         np.testing.assert_array_equal(alone.positions[0], path.positions[0])
 
 
@@ -527,7 +527,7 @@ class Errors(unittest.TestCase):
         self.refused("finite", prehend.make_scene, (vertices, faces))
 
     def test_names(self):
-        self.refused("barrett", prehend.find_robot, "no_such_hand")
+        self.refused("barrett", robots.find_robot, "no_such_hand")
         self.refused("mug", prehend.load_scene, "no_such_scene")
         self.refused("wood", prehend.make_scene, box_mesh(1, 1, 1), material="cheese")
         error = self.refused("mass", prehend.make_scene, box_mesh(1, 1, 1), mass=0.0)
@@ -539,7 +539,7 @@ class Errors(unittest.TestCase):
             self.refused("broken.json.*mass", prehend.load_scene, file)
 
     def test_candidates(self):
-        scene = prehend.compile(prehend.make_scene(box_mesh(0.05, 0.05, 0.1)))
+        scene = prehend.compile_scene(prehend.make_scene(box_mesh(0.05, 0.05, 0.1)))
         poses = np.array([np.eye(4), 2.0 * np.eye(4)])
         self.refused(r"poses\[1\]: not a rigid", prehend.evaluate, scene, poses, preshape="spread_0")
         self.refused(r"poses: .*\(N, 4, 4\)", prehend.evaluate, scene, np.eye(4))
@@ -552,11 +552,11 @@ class Errors(unittest.TestCase):
 
     def test_options(self):
         with self.assertRaisesRegex(TypeError, "no field tops.*same_angle"):
-            prehend.RankOptions(tops=3)
-        error = self.refused("RankOptions.top: must be at least 1", prehend.RankOptions, top=0)
+            prehend.options.RankOptions(tops=3)
+        error = self.refused("RankOptions.top: must be at least 1", prehend.options.RankOptions, top=0)
         self.assertEqual((error.field, error.value), ("RankOptions.top", "0"))
-        self.refused("NaN|nan|at least", prehend.RankOptions, same_angle=float("nan"))
-        self.refused("rrt_star", prehend.TransferOptions, planner="walk")
+        self.refused("NaN|nan|at least", prehend.options.RankOptions, same_angle=float("nan"))
+        self.refused("rrt_star", prehend.options.TransferOptions, planner="walk")
         self.refused("coarse", prehend.plan_options, "coarse")
         self.assertFalse(prehend.plan_options("draft").volumes)
         self.assertEqual(repr(prehend.plan_options()), repr(prehend.PlanOptions()))
@@ -564,7 +564,7 @@ class Errors(unittest.TestCase):
         self.refused("seed", prehend.plan, prehend.load_scene("mug"), seed=-1)
         self.refused("threads", prehend.plan, prehend.load_scene("mug"), threads=-1)
         self.refused(
-            "no arm", prehend.plan, prehend.load_scene("mug"), few_options(paths=prehend.GraspPathOptions())
+            "no arm", prehend.plan, prehend.load_scene("mug"), few_options(paths=prehend.options.GraspPathOptions())
         )
 
     def test_options_are_values(self):
@@ -575,7 +575,7 @@ class Errors(unittest.TestCase):
         self.assertTrue(options.trial.soft_fingers)
         self.assertEqual(options.rank.top, 10)
         self.assertIsNone(options.paths)
-        twin.paths = prehend.GraspPathOptions(alternatives=2)
+        twin.paths = prehend.options.GraspPathOptions(alternatives=2)
         self.assertEqual(twin.paths.alternatives, 2)
         self.assertIn("RankOptions(top=3, by='epsilon', pool=3.0, same_distance=0.01", repr(twin))
 

@@ -9,7 +9,11 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/scene/reach/reach.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/trial/approach_line.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/trial.h"
 #include "tests/support/library_scenes.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/live/protocol/endpoint.h"
+#include "planner/live/serve/endpoint.h"
 
 namespace prehend::test {
 

@@ -1,5 +1,6 @@
-// Degenerate grasps and grasps with extreme numbers, by name: the rows of docs/extremes.md. The
-// same on every platform, up to the rounding of its sine and cosine.
+// Degenerate grasps and grasps with extreme numbers, by name: the rows of
+// tests/sim/quality/oracle/extremes.md. The same on every platform, up to the rounding of its sine
+// and cosine.
 #pragma once
 
 #include <cmath>

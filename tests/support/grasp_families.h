@@ -38,8 +38,7 @@ inline Contacts random_grasp(Random& random, int n, double friction) {
 inline Contacts loose_grasp(Random& random, int n, double friction) {
   Contacts contacts;
   for (int i = 0; i < n; ++i) {
-    // One draw a statement: compilers evaluate arguments in different orders, and exact results of
-    // some of these grasps are on file (oracle/extremes.json).
+    // From z to x: exact results of some of these grasps are on file (oracle/extremes.json).
     Eigen::Vector3d p;
     for (const int axis : {2, 1, 0}) p[axis] = random.uniform(-1, 1);
     contacts.push_back({p, random.direction(), friction});
@@ -170,8 +169,8 @@ inline std::vector<NamedGrasp> grasp_families(std::uint64_t seed, int rounds) {
       return rotated(contacts, random.rotation());
     };
     add("random", random_grasp(random, random.integer(3, 10), friction));
-    add("random edges", random_grasp(random, random.integer(3, 6), friction),
-        random.integer(3, 13));
+    const Contacts few = random_grasp(random, random.integer(3, 6), friction);
+    add("random edges", few, random.integer(3, 13));
     add("loose", loose_grasp(random, random.integer(6, 14), friction));
     add("ring", turn(ring_grasp(random.integer(3, 8), friction)));
     add("ring aligned", ring_grasp(random.integer(3, 8), friction));

@@ -107,8 +107,8 @@ inline EpsilonVerdict judge_epsilon(const EpsilonBracket& claimed, const exact::
   const double upper = judged.upper.convert_to<double>();
   std::ostringstream words;
   words.precision(17);
-  words << "epsilon " << claimed.lower << " to " << claimed.upper << " ("
-        << epsilon_status_name(claimed.status) << "), exactly " << lower << " to " << upper;
+  words << "epsilon " << claimed.lower << " to " << claimed.upper << " (" << name_of(claimed.status)
+        << "), exactly " << lower << " to " << upper;
   const double thin = 1e-9 * size;
   if (!claimed.force_closure()) {
     if (lower > 2.0 * thin) verdict.fault = words.str();

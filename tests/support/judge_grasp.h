@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 #include "tests/support/judge_epsilon.h"
 #include "tests/support/second_opinion.h"
 
@@ -222,7 +224,7 @@ class GraspJudge {
     const bool may_be_soft = rubber && known_.options.soft_fingers;
     if (point.model == ContactModel::frictionless ||
         (point.model == ContactModel::soft_finger && !may_be_soft)) {
-      fault("friction", name + " is " + std::string(contact_model_name(point.model)));
+      fault("friction", name + " is " + std::string(name_of(point.model)));
     }
   }
 

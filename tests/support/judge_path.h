@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "tests/support/second_opinion.h"
 
 namespace prehend::test {

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
 #include "tests/support/judge_grasp.h"
 
 namespace prehend::test {
@@ -46,10 +47,10 @@ inline void judge_order(const PlanResult& result, const PlanOptions& options,
 // Every candidate was tried and has one outcome; what was blocked has somebody to blame.
 inline void judge_counts(const PlanResult& result, const PlanOptions& options,
                          std::vector<Fault>& faults) {
-  std::array<int, kOutcomes.size()> outcomes{};
+  EnumArray<Outcome, int> outcomes;
   int unblamed = 0;
   for (const Tried& tried : result.tried) {
-    ++outcomes[static_cast<std::size_t>(tried.outcome)];
+    ++outcomes[tried.outcome];
     const bool blocked = tried.outcome == Outcome::hand_blocked ||
                          tried.outcome == Outcome::approach_blocked ||
                          tried.outcome == Outcome::arm_blocked;
@@ -71,7 +72,7 @@ inline void judge_counts(const PlanResult& result, const PlanOptions& options,
     faults.push_back({"counts", "not complete"});
   }
   if ((result.status == PlanStatus::complete) == result.tried.empty()) {
-    faults.push_back({"counts", "status " + std::string(plan_status_name(result.status))});
+    faults.push_back({"counts", "status " + std::string(name_of(result.status))});
   }
 }
 

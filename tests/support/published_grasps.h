@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 
 namespace prehend::test {

@@ -11,6 +11,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/motion/require_world.h"
 #include "sim/motion/world.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/object_generator.h"
@@ -24,12 +25,19 @@ inline constexpr std::array<WorldKind, 5> kWorldKinds = {
 inline TriangleMesh random_shape(Random& random) {
   const auto size = [&] { return random.uniform(0.02, 0.12); };
   switch (random.index(8)) {
-    case 0:
-      return make_box({size(), size(), size()}, random.integer(1, 2));
-    case 1:
-      return make_cylinder(0.5 * size(), size(), random.integer(3, 24));
-    case 2:
-      return make_sphere(0.5 * size(), random.integer(0, 2));
+    case 0: {
+      const Vector3 sides{size(), size(), size()};
+      return make_box(sides, random.integer(1, 2));
+    }
+    case 1: {
+      const double radius = 0.5 * size();
+      const double height = size();
+      return make_cylinder(radius, height, random.integer(3, 24));
+    }
+    case 2: {
+      const double radius = 0.5 * size();
+      return make_sphere(radius, random.integer(0, 2));
+    }
     case 3:  // thin
       return make_box({size(), size(), random.uniform(0.001, 0.004)});
     case 4:  // long
@@ -64,8 +72,8 @@ inline WorldBody fixed_body(const std::string& name, const TriangleMesh& mesh, c
 class RandomWorld {
  public:
   RandomWorld(WorldKind kind, std::uint64_t seed) : random_(seed) {
-    for (const Material a : kMaterials) {
-      for (const Material b : kMaterials) friction(a, b);
+    for (const Material a : kAll<Material>) {
+      for (const Material b : kAll<Material>) friction(a, b);
     }
     switch (kind) {
       case WorldKind::pile:
@@ -94,8 +102,9 @@ class RandomWorld {
     WorldBody body = random_body(random_, "object", random_shape(random_));
     body.motion.X_WB = pose_from(random_.rotation(), hand.origin + preshape.depth * hand.approach) *
                        translation(-body.inertial.center_of_mass);
-    body.motion.linear =
-        -static_cast<double>(random_.index(2)) * random_.uniform(0.0, 20.0) * hand.approach;
+    const bool thrown = random_.index(2) == 1;
+    const double speed = random_.uniform(0.0, 20.0);
+    if (thrown) body.motion.linear = -speed * hand.approach;
     body.motion.angular = random_.in_box(20.0);
     world_.gravity.setZero();
     world_.bodies.push_back(std::move(body));
@@ -117,6 +126,13 @@ class RandomWorld {
   void ground() {
     world_.bodies.push_back(
         fixed_body("ground", make_box({2.0, 2.0, 0.05}), translation({0.0, 0.0, -0.025})));
+  }
+
+  // Turned at random about `place`, with a spin of at most `spin` about each axis [rad/s].
+  void add(const TriangleMesh& mesh, const Vector3& place, const Vector3& linear, double spin) {
+    const Pose X_WC = pose_from(random_.rotation(), place);
+    const Vector3 angular = random_.in_box(spin);
+    add(mesh, X_WC, linear, angular);
   }
 
   void add(const TriangleMesh& mesh, const Pose& X_WC, const Vector3& linear,
@@ -154,10 +170,9 @@ class RandomWorld {
     ground();
     const int count = random_.integer(3, 7);
     for (int i = 0; i < count; ++i) {
-      const Vector3 place(random_.uniform(-0.03, 0.03), random_.uniform(-0.03, 0.03),
-                          0.15 + 0.22 * i);
-      add(random_shape(random_), pose_from(random_.rotation(), place), Vector3::Zero(),
-          random_.in_box(5.0));
+      const double height = 0.15 + 0.22 * i;
+      const Vector3 place = random_.in_box({-0.03, -0.03, height}, {0.03, 0.03, height});
+      add(random_shape(random_), place, Vector3::Zero(), 5.0);
     }
   }
 
@@ -170,10 +185,9 @@ class RandomWorld {
     for (int i = 0; i < count; ++i) {
       const double speed = std::exp(random_.uniform(0.0, std::log(50.0)));
       const Vector3 place(-0.3 * i, random_.uniform(-0.02, 0.02), 0.4);
-      const Vector3 way =
-          (Vector3(1.0, 0.0, random_.uniform(-0.5, 0.2)) + 0.1 * random_.in_box(1.0)).normalized();
-      add(random_shape(random_), pose_from(random_.rotation(), place), speed * way,
-          random_.in_box(200.0));
+      const Vector3 ahead(1.0, 0.0, random_.uniform(-0.5, 0.2));
+      const Vector3 direction = (ahead + random_.in_box(0.1)).normalized();
+      add(random_shape(random_), place, speed * direction, 200.0);
     }
   }
 
@@ -186,10 +200,9 @@ class RandomWorld {
     for (int i = 0; i < count; ++i) {
       const double speed = std::exp(random_.uniform(0.0, std::log(50.0)));
       const Vector3 from = 0.35 * Vector3(std::cos(2.1 * i), std::sin(2.1 * i), 0.6);
-      add(make_box({random_.uniform(0.03, 0.15), random_.uniform(0.03, 0.15),
-                    random_.uniform(0.0006, 0.003)}),
-          pose_from(random_.rotation(), Vector3(from + Vector3(0.0, 0.0, 0.3))),
-          speed * (random_.in_box(0.05) - from).normalized(), random_.in_box(100.0));
+      const Vector3 size = random_.in_box({0.03, 0.03, 0.0006}, {0.15, 0.15, 0.003});
+      const Vector3 direction = (random_.in_box(0.05) - from).normalized();
+      add(make_box(size), from + Vector3(0.0, 0.0, 0.3), speed * direction, 100.0);
     }
   }
 
@@ -204,10 +217,10 @@ class RandomWorld {
       const TriangleMesh mesh = random_.index(2) == 0
                                     ? make_box({size, random_.uniform(0.005, 0.02), 0.015})
                                     : make_sphere(0.5 * size, random_.integer(0, 2));
-      const Vector3 place(random_.uniform(-0.02, 0.02), random_.uniform(-0.02, 0.02),
-                          0.25 + 0.1 * i);
-      add(mesh, pose_from(random_.rotation(), place),
-          Vector3(0.0, 0.0, -random_.uniform(0.0, 10.0)), random_.in_box(20.0));
+      const double height = 0.25 + 0.1 * i;
+      const Vector3 place = random_.in_box({-0.02, -0.02, height}, {0.02, 0.02, height});
+      const Vector3 fall(0.0, 0.0, -random_.uniform(0.0, 10.0));
+      add(mesh, place, fall, 20.0);
     }
   }
 

@@ -1,4 +1,5 @@
-// Invalid grasps and the messages with which they are refused: the last table of docs/extremes.md.
+// Invalid grasps and the messages with which they are refused: the last table of
+// tests/sim/quality/oracle/extremes.md.
 #pragma once
 
 #include <limits>

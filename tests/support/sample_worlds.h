@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/motion/step_options.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/shape/basic_shapes.h"
 

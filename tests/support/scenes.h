@@ -11,6 +11,7 @@
 #include "sim/scene/compiled_scene.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/trial/trial.h"
+#include "sim/trial/trial_options.h"
 #include "tests/support/brute_force.h"
 
 namespace prehend::test {

@@ -114,8 +114,8 @@ test('what shaking showed is a table of its tests', async () => {
 test('a simulation plays what happened, with the forces on the object', async () => {
   const simulated = run('simulate', 'wine_glass_on_its_side', '--seconds', '1.2');
   const report = await OpenReport.open(browser, simulated);
-  const happened = await report.text('#happened');
-  assert.ok(happened.includes('the hand grips it from opposite sides'), happened);
+  const events = await report.text('#event-list');
+  assert.ok(events.includes('the hand grips it from opposite sides'), events);
   assert.ok((await report.text('#summary')).includes('from opposite sides'));
   const held = await report.picture('#scene');
   await report.page.locator('input[data-layer="forces"]').uncheck();

@@ -314,6 +314,32 @@ test('a phone shows it all, without scrolling sideways', async () => {
   }, {viewport: {width: 390, height: 844}});
 });
 
+test('what fails once, or is asked for before there is a session, blocks nothing', async () => {
+  await inStudio(['mug'], async (page) => {
+    const found = await page.page.evaluate(async () => {
+      const report = window.reportError;
+      const reported = [];
+      window.reportError = (error) => reported.push(error.message);
+      const done = [];
+      const coalescer = new Coalescer(async (name) => {
+        if (name === 'bad') throw new Error('not this one');
+        done.push(name);
+      });
+      await Promise.all([coalescer.ask('bad'), coalescer.ask('good')]);
+      const {live, grasp} = window.studio;
+      const {state} = live;
+      live.state = null;
+      await grasp.judge.ask();
+      live.state = state;
+      window.reportError = report;
+      return {done, reported, busy: coalescer.busy || grasp.judge.busy};
+    });
+    assert.deepEqual(found, {done: ['good'], reported: ['not this one'], busy: false});
+    await page.click('#load-weight');
+    assert.notEqual(await page.text('#forces'), '');
+  });
+});
+
 test('the tape measures, and the picture is one', async () => {
   await inStudio(['mug'], async (page) => {
     await page.click('#tape');

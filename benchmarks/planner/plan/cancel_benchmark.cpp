@@ -22,6 +22,7 @@
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Grasps at the ends of what numbers can say: epsilon_l1 beside exact arithmetic, as Markdown.
-//   extremes ORACLE.json   the tables of docs/extremes.md
+//   extremes ORACLE.json   the tables of tests/sim/quality/oracle/extremes.md
 //   extremes columns       the wrenches, for tests/sim/quality/oracle/exact_hull
 #include <algorithm>
 #include <cmath>

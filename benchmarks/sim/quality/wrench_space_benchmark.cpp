@@ -1,5 +1,6 @@
-// The tables of docs/accuracy.md: what epsilon of the other wrench spaces costs and how narrow its
-// bracket is, and how far pyramids are below exact cones. By family, grasps that hold.
+// The tables of benchmarks/results/wrench_spaces.md: what epsilon of the other wrench spaces costs
+// and how narrow its bracket is, and how far pyramids are below exact cones. By family, grasps that
+// hold.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

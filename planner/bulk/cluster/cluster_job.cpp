@@ -155,14 +155,8 @@ std::string parallel_script(const ClusterJob& job) {
 
 }  // namespace
 
-const char* engine_name(ClusterEngine engine) {
-  return engine == ClusterEngine::slurm ? "slurm" : "parallel";
-}
-
 ClusterEngine engine_named(const std::string& name) {
-  for (const ClusterEngine engine : {ClusterEngine::slurm, ClusterEngine::parallel}) {
-    if (name == engine_name(engine)) return engine;
-  }
+  if (const auto engine = value_named<ClusterEngine>(name)) return *engine;
   throw InputError({.field = "engine", .problem = "must be slurm or parallel", .value = name});
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/named_enum.h"
+
 namespace prehend {
 
 // What hands the shards of a batch to processors.
@@ -14,8 +16,9 @@ enum class ClusterEngine {
   parallel,  // GNU parallel, on this machine or over ssh
 };
 
-// "slurm", "parallel".
-const char* engine_name(ClusterEngine engine);
+constexpr auto enum_names(ClusterEngine /*of*/) {
+  return std::to_array<std::string_view>({"slurm", "parallel"});
+}
 // Throws InputError for any other name.
 ClusterEngine engine_named(const std::string& name);
 

@@ -11,6 +11,7 @@
 #include "planner/bulk/cluster/slurm_queue.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/output_file.h"
 
 namespace prehend {
@@ -181,7 +182,7 @@ std::string status_text(const JobStatus& status) {
   text += status.is_alive ? ": " : " has ended: ";
   std::string counts;
   for (const auto& [state, count] : status.shards) {
-    counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " + state;
+    add_part(counts, std::to_string(count) + " " + state);
   }
   text += (counts.empty() ? "nothing is known of its shards any more" : counts) + " of " +
           std::to_string(status.job.shards) + " shards";

@@ -70,7 +70,7 @@ std::filesystem::path job_file(const std::filesystem::path& out) { return out / 
 void write_submitted_job(const SubmittedJob& submitted, const ClusterJob& job) {
   nlohmann::ordered_json json;
   json["format"] = kFormat;
-  json["engine"] = engine_name(submitted.engine);
+  json["engine"] = name_of(submitted.engine);
   json["shards"] = submitted.shards;
   if (submitted.engine == ClusterEngine::slurm) json["ids"] = submitted.ids;
   if (submitted.process) json["process"] = process_json(*submitted.process);

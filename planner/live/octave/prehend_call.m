@@ -1,5 +1,5 @@
 function result = prehend_call (c, command, fields)
-% PREHEND_CALL  Has prehend carry out a command of its protocol (docs/protocol.md).
+% PREHEND_CALL  Has prehend carry out a command of its protocol (docs/reference/protocol.md).
 %   result = PREHEND_CALL (C, COMMAND) sends a command without fields over the connection C of
 %   PREHEND_CONNECT and waits for what it replies.
 %   result = PREHEND_CALL (C, COMMAND, FIELDS) sends the fields of a struct with it:

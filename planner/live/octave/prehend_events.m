@@ -1,5 +1,5 @@
 function events = prehend_events (c, seconds)
-% PREHEND_EVENTS  The events of a live session of prehend (docs/protocol.md).
+% PREHEND_EVENTS  The events of a live session of prehend (docs/reference/protocol.md).
 %   events = PREHEND_EVENTS (C) is a cell array of the events that have come over the connection C
 %   since they were asked for last, in their order, each a struct whose field 'event' says what it
 %   is.

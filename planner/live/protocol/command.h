@@ -31,7 +31,7 @@ struct CommandField {
   std::string_view name;
   FieldType type = FieldType::number;
   bool required = false;
-  std::string_view meaning = {};  // with unit and frame
+  std::string meaning = {};  // with unit and frame
 };
 
 // What a command may do.

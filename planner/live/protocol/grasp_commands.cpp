@@ -25,7 +25,7 @@ ProtocolJson grasp_refine(const CommandScope& scope, const JsonField& request) {
           {"epsilon_before", refined.before},
           {"epsilon", refined.after},
           {"trials", refined.trials},
-          {"outcome", outcome_name(outcome.value_or(Outcome::stable))},
+          {"outcome", name_of(outcome.value_or(Outcome::stable))},
           {"hand", hand_json(scope.session)}};
 }
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "planner/live/protocol/endpoint.h"
+#include "planner/live/serve/endpoint.h"
 
 namespace prehend {
 

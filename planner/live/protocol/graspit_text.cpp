@@ -13,6 +13,7 @@
 #include "sim/base/input_error.h"
 #include "sim/motion/solids.h"
 #include "sim/robot/robot.h"
+#include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
 namespace {

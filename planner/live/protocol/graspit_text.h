@@ -1,4 +1,5 @@
-// GraspIt!'s text protocol on a session (docs/graspit-protocol.md): a line of words in, lines out.
+// GraspIt!'s text protocol on a session (docs/reference/graspit-protocol.md): a line of words in,
+// lines out.
 #pragma once
 
 #include <string>

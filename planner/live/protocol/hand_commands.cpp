@@ -1,6 +1,7 @@
 #include "planner/live/protocol/command.h"
 #include "planner/live/protocol/session_json.h"
 #include "sim/base/index.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
 
 // The commands that move the hand, and those that undo.
@@ -29,7 +30,7 @@ std::size_t dof_named(const JsonField& field, const Robot& hand) {
   std::string known;
   for (std::size_t d = 0; d < hand.dofs.size(); ++d) {
     if (hand.dofs[d].name == name) return d;
-    known += (known.empty() ? "" : ", ") + hand.dofs[d].name;
+    add_part(known, hand.dofs[d].name);
   }
   field.fail("must be one of " + known);
 }
@@ -73,11 +74,11 @@ ProtocolJson auto_grasp(const CommandScope& scope, const JsonField& /*request*/)
   const Session& session = scope.session;
   const Trial trial = scope.session.auto_grasp();
   const CollisionNames colliding = collision_of(session.state().world->compiled(), trial);
-  ProtocolJson json{{"outcome", outcome_name(trial.outcome)},
+  ProtocolJson json{{"outcome", name_of(trial.outcome)},
                     {"epsilon",
                      {{"lower", trial.epsilon.lower},
                       {"upper", trial.epsilon.upper},
-                      {"status", epsilon_status_name(trial.epsilon.status)}}},
+                      {"status", name_of(trial.epsilon.status)}}},
                     {"contacts", contacts_json(session, trial.contacts)},
                     {"hand", hand_json(session)}};
   json["blocked"] = colliding.by.empty()

@@ -27,11 +27,11 @@ ProtocolJson quality_of(const CommandScope& scope, const JsonField& request) {
   if (limited) {
     limit = {{"link", judged.limiting_link}, {"epsilon_without", judged.epsilon_without}};
   }
-  ProtocolJson json{{"outcome", outcome_name(judged.outcome)},
+  ProtocolJson json{{"outcome", name_of(judged.outcome)},
                     {"epsilon",
                      {{"lower", judged.epsilon.lower},
                       {"upper", judged.epsilon.upper},
-                      {"status", epsilon_status_name(judged.epsilon.status)}}},
+                      {"status", name_of(judged.epsilon.status)}}},
                     {"volume", judged.volume},
                     {"weakest_wrench", scaled_wrench_json(judged.epsilon.weakest)},
                     {"torque_scale", frame.torque_scale},
@@ -52,7 +52,7 @@ ProtocolJson forces_of(const CommandScope& scope, const JsonField& request) {
   const bool limits = request.has("drive_limits") && request["drive_limits"].boolean();
   const ContactForces found =
       scope.session.forces(vector_or_zero("force_object"), vector_or_zero("torque_object"), limits);
-  ProtocolJson json{{"outcome", force_outcome_name(found.outcome)},
+  ProtocolJson json{{"outcome", name_of(found.outcome)},
                     {"largest_normal", found.largest_normal},
                     {"sum_of_normals", found.sum_of_normals},
                     {"residual", found.residual},

@@ -1,6 +1,7 @@
 #include "planner/live/protocol/command.h"
 #include "planner/live/protocol/session_json.h"
 #include "sim/base/index.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
 
 // The commands that move the object, obstacles and the arm, as hands drag them.
@@ -8,7 +9,7 @@ namespace prehend {
 namespace {
 
 ProtocolJson body_motion_json(const BodyMotion& motion, std::string_view pose) {
-  ProtocolJson json{{"end", motion_end_name(motion.end)},
+  ProtocolJson json{{"end", name_of(motion.end)},
                     {"share", motion.share},
                     {"touches", text_or_null(motion.touches)}};
   json[std::string(pose)] = pose_to_json(motion.X_WB);
@@ -60,7 +61,7 @@ std::size_t arm_joint_named(const JsonField& field, const CompiledArm& arm) {
   for (std::size_t i = 0; i < arm.dofs.size(); ++i) {
     const std::string& own = arm.robot().dofs[index(arm.dofs[i])].name;
     if (own == name) return i;
-    known += (known.empty() ? "" : ", ") + own;
+    add_part(known, own);
   }
   field.fail("must be one of " + known);
 }
@@ -78,7 +79,7 @@ ProtocolJson arm_joints_set(const CommandScope& scope, const JsonField& request)
     values[j] = request["value"].number();
   }
   const ArmMotion motion = session.set_arm(values, gesture_of(request));
-  ProtocolJson json{{"end", motion_end_name(motion.end)}, {"share", motion.share}};
+  ProtocolJson json{{"end", name_of(motion.end)}, {"share", motion.share}};
   json["link"] = text_or_null(motion.link);
   json["by"] = text_or_null(motion.by);
   json["hand"] = hand_json(session);

@@ -31,7 +31,7 @@ ProtocolJson joint_names(const EditedScene& world) {
 
 ProtocolJson path_json(const PlannedPath& path) {
   const GraspPlayback& played = path.playback;
-  ProtocolJson json{{"status", path_end_name(played.found ? PathEnd::found : PathEnd::not_found)}};
+  ProtocolJson json{{"status", name_of(played.found ? PathEnd::found : PathEnd::not_found)}};
   json["problem"] = played.found ? ProtocolJson() : ProtocolJson(played.problem);
   json["joints"] = joint_names(*path.world);
   json["samples"] = ProtocolJson::array();
@@ -49,7 +49,7 @@ ProtocolJson path_json(const PlannedPath& path) {
     json["segments"].push_back(
         {{"name", segment.name}, {"first", segment.first}, {"last", segment.last}});
   }
-  json["lift"] = lift_end_name(played.lift);
+  json["lift"] = name_of(played.lift);
   return json;
 }
 

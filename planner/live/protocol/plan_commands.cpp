@@ -6,6 +6,7 @@
 #include "planner/show/exports/export_files.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 
 // The commands of plans, and of what is kept to be compared.
 namespace prehend {
@@ -26,7 +27,7 @@ PlanOptions options_of_plan(const JsonField& request) {
   PlanOptions options;
   if (request.has("accuracy")) {
     const JsonField field = request["accuracy"];
-    const std::optional<Accuracy> accuracy = accuracy_named(field.text());
+    const std::optional<Accuracy> accuracy = value_named<Accuracy>(field.text());
     if (!accuracy) field.fail("must be one of draft, standard, fine");
     options = plan_options(*accuracy);
   }
@@ -72,7 +73,7 @@ ProtocolJson plan_results(const CommandScope& scope, const JsonField& request) {
     grasp["path"] = duration_of_path(results->grasps[i]);
     list.push_back(std::move(grasp));
   }
-  return {{"status", results ? ProtocolJson(plan_status_name(results->status)) : ProtocolJson()},
+  return {{"status", results ? ProtocolJson(name_of(results->status)) : ProtocolJson()},
           {"size", size},
           {"grasps", list}};
 }
@@ -83,6 +84,22 @@ ProtocolJson plan_go(const CommandScope& scope, const JsonField& request) {
   return {{"hand", hand_json(scope.session)}};
 }
 
+// The formats that can be sent: a message is text.
+std::vector<std::string_view> text_formats() {
+  std::vector<std::string_view> names = {"json"};
+  for (const ExportFormat& format : export_formats()) {
+    if (format.is_text) names.push_back(format.name);
+  }
+  return names;
+}
+
+// "a, b or c".
+std::string one_of(std::vector<std::string_view> names) {
+  const std::string last(names.back());
+  names.pop_back();
+  return joined(names) + " or " + last;
+}
+
 ProtocolJson plan_export(const CommandScope& scope, const JsonField& request) {
   const std::string format = request.has("format") ? request["format"].text() : "json";
   ProtocolJson files = ProtocolJson::array();
@@ -91,8 +108,9 @@ ProtocolJson plan_export(const CommandScope& scope, const JsonField& request) {
     files.push_back({{"name", "grasps.json"}, {"text", own}});
     return {{"files", files}};
   }
-  // A message is text; glTF files are bytes.
-  if (format == "gltf") request["format"].fail("cannot be sent as text");
+  for (const ExportFormat& known : export_formats()) {
+    if (known.name == format && !known.is_text) request["format"].fail("cannot be sent as text");
+  }
   const SessionState& state = scope.session.state();
   const std::vector<ExportFile> made = with_field_errors(request["format"], [&] {
     return export_files(state.world->compiled(), *state.results, format);
@@ -159,7 +177,7 @@ std::vector<Command> of_plans() {
           {"plan.export",
            CommandKind::query,
            "The results as files.",
-           {{"format", FieldType::text, false, "json, csv, isaac, moveit or mjcf; json"}},
+           {{"format", FieldType::text, false, one_of(text_formats()) + "; json"}},
            "`files`, each with `name` and `text`",
            plan_export}};
 }

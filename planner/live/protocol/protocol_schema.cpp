@@ -36,26 +36,6 @@ Json type_schema(FieldType type) {
   return {{"$ref", "#/$defs/pose"}};
 }
 
-std::string_view type_text(FieldType type) {
-  switch (type) {
-    case FieldType::number:
-      return "number";
-    case FieldType::integer:
-      return "integer";
-    case FieldType::boolean:
-      return "boolean";
-    case FieldType::text:
-      return "text";
-    case FieldType::vector3:
-      return "three numbers";
-    case FieldType::numbers:
-      return "numbers";
-    case FieldType::pose:
-      break;
-  }
-  return "pose";
-}
-
 Json request_schema(const Command& command) {
   Json properties{{"id", {{"$ref", "#/$defs/id"}}}, {"command", {{"const", command.name}}}};
   Json required = Json::array({"command"});
@@ -96,6 +76,19 @@ Json event_schema() {
           {"required", {"event"}}};
 }
 
+// What commands reply that change something; the document says it once.
+constexpr std::string_view kState = "the state, as of `state`";
+
+// The command's fields, those that it needs in bold.
+std::string field_names(const Command& command) {
+  std::string names;
+  for (const CommandField& field : command.fields) {
+    const std::string mark = field.required ? "**" : "";
+    names += (names.empty() ? "" : ", ") + mark + "`" + std::string(field.name) + "`" + mark;
+  }
+  return names;
+}
+
 }  // namespace
 
 std::string protocol_schema() {
@@ -122,19 +115,15 @@ std::string protocol_schema() {
 
 std::string protocol_reference() {
   std::ostringstream text;
+  text << "Fields in bold are needed. Commands with * are refused while a plan runs. Where no "
+          "reply is "
+          "named, it is "
+       << kState << ".\n\n| command | fields | what it does |\n|---|---|---|\n";
   for (const Command& command : commands()) {
-    if (&command != commands().data()) text << "\n";
-    text << "### `" << command.name << "`\n\n" << command.summary << "\n\n";
-    if (!command.fields.empty()) {
-      text << "| field | type | needed | meaning |\n|---|---|---|---|\n";
-      for (const CommandField& field : command.fields) {
-        text << "| `" << field.name << "` | " << type_text(field.type) << " | "
-             << (field.required ? "yes" : "") << " | " << field.meaning << " |\n";
-      }
-      text << "\n";
-    }
-    text << "Replies " << command.result << "."
-         << (command.kind == CommandKind::world ? " Refused while a plan runs." : "") << "\n";
+    text << "| `" << command.name << "`" << (command.kind == CommandKind::world ? " *" : "")
+         << " | " << field_names(command) << " | " << command.summary;
+    if (command.result != kState) text << " Replies " << command.result << ".";
+    text << " |\n";
   }
   return text.str();
 }

@@ -5,10 +5,10 @@
 
 namespace prehend {
 
-// docs/protocol.schema.json: a JSON schema (draft 2020-12) of requests, replies and events.
+// docs/reference/protocol.schema.json: a JSON schema (draft 2020-12) of requests, replies and events.
 std::string protocol_schema();
 
-// The part of docs/protocol.md that lists all commands with their fields.
+// The part of docs/reference/protocol.md that lists all commands with their fields.
 std::string protocol_reference();
 
 }  // namespace prehend

@@ -119,14 +119,13 @@ ProtocolJson SessionEndpoint::end_plan() {
   const std::string results = session_.finish_plan();
   if (record_) record_(recorded_end_of_plan(results));
   const PlanResult& kept = *session_.state().results;
-  return {
-      {"event", "plan"}, {"status", plan_status_name(kept.status)}, {"size", kept.grasps.size()}};
+  return {{"event", "plan"}, {"status", name_of(kept.status)}, {"size", kept.grasps.size()}};
 }
 
 ProtocolJson SessionEndpoint::end_path() {
   const PathEnd end = session_.finish_path();
   if (record_) record_(recorded_end_of_path(end));
-  return {{"event", "path"}, {"status", path_end_name(end)}};
+  return {{"event", "path"}, {"status", name_of(end)}};
 }
 
 void SessionEndpoint::send_to(ClientId client, const std::string& text) {
@@ -150,7 +149,7 @@ PlanListener SessionEndpoint::listener() {
   PlanListener listener;
   listener.progress = [this](const Progress& progress) {
     send_all(message_text({{"event", "progress"},
-                           {"stage", stage_name(progress.stage)},
+                           {"stage", name_of(progress.stage)},
                            {"done", progress.done},
                            {"total", progress.total},
                            {"stable", progress.stable}}));

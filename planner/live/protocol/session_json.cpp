@@ -10,7 +10,7 @@ ProtocolJson object_of(const EditedScene& world) {
   const Scene& scene = world.scene();
   if (scene.object.mesh.empty()) return nullptr;
   return {{"name", scene.object.name},
-          {"material", material_name(scene.object.material)},
+          {"material", name_of(scene.object.material)},
           {"mass", scene.object.mass},
           {"X_world_object", pose_to_json(scene.object.X_WO)},
           {"triangles", scene.object.mesh.triangles.size()},
@@ -22,7 +22,7 @@ ProtocolJson obstacles_of(const EditedScene& world) {
   for (std::size_t b = 0; b < world.scene().obstacles.size(); ++b) {
     const StaticBody& body = world.scene().obstacles[b];
     list.push_back({{"name", body.name},
-                    {"material", material_name(body.material)},
+                    {"material", name_of(body.material)},
                     {"X_world_body", pose_to_json(body.X_WB)},
                     {"surface", world.surfaces().obstacles[b]}});
   }
@@ -105,7 +105,7 @@ ProtocolJson state_json(const Session& session) {
   json["robots"] = state.world->surfaces().robots;
   json["hand"] = hand_json(session);
   json["arm"] = arm_json(session);
-  json["outcome"] = state.outcome ? ProtocolJson(outcome_name(*state.outcome)) : ProtocolJson();
+  json["outcome"] = state.outcome ? ProtocolJson(name_of(*state.outcome)) : ProtocolJson();
   json["switches"] = {{"stop_at_contact", state.switches.stop_at_contact},
                       {"soft_fingers", state.switches.soft_fingers}};
   json["time"] = time_of(session);
@@ -119,7 +119,7 @@ ProtocolJson state_json(const Session& session) {
 }
 
 ProtocolJson motion_json(const Session& session, const HandMotion& motion) {
-  return {{"end", motion_end_name(motion.end)},
+  return {{"end", name_of(motion.end)},
           {"share", motion.share},
           {"link", text_or_null(motion.link)},
           {"by", text_or_null(motion.by)},
@@ -135,7 +135,7 @@ ProtocolJson contacts_json(const Session& session, const std::vector<GraspContac
                     {"normal_object", vector_to_json(contact.point.normal)},
                     {"position_world", vector_to_json(world.X_WO() * contact.point.position)},
                     {"normal_world", vector_to_json(world.X_WO().linear() * contact.point.normal)},
-                    {"model", contact_model_name(contact.point.model)},
+                    {"model", name_of(contact.point.model)},
                     {"friction", contact.point.friction},
                     {"torsion", contact.point.torsion},
                     {"gap", contact.gap}});
@@ -149,7 +149,7 @@ ProtocolJson scaled_wrench_json(const Wrench& wrench) {
 }
 
 ProtocolJson found_json(const Trial& trial) {
-  return {{"outcome", outcome_name(trial.outcome)},
+  return {{"outcome", name_of(trial.outcome)},
           {"epsilon", trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0},
           {"X_object_hand", pose_to_json(hand_in_scene(trial))},
           {"dofs", trial.dofs},

@@ -61,7 +61,7 @@ ProtocolJson time_step(const CommandScope& scope, const JsonField& request) {
   MovingWorld& moving = scope.session.moving();
   const StepOutcome outcome = moving.advance(request["seconds"].number());
   ProtocolJson json = moment_json(moving);
-  json["outcome"] = step_outcome_name(outcome);
+  json["outcome"] = name_of(outcome);
   return json;
 }
 

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "planner/live/protocol/endpoint.h"
+#include "planner/live/serve/endpoint.h"
 #include "planner/live/serve/outbox.h"
 
 namespace prehend {

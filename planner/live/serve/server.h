@@ -1,5 +1,5 @@
 // Carries messages between clients and an Endpoint: over WebSocket for pages in browsers, and as
-// lines of text over TCP for other programs (docs/serve.md).
+// lines of text over TCP for other programs (docs/reference/serve.md).
 #pragma once
 
 #include <cstddef>

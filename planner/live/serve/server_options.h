@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/live/protocol/endpoint.h"
+#include "planner/live/serve/endpoint.h"
 #include "planner/live/serve/http_rules.h"
 
 namespace prehend {

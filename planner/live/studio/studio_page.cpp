@@ -1,7 +1,9 @@
 #include "planner/live/studio/studio_page.h"
 
+#include "planner/show/exports/export_files.h"
 #include "planner/show/page/page_text.h"
 #include "planner/show/report/palette_json.h"
+#include "sim/base/gravity.h"
 
 namespace prehend {
 
@@ -9,8 +11,22 @@ namespace prehend {
 // (planner/show/page/page.cmake).
 std::string_view studio_source();
 
+namespace {
+
+// What results can be saved as: name and what it is. The protocol sends text.
+nlohmann::ordered_json formats_json() {
+  nlohmann::ordered_json formats = {{{"name", "json"}, {"summary", "All that is known of them."}}};
+  for (const ExportFormat& format : export_formats()) {
+    if (format.is_text) formats.push_back({{"name", format.name}, {"summary", format.summary}});
+  }
+  return formats;
+}
+
+}  // namespace
+
 StudioPage studio_page(std::string_view nonce) {
-  const nlohmann::ordered_json data{{"palette", palette_json()}};
+  const nlohmann::ordered_json data{
+      {"palette", palette_json()}, {"formats", formats_json()}, {"gravity", kStandardGravity}};
   const std::string own = "'nonce-" + std::string(nonce) + "'";
   return {page_with(page_with_data(studio_source(), data.dump()), "nonce", nonce),
           "default-src 'none'; script-src " + own + "; style-src " + own +

@@ -1,5 +1,5 @@
 // The page of a live session, which a server gives to browsers. All that it shows and does goes
-// over the protocol (docs/protocol.md).
+// over the protocol (docs/reference/protocol.md).
 #pragma once
 
 #include <string>

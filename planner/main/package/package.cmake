@@ -52,7 +52,10 @@ prehend_install_headers(quality sim/quality/quality.h)
 prehend_install_component(quality)
 
 install(TARGETS prehend_shared EXPORT prehend_prehend COMPONENT prehend)
-install(TARGETS prehend COMPONENT prehend)
+install(TARGETS ${prehend_programs} COMPONENT prehend)
+install(FILES planner/main/package/prehend.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT prehend)
+install(FILES planner/main/package/completion.bash RENAME prehend
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT prehend)
 install(DIRECTORY robots DESTINATION ${CMAKE_INSTALL_DATADIR}/prehend COMPONENT prehend)
 install(DIRECTORY benchmarks/scenes benchmarks/protocols DESTINATION ${CMAKE_INSTALL_DATADIR}/prehend COMPONENT prehend)
 prehend_install_headers(prehend planner/prehend.h)

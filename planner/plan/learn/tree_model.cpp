@@ -8,6 +8,7 @@
 #include "planner/plan/learn/grasp_features.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 
 namespace prehend {
 namespace {
@@ -106,8 +107,7 @@ void require_fit(const TreeModel& model, const std::string& hand) {
     throw InputError({.field = "features", .problem = "are not the features of this version"});
   }
   if (model.any_hand || std::count(model.hands.begin(), model.hands.end(), hand) > 0) return;
-  std::string known;
-  for (const std::string& name : model.hands) known += (known.empty() ? "" : ", ") + name;
+  const std::string known = joined(model.hands);
   throw InputError({.field = "hands",
                     .problem = "was trained for other hands (" + known + "), not for any",
                     .value = hand});

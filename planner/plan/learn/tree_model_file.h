@@ -1,4 +1,4 @@
-// Files of tree models (docs/learning.md).
+// Files of tree models (docs/how-to/learning.md).
 #pragma once
 
 #include <filesystem>

@@ -7,7 +7,9 @@
 #include "planner/plan/path/lift_object.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 #include "sim/motion/control/cubic_peaks.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/carried_object.h"
 
 namespace prehend {
@@ -262,6 +264,7 @@ bool PathCheck::ok() const {
 
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
                      const PathCheckOptions& options, const RunContext& context) {
+  require_settings(options);
   const CompiledArm& arm = *scene.arm;
   const std::size_t last = path.times.size() - 1;
   const auto lift = std::find_if(path.segments.begin(), path.segments.end(),

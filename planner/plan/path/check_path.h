@@ -27,13 +27,16 @@ struct PathCheck {
 };
 
 struct PathCheckOptions {
-  double step = 2e-3;  // longest motion of any point of a link between two postures [m]
+  static constexpr AboutSettings kAbout{"PathCheckOptions",
+                                        "The independent check of a finished path."};
+  double step = 2e-3;
 };
 
 template <SettingsOf<PathCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [step] = options;
-  visit("step", step, kAbove0);
+  visit("step", step, kAbove0, "m",
+        "Longest motion of any point of a link between two postures that are checked.");
 }
 
 // Tests postures along the cubics between the samples of `path` (joints of scene.arm), so densely

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "planner/plan/path/closing_path.h"
+#include "sim/scene/reach/reach.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "sim/motion/control/trajectory.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

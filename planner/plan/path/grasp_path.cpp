@@ -7,6 +7,8 @@
 #include "planner/plan/path/blend_transfer.h"
 #include "planner/plan/path/closing_path.h"
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {
@@ -187,6 +189,7 @@ class GraspPathPlanner {
 std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
                                          const Trial& trial, const GraspPathOptions& options,
                                          const RunContext& context) {
+  require_settings(options);
   return GraspPathPlanner(scene, candidate, trial, options, context).plan();
 }
 

@@ -6,32 +6,36 @@
 #include "planner/plan/path/check_path.h"
 #include "planner/plan/path/lift_object.h"
 #include "planner/plan/path/plan_transfer.h"
+#include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
 
 struct GraspPathOptions {
+  static constexpr AboutSettings kAbout{"GraspPathOptions", "The whole path of an arm to a grasp."};
   ReachOptions reach;
   TransferOptions transfer;
   TimePathOptions timing;
-  // How many arm postures at the pre-grasp are tried (>= 1): first that of the trial, where it has
-  // an arm_line, then other inverse kinematics solutions, nearest to the start first.
+  // First comes the posture of the trial, where it has an arm_line, then other inverse kinematics
+  // solutions, nearest to the start first.
   int alternatives = 3;
-  PathCheckOptions check;  // of the finished path
-  LiftOptions lift;        // what comes after the grasp
+  PathCheckOptions check;
+  LiftOptions lift;
 };
 
 template <SettingsOf<GraspPathOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [reach, transfer, timing, alternatives, check, lift] = options;
-  visit("", reach);
-  visit("", transfer);
-  visit("", timing);
-  visit("alternatives", alternatives, kAtLeast1);
-  visit("check", check);
-  visit("lift", lift);
+  visit({"reach", ""}, reach, "How the arm follows the hand's approach.");
+  visit({"transfer", ""}, transfer, "The way to the pre-grasp.");
+  visit({"timing", ""}, timing, "How the path is timed.");
+  visit("alternatives", alternatives, kAtLeast1, "",
+        "Postures of the arm at the pre-grasp that are tried.");
+  visit("check", check, "The check of the finished path.");
+  visit("lift", lift, "What comes after the grasp.");
 }
 
 // The path of a grasp, and whether the object is lifted at its end.

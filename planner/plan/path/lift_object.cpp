@@ -6,6 +6,7 @@
 #include "planner/plan/path/blend_transfer.h"
 #include "planner/plan/path/motion_lines.h"
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 #include "sim/scene/carried_object.h"
 #include "sim/scene/reach/cartesian_line.h"
 #include "sim/scene/reach/leave_contact.h"
@@ -16,6 +17,10 @@ namespace {
 // Where a joint comes to rest at its limit, the smooth curve through the postures swings beyond
 // them by a few times 1e-4. So the line is followed inside of narrower limits [rad or m].
 constexpr double kInsideLimits = 1e-3;
+
+// What the object or the hand touches when the lift begins has to be apart before any point has
+// moved by more than this [m].
+constexpr double kLeaveWithin = 0.02;
 
 // Follows the line with limits that are narrower, but contain the first posture.
 FollowedLine follow_inside(CompiledArm& arm, const Pose& X_OH_from, const Pose& X_OH_to,
@@ -39,6 +44,7 @@ LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
                        const ReachOptions& reach, const TransferOptions& transfer,
                        const JointLimits& limits, const TimePathOptions& timing,
                        const RunContext& context) {
+  require_settings(options);
   LiftedPath path;
   if (options.height == 0.0) return path;
   const Pose& X_WO = held.scene.scene.object.X_WO;
@@ -59,7 +65,7 @@ LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
   pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
   path.end = LiftEnd::lift_blocked;
   if (first_blocked_leaving(arm, pairs, motion.lines, motion.sway,
-                            {.within = options.leave_within, .motion = transfer.motion}, context)) {
+                            {.within = kLeaveWithin, .motion = transfer.motion}, context)) {
     return path;
   }
   path.lift = std::move(lift);

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "planner/plan/path/plan_transfer.h"
+#include "sim/base/named_enum.h"
+#include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/trial/trial.h"
@@ -18,22 +20,17 @@ inline constexpr const char* kLift = "lift";
 inline constexpr const char* kRetreat = "retreat";
 
 struct LiftOptions {
-  // How far the hand moves straight up, away from gravity (>= 0); 0: the path ends in the grasp
-  // [m].
+  static constexpr AboutSettings kAbout{"LiftOptions", "What comes after the grasp."};
   double height = 0.1;
-  // Whether the arm then takes the object back to its start posture.
   bool retreat = true;
-  // What the object or the hand touches when the lift begins has to be apart before any point has
-  // moved by more than this (> 0) [m].
-  double leave_within = 0.02;
 };
 
 template <SettingsOf<LiftOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [height, retreat, leave_within] = options;
-  visit("height", height, kAtLeast0);
-  visit("retreat", retreat);
-  visit("leave_within", leave_within, kAbove0);
+  auto& [height, retreat] = options;
+  visit("height", height, kAtLeast0, "m",
+        "How far the hand moves straight up, away from gravity; 0: the path ends in the grasp.");
+  visit("retreat", retreat, "Whether the arm then takes the object back to its start posture.");
 }
 
 // How far it came.
@@ -45,16 +42,10 @@ enum class LiftEnd {
   retreat_blocked,   // the object is lifted, but no way back to the start was found
 };
 
-// All of them, in the order of the enum.
-inline constexpr std::array<LiftEnd, 5> kLiftEnds = {
-    LiftEnd::not_asked, LiftEnd::complete, LiftEnd::lift_unreachable, LiftEnd::lift_blocked,
-    LiftEnd::retreat_blocked};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view lift_end_name(LiftEnd end) {
-  constexpr std::array<std::string_view, kLiftEnds.size()> kNames = {
-      "not_asked", "complete", "lift_unreachable", "lift_blocked", "retreat_blocked"};
-  return kNames[static_cast<std::size_t>(end)];
+constexpr auto enum_names(LiftEnd /*of*/) {
+  return std::to_array<std::string_view>(
+      {"not_asked", "complete", "lift_unreachable", "lift_blocked", "retreat_blocked"});
 }
 
 // The closed hand, and the posture of the arm that holds it at the grasp.

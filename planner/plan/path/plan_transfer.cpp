@@ -13,12 +13,17 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 namespace {
 
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
+
+// Longest edge that a planner adds in one step, as a length in the planner's space: each degree of
+// freedom counts with the farthest that it moves any point of the arm [m].
+constexpr double kLongestEdge = 0.8;
 
 // OMPL seeds its random generators in the order of their creation, counted over all threads. With
 // several searches at a time the result would depend on which of them comes first, so the classes
@@ -181,8 +186,8 @@ ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t
 // sampler of the space only.
 ob::PlannerPtr planner_of(const ob::SpaceInformationPtr& information,
                           const TransferOptions& options) {
-  const auto with_range = [&options](auto planner) -> ob::PlannerPtr {
-    planner->setRange(options.longest_edge);
+  const auto with_range = [](auto planner) -> ob::PlannerPtr {
+    planner->setRange(kLongestEdge);
     return planner;
   };
   switch (options.planner) {
@@ -244,15 +249,9 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
 
 }  // namespace
 
-std::optional<PathPlanner> path_planner_named(std::string_view name) {
-  for (const PathPlanner planner : kPathPlanners) {
-    if (path_planner_name(planner) == name) return planner;
-  }
-  return std::nullopt;
-}
-
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
                                      const TransferOptions& options, const RunContext& context) {
+  require_settings(options);
   ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
   const TransferSpace space(arm, transfer, options, context);

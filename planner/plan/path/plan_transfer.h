@@ -9,7 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/reach/motion_check.h"
 
@@ -23,30 +25,18 @@ enum class PathPlanner {
                 // Frazzoli 2011)
 };
 
-// All of them, in the order of the enum.
-inline constexpr std::array<PathPlanner, 3> kPathPlanners = {
-    PathPlanner::rrt_connect, PathPlanner::roadmap, PathPlanner::rrt_star};
-
 // The planner's name on the command line and in files: "rrt_connect", "roadmap" or "rrt_star".
-constexpr std::string_view path_planner_name(PathPlanner planner) {
-  constexpr std::array<std::string_view, kPathPlanners.size()> kNames = {"rrt_connect", "roadmap",
-                                                                         "rrt_star"};
-  return kNames[static_cast<std::size_t>(planner)];
+constexpr auto enum_names(PathPlanner /*of*/) {
+  return std::to_array<std::string_view>({"rrt_connect", "roadmap", "rrt_star"});
 }
-// The inverse of path_planner_name; nothing for a name that is none of these.
-std::optional<PathPlanner> path_planner_named(std::string_view name);
 
 struct TransferOptions {
+  static constexpr AboutSettings kAbout{"TransferOptions",
+                                        "How an arm's way to the pre-grasp is searched for."};
   PathPlanner planner = PathPlanner::rrt_connect;
-  // The planner gives up after this many iterations. There is no time limit, because the result
-  // would then depend on the speed of the machine.
+  // There is no time limit, because the result would then depend on the speed of the machine.
   int max_iterations = 3000;
-  int simplify_steps = 100;  // attempts to shorten the path that was found
-  // Longest edge that a planner adds in one step, as a length in the planner's space: each degree
-  // of freedom counts with the farthest that it moves any point of the arm [m].
-  double longest_edge = 0.8;
-  // How far the motion may pass from its corners, as the farthest that any point of the arm moves
-  // from where it is at the corner (>= 0); 0: it stops at each of them [m].
+  int simplify_steps = 100;
   double corner_deviation = 0.2;
   std::uint64_t seed = 1;
   MotionCheckOptions motion;
@@ -54,14 +44,17 @@ struct TransferOptions {
 
 template <SettingsOf<TransferOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [planner, max_iterations, simplify_steps, longest_edge, corner_deviation, seed, motion] =
-      options;
-  visit("planner", planner);
-  visit("max_iterations", max_iterations, kAtLeast1);
-  visit("simplify_steps", simplify_steps, kAtLeast0);
-  visit("longest_edge", longest_edge, kAbove0);
-  visit("corner_deviation", corner_deviation, kAtLeast0);
-  visit("", motion);
+  auto& [planner, max_iterations, simplify_steps, corner_deviation, seed, motion] = options;
+  visit("planner", planner, "The sampling-based planner: fast ways, many ways or short ways.");
+  visit("max_iterations", max_iterations, kAtLeast1, "",
+        "Iterations after which the planner gives up.");
+  visit("simplify_steps", simplify_steps, kAtLeast0, "",
+        "Attempts to shorten the path that was found.");
+  visit("corner_deviation", corner_deviation, kAtLeast0, "m",
+        "How far the motion may pass from its corners, as the farthest that any point of the arm "
+        "moves from where it is at the corner; 0: it stops at each of them.");
+  visit.unlisted("seed", seed, kAtLeast0, "", "Of the search.");
+  visit({"motion", ""}, motion, "How motions are proven free of collision.");
 }
 
 // What is asked of plan_transfer: two postures of the arm, and the posture in which it carries the

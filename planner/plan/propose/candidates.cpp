@@ -1,12 +1,14 @@
 #include "planner/plan/propose/candidates.h"
 
 #include "planner/plan/propose/proposal_sequence.h"
+#include "sim/base/require_settings.h"
 
 namespace prehend {
 
 Proposals propose_grasps(const CompiledScene& scene, const std::vector<Primitive>& primitives,
                          std::size_t count, const CandidateOptions& options,
                          const RunContext& context) {
+  require_settings(options);
   constexpr std::size_t kSolids = 4;
   ProposalSequence sequence(scene, primitives, options);
   Proposals proposals{{}, sequence.smallest_width(), sequence.largest_opening()};

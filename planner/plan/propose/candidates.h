@@ -8,26 +8,25 @@
 #include "sim/base/settings.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/shape/primitive.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 
-// How candidates are generated.
+// Two candidates with the same preshape are duplicates, and only the first is proposed, when their
+// hand poses are no farther apart than both of these, halved at each level of detail.
+inline constexpr double kDuplicateDistance = 2e-3;  // m
+inline constexpr double kDuplicateAngle = 0.05;     // rad
+
 struct CandidateOptions {
-  // Two candidates with the same preshape are duplicates, and only the first is proposed, when
-  // their hand poses are no farther apart than both of these, halved at each level of detail.
-  double duplicate_distance = 2e-3;  // m
-  double duplicate_angle = 0.05;     // rad
-  // Smallest distance, along the approach, between hand and object at the pre-grasp [m].
+  static constexpr AboutSettings kAbout{"CandidateOptions", "How candidates are generated."};
   double start_clearance = 0.01;
 };
 
 template <SettingsOf<CandidateOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [duplicate_distance, duplicate_angle, start_clearance] = options;
-  visit("duplicate_distance", duplicate_distance, kAtLeast0);
-  visit("duplicate_angle", duplicate_angle, kAtLeast0);
-  visit("start_clearance", start_clearance, kAtLeast0);
+  auto& [start_clearance] = options;
+  visit("start_clearance", start_clearance, kAtLeast0, "m",
+        "Smallest distance, along the approach, between hand and object at the pre-grasp.");
 }
 
 // A candidate, and what it was derived from.

@@ -38,8 +38,8 @@ ProposalSequence::ProposalSequence(const CompiledScene& scene,
     : scene_(&scene),
       options_(options),
       smallest_width_(std::numeric_limits<double>::infinity()),
-      progress_{Progress{{}, {options.duplicate_distance, options.duplicate_angle}},
-                Progress{{}, {options.duplicate_distance, options.duplicate_angle}}} {
+      progress_{Progress{{}, {kDuplicateDistance, kDuplicateAngle}},
+                Progress{{}, {kDuplicateDistance, kDuplicateAngle}}} {
   for (const Preshape& preshape : scene.scene.hand.hand->preshapes) {
     reach_.push_back(hand_reach(scene, preshape.dofs));
     largest_opening_ = std::max(largest_opening_, preshape.max_width);
@@ -94,7 +94,7 @@ void ProposalSequence::begin_level(Progress& track, int level) {
   }
   track.stride = golden_stride(track.first_point.back());
   const double part = std::pow(0.5, level);
-  track.known.refine(part * options_.duplicate_distance, part * options_.duplicate_angle);
+  track.known.refine(part * kDuplicateDistance, part * kDuplicateAngle);
 }
 
 std::optional<ProposedGrasp> ProposalSequence::next(Track track) {

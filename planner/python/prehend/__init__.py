@@ -6,270 +6,115 @@
     for grasp in result:
         print(grasp.epsilon, grasp.X_OH)
 
+What most programs need is here; the rest is in
+
+    options      what a plan and its steps depend on
+    planning     the steps of a plan by themselves
+    results      what a plan returns
+    scenes       scenes, their bodies, meshes
+    robots       robots by name, kinematics and its inverse
+    files        grasps.json, reports, exports, pictures
+    quality      how well contacts hold an object
+    dynamics     worlds that move, and controllers
+    validation   scores compared with executed grasps
+
 Lengths are in metres, angles in radians. X_AB, a 4 x 4 array, is the pose of frame B in frame A, so that
 p_A = X_AB @ p_B for homogeneous points; O is the object's frame, H the hand's base, W the world, B a
-robot's base. Names are those of the C++ library (docs/library.md).
+robot's base. Names are those of the C++ library (docs/how-to/python.md).
 
 A caller's mistake raises InputError. Long calls run without the GIL; Ctrl-C ends them.
 """
 
-from . import quality
+from __future__ import annotations
+
+import typing
+
+from . import dynamics, files, options, planning, quality, results, robots, scenes, validation
 from ._core import (
     Cancellation,
-    CandidateOptions,
     CompiledScene,
-    ContactOptions,
-    ControlState,
-    Controller,
-    DecomposeOptions,
-    Drive,
     EvaluateOptions,
-    FormationOptions,
-    GapTrackerOptions,
-    GiveWayOptions,
-    GraspableBody,
-    GraspPathOptions,
-    IkOptions,
-    Motion,
-    MotionCheckOptions,
-    LiftOptions,
-    PathCheckOptions,
+    Outcome,
     PlanOptions,
-    Progress,
-    RankOptions,
-    ReachOptions,
-    RefineOptions,
-    Robot,
-    SearchOptions,
-    SettleOptions,
-    StaticBody,
-    ThinPartOptions,
-    TimePathOptions,
-    TransferOptions,
-    TrialOptions,
-    UncertaintyOptions,
     __version__,
 )
-from ._control import (
-    ControlledRun,
-    PdGains,
-    computed_torque,
-    critically_damped,
-    gravity_compensation,
-    motion_along,
-    pd_controller,
-    pd_drives,
-    run_controlled,
-    set_points,
-    stated_gains,
-    sum_of,
-    wrist_impedance,
-)
 from ._errors import Cancelled, InputError
-from ._files import (
-    arm_picture,
-    export_files,
-    export_formats,
-    grasp_picture,
-    grasps_json,
-    png_bytes,
-    report_html,
-    timings_json,
-    write,
-)
-from ._kinematics import (
-    IkTarget,
-    find_platform,
-    find_robot,
-    joint_poses,
-    joint_values,
-    library_platform_names,
-    library_robot_names,
-    link_poses,
-    preshapes,
-    solve_all,
-    solve_near,
-)
-from ._plan import (
-    OUTCOMES,
-    decompose,
-    evaluate,
-    plan,
-    plan_grasp_path,
-    plan_options,
-    propose_grasps,
-    run_trial,
-)
-from ._results import (
-    Advice,
-    Blocker,
-    Burden,
-    Candidate,
-    Contact,
-    Contacts,
-    Decomposition,
-    Grasp,
-    Holding,
-    Path,
-    PlanResult,
-    Primitive,
-    Proposals,
-    ProposedGrasp,
-    Robustness,
-    RuleCount,
-    Segment,
-    Stage,
-    Trial,
-    Tried,
-)
-from ._scene import (
-    Mesh,
-    Scene,
-    compile,
-    library_scene_names,
-    link_mesh,
-    load_mesh,
-    load_scene,
-    make_scene,
-)
-from ._truth import (
-    Calibration,
-    FrameCheck,
-    FrameSuspicion,
-    ReliabilityBin,
-    TruthPart,
-    TruthReport,
-    TruthScore,
-    truth,
-)
-from ._world import (
-    StepResult,
-    World,
-    WorldBody,
-    WorldContact,
-    WorldRobot,
-    step_world,
-)
+from ._names import show_in
+from ._steps import Candidate
+from .files import write_grasps
+from .planning import evaluate, plan, plan_options
+from .results import Grasp, PlanResult
+from .scenes import Mesh, Scene, compile_scene, load_mesh, load_scene, make_scene
 
 __all__ = [
-    "Advice",
-    "Blocker",
-    "Burden",
-    "Calibration",
     "Cancellation",
     "Cancelled",
     "Candidate",
-    "CandidateOptions",
     "CompiledScene",
-    "Contact",
-    "ContactOptions",
-    "Contacts",
-    "ControlState",
-    "ControlledRun",
-    "Controller",
-    "DecomposeOptions",
-    "Decomposition",
-    "Drive",
     "EvaluateOptions",
-    "FormationOptions",
-    "FrameCheck",
-    "FrameSuspicion",
-    "GapTrackerOptions",
-    "GiveWayOptions",
     "Grasp",
-    "GraspPathOptions",
-    "GraspableBody",
-    "Holding",
-    "IkOptions",
-    "IkTarget",
     "InputError",
-    "LiftOptions",
     "Mesh",
-    "Motion",
-    "MotionCheckOptions",
-    "OUTCOMES",
-    "Path",
-    "PathCheckOptions",
-    "PdGains",
+    "Outcome",
     "PlanOptions",
     "PlanResult",
-    "Primitive",
-    "Progress",
-    "Proposals",
-    "ProposedGrasp",
-    "RankOptions",
-    "ReachOptions",
-    "RefineOptions",
-    "ReliabilityBin",
-    "Robot",
-    "Robustness",
-    "RuleCount",
     "Scene",
-    "SearchOptions",
-    "Segment",
-    "SettleOptions",
-    "Stage",
-    "StaticBody",
-    "StepResult",
-    "ThinPartOptions",
-    "TimePathOptions",
-    "TransferOptions",
-    "Trial",
-    "TrialOptions",
-    "Tried",
-    "TruthPart",
-    "TruthReport",
-    "TruthScore",
-    "UncertaintyOptions",
-    "World",
-    "WorldBody",
-    "WorldContact",
-    "WorldRobot",
     "__version__",
-    "arm_picture",
-    "compile",
-    "computed_torque",
-    "critically_damped",
-    "decompose",
+    "compile_scene",
+    "dynamics",
     "evaluate",
-    "export_files",
-    "export_formats",
-    "find_platform",
-    "find_robot",
-    "grasp_picture",
-    "grasps_json",
-    "gravity_compensation",
-    "joint_poses",
-    "joint_values",
-    "library_platform_names",
-    "library_robot_names",
-    "library_scene_names",
-    "link_mesh",
-    "link_poses",
+    "files",
     "load_mesh",
     "load_scene",
     "make_scene",
-    "motion_along",
-    "pd_controller",
-    "pd_drives",
+    "options",
     "plan",
-    "plan_grasp_path",
     "plan_options",
-    "png_bytes",
-    "preshapes",
-    "propose_grasps",
+    "planning",
     "quality",
-    "report_html",
-    "run_controlled",
-    "run_trial",
-    "set_points",
-    "solve_all",
-    "solve_near",
-    "stated_gains",
-    "step_world",
-    "sum_of",
-    "timings_json",
-    "truth",
-    "wrist_impedance",
-    "write",
+    "results",
+    "robots",
+    "scenes",
+    "validation",
+    "write_grasps",
 ]
+
+show_in(
+    __name__,
+    Cancellation,
+    Cancelled,
+    Candidate,
+    CompiledScene,
+    EvaluateOptions,
+    Grasp,
+    InputError,
+    Mesh,
+    Outcome,
+    PlanOptions,
+    PlanResult,
+    Scene,
+)
+
+if not typing.TYPE_CHECKING:  # it would accept any name
+    _RENAMED = {
+        "Blocker": "results.CollisionCount",
+        "Burden": "results.LoadCase",
+        "Holding": "results.PayloadMargin",
+        "OUTCOMES": "Outcome",
+        "TruthPart": "validation.ValidationPart",
+        "TruthReport": "validation.ValidationReport",
+        "TruthScore": "validation.ValidationScore",
+        "compile": "compile_scene",
+        "step_world": "dynamics.World.step",
+        "truth": "validation.compare_executions",
+        "write": "write_grasps",
+    }
+
+    def __getattr__(name: str) -> typing.NoReturn:
+        """Says where a name is that was here in earlier versions."""
+        parts = (dynamics, files, options, planning, quality, results, robots, scenes, validation)
+        places = [f"{part.__name__}.{name}" for part in parts if name in part.__all__]
+        if name in _RENAMED:
+            places = [f"prehend.{_RENAMED[name]}"]
+        now = f": it is {places[0]} now" if places else ""
+        raise AttributeError(f"module 'prehend' has no attribute {name!r}{now}")

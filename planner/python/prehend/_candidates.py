@@ -9,7 +9,7 @@ import numpy as np
 from . import _core
 from ._arrays import ArrayLike, FloatArray, as_finite, as_pose, as_poses
 from ._errors import InputError
-from ._results import Candidate
+from ._steps import Candidate
 
 #: Values outside the limits by less than this are rounding: they are brought inside [rad or m].
 _LIMIT_TOLERANCE = 1e-6

@@ -7,10 +7,11 @@ from typing import Callable, List, Mapping, NamedTuple, Optional, Union
 
 from . import _core
 from ._arrays import ArrayLike, FloatArray, as_finite, as_pose
+from ._core import ControlOutcome
 from ._errors import InputError
-from ._kinematics import RobotLike, _joint_number, as_robot
-from ._results import Path
+from ._steps import Path
 from ._world import RobotOfWorld, World, WorldRobot, number_of_robot
+from .robots import RobotLike, as_robot, joint_number
 
 #: A controller of prehend, or any function of a ControlState that returns the efforts (D,).
 ControllerLike = Union["_core.Controller", Callable[["_core.ControlState"], ArrayLike]]
@@ -31,10 +32,10 @@ class PdGains(NamedTuple):
 class ControlledRun:
     """How a run ended. The world is as it was then."""
 
-    outcome: str
-    """"finished": its time is over; "stopped" by its watcher; "not_a_number": a controller answered
-    with an effort that is none; "wrong_size": or with another number of them; "blocked",
-    "not_finite": a step ended so."""
+    outcome: ControlOutcome
+    """finished: its time is over; stopped: by its watcher; not_a_number: a controller answered with
+    an effort that is none; wrong_size: or with another number of them; blocked, not_finite: a step
+    ended so."""
     time: float
     """That was run [s]."""
     steps: int
@@ -136,7 +137,7 @@ def wrist_impedance(
     return _core.wrist_impedance(
         robot._core,
         robot._index,
-        _joint_number(robot.robot, joint),
+        joint_number(robot.robot, joint),
         as_pose(X_WT, "X_WT"),
         stiffness,
         turning_stiffness,
@@ -180,7 +181,8 @@ def run_controlled(
         def hold(state):
             return 40.0 * (goal - state.positions) - 8.0 * state.rates
 
-        prehend.run_controlled(world, {arm: prehend.sum_of(prehend.gravity_compensation(), hold)})
+        controller = dynamics.sum_of(dynamics.gravity_compensation(), hold)
+        dynamics.run_controlled(world, {arm: controller})
 
     Functions are called in the thread that called, with the GIL; between them the world moves without
     it. An exception that one raises ends the run and is passed on.
@@ -201,11 +203,11 @@ def run_controlled(
     """
     by_robot = controllers if isinstance(controllers, Mapping) else {_only_robot(world): controllers}
     numbered = {number_of_robot(world, robot): one for robot, one in by_robot.items()}
-    asked = None if stops is None else (lambda time: stops(time, world))
-    done = _core.run_controlled(
+    asked = None if stops is None else (lambda now: stops(now, world))
+    outcome, time, steps, not_converged, why = _core.run_controlled(
         world._core, list(numbered.items()), float(seconds), float(step), asked, cancellation
     )
-    return ControlledRun(*done)
+    return ControlledRun(ControlOutcome(outcome), time, steps, not_converged, why)
 
 
 def _only_robot(world: World) -> int:

@@ -10,9 +10,10 @@ import numpy as np
 
 from . import _core
 from ._arrays import ArrayLike, FloatArray, as_finite, as_pose
+from ._core import StepOutcome
 from ._errors import InputError
-from ._kinematics import RobotLike, as_robot
-from ._scene import MeshLike, Scene, as_mesh
+from .robots import RobotLike, as_robot
+from .scenes import Material, MeshLike, Scene, as_mesh
 
 
 class WorldContact(NamedTuple):
@@ -38,10 +39,10 @@ class WorldContact(NamedTuple):
 class StepResult:
     """How a step ended."""
 
-    outcome: str
-    """"moved"; "not_converged": moved, but the law of contact was not met to its tolerance;
-    "blocked": no step however short was free of penetration, and nothing moved; "not_finite":
-    velocities beyond all numbers, and nothing moved."""
+    outcome: StepOutcome
+    """not_converged: moved, but the law of contact was not met to its tolerance; blocked: no step
+    however short was free of penetration, and nothing moved; not_finite: velocities beyond all
+    numbers, and nothing moved."""
     time: float
     """That the step took: less than asked for where bodies would have met [s]."""
     crossings: int
@@ -204,10 +205,10 @@ class WorldRobot:
 class World:
     """Bodies that fall, slide and are grasped, and robots that drives and controllers move.
 
-        world = prehend.World()
+        world = dynamics.World()
         arm = world.add_robot("ur5e")
         arm.rates = [1, 0, 0, 0, 0, 0]
-        prehend.step_world(world)
+        world.step()
 
     Bodies must not overlap. While a thread steps the world, no other may use it: RuntimeError.
     """
@@ -281,7 +282,7 @@ class World:
         X_WB: Optional[ArrayLike] = None,
         *,
         mass: Optional[float] = None,
-        material: str = "plastic",
+        material: Union[str, Material] = Material.plastic,
         restitution: float = 0.0,
     ) -> WorldBody:
         """Adds a body, at rest.
@@ -291,7 +292,7 @@ class World:
             mesh: in its own frame B [m]; its mass fills what it encloses evenly.
             X_WB: (4, 4), its pose in the world; None: at its origin.
             mass: [kg]; None: it does not move.
-            material: "glass", "metal", "plastic", "wood" or "rubber".
+            material: of its surface.
             restitution: part of the velocity of an impact that it bounces with, 0 to 1; of two
                 bodies, the larger counts.
         """
@@ -300,7 +301,7 @@ class World:
         vertices, faces = as_mesh(mesh)
         pose = np.eye(4) if X_WB is None else as_pose(X_WB, "X_WB")
         weight = None if mass is None else float(mass)
-        index = self._core.add_body(name, vertices, faces, pose, material, weight, restitution)
+        index = self._core.add_body(name, vertices, faces, pose, str(material), weight, restitution)
         return WorldBody(self._core, index)
 
     def add_bodies(self, scene: Scene) -> List[WorldBody]:
@@ -317,6 +318,16 @@ class World:
         slide; None: the same."""
         self._core.set_friction(a, b, friction, kinetic)
 
+    def step(self, longest: float = 2.5e-3) -> StepResult:
+        """Moves the world on by at most `longest`, above 0 and at most 0.1 [s]. The same world gives
+        the same bytes.
+
+        Raises:
+            InputError: for a world that cannot be stepped, such as one in which bodies overlap.
+        """
+        outcome, time, crossings, violation = self._core.step(float(longest))
+        return StepResult(StepOutcome(outcome), time, crossings, violation)
+
     def copy(self) -> "World":
         """Another world in the same state."""
         other = World.__new__(World)
@@ -325,16 +336,6 @@ class World:
 
     def __repr__(self) -> str:
         return f"<prehend.World: {self._core.robots()} robots, {self._core.bodies()} bodies>"
-
-
-def step_world(world: World, step: float = 2.5e-3) -> StepResult:
-    """Moves a world on by at most `step`, above 0 and at most 0.1 [s]. The same world gives the same
-    bytes.
-
-    Raises:
-        InputError: for a world that cannot be stepped, such as one in which bodies overlap.
-    """
-    return StepResult(*world._core.step(float(step)))
 
 
 #: A WorldRobot, its number in World.robots, or its name.

@@ -13,7 +13,7 @@ Wrenches are [force; torque * torque_scale], torques about torque_origin. With t
 the object's largest distance from the origin, forces and torques weigh alike and numbers of objects of
 different sizes compare; CompiledScene.torque_scale has it for a scene.
 
-Source of the definitions: Ferrari and Canny, ICRA 1992; docs/contacts-file.md has the rest.
+Source of the definitions: Ferrari and Canny, ICRA 1992; docs/reference/contacts-file.md has the rest.
 """
 
 from __future__ import annotations
@@ -25,23 +25,29 @@ import numpy as np
 
 from . import _core
 from ._arrays import ArrayLike, FloatArray, as_floats
+from ._calls import call_options
 from ._core import (
+    ContactModel,
     EpsilonOptions,
+    EpsilonStatus,
     ForceOptions,
+    ForceOutcome,
     NoiseOptions,
     SetHullOptions,
     WrenchSpaceOptions,
 )
 from ._errors import InputError
-from ._plan import call_options
-from ._results import Contacts
+from ._names import show_in
+from .results import Contacts
 
 __all__ = [
-    "MODELS",
     "ContactForces",
+    "ContactModel",
     "EpsilonBracket",
     "EpsilonOptions",
+    "EpsilonStatus",
     "ForceOptions",
+    "ForceOutcome",
     "Interval",
     "NoiseOptions",
     "RobustEpsilon",
@@ -65,8 +71,11 @@ __all__ = [
     "wrench_resistance",
 ]
 
-#: Names of contact models. Contacts with torsion are soft fingers, all others points, unless said.
-MODELS = ("frictionless", "point", "soft_finger")
+show_in(
+    __name__, EpsilonOptions, ForceOptions, ForceOutcome, SetHullOptions, WrenchSpaceOptions
+)
+
+_MODELS = list(ContactModel)
 
 #: A number for one grasp, an array (G,) for G grasps: the arguments decide which, in a way that types
 #: cannot say.
@@ -88,7 +97,7 @@ class EpsilonBracket(NamedTuple):
     lower: Any
     upper: Any
     status: Any
-    """"converged", "no_force_closure", "below_cutoff", "limit" or "stalled"."""
+    """EpsilonStatus: how the search ended."""
     weakest: Any
     """(6,) or (G, 6): the disturbance that is resisted least."""
 
@@ -107,8 +116,8 @@ class RobustEpsilon(NamedTuple):
 class ContactForces:
     """Forces that balance a wrench; in its unit of force."""
 
-    outcome: str
-    """"balanced", "impossible" (proved) or "limit" (rounding allows neither)."""
+    outcome: ForceOutcome
+    """impossible: proved; limit: rounding allows neither."""
     components: FloatArray = field(repr=False)
     """(N, 4): normal force, along the first and second tangent, torque about the normal."""
     forces: FloatArray = field(repr=False)
@@ -183,9 +192,9 @@ def _per_contact(value: Any, name: str, sizes: List[int], batch: bool) -> FloatA
 def _models(model: Optional[str], torsion: FloatArray) -> List[int]:
     if model is None:
         return [2 if radius > 0.0 else 1 for radius in torsion]
-    if model not in MODELS:
-        raise InputError(f"not one of {', '.join(MODELS)}", field="model", value=model)
-    return [MODELS.index(model)] * len(torsion)
+    if model not in _MODELS:
+        raise InputError(f"not one of {', '.join(_MODELS)}", field="model", value=model)
+    return [_MODELS.index(ContactModel(model))] * len(torsion)
 
 
 def _sets(
@@ -212,7 +221,7 @@ def _sets(
         mu = np.concatenate([contacts.friction for contacts in given])
         radius = np.concatenate([contacts.torsion for contacts in given])
         if model is None:
-            numbers = [MODELS.index(name) for contacts in given for name in contacts.models]
+            numbers = [_MODELS.index(one) for contacts in given for one in contacts.models]
     else:
         if normals is None or friction is None:
             raise InputError("missing", field="normals" if normals is None else "friction")
@@ -282,7 +291,7 @@ def epsilon_bracket(
         normals: as positions: unit, into the object.
         friction: coefficient(s) >= 0: one number, (N,), or for many grasps (G, N) or a list.
         torsion: soft fingers: largest torque about the normal over largest friction force [m].
-        model: of MODELS, for all contacts; None: soft fingers where there is torsion, else points.
+        model: a ContactModel, for all contacts; None: soft fingers where there is torsion, else points.
         torque_origin: (3,) or (G, 3): torques are about this point [m].
         torque_scale: one number or (G,): torques are multiplied by it [1/m].
         space: the set; None: WrenchSpaceOptions().
@@ -298,7 +307,10 @@ def epsilon_bracket(
         sets.core, space or WrenchSpaceOptions(), options, call_options(threads, None, None)
     )
     return EpsilonBracket(
-        *(_one_or_all(sets, found[name]) for name in ("lower", "upper", "status", "weakest"))
+        _one_or_all(sets, found["lower"]),
+        _one_or_all(sets, found["upper"]),
+        _one_or_all(sets, [EpsilonStatus(status) for status in found["status"]]),
+        _one_or_all(sets, found["weakest"]),
     )
 
 
@@ -497,7 +509,9 @@ def balancing_forces(
         options or ForceOptions(),
         call_options(threads, None, None),
     )
-    forces = [ContactForces(**fields) for fields in found]
+    forces = [
+        ContactForces(ForceOutcome(fields.pop("outcome")), **fields) for fields in found
+    ]
     return forces if sets.batch else forces[0]
 
 

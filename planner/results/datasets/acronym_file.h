@@ -1,5 +1,5 @@
 // Sets of grasps as files of the ACRONYM data set (Eppner, Mousavian and Fox, 2021): HDF5, with a
-// group of our own for what ACRONYM does not say (docs/datasets.md).
+// group of our own for what ACRONYM does not say (docs/reference/datasets.md).
 #pragma once
 
 #include <filesystem>

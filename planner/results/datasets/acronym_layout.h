@@ -1,4 +1,4 @@
-// Where things are in files of ACRONYM, and in the group that is ours (docs/datasets.md).
+// Where things are in files of ACRONYM, and in the group that is ours (docs/reference/datasets.md).
 #pragma once
 
 #include <array>

@@ -128,10 +128,9 @@ std::vector<Outcome> read_outcome_names(const Hdf5Reader& file) {
   const std::string path = "prehend/outcome_names";
   std::vector<Outcome> outcomes;
   for (const std::string& name : file.texts(path)) {
-    const auto* found = std::find_if(kOutcomes.begin(), kOutcomes.end(), [&](Outcome outcome) {
-      return outcome_name(outcome) == name;
-    });
-    if (found == kOutcomes.end()) {
+    const auto* found = std::find_if(kAll<Outcome>.begin(), kAll<Outcome>.end(),
+                                     [&](Outcome outcome) { return name_of(outcome) == name; });
+    if (found == kAll<Outcome>.end()) {
       throw file.error(row_of(path, outcomes.size()), "is no outcome that is known", name);
     }
     outcomes.push_back(*found);
@@ -152,7 +151,7 @@ void read_outcomes(const Hdf5Reader& file, GraspSet& set) {
     const bool held = set.grasps[i].outcome == Outcome::stable;
     if (held != (outcome == Outcome::stable)) {
       throw file.error(row_of(path, i), "does not agree with object_in_gripper",
-                       std::string(outcome_name(outcome)));
+                       std::string(name_of(outcome)));
     }
     set.grasps[i].outcome = outcome;
   }

@@ -129,7 +129,7 @@ void write_outcomes(Hdf5Writer& file, const GraspSet& set) {
       set, [](const GraspSetEntry& grasp) { return static_cast<std::int8_t>(grasp.outcome); });
   file.array("prehend/outcome", {outcomes.size()}, std::span<const std::int8_t>(outcomes));
   std::vector<std::string> names;
-  for (const Outcome outcome : kOutcomes) names.emplace_back(outcome_name(outcome));
+  for (const Outcome outcome : kAll<Outcome>) names.emplace_back(name_of(outcome));
   file.texts("prehend/outcome_names", names);
 }
 

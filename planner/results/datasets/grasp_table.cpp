@@ -24,7 +24,7 @@ std::string table_row(const std::string& name, const GraspSet& set, std::size_t 
   row.number(set.object.scale);
   row.number(set.object.friction);
   row.text(std::to_string(index));
-  row.text(std::string(outcome_name(grasp.outcome)));
+  row.text(std::string(name_of(grasp.outcome)));
   row.number(grasp.epsilon.lower);
   row.number(grasp.epsilon.upper);
   row.text(std::to_string(grasp.contacts.size()));

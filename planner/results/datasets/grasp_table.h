@@ -1,4 +1,5 @@
-// Sets of grasps as one table of comma separated values, a row a grasp (docs/datasets.md).
+// Sets of grasps as one table of comma separated values, a row a grasp
+// (docs/reference/datasets.md).
 #pragma once
 
 #include <ostream>

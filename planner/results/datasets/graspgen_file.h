@@ -1,5 +1,5 @@
 // Sets of grasps as files of GraspGen's data set (Murali et al., 2025): JSON with poses and whether
-// they hold (docs/datasets.md).
+// they hold (docs/reference/datasets.md).
 #pragma once
 
 #include <string>

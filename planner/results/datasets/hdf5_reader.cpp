@@ -9,6 +9,7 @@
 #include "planner/results/datasets/hdf5_id.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 
 namespace prehend {
 namespace {
@@ -25,7 +26,7 @@ constexpr std::size_t kMostTexts = 100000;
 std::string words_of(const Hdf5Shape& shape) {
   std::string words;
   for (const std::size_t extent : shape) {
-    words += (words.empty() ? "" : ", ") + std::to_string(extent);
+    add_part(words, std::to_string(extent));
   }
   return "(" + words + ")";
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/results/datasets/grasp_set.h"
 #include "sim/scene/compiled_scene.h"
 

@@ -6,7 +6,7 @@ namespace prehend {
 namespace {
 
 // The columns of the header must be those of grasp_row, in the same order. Units and frames are in
-// docs/exports.md.
+// docs/reference/exports.md.
 std::string grasps_header(const ExportHeader& header) {
   CsvRow row;
   row.texts("", {"rank", "outcome", "epsilon", "volume"}, "");

@@ -1,4 +1,4 @@
-// Grasps and paths as tables of comma separated values (docs/exports.md).
+// Grasps and paths as tables of comma separated values (docs/reference/exports.md).
 #pragma once
 
 #include <string>

@@ -10,6 +10,8 @@
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/picture/glb_bytes.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
+#include "sim/trial/approach_line.h"
 
 namespace prehend {
 namespace {
@@ -35,7 +37,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   const Trial& trial = grasp.trial;
   ExportGrasp exported;
   exported.rank = rank;
-  exported.outcome = outcome_name(trial.outcome);
+  exported.outcome = name_of(trial.outcome);
   exported.epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
   exported.volume = grasp.volume.value_or(0.0);
   exported.X_OH = trial.X_OH;
@@ -53,6 +55,34 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
 
 namespace {
 
+using Files = std::vector<ExportFile>;
+
+// One file for each grasp with a path: text_of(path).
+template <typename Name, typename Text>
+void add_paths(const ExportInput& input, const Name& file_name, const Text& text_of, Files& files) {
+  for (const ExportGrasp& grasp : input.grasps) {
+    if (grasp.path) files.push_back({file_name(grasp.rank), text_of(*grasp.path)});
+  }
+}
+
+Files csv_files(const ExportInput& input) {
+  Files files = {{"grasps.csv", grasps_csv(input.header, input.grasps)}};
+  add_paths(input, path_file_name, path_csv, files);
+  return files;
+}
+
+Files isaac_files(const ExportInput& input) {
+  return {{"grasps_isaac.yaml", isaac_grasps_yaml(input.header, input.grasps)}};
+}
+
+Files moveit_files(const ExportInput& input) {
+  Files files = {{"grasps_moveit.yaml", moveit_grasps_yaml(input.header, input.grasps)}};
+  add_paths(
+      input, [](int rank) { return "path_" + std::to_string(rank) + "_moveit.yaml"; },
+      [](const Trajectory& path) { return moveit_trajectory_yaml(path); }, files);
+  return files;
+}
+
 // The grasp with all that stands around it.
 ExportFile gltf_file(const CompiledScene& scene, const ScoredGrasp& grasp,
                      const ExportGrasp& exported) {
@@ -66,53 +96,73 @@ ExportFile gltf_file(const CompiledScene& scene, const ScoredGrasp& grasp,
                                                {"volume", exported.volume}})};
 }
 
+Files gltf_files(const ExportInput& input) {
+  Files files;
+  for (std::size_t g = 0; g < input.grasps.size(); ++g) {
+    files.push_back(gltf_file(input.scene, input.result.grasps[g], input.grasps[g]));
+  }
+  return files;
+}
+
+Files mjcf_files(const ExportInput& input) {
+  Files files;
+  const MjcfShapes shapes = input.grasps.empty() ? MjcfShapes{} : mjcf_shapes(input.scene);
+  for (const ExportGrasp& grasp : input.grasps) {
+    if (grasp.closed_joints.empty()) continue;
+    files.push_back({mjcf_file_name(grasp.rank), mjcf_text(input.scene, shapes, grasp)});
+  }
+  return files;
+}
+
 }  // namespace
 
-std::vector<std::string> export_formats() {
-  return {"json", "csv", "isaac", "moveit", "gltf", "mjcf"};
+std::span<const ExportFormat> export_formats() {
+  static const std::vector<ExportFormat> kFormats = {
+      {.name = "csv",
+       .files = {"grasps.csv", "path_#.csv"},
+       .summary = "Tables of grasps and paths.",
+       .make = csv_files},
+      {.name = "isaac",
+       .files = {"grasps_isaac.yaml"},
+       .summary = "The grasp file of Isaac Sim and Isaac ROS.",
+       .make = isaac_files},
+      {.name = "moveit",
+       .files = {"grasps_moveit.yaml", "path_#_moveit.yaml"},
+       .summary = "Messages of MoveIt, as YAML.",
+       .make = moveit_files},
+      {.name = "gltf",
+       .files = {"grasp_#.glb"},
+       .summary = "Each grasp with its scene as a model to look at.",
+       .is_text = false,
+       .make = gltf_files},
+      {.name = "mjcf",
+       .files = {"grasp_#.xml"},
+       .summary = "Each grasp as a model of MuJoCo.",
+       .make = mjcf_files}};
+  return kFormats;
+}
+
+std::vector<std::string> export_names() {
+  std::vector<std::string> names = {"json"};
+  for (const ExportFormat& format : export_formats()) names.emplace_back(format.name);
+  return names;
 }
 
 std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResult& result,
                                      const std::string& format) {
-  const ExportHeader header = header_of(scene);
-  std::vector<ExportGrasp> grasps;
-  // Ranks count from 1.
-  for (const ScoredGrasp& grasp : result.grasps) {
-    grasps.push_back(export_of(scene, grasp, static_cast<int>(grasps.size()) + 1));
-  }
-  std::vector<ExportFile> files;
-  const auto add_paths = [&](const auto& name_of, const auto& text_of) {
-    for (const ExportGrasp& grasp : grasps) {
-      if (grasp.path) files.push_back({name_of(grasp.rank), text_of(*grasp.path)});
-    }
-  };
   // grasps.json is written in any case, so it is accepted as a format and adds nothing.
-  if (format == "json") return files;
-  if (format == "csv") {
-    files.push_back({"grasps.csv", grasps_csv(header, grasps)});
-    add_paths(path_file_name, path_csv);
-  } else if (format == "isaac") {
-    files.push_back({"grasps_isaac.yaml", isaac_grasps_yaml(header, grasps)});
-  } else if (format == "moveit") {
-    files.push_back({"grasps_moveit.yaml", moveit_grasps_yaml(header, grasps)});
-    add_paths([](int rank) { return "path_" + std::to_string(rank) + "_moveit.yaml"; },
-              [](const Trajectory& path) { return moveit_trajectory_yaml(path); });
-  } else if (format == "gltf") {
-    for (std::size_t g = 0; g < grasps.size(); ++g) {
-      files.push_back(gltf_file(scene, result.grasps[g], grasps[g]));
+  if (format == "json") return {};
+  for (const ExportFormat& known : export_formats()) {
+    if (known.name != format) continue;
+    ExportInput input{scene, result, header_of(scene), {}};
+    // Ranks count from 1.
+    for (const ScoredGrasp& grasp : result.grasps) {
+      input.grasps.push_back(export_of(scene, grasp, static_cast<int>(input.grasps.size()) + 1));
     }
-  } else if (format == "mjcf") {
-    const MjcfShapes shapes = grasps.empty() ? MjcfShapes{} : mjcf_shapes(scene);
-    for (const ExportGrasp& grasp : grasps) {
-      if (grasp.closed_joints.empty()) continue;
-      files.push_back({mjcf_file_name(grasp.rank), mjcf_text(scene, shapes, grasp)});
-    }
-  } else {
-    std::string known;
-    for (const std::string& name : export_formats()) known += (known.empty() ? "" : ", ") + name;
-    throw InputError({.field = "--export", .problem = "none of " + known, .value = format});
+    return known.make(input);
   }
-  return files;
+  throw InputError(
+      {.field = "--export", .problem = "none of " + joined(export_names()), .value = format});
 }
 
 }  // namespace prehend

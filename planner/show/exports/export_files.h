@@ -1,10 +1,12 @@
 // A plan's grasps and paths in the formats of other programs.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 #include "planner/show/exports/export_grasp.h"
 
 namespace prehend {
@@ -15,15 +17,35 @@ struct ExportFile {
   std::string content;
 };
 
-// The names that export_files accepts as a format: "json" (grasps.json, which is always written),
-// "csv", "isaac", "moveit", "gltf", "mjcf".
-std::vector<std::string> export_formats();
+// What a format is made from. The grasps of `result` stand in `grasps` as well, in the same order.
+struct ExportInput {
+  const CompiledScene& scene;
+  const PlanResult& result;
+  ExportHeader header;
+  std::vector<ExportGrasp> grasps;
+};
+
+// A format (docs/reference/exports.md). All that is known of it stands here: the command line, the
+// protocol and the page of the studio offer it, and what it left is found again (result_files.h).
+struct ExportFormat {
+  std::string_view name;
+  std::vector<std::string_view> files;  // names of its files; '#' stands for a grasp's rank
+  std::string_view summary;             // one sentence
+  bool is_text = true;                  // can be sent as a message
+  std::vector<ExportFile> (*make)(const ExportInput& input) = nullptr;
+};
+
+// All of them. grasps.json, which is always written, is none.
+std::span<const ExportFormat> export_formats();
+
+// "json", which stands for grasps.json, then the names of the formats.
+std::vector<std::string> export_names();
 
 // What the formats need of a grasp; `rank` counts from 1.
 ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int rank);
 
-// The result in one format, as one or several files (docs/exports.md); nothing is written to disk.
-// Throws InputError that lists the known formats when `format` is none of them.
+// The result in one format, as one or several files; none for "json". Nothing is written to disk.
+// Throws InputError that lists export_names() when `format` is none of them.
 std::vector<ExportFile> export_files(const CompiledScene& scene, const PlanResult& result,
                                      const std::string& format);
 

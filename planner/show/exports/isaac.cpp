@@ -26,7 +26,7 @@ void put_grasp(YAML::Emitter& yaml, const ExportHeader& header, const ExportGras
   const Vector3 p = grasp.X_OH.translation();
   yaml << YAML::BeginMap;
   yaml << YAML::Key << "confidence" << YAML::Value;
-  // Epsilon is not a probability, but larger is better for both (docs/exports.md).
+  // Epsilon is not a probability, but larger is better for both (docs/reference/exports.md).
   put_number(yaml, std::clamp(grasp.epsilon, 0.0, 1.0));
   yaml << YAML::Key << "position" << YAML::Value;
   put_numbers(yaml, {p.x(), p.y(), p.z()});

@@ -1,4 +1,4 @@
-// Grasps as an Isaac Grasp file (docs/exports.md).
+// Grasps as an Isaac Grasp file (docs/reference/exports.md).
 #pragma once
 
 #include <string>

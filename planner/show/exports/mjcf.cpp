@@ -93,7 +93,7 @@ void MjcfWriter::name_bodies() {
   target_name_ = new_name("hand_target");
 }
 
-// Settings with which a held object neither creeps nor sinks in (docs/exports.md).
+// Settings with which a held object neither creeps nor sinks in (docs/reference/exports.md).
 void MjcfWriter::write_settings() {
   xml_.comment("grasp " + std::to_string(grasp_.rank) + ", " + grasp_.outcome + ", epsilon " +
                number_text(grasp_.epsilon) + "; SI units");

@@ -1,4 +1,4 @@
-// Grasps as models of the simulator MuJoCo (docs/exports.md).
+// Grasps as models of the simulator MuJoCo (docs/reference/exports.md).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Grasps and paths as messages of MoveIt (docs/exports.md).
+// Grasps and paths as messages of MoveIt (docs/reference/exports.md).
 #pragma once
 
 #include <string>

@@ -11,6 +11,7 @@ const contactMaterial = new THREE.MeshPhongMaterial({
 const litMaterial =
     new THREE.MeshBasicMaterial({color: data.palette.pointed_at.color, side: THREE.DoubleSide});
 const weakestMaterial = new THREE.MeshPhongMaterial({color: data.palette.weakest.color});
+const forceMaterial = new THREE.MeshPhongMaterial({color: data.palette.force.color});
 
 function contactMarks(grasp) {
   const group = new THREE.Group();

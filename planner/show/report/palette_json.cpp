@@ -23,8 +23,8 @@ Json palette_json() {
   Json axes = Json::array();
   for (const Color& axis : palette::kAxes) axes.push_back(hex(axis));
   Json outcomes = Json::object();
-  for (const Outcome outcome : kOutcomes) {
-    outcomes[std::string(outcome_name(outcome))] = hex(palette::of(outcome));
+  for (const Outcome outcome : kAll<Outcome>) {
+    outcomes[std::string(name_of(outcome))] = hex(palette::of(outcome));
   }
   return {{"object", look_json(palette::kObject)},
           {"hard", look_json(palette::kHard)},

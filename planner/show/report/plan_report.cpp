@@ -27,7 +27,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& s
                      record.options.trial.soft_fingers ? "rubber as soft fingers" : "hard points");
   facts.emplace_back("seed", std::to_string(record.options.seed));
   for (const StageCount& stage : result.stages) {
-    facts.emplace_back(plan_count_name(stage.what), std::to_string(stage.count));
+    facts.emplace_back(name_of(stage.what), std::to_string(stage.count));
   }
   return facts;
 }
@@ -36,7 +36,7 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
                      const ScoredGrasp& scored) {
   const Trial& trial = scored.trial;
   ReportGrasp grasp;
-  grasp.outcome = outcome_name(trial.outcome);
+  grasp.outcome = name_of(trial.outcome);
   grasp.force_closure = trial.outcome == Outcome::stable;
   grasp.epsilon = trial.epsilon;
   if (scored.volume) grasp.volume = Interval{*scored.volume, *scored.volume};
@@ -78,20 +78,19 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
 
 void add_why_not(const CompiledScene& scene, const PlanResult& result,
                  const PlanReportOptions& options, Report& report) {
-  for (Outcome outcome : kOutcomes) {
-    report.outcomes.push_back({std::string(outcome_name(outcome)),
-                               std::string(outcome_meaning(outcome)),
-                               result.outcomes[static_cast<std::size_t>(outcome)]});
+  for (Outcome outcome : kAll<Outcome>) {
+    report.outcomes.push_back({std::string(name_of(outcome)), std::string(outcome_meaning(outcome)),
+                               result.outcomes[outcome]});
   }
   for (const CollisionCount& blocker : result.blockers) {
     report.blockers.push_back(
-        {std::string(outcome_name(blocker.outcome)), blocker.link, blocker.by, blocker.count});
+        {std::string(name_of(blocker.outcome)), blocker.link, blocker.by, blocker.count});
   }
   for (const RuleCount& rule : result.rules) {
     ReportRule& row = report.rules.emplace_back(ReportRule{rule.rule, {}});
-    for (const Outcome outcome : kOutcomes) {
-      const int count = rule.outcomes[static_cast<std::size_t>(outcome)];
-      if (count > 0) row.outcomes.emplace_back(outcome_name(outcome), count);
+    for (const Outcome outcome : kAll<Outcome>) {
+      const int count = rule.outcomes[outcome];
+      if (count > 0) row.outcomes.emplace_back(name_of(outcome), count);
     }
   }
   for (const Advice& advice : result.advice) report.advice.push_back(advice.words);

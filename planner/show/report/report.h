@@ -26,7 +26,7 @@ struct ReportContact {
 
 // A grasp with all that its part of the page shows.
 struct ReportGrasp {
-  std::string outcome;  // outcome_name(); empty: there was no trial
+  std::string outcome;  // name_of(); empty: there was no trial
   bool force_closure = false;
   EpsilonBracket epsilon;
   // Bounds of the volume of the wrench space; nothing where it was not computed.
@@ -42,13 +42,13 @@ struct ReportGrasp {
   std::optional<GraspMotion> motion = {};  // empty without a hand
   std::optional<GraspDetail> detail = {};  // empty for grasps that are not analysed further
   std::optional<ShakeReport> shake = {};   // empty for grasps that were not shaken
-  std::vector<std::string> happened = {};  // what a simulation saw, in the order of time
+  std::vector<std::string> events = {};    // what a simulation saw, in the order of time
   std::optional<Vector3> side = {};        // viewing direction, unit, towards the eye, world frame
 };
 
 // How many candidates ended with one outcome.
 struct ReportOutcome {
-  std::string name;     // outcome_name()
+  std::string name;     // name_of()
   std::string meaning;  // one sentence for the legend
   int count = 0;
 };
@@ -72,7 +72,7 @@ struct ReportBlocker {
 // How the candidates of one rule ended (RuleCount).
 struct ReportRule {
   std::string rule;
-  std::vector<std::pair<std::string, int>> outcomes;  // outcome_name() and count, without zeros
+  std::vector<std::pair<std::string, int>> outcomes;  // name_of() and count, without zeros
 };
 
 // A whole report: of a plan, of an evaluation, or (without scene) of contacts alone.

@@ -67,7 +67,7 @@ Json scene_json(const CompiledScene& scene) {
   Json json;
   json["object"] = body_json(object.name, object.mesh, object.X_WO);
   json["object"]["mass"] = rounded(object.mass);
-  json["object"]["material"] = material_name(object.material);
+  json["object"]["material"] = name_of(object.material);
   json["hand"] = robot_json(scene.scene.hand);
   json["hand"]["approach"] = rounded(scene.scene.hand.hand->approach);
   json["hand"]["closing"] = rounded(scene.scene.hand.hand->closing);
@@ -101,7 +101,7 @@ Json contact_json(const ReportContact& contact) {
   Json json{{"p", rounded(point.position)},
             {"n", rounded(point.normal)},
             {"mu", significant(point.friction)},
-            {"model", contact_model_name(point.model)}};
+            {"model", name_of(point.model)}};
   if (point.model == ContactModel::soft_finger) json["torsion"] = rounded(point.torsion);
   if (!contact.link.empty()) json["link"] = contact.link;
   // Gaps are at most a tenth of a millimetre, so they need more decimals.
@@ -207,7 +207,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   json["motion"] = grasp.motion ? motion_json(*grasp.motion, most_frames) : Json();
   json["side"] = grasp.side ? rounded(*grasp.side) : Json();
   if (grasp.shake) json["shake"] = shake_to_json(*grasp.shake);
-  if (!grasp.happened.empty()) json["happened"] = grasp.happened;
+  if (!grasp.events.empty()) json["events"] = grasp.events;
   json["detail"] = grasp.detail ? detail_json(*grasp.detail) : Json();
   return json;
 }

@@ -70,7 +70,7 @@ Trial final_grasp(const CompiledScene& scene, const Simulation& simulation,
   trial.X_OH = X_WO.inverse() * hand_pose(world, simulation.hand);
   trial.dofs = hand_dofs(world, simulation.hand);
   trial.joints = hand_joints(world, simulation.hand);
-  GraspWorkspace workspace;
+  ScoringWorkspace workspace;
   score_contacts(scene, options, workspace, trial);
   return trial;
 }
@@ -102,13 +102,13 @@ GraspMotion motion_of(const CompiledScene& scene, const Simulation& simulation) 
   return motion;
 }
 
-std::vector<std::string> happenings(const Simulation& simulation) {
+std::vector<std::string> event_lines(const Simulation& simulation) {
   std::vector<std::string> lines;
   for (const ObjectEvent& event : simulation.events) lines.push_back(words_of(event));
   for (const ShakeTestReport& test : simulation.tests) {
     if (test.outcome == ShakeOutcome::survived) continue;
     lines.push_back(formatted("%s ends after %.3f s: %s", test.name.c_str(), test.failed_at,
-                              std::string(shake_outcome_name(test.outcome)).c_str()));
+                              std::string(name_of(test.outcome)).c_str()));
   }
   lines.push_back(formatted("%.3f s: ", simulation.frames.back().time) +
                   std::string(object_end_meaning(simulation.end)));
@@ -120,7 +120,7 @@ Report simulation_report(const CompiledScene& scene, const Simulation& simulatio
   Report report;
   const std::string& robot = scene.arm ? scene.arm->robot().name : scene.scene.hand.name;
   report.title =
-      scene.scene.object.name + ", " + robot + ": " + std::string(object_end_name(simulation.end));
+      scene.scene.object.name + ", " + robot + ": " + std::string(name_of(simulation.end));
   report.facts = {{"scene", scene.scene.name},
                   {"protocol", simulation.procedure},
                   {"steps", std::to_string(simulation.effort.steps)},
@@ -131,14 +131,14 @@ Report simulation_report(const CompiledScene& scene, const Simulation& simulatio
   report.grasps_in_all = 1;
   ReportGrasp& grasp = report.grasps.emplace_back();
   const Trial trial = final_grasp(scene, simulation, options);
-  grasp.outcome = object_end_name(simulation.end);
+  grasp.outcome = name_of(simulation.end);
   grasp.force_closure = trial.outcome == Outcome::stable;
   grasp.epsilon = trial.epsilon;
   for (const GraspContact& contact : trial.contacts) {
     grasp.contacts.push_back({contact.point, scene.links[index(contact.link)].name, contact.gap});
   }
   grasp.motion = motion_of(scene, simulation);
-  grasp.happened = happenings(simulation);
+  grasp.events = event_lines(simulation);
   return report;
 }
 

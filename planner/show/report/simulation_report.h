@@ -13,7 +13,7 @@ namespace prehend {
 GraspMotion motion_of(const CompiledScene& scene, const Simulation& simulation);
 
 // What happened, one line for each event and each test.
-std::vector<std::string> happenings(const Simulation& simulation);
+std::vector<std::string> event_lines(const Simulation& simulation);
 
 // Both must outlive the report. Contacts and quality are those at the end, by `options`, where the
 // hand touches the object then.

@@ -87,13 +87,6 @@ std::optional<Interval> interval_of(std::vector<double> values, const BootstrapO
 
 }  // namespace
 
-std::optional<Grouping> named_grouping(std::string_view name) {
-  for (const Grouping grouping : kGroupings) {
-    if (grouping_name(grouping) == name) return grouping;
-  }
-  return std::nullopt;
-}
-
 Grouping natural_grouping(std::span<const Label> labels) {
   if (distinct(labels, &Label::object) > 1) return Grouping::object;
   return distinct(labels, &Label::session) > 1 ? Grouping::session : Grouping::each;

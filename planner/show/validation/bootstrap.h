@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planner/show/validation/ranking.h"
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/quality/interval.h"
 
@@ -24,18 +25,10 @@ enum class Grouping {
   each      // every execution by itself
 };
 
-inline constexpr std::array<Grouping, 4> kGroupings = {Grouping::object, Grouping::session,
-                                                       Grouping::both, Grouping::each};
-
 // The same word as the enumerator.
-constexpr std::string_view grouping_name(Grouping grouping) {
-  constexpr std::array<std::string_view, kGroupings.size()> kNames = {"object", "session", "both",
-                                                                      "each"};
-  return kNames[static_cast<std::size_t>(grouping)];
+constexpr auto enum_names(Grouping /*of*/) {
+  return std::to_array<std::string_view>({"object", "session", "both", "each"});
 }
-
-// The grouping of this name; nothing for any other word.
-std::optional<Grouping> named_grouping(std::string_view name);
 
 // The grouping that suits: by object where there are several, else by session where there are
 // several, else each by itself.

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "planner/show/validation/executed_grasps_file.h"
 #include "planner/show/validation/validation_report.h"
 

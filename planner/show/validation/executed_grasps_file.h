@@ -1,4 +1,4 @@
-// Reader of files of executed grasps (docs/truth-file.md).
+// Reader of files of executed grasps (docs/reference/truth-file.md).
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 #include "planner/show/validation/labels.h"
 #include "sim/base/run_context.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 

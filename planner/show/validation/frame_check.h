@@ -20,8 +20,8 @@ struct FrameSuspicion {
 
 struct FrameCheck {
   int grasps = 0;
-  std::array<int, kObjectPlaces.size()> places{};  // of so many of them the object is there
-  int in_obstacles = 0;                            // hands that cross an obstacle
+  std::array<int, kAll<ObjectPlace>.size()> places{};  // of so many of them the object is there
+  int in_obstacles = 0;                                // hands that cross an obstacle
   std::optional<FrameSuspicion> suspicion;
 
   int between() const { return places[static_cast<std::size_t>(ObjectPlace::between)]; }

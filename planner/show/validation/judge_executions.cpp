@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "planner/plan/plan.h"
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 
@@ -48,7 +49,9 @@ JudgedExecutions judge_executions(const ExecutedGrasps& truth, const std::vector
         judged.scores[s][places[i]] = scores[s].of(result.grasps[i]);
       }
     }
-    for (std::size_t k = 0; k < kOutcomes.size(); ++k) judged.outcomes[k] += result.outcomes[k];
+    for (const Outcome outcome : kAll<Outcome>) {
+      judged.outcomes[outcome] += result.outcomes[outcome];
+    }
   }
   return judged;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "planner/show/validation/executed_grasps_file.h"
 #include "planner/show/validation/scores.h"
 
@@ -11,8 +11,8 @@ namespace prehend {
 
 // The scores of the executions, in the order of the file.
 struct JudgedExecutions {
-  std::vector<std::vector<double>> scores;       // of each score, one number an execution
-  std::array<int, kOutcomes.size()> outcomes{};  // of the trials, each counted once
+  std::vector<std::vector<double>> scores;  // of each score, one number an execution
+  EnumArray<Outcome, int> outcomes;         // of the trials, each counted once
 };
 
 // Evaluates the grasps of each object. Which volumes are computed and whether grasps are tried with

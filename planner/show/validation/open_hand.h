@@ -5,8 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/trial/trial.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
 
@@ -17,14 +18,9 @@ enum class ObjectPlace {
   palm      // between the fingers, but the palm is in it as well, by more than poses may be off
 };
 
-inline constexpr std::array<ObjectPlace, 4> kObjectPlaces = {
-    ObjectPlace::between, ObjectPlace::beside, ObjectPlace::inside, ObjectPlace::palm};
-
 // The same word as the enumerator.
-constexpr std::string_view object_place_name(ObjectPlace place) {
-  constexpr std::array<std::string_view, kObjectPlaces.size()> kNames = {"between", "beside",
-                                                                         "inside", "palm"};
-  return kNames[static_cast<std::size_t>(place)];
+constexpr auto enum_names(ObjectPlace /*of*/) {
+  return std::to_array<std::string_view>({"between", "beside", "inside", "palm"});
 }
 
 // A hand in the posture in which it begins to close.

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_result.h"
 
 namespace prehend {
 

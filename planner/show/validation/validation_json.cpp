@@ -58,8 +58,8 @@ Json parts_json(const std::vector<ValidationPart>& parts, const std::vector<Scor
 
 Json frames_json(const FrameCheck& frames) {
   Json places = Json::object();
-  for (const ObjectPlace place : kObjectPlaces) {
-    places[std::string(object_place_name(place))] = frames.places[static_cast<std::size_t>(place)];
+  for (const ObjectPlace place : kAll<ObjectPlace>) {
+    places[std::string(name_of(place))] = frames.places[static_cast<std::size_t>(place)];
   }
   Json json{{"grasps", frames.grasps},
             {"object", places},
@@ -79,16 +79,16 @@ Json settings_json(const ValidationReport& report) {
           {"samples", report.samples},
           {"resamples", report.bootstrap.resamples},
           {"level", report.bootstrap.level},
-          {"groups", grouping_name(report.bootstrap.grouping)}};
+          {"groups", name_of(report.bootstrap.grouping)}};
 }
 
 }  // namespace
 
 std::string validation_json(const ValidationReport& report) {
   Json outcomes = Json::object();
-  for (const Outcome outcome : kOutcomes) {
-    const int count = report.outcomes[static_cast<std::size_t>(outcome)];
-    if (count > 0) outcomes[std::string(outcome_name(outcome))] = count;
+  for (const Outcome outcome : kAll<Outcome>) {
+    const int count = report.outcomes[outcome];
+    if (count > 0) outcomes[std::string(name_of(outcome))] = count;
   }
   const Json json{{"format", "prehend truth report 1"},
                   {"file", report.name},

@@ -149,8 +149,8 @@ std::string frame_section(const FrameCheck& frames) {
   words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
   const bool ends = words.back() == '?';
   std::string rows;
-  for (const ObjectPlace place : kObjectPlaces) {
-    constexpr std::array<const char*, kObjectPlaces.size()> kWords = {
+  for (const ObjectPlace place : kAll<ObjectPlace>) {
+    constexpr std::array<const char*, kAll<ObjectPlace>.size()> kWords = {
         "the object is between the open fingers", "the closing fingers miss the object",
         "a finger is in the object", "between the fingers, and in the palm as well"};
     const auto at = static_cast<std::size_t>(place);
@@ -165,10 +165,10 @@ std::string frame_section(const FrameCheck& frames) {
 
 std::string outcome_section(const ValidationReport& report) {
   std::string rows;
-  for (const Outcome outcome : kOutcomes) {
-    const int count = report.outcomes[static_cast<std::size_t>(outcome)];
+  for (const Outcome outcome : kAll<Outcome>) {
+    const int count = report.outcomes[outcome];
     if (count == 0) continue;
-    std::string name(outcome_name(outcome));
+    std::string name(name_of(outcome));
     std::replace(name.begin(), name.end(), '_', ' ');
     rows += row_of({markup_text(name), std::to_string(count)});
   }

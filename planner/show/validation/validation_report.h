@@ -33,7 +33,7 @@ struct ValidationReport {
   std::string name;  // of the file that was read
   int lifted = 0;    // executions
   int failed = 0;
-  std::array<int, kOutcomes.size()> outcomes{};  // of the trials: one for each entry of the file
+  EnumArray<Outcome, int> outcomes;  // of the trials: one for each entry of the file
   BootstrapOptions bootstrap;
   int samples = 0;    // disturbed trials of a grasp
   int groups = 0;     // RankingEstimates::groups

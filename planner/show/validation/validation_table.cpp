@@ -68,7 +68,7 @@ std::string execution_text(const ValidationReport& report) {
 
 std::string interval_text(const ValidationReport& report) {
   const BootstrapOptions& options = report.bootstrap;
-  constexpr std::array<const char*, kGroupings.size()> kGroups = {
+  constexpr std::array<const char*, kAll<Grouping>.size()> kGroups = {
       "objects", "sessions", "objects and sessions", "single executions"};
   std::string words = formatted("%g %% intervals from %d resamples of %d %s", 100.0 * options.level,
                                 options.resamples, report.groups,

@@ -10,7 +10,7 @@ namespace prehend {
 // Tables, in lines.
 std::string validation_table(const ValidationReport& report);
 
-// All figures (docs/truth-file.md). The same report gives the same bytes.
+// All figures (docs/reference/truth-file.md). The same report gives the same bytes.
 std::string validation_json(const ValidationReport& report);
 
 // "500 executions of 10 objects in 3 sessions: 250 lifted, 250 failed"

@@ -8,6 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_depth.h"
 
 // A field knows its name as a path from the root of the file, for example
@@ -121,9 +122,7 @@ void JsonField::allow_only(std::span<const std::string_view> names) const {
   require_object();
   for (const auto& [key, value] : value_->items()) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
-    std::string known;
-    for (const std::string_view name : names)
-      known += (known.empty() ? "" : ", ") + std::string(name);
+    const std::string known = joined(names);
     JsonField(value, *file_, name_.empty() ? key : name_ + "." + key)
         .fail("unknown field, known here are " + known);
   }

@@ -4,6 +4,7 @@
 // all permitted names.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,8 +14,10 @@
 #include <utility>
 #include <vector>
 
+#include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/named_enum.h"
 
 namespace prehend {
 
@@ -22,6 +25,10 @@ namespace prehend {
 // field when the type does not fit.
 inline nlohmann::ordered_json value_to_json(const Vector3& value) { return vector_to_json(value); }
 inline nlohmann::ordered_json value_to_json(const Pose& value) { return pose_to_json(value); }
+template <NamedEnum Enum>
+nlohmann::ordered_json value_to_json(Enum value) {
+  return name_of(value);
+}
 template <typename T>
 nlohmann::ordered_json value_to_json(const T& value) {
   return value;
@@ -36,6 +43,12 @@ inline void read_value(const JsonField& field, std::uint64_t& value) {
 inline void read_value(const JsonField& field, std::string& value) { value = field.text(); }
 inline void read_value(const JsonField& field, Vector3& value) { value = field.vector3(); }
 inline void read_value(const JsonField& field, Pose& value) { value = read_pose(field); }
+template <NamedEnum Enum>
+void read_value(const JsonField& field, Enum& value) {
+  const std::optional<Enum> named = value_named<Enum>(field.text());
+  if (!named) field.fail("must be one of " + joined(enum_names(Enum{})));
+  value = *named;
+}
 template <typename T>
 void read_value(const JsonField& field, std::optional<T>& value) {
   read_value(field, value.emplace());
@@ -46,18 +59,9 @@ void read_value(const JsonField& field, std::vector<T>& values) {
   for (const JsonField& item : field.items()) read_value(item, values.emplace_back());
 }
 
-// Pairs of a name in the file and its meaning: the value of an enum, or the index of an entry of a
-// list (T is int).
+// Pairs of a name in the file and its meaning, such as the index of an entry of a list.
 template <typename T>
 using ValueNames = std::vector<std::pair<std::string, T>>;
-
-// The ValueNames of an enum: each of `values` with the name that name(value) gives.
-template <typename Values, typename Name>
-auto value_names(const Values& values, const Name& name) {
-  ValueNames<typename Values::value_type> names;
-  for (const auto& value : values) names.emplace_back(std::string(name(value)), value);
-  return names;
-}
 
 // Writes fields to a JSON object in the order in which they are visited. It has the functions of
 // FieldReader that visitors call; the checks (needs, require) do nothing here.
@@ -74,12 +78,23 @@ class FieldWriter {
     if (value) (*this)(name, *value);
   }
   void needs(std::string_view /*name*/) {}
-  // A field that holds the name of `value` (an enum, say); left out when `names` has none for it.
+  // A number that may be infinite, which no number of JSON is: null stands for it.
+  void unbounded(std::string_view name, double value) {
+    json_[std::string(name)] = std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+  }
+  // A field that holds the name of `value`; left out when `names` has none for it.
   template <typename T>
   void named(std::string_view name, const T& value, const ValueNames<T>& names) {
     for (const auto& [word, meaning] : names) {
       if (meaning == value) json_[std::string(name)] = word;
     }
+  }
+  // The same of a value that may be missing: null then.
+  template <typename T>
+  void named_or_null(std::string_view name, const std::optional<T>& value,
+                     const ValueNames<T>& names) {
+    json_[std::string(name)] = nullptr;
+    if (value) named(name, *value, names);
   }
   // A nested object; visit(fields) visits its fields.
   template <typename Visit>
@@ -87,6 +102,25 @@ class FieldWriter {
     FieldWriter inner;
     visit(inner);
     json_[std::string(name)] = std::move(inner).json();
+  }
+  // A nested object that is null unless it is `there`.
+  template <typename Visit>
+  void object_or_null(std::string_view name, bool there, const Visit& visit) {
+    json_[std::string(name)] = nullptr;
+    if (there) object(name, visit);
+  }
+  // A nested object that is left out where it has no value; visit(fields, value) visits its fields.
+  template <typename T, typename Visit>
+  void part(std::string_view name, const std::optional<T>& value, const Visit& visit) {
+    if (value) object(name, [&](auto& inner) { visit(inner, *value); });
+  }
+  // An object with a count for each value of an enum that occurs.
+  template <NamedEnum Enum>
+  void counts(std::string_view name, const EnumArray<Enum, int>& counts) {
+    nlohmann::ordered_json& json = json_[std::string(name)] = nlohmann::ordered_json::object();
+    for (const Enum value : kAll<Enum>) {
+      if (counts[value] > 0) json[std::string(name_of(value))] = counts[value];
+    }
   }
   // A list of objects; visit(fields, value) visits the fields of one entry.
   template <typename T, typename Visit>
@@ -99,10 +133,16 @@ class FieldWriter {
     }
   }
   // A field that is written for the reader's information only, because it follows from other fields
-  // or from the scene; reading ignores it. make() returns its JSON.
+  // or from the scene; reading ignores it. make() returns its value; left out where that is an
+  // empty optional.
   template <typename Make>
   void derived(std::string_view name, const Make& make) {
-    json_[std::string(name)] = make();
+    (*this)(name, make());
+  }
+  // The same of a part.
+  template <typename T, typename Visit>
+  void derived_part(std::string_view name, const std::optional<T>& value, const Visit& visit) {
+    part(name, value, visit);
   }
   void require(std::string_view /*name*/, bool /*fits*/, const char* /*what*/) {}
 
@@ -143,7 +183,7 @@ class FieldReader {
         value = meaning;
         return;
       }
-      known += (known.empty() ? "" : ", ") + candidate;
+      add_part(known, candidate);
     }
     object_[name].fail("must be one of " + known);
   }
@@ -154,6 +194,14 @@ class FieldReader {
     FieldReader inner(object_[name]);
     visit(inner);
     inner.finish();
+  }
+  template <typename Visit>
+  void object_or_null(std::string_view name, bool /*there*/, const Visit& visit) {
+    object(name, visit);
+  }
+  template <typename T, typename Visit>
+  void part(std::string_view name, std::optional<T>& value, const Visit& visit) {
+    object(name, [&](auto& inner) { visit(inner, value.emplace()); });
   }
   // A list of objects, which replaces `values`; unknown fields in them are errors.
   template <typename T, typename Visit>
@@ -169,6 +217,11 @@ class FieldReader {
   // Permitted, but not read.
   template <typename Make>
   void derived(std::string_view name, const Make& /*make*/) {
+    allow(name);
+  }
+  template <typename T, typename Visit>
+  void derived_part(std::string_view name, const std::optional<T>& /*value*/,
+                    const Visit& /*visit*/) {
     allow(name);
   }
   // Throws InputError with the text `what` at the field when `fits` is false: the value was read

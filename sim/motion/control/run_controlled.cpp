@@ -7,6 +7,8 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/require_world.h"
+#include "sim/motion/step_world.h"
 
 namespace prehend {
 namespace {

@@ -7,8 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/motion/control/controller.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 
@@ -28,15 +30,10 @@ enum class ControlOutcome {
   not_finite,    // a step ended so
 };
 
-inline constexpr std::array<ControlOutcome, 6> kControlOutcomes = {
-    ControlOutcome::finished,   ControlOutcome::stopped, ControlOutcome::not_a_number,
-    ControlOutcome::wrong_size, ControlOutcome::blocked, ControlOutcome::not_finite};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view control_outcome_name(ControlOutcome outcome) {
-  constexpr std::array<std::string_view, kControlOutcomes.size()> kNames = {
-      "finished", "stopped", "not_a_number", "wrong_size", "blocked", "not_finite"};
-  return kNames[static_cast<std::size_t>(outcome)];
+constexpr auto enum_names(ControlOutcome /*of*/) {
+  return std::to_array<std::string_view>(
+      {"finished", "stopped", "not_a_number", "wrong_size", "blocked", "not_finite"});
 }
 
 struct ControlledRunOptions {

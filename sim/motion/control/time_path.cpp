@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/base/input_error.h"
+#include "sim/base/require_settings.h"
 #include "sim/motion/control/time_corners.h"
 #include "sim/motion/control/time_curve.h"
 
@@ -26,10 +27,7 @@ void check_limit(const char* name, double limit, std::size_t joint) {
 // Refuses what the timing cannot handle, before any work. Only joints that move need limits: a
 // robot may have none (0) for the others.
 void check(const Points& waypoints, const JointLimits& limits, const TimePathOptions& options) {
-  require(std::isfinite(options.sample_time) && options.sample_time > 0.0,
-          {.field = "sample_time",
-           .problem = "must be positive and finite",
-           .value = std::to_string(options.sample_time)});
+  require_settings(options);
   require(!waypoints.empty(), {.field = "waypoints", .problem = "none"});
   const std::vector<double>& first = waypoints.front();
   if (limits.velocity.size() != first.size() || limits.acceleration.size() != first.size()) {

@@ -25,14 +25,14 @@ enum class PathKind {
 };
 
 struct TimePathOptions {
-  // Longest time between two samples (> 0) [s].
+  static constexpr AboutSettings kAbout{"TimePathOptions", "How a path is timed."};
   double sample_time = 0.02;
 };
 
 template <SettingsOf<TimePathOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [sample_time] = options;
-  visit("sample_time", sample_time, kAbove0);
+  visit("sample_time", sample_time, kAbove0, "s", "Longest time between two samples.");
 }
 
 // A motion at rest at both ends. Time starts at 0 and increases.

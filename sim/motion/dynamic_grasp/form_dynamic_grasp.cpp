@@ -3,9 +3,11 @@
 #include <algorithm>
 
 #include "sim/base/index.h"
+#include "sim/base/require_settings.h"
 #include "sim/motion/control/quintic_step.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/dynamic_grasp/resting.h"
+#include "sim/motion/require_world.h"
 
 namespace prehend {
 namespace {
@@ -103,6 +105,7 @@ DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
                                 const std::shared_ptr<const RobotModel>& hand,
                                 const DynamicGraspStart& start, const DynamicGraspOptions& options,
                                 const RunContext& context) {
+  require_settings(options);
   World world = make_scene_world(scene, true);
   world.gravity = {0.0, 0.0, scene.has_obstacles() ? -options.gravity : 0.0};
   const WorldHand place = add_hand(world, scene, hand, start.X_WH, start.dofs, start.joints);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 
 namespace prehend {
@@ -21,15 +22,10 @@ enum class ObjectEventKind {
   fell,     // it is lower than where it stood
 };
 
-inline constexpr std::array<ObjectEventKind, 6> kObjectEventKinds = {
-    ObjectEventKind::touched, ObjectEventKind::gripped, ObjectEventKind::lifted,
-    ObjectEventKind::tilted,  ObjectEventKind::left,    ObjectEventKind::fell};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view object_event_name(ObjectEventKind kind) {
-  constexpr std::array<std::string_view, kObjectEventKinds.size()> kNames = {
-      "touched", "gripped", "lifted", "tilted", "left", "fell"};
-  return kNames[static_cast<std::size_t>(kind)];
+constexpr auto enum_names(ObjectEventKind /*of*/) {
+  return std::to_array<std::string_view>(
+      {"touched", "gripped", "lifted", "tilted", "left", "fell"});
 }
 
 struct ObjectEvent {
@@ -49,20 +45,15 @@ enum class ObjectEnd {
   dropped,       // the hand had lifted it
 };
 
-inline constexpr std::array<ObjectEnd, 7> kObjectEnds = {
-    ObjectEnd::held,    ObjectEnd::touching,     ObjectEnd::untouched, ObjectEnd::pushed_away,
-    ObjectEnd::toppled, ObjectEnd::squeezed_out, ObjectEnd::dropped};
-
 // The name in files: the same word as the enumerator.
-constexpr std::string_view object_end_name(ObjectEnd end) {
-  constexpr std::array<std::string_view, kObjectEnds.size()> kNames = {
-      "held", "touching", "untouched", "pushed_away", "toppled", "squeezed_out", "dropped"};
-  return kNames[static_cast<std::size_t>(end)];
+constexpr auto enum_names(ObjectEnd /*of*/) {
+  return std::to_array<std::string_view>(
+      {"held", "touching", "untouched", "pushed_away", "toppled", "squeezed_out", "dropped"});
 }
 
 // What the end means, as a clause for people.
 constexpr std::string_view object_end_meaning(ObjectEnd end) {
-  constexpr std::array<std::string_view, kObjectEnds.size()> kMeanings = {
+  constexpr std::array<std::string_view, kAll<ObjectEnd>.size()> kMeanings = {
       "the hand holds the object from opposite sides",
       "the hand touches the object from one side only",
       "the hand did not touch the object",

@@ -24,8 +24,8 @@ constexpr Material kGraspitMaterial = Material::wood;
 
 Material material_of(const XmlElement& element, std::vector<std::string>& notes) {
   const std::string name = element.content();
-  for (const Material material : kMaterials) {
-    if (material_name(material) == name) return material;
+  for (const Material material : kAll<Material>) {
+    if (name_of(material) == name) return material;
   }
   const bool slippery = name == "frictionless";
   const Material nearest = slippery ? Material::metal : kGraspitMaterial;
@@ -33,7 +33,7 @@ Material material_of(const XmlElement& element, std::vector<std::string>& notes)
                           : name == "stone" ? ", whose friction is at most 0.5 lower"
                                             : "";
   notes.push_back(note_of(element, "there is no material " + in_note(name) + " here: taken as " +
-                                       std::string(material_name(nearest)) + why));
+                                       std::string(name_of(nearest)) + why));
   return nearest;
 }
 

@@ -81,7 +81,7 @@ void GraspitReader::add_link(const XmlElement& element, std::string name, int jo
   }
   const GraspitBody& body = known->second;
   robot_.links.push_back({.name = std::move(name),
-                          .material = std::string(material_name(body.material)),
+                          .material = std::string(name_of(body.material)),
                           .joint = joint,
                           .mesh = body.mesh,
                           .inertial = inertial_of(body)});

@@ -1,4 +1,4 @@
-// Robots in GraspIt!'s own files (docs/graspit-files.md).
+// Robots in GraspIt!'s own files (docs/reference/graspit-files.md).
 #pragma once
 
 #include "sim/base/xml/xml_file.h"

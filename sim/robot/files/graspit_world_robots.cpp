@@ -117,7 +117,7 @@ Link read_world_mount(const XmlElement& element, const Pose& X_MR,
   const GraspitBody body = with_field_errors(element, [&] { return load_graspit_body(file); });
   notes.insert(notes.end(), body.notes.begin(), body.notes.end());
   return {.name = body.name,
-          .material = std::string(material_name(body.material)),
+          .material = std::string(name_of(body.material)),
           .joint = -1,
           .mesh = transformed(body.mesh, X_MR),
           .inertial = transformed(inertial_of(body), X_MR)};

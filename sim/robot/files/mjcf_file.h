@@ -1,4 +1,4 @@
-// Reads MJCF, the format of the simulator MuJoCo (docs/urdf-files.md).
+// Reads MJCF, the format of the simulator MuJoCo (docs/reference/urdf-files.md).
 #pragma once
 
 #include "sim/base/xml/xml_file.h"

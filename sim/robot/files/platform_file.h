@@ -1,4 +1,5 @@
-// Reads platforms: several robots, or a robot file as a platform of one (docs/robot-file.md).
+// Reads platforms: several robots, or a robot file as a platform of one
+// (docs/reference/robot-file.md).
 #pragma once
 
 #include <filesystem>

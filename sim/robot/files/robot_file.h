@@ -1,4 +1,4 @@
-// Reads robot files (docs/robot-file.md).
+// Reads robot files (docs/reference/robot-file.md).
 #pragma once
 
 #include <filesystem>

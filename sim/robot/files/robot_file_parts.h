@@ -1,5 +1,5 @@
 // The parts of a robot file that robot_file.h and platform_file.h put together
-// (docs/robot-file.md). Each throws InputError that names the field.
+// (docs/reference/robot-file.md). Each throws InputError that names the field.
 #pragma once
 
 #include "sim/base/json/json_field.h"

@@ -4,6 +4,7 @@
 #include "sim/base/data_library.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/platform_file.h"
@@ -33,7 +34,7 @@ std::filesystem::path file_of(const std::string& name_or_file) {
   }
   if (is_there(name_or_file)) return name_or_file;
   throw InputError({.field = "robot",
-                    .problem = "neither a file nor one of " + library().listed_names(),
+                    .problem = "neither a file nor one of " + joined(names),
                     .value = name_or_file});
 }
 

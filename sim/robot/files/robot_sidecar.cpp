@@ -18,8 +18,8 @@ int link_called(const JsonField& field, const std::string& name, const JointTree
 
 void read_materials(const JsonField& field, JointTree& tree) {
   const auto material = [](const JsonField& name) {
-    return with_field_errors(
-        name, [&] { return std::string(material_name(material_named(name.text()))); });
+    return with_field_errors(name,
+                             [&] { return std::string(name_of(material_named(name.text()))); });
   };
   if (field.has(kAllLinks)) {
     for (TreeLink& link : tree.links) link.material = material(field[kAllLinks]);

@@ -1,5 +1,5 @@
 // What a file of another program cannot say about a robot: a small JSON file beside it
-// (docs/urdf-files.md).
+// (docs/reference/urdf-files.md).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Robots and platforms as text of our own format (docs/robot-file.md).
+// Robots and platforms as text of our own format (docs/reference/robot-file.md).
 #pragma once
 
 #include <filesystem>

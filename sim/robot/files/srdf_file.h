@@ -1,4 +1,5 @@
-// Reads SRDF, which stands beside URDF and says what belongs together (docs/urdf-files.md).
+// Reads SRDF, which stands beside URDF and says what belongs together
+// (docs/reference/urdf-files.md).
 #pragma once
 
 #include <optional>

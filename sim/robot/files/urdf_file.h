@@ -1,4 +1,4 @@
-// Reads URDF, the Unified Robot Description Format of ROS (docs/urdf-files.md).
+// Reads URDF, the Unified Robot Description Format of ROS (docs/reference/urdf-files.md).
 #pragma once
 
 #include "sim/base/xml/xml_file.h"

@@ -1,4 +1,4 @@
-// Robots and platforms as URDF (docs/urdf-files.md).
+// Robots and platforms as URDF (docs/reference/urdf-files.md).
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // What planning needs of a hand (Hand, closing velocities), derived from its joints and its shape
-// where it is not stated (docs/derived-hands.md).
+// where it is not stated (docs/reference/derived-hands.md).
 #pragma once
 
 #include <optional>

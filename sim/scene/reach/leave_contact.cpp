@@ -32,7 +32,7 @@ std::optional<std::size_t> opens_at(const CompiledArm& arm, const ArmPair& pair,
     moved += motion_of(pair, step);
     if (moved > options.within) return std::nullopt;
     arm_link_poses(arm, path[i], X_BL);
-    const GapAnswer gap = gap_beyond(arm, pair, X_BL, apart, options.motion.gap_error);
+    const GapAnswer gap = gap_beyond(arm, pair, X_BL, apart, kGapError);
     if (gap == GapAnswer::larger) return i;
     if (gap == GapAnswer::meets && !touches) return std::nullopt;
     touches = gap == GapAnswer::meets;
@@ -54,7 +54,7 @@ std::optional<ArmPair> first_blocked_leaving(const CompiledArm& arm,
   for (const ArmPair& pair : pairs) {
     // Twice what first_blocked resolves, so that it does not fail where the pair has just opened.
     const double gap = 2.0 * options.motion.tightest + motion_of(pair, sway);
-    if (gap_beyond(arm, pair, X_BL, gap, options.motion.gap_error) == GapAnswer::larger) {
+    if (gap_beyond(arm, pair, X_BL, gap, kGapError) == GapAnswer::larger) {
       apart.push_back(pair);
       continue;
     }

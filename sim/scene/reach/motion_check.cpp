@@ -104,7 +104,7 @@ class MotionCheck {
         ahead += pair.reach[k] * (after[j] - here[j]);
       }
       const double farthest = std::max(back, ahead);
-      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest + sway_[p], options_.gap_error);
+      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest + sway_[p], kGapError);
       if (gap == GapAnswer::larger) continue;
       // Each half of the stretch moves the bodies by `farthest` at most, the whole by twice that.
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/base/settings.h"
 #include "sim/scene/compiled_arm.h"
+#include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
 
@@ -14,23 +14,9 @@ namespace prehend {
 // of the platform [rad or m].
 using JointPath = std::vector<std::vector<double>>;
 
-// How finely motions are checked for collision.
-struct MotionCheckOptions {
-  // A stretch of the motion on which the bodies of a pair move by no more than this relative to
-  // each other is not divided further: a pair not yet proved free there counts as blocked. Motions
-  // with gaps below about half of this may therefore be refused [m].
-  double tightest = 2e-4;
-  // Relative error by which the gap of a pair may be underestimated. A larger one makes each
-  // distance query faster, but divides the motion into more stretches.
-  double gap_error = 0.5;
-};
-
-template <SettingsOf<MotionCheckOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [tightest, gap_error] = options;
-  visit("tightest", tightest, kAbove0);
-  visit("gap_error", gap_error, kPart);
-}
+// Relative error by which the gap of a pair may be underestimated. A larger one makes each distance
+// query faster, but divides the motion into more stretches.
+inline constexpr double kGapError = 0.5;
 
 // Continuous collision check: a pair that could not be proved to stay apart along the path (the
 // first one found), or none if the whole motion is free, between the waypoints too. If the gap of a

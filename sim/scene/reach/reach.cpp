@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/base/require_settings.h"
 #include "sim/scene/reach/cartesian_line.h"
 
 // An arm has several postures for one pose of the hand, the branches of its inverse kinematics, and
@@ -100,6 +101,7 @@ std::vector<DofValues> line_ending_in(const CompiledArm& arm, const HandLine& li
 
 Reach find_reach(const CompiledArm& arm, const HandLine& line, const ReachOptions& options,
                  const RunContext& context) {
+  require_settings(options);
   return find_reaches(arm, line, 1, options, context).front();
 }
 

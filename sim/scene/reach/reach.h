@@ -4,35 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "sim/base/settings.h"
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/reach/motion_check.h"
+#include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
-
-// How the arm's postures along the line are searched for and checked.
-struct ReachOptions {
-  // Fewer restarts than IkOptions has: redundant robots arrive from one of the first few starts or
-  // not at all.
-  IkOptions kinematics = {.restarts = 30, .max_solutions = 24};
-  // Longest step along the line; between two steps the joints move along a straight line in joint
-  // space, from which the hand deviates a little [m].
-  double line_step = 2e-3;
-  // Largest change of a joint in one step: more counts as a jump to another branch of the inverse
-  // kinematics, where the hand would leave the line [rad or m].
-  double largest_joint_step = 0.15;
-  MotionCheckOptions motion;
-};
-
-template <SettingsOf<ReachOptions> Options, typename Visit>
-void for_each_setting(Options& options, const Visit& visit) {
-  auto& [kinematics, line_step, largest_joint_step, motion] = options;
-  visit("kinematics", kinematics);
-  visit("line_step", line_step, kAbove0);
-  visit("largest_joint_step", largest_joint_step, kAbove0);
-  visit("motion", motion);
-}
 
 // A straight motion of the hand with its own joints at rest. Poses of the hand H in the object's
 // frame O.

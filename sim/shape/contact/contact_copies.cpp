@@ -30,7 +30,7 @@ void first_copies(const std::vector<SurfaceContact>& contacts, const ContactOpti
   sort_by_height(contacts, workspace);
   firsts.clear();
   std::vector<ContactHeight>& by_height = workspace.by_height;
-  const double same_place = options.same_place * options.threshold;
+  const double same_place = kSamePlace * options.threshold;
   // The heights are rounded, of places that may be far from the origin.
   const double same_height = 1.5 * same_place;
   const auto is_copy = [&](const SurfaceContact& contact, const ContactHeight& other) {

@@ -15,6 +15,10 @@ namespace {
 
 using Point2 = Eigen::Vector2d;
 
+// Corners that stand out from the line between their neighbours by less than this part of the
+// threshold are left out.
+constexpr double kFlatCorner = 0.1;
+
 // Twice the signed area of the triangle abc: positive where it turns counter-clockwise.
 double turn(const Point2& a, const Point2& b, const Point2& c) {
   const Point2 ab = b - a;
@@ -147,7 +151,7 @@ void reduce_group(const std::vector<SurfaceContact>& contacts,
   }
   std::vector<RegionPoint>& outline = workspace.outline;
   find_hull(points, outline);
-  drop_flat_corners(outline, options.flat_corner * options.threshold);
+  drop_flat_corners(outline, kFlatCorner * options.threshold);
   drop_least_corners(outline, static_cast<std::size_t>(options.max_region_corners));
   for (const RegionPoint& corner : outline) reduced.push_back(contacts[corner.contact]);
 }

@@ -14,7 +14,7 @@ namespace prehend {
 // point contact, all within the threshold of the group's nearest contact, keeps that contact; a
 // line contact its two ends; an area contact the corners of its convex hull in the plane orthogonal
 // to the normal. The wrench of any force distribution over a line or an area is also one of forces
-// at these corners, so no wrench is lost except where `flat_corner` and `max_region_corners` leave
+// at these corners, so no wrench is lost except where flat corners and `max_region_corners` leave
 // corners out, which only ever shrinks the region. Order: groups by their nearest contact, corners
 // counter-clockwise about the normal. Source: Miller and Allen 2004, "Contact Determination".
 std::vector<SurfaceContact> contact_regions(const std::vector<SurfaceContact>& contacts,

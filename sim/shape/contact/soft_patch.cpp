@@ -151,8 +151,7 @@ SoftPatch resultant(const std::vector<PressedPart>& parts) {
 }  // namespace
 
 void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
-                  double depth, const ContactOptions& options, SoftPatchWorkspace& workspace,
-                  std::vector<SoftPatch>& patches) {
+                  double depth, SoftPatchWorkspace& workspace, std::vector<SoftPatch>& patches) {
   find_pairs_within(object, link, X_OL, depth, workspace.pairs);
   workspace.parts.clear();
   for (const TrianglePair& pair : workspace.pairs) {
@@ -182,7 +181,7 @@ void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const 
     patches.insert(place, patch);
   }
   std::erase_if(patches, [&](const SoftPatch& patch) {
-    return patch.force < options.weakest_patch * patches.front().force;
+    return patch.force < kWeakestPatch * patches.front().force;
   });
 }
 

@@ -46,15 +46,17 @@ struct SoftPatchWorkspace {
   std::vector<PressedPart> patch;                          // the parts of one patch
 };
 
+// Patches that bear less than this part of the force of the strongest are left out.
+inline constexpr double kWeakestPatch = 0.1;
+
 // The contact patches of a soft link, as an elastic foundation (Johnson, "Contact Mechanics", 1985,
 // section 4.3): the link's surface is covered with independent springs of length `depth` [m], and
 // each is compressed by as much as the object reaches into it. The surfaces themselves do not
 // intersect. Pressed triangles of the object belong to one patch where they are connected through
 // shared vertices. The patches come strongest first; those that bear less than
-// `options.weakest_patch` of the strongest's force are left out. `X_OL` is the link's pose in the
+// kWeakestPatch of the strongest's force are left out. `X_OL` is the link's pose in the
 // object's frame O. `patches` is replaced.
 void soft_patches(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
-                  double depth, const ContactOptions& options, SoftPatchWorkspace& workspace,
-                  std::vector<SoftPatch>& patches);
+                  double depth, SoftPatchWorkspace& workspace, std::vector<SoftPatch>& patches);
 
 }  // namespace prehend

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "benchmarks/shake/mujoco_world.h"
+#include "planner/plan/plan.h"
+#include "planner/plan/plan_options.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/exports/mjcf.h"
 #include "sim/base/input_error.h"

@@ -53,7 +53,7 @@ TEST(ExactEpsilon, BoundsHoldTheValue) {
   EXPECT_LT(few.lower, few.upper);
 }
 
-// The table of docs/extremes.md came from the same hull with other integers.
+// The table of tests/sim/quality/oracle/extremes.md came from the same hull with other integers.
 TEST(ExactEpsilon, OfExtremeGraspsIsThatOfTheTable) {
   const auto table = nlohmann::json::parse(
       std::ifstream(PREHEND_SOURCE_DIR "/tests/sim/quality/oracle/extremes.json"));

@@ -29,8 +29,8 @@ const Planned& planned() {
     Planned made;
     made.known.scene = make_scene(
         make_graspable("cube", make_box({0.05, 0.05, 0.05}), Material::plastic), "parallel_jaw");
-    for (const Material material : kMaterials) {
-      made.known.friction[std::string(material_name(material))] =
+    for (const Material material : kAll<Material>) {
+      made.known.friction[std::string(name_of(material))] =
           FrictionTable().between(Material::plastic, material);
     }
     made.options.trial.soft_fingers = false;
@@ -216,9 +216,8 @@ TEST_F(SpoiltPlan, ALostTrialIsSeen) {
 }
 
 TEST_F(SpoiltPlan, ATrialBlockedByNobodyIsSeen) {
-  const auto place = static_cast<std::size_t>(result_.tried.front().outcome);
-  --result_.outcomes[place];
-  ++result_.outcomes[static_cast<std::size_t>(Outcome::hand_blocked)];
+  --result_.outcomes[result_.tried.front().outcome];
+  ++result_.outcomes[Outcome::hand_blocked];
   result_.tried.front().outcome = Outcome::hand_blocked;
   result_.tried.front().collision_of = {};
   EXPECT_EQ(judged(), Kinds{"counts"});

@@ -141,7 +141,7 @@ TEST(Advice, OnTrialsIsGivenWhereNothingElseHelps) {
   PlanOptions options;
   options.search.trials = 10;
   PlanResult result;
-  result.outcomes[static_cast<std::size_t>(Outcome::no_contact)] = 10;
+  result.outcomes[Outcome::no_contact] = 10;
   const std::vector<Trial> tried(10);
   // A ball larger than any hand of the library, and tried all the same.
   const Scene scene =
@@ -192,7 +192,7 @@ TEST(Advice, OnTheArmSaysHowFarTheObjectIs) {
 TEST(Advice, OnPathsIsGivenWhereOnlyAPathIsMissing) {
   const CompiledScene scene = compile(slippery());
   PlanResult result;
-  result.outcomes[static_cast<std::size_t>(Outcome::no_path)] = 2;
+  result.outcomes[Outcome::no_path] = 2;
   const std::vector<Advice> advice = find_advice(scene, {}, result, {});
   ASSERT_EQ(advice.size(), 1U);
   EXPECT_EQ(advice[0].hint, Hint::path);

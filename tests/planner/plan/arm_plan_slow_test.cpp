@@ -172,9 +172,7 @@ TEST_F(SpoiltPath, ABoxInTheWayOfTheObjectIsSeen) {
   EXPECT_GT(judged(around).collisions, 0);
 }
 
-int count_of(const PlanResult& result, Outcome outcome) {
-  return result.outcomes[static_cast<std::size_t>(outcome)];
-}
+int count_of(const PlanResult& result, Outcome outcome) { return result.outcomes[outcome]; }
 
 // Every candidate ends in one outcome; what was blocked has somebody to blame.
 void expect_accounted_for(const PlanResult& result) {
@@ -316,8 +314,7 @@ TEST(ArmPlanRepeats, OnAnyNumberOfThreads) {
 TEST(ArmPlanRepeats, WithEveryPlanner) {
   const CompiledScene scene = test::compiled_library_scene("mug_on_table");
   for (const PathPlanner planner : {PathPlanner::roadmap, PathPlanner::rrt_star}) {
-    EXPECT_EQ(planned_text(scene, planner, 1), planned_text(scene, planner, 2))
-        << path_planner_name(planner);
+    EXPECT_EQ(planned_text(scene, planner, 1), planned_text(scene, planner, 2)) << name_of(planner);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/trial/approach_line.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {
@@ -78,7 +79,7 @@ TEST(CancelledPlan, RanksExactlyTheTrialsThatWereFinished) {
     ASSERT_EQ(result.tried.size(), static_cast<std::size_t>(k));
     std::vector<Trial> first;
     for (int i = 0; i < k; ++i) {
-      EXPECT_EQ(result.tried[static_cast<std::size_t>(i)].candidate, i);
+      EXPECT_EQ(result.tried[i].candidate, i);
       first.push_back(run_trial(mug(), candidates[static_cast<std::size_t>(i)]));
     }
     const std::vector<std::size_t> order = rank(first, options.rank);
@@ -101,7 +102,7 @@ TEST(CancelledPlan, OnTwoThreadsEveryCandidateIsTriedOrCountedAsUntested) {
   EXPECT_GT(some.untested, 0);
   EXPECT_EQ(some.tried.size() + static_cast<std::size_t>(some.untested), all.tried.size());
   for (const Tried& tried : some.tried) {
-    EXPECT_EQ(tried.outcome, all.tried[static_cast<std::size_t>(tried.candidate)].outcome);
+    EXPECT_EQ(tried.outcome, all.tried[tried.candidate].outcome);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/plan/accuracy.h"
+#include "planner/plan/plan.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {

@@ -11,6 +11,8 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/grasp_contacts.h"
+#include "tests/support/refusal_of.h"
 
 namespace prehend {
 namespace {
@@ -48,7 +50,7 @@ TEST(Plan, OneSeedGoesToAllThatIsRandom) {
 TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
   const PlanResult result = plan(default_scene(), few_candidates(), RunContext{.threads = 2});
   int total = 0;
-  for (int count : result.outcomes) total += count;
+  for (int count : result.outcomes.entries) total += count;
   EXPECT_EQ(total, 40);
   for (std::size_t i = 1; i < result.grasps.size(); ++i) {
     EXPECT_GE(result.grasps[i - 1].trial.epsilon.lower, result.grasps[i].trial.epsilon.lower);
@@ -112,6 +114,27 @@ TEST(Plan, RanksAsTheFullHullWould) {
   }
 }
 
+// A batch of none would end as "no grasp to propose", a gap beyond the threshold as no contact in
+// any trial.
+TEST(Plan, RefusesSettingsOutOfTheirRange) {
+  const CompiledScene scene = default_scene();
+  const auto refusal = [&](const auto& change) {
+    PlanOptions options = few_candidates();
+    change(options);
+    return std::string(test::refusal_of([&] { (void)plan(scene, options); }).what());
+  };
+  EXPECT_EQ(refusal([](PlanOptions& o) { o.search.batch = 0; }),
+            "search.batch: must be at least 1 (0)");
+  EXPECT_EQ(refusal([](PlanOptions& o) { o.trial.contact_gap = 1e-4; }),
+            "trial.contact_gap: must be at most 0.9 of the contact threshold");
+  EXPECT_EQ(refusal([](PlanOptions& o) { o.primitives.points = 99; }),
+            "primitives.points: must be at least 100 (99)");
+  EvaluateOptions options;
+  options.uncertainty.samples = 0;
+  EXPECT_STREQ(test::refusal_of([&] { (void)evaluate(scene, {}, options); }).what(),
+               "uncertainty.samples: must be at least 1 (0)");
+}
+
 TEST(Plan, GivenPrimitivesAreUsed) {
   Scene scene = load_scene(find_scene("mug"));
   scene.primitives = {{Cylinder{0.052, 0.1}, translation({0, 0, 0.05})}};
@@ -119,7 +142,7 @@ TEST(Plan, GivenPrimitivesAreUsed) {
       plan(compile(std::move(scene)), few_candidates(), RunContext{.threads = 2});
   ASSERT_EQ(result.primitives.size(), 1U);
   EXPECT_EQ(result.stages.front().what, PlanCount::primitives_given);
-  EXPECT_EQ(plan_count_name(result.stages.front().what), "primitives given");
+  EXPECT_EQ(name_of(result.stages.front().what), "primitives given");
 }
 
 TEST(Plan, OfAnObjectTooLargeSaysBothSizes) {

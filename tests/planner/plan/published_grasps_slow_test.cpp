@@ -48,14 +48,14 @@ int count_stable(const CompiledScene& scene, const std::vector<Candidate>& grasp
   EXPECT_EQ(result.grasps.size(), grasps.size());
   for (const ScoredGrasp& grasp : result.grasps) expect_consistent(grasp.trial);
   int total = 0;
-  for (const Outcome outcome : kOutcomes) {
-    const int count = result.outcomes[static_cast<std::size_t>(outcome)];
-    const std::string name = std::string(outcome_name(outcome)) + (soft ? "_soft" : "_hard");
+  for (const Outcome outcome : kAll<Outcome>) {
+    const int count = result.outcomes[outcome];
+    const std::string name = std::string(name_of(outcome)) + (soft ? "_soft" : "_hard");
     testing::Test::RecordProperty(name, count);
     total += count;
   }
   EXPECT_EQ(total, static_cast<int>(grasps.size()));
-  return result.outcomes[static_cast<std::size_t>(Outcome::stable)];
+  return result.outcomes[Outcome::stable];
 }
 
 class PublishedGrasps : public testing::TestWithParam<Published> {};

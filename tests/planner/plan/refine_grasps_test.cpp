@@ -12,6 +12,8 @@
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/library_scenes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trial_bytes.h"
@@ -186,8 +188,7 @@ TEST(RefineGrasps, RefusesGraspsThatDoNotHoldAndOptionsOutOfRange) {
   EXPECT_EQ(refusal({.trials = -1}), "trials: must be at least 0 (-1)");
   EXPECT_EQ(refusal({.turn = 0.0}), "turn: must be above 0 (0)");
   EXPECT_EQ(refusal({.shift = nan}), "shift: must be above 0 (nan)");
-  EXPECT_EQ(refusal({.spread = -1.0}), "spread: must be at least 0 (-1)");
-  EXPECT_EQ(refusal({.reach = 0.5}), "reach: must be at least 1 (0.5)");
+  EXPECT_EQ(refusal({.noise = {.samples = 0}}), "noise.samples: must be at least 1 (0)");
 }
 
 TEST(RefineGrasps, CanBeCancelled) {

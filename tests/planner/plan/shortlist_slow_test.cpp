@@ -3,6 +3,7 @@
 
 #include "planner/plan/accuracy.h"
 #include "planner/plan/perturb_grasps.h"
+#include "planner/plan/plan.h"
 #include "sim/base/input_error.h"
 #include "sim/trial/success.h"
 #include "tests/support/library_scenes.h"
@@ -118,7 +119,7 @@ TEST(RankBySuccess, PrefersWhatLiftsMoreProbablyThenWhatHasMoreToSpare) {
   for (int i = 1; i < 4; ++i) {
     ScoredGrasp& grasp = result.grasps[static_cast<std::size_t>(i)];
     grasp.tried = i - 1;
-    grasp.robustness->outcomes[static_cast<std::size_t>(Outcome::stable)] = 16;
+    grasp.robustness->outcomes[Outcome::stable] = 16;
     grasp.robustness->strength = i == 3 ? 8.0 : 2.0;
   }
   rank_by_success(result);

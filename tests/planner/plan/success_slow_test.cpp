@@ -39,8 +39,8 @@ std::vector<Candidate> grasps_of_mug(const CompiledScene& mug) {
 
 FrictionTable scaled_friction(const FrictionTable& table, double part) {
   FrictionTable scaled;
-  for (const Material a : kMaterials) {
-    for (const Material b : kMaterials) scaled.set(a, b, part * table.between(a, b));
+  for (const Material a : kAll<Material>) {
+    for (const Material b : kAll<Material>) scaled.set(a, b, part * table.between(a, b));
   }
   return scaled;
 }

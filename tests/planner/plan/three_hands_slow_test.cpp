@@ -1,6 +1,6 @@
 // The comparison of three hands on a mug in Miller and Allen, "Graspit!" (2004): the section
 // "Comparing the Grasps of an Object Using Three Different Hands", in which each grasps it from the
-// side. docs/three-hands.md shows it.
+// side. docs/reference/three-hands.md shows it.
 #include <gtest/gtest.h>
 
 #include "planner/plan/plan.h"

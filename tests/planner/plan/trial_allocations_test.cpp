@@ -17,6 +17,8 @@
 #include "planner/plan/propose/candidates.h"
 #include "primitives/decompose.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/trial/run_trial.h"
+#include "sim/trial/trial_options.h"
 #include "tests/support/library_scenes.h"
 #include "tests/support/trial_bytes.h"
 

@@ -2,12 +2,12 @@
 #include "planner/plan/accuracy.h"
 
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "planner/results/json_settings.h"
 #include "sim/base/input_error.h"
-#include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
 
 namespace prehend {
@@ -44,18 +44,18 @@ TEST(Accuracy, StandardAreTheDefaults) {
 }
 
 TEST(Accuracy, TheirNamesAreRead) {
-  for (const Accuracy accuracy : kAccuracies) {
-    const std::string name(accuracy_name(accuracy));
-    EXPECT_EQ(accuracy_named(name), accuracy);
+  for (const Accuracy accuracy : kAll<Accuracy>) {
+    const std::string name(name_of(accuracy));
+    EXPECT_EQ(value_named<Accuracy>(name), accuracy);
     EXPECT_EQ(settings_json(read_accuracy(name)), settings_json(plan_options(accuracy)));
   }
-  EXPECT_FALSE(accuracy_named("coarse").has_value());
+  EXPECT_FALSE(value_named<Accuracy>("coarse").has_value());
   EXPECT_THROW((void)read_accuracy("no such file"), InputError);
 }
 
 // None of them gives up what makes a grasp sound.
 TEST(Accuracy, AllHaveContactsAtTheSameGap) {
-  for (const Accuracy accuracy : kAccuracies) {
+  for (const Accuracy accuracy : kAll<Accuracy>) {
     EXPECT_EQ(plan_options(accuracy).trial.contact_gap, TrialOptions{}.contact_gap);
     EXPECT_EQ(plan_options(accuracy).trial.contact.threshold, ContactOptions{}.threshold);
   }
@@ -83,21 +83,24 @@ TEST(Accuracy, MistakesInAFileAreNamed) {
   EXPECT_EQ(complaint_of(R"({"follow": 1.5})").rfind("follow: must be at least 0 and at most 1", 0),
             0U);
   EXPECT_EQ(complaint_of(R"({"contact_gap": 1e-4})").rfind("contact_gap: must be at most", 0), 0U);
+  EXPECT_EQ(complaint_of(R"({"contact_threshold": 5e-5})").rfind("contact_gap: must be at most", 0),
+            0U);
   EXPECT_EQ(complaint_of(R"({"paths": {"sample_time": 0}})")
                 .rfind("paths.sample_time: must be above 0", 0),
             0U);
 }
 
-TEST(Accuracy, EverySettingIsInItsDocument) {
-  const std::string text = read_file(std::string(PREHEND_SOURCE_DIR) + "/docs/accuracy-file.md");
-  PlanOptions options;
-  options.paths.emplace();
-  const auto settings = settings_json(options);
-  const auto expect_named = [&](const std::string& name) {
-    EXPECT_NE(text.find("`" + name + "`"), std::string::npos) << name;
-  };
-  for (const auto& [name, value] : settings.items()) expect_named(name);
-  for (const auto& [name, value] : settings["paths"].items()) expect_named(name);
+// Such a file goes on to work, and its user hears what has become of it.
+TEST(Accuracy, SettingsOfEarlierVersionsAreNoted) {
+  const std::string file =
+      settings_file(R"({"trials": 7, "refine_reach": 2.0, "paths": {"longest_edge": 0.5}})");
+  std::vector<std::string> notes;
+  EXPECT_EQ(read_accuracy(file, &notes).search.trials, 7);
+  EXPECT_EQ(notes,
+            (std::vector<std::string>{file + ": refine_reach has no effect any more",
+                                      file + ": paths.longest_edge has no effect any more"}));
+  (void)read_accuracy(settings_file(R"({"trials": 7})"), &notes);
+  EXPECT_TRUE(notes.empty());
 }
 
 }  // namespace

@@ -175,8 +175,8 @@ TEST(GraspsFile, RobustnessIsWrittenAndIgnoredByReaders) {
   robustness.held = 12;
   robustness.epsilon_mean = 0.25;
   robustness.epsilon_low = 0.125;
-  robustness.outcomes[static_cast<std::size_t>(Outcome::stable)] = 14;
-  robustness.outcomes[static_cast<std::size_t>(Outcome::no_contact)] = 2;
+  robustness.outcomes[Outcome::stable] = 14;
+  robustness.outcomes[Outcome::no_contact] = 2;
   robustness.position_margin = 2.5e-3;
   robustness.weakest_O = -Vector3::UnitY();
   result.grasps[0].robustness = robustness;

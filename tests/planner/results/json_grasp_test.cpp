@@ -2,6 +2,9 @@
 #include "planner/results/json_grasp.h"
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,6 +12,9 @@
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
+#include "sim/base/json/wrapped_json.h"
+#include "sim/base/output_file.h"
 #include "tests/support/block_on_table.h"
 #include "tests/support/library_scenes.h"
 
@@ -95,6 +101,47 @@ TEST_F(ArmResult, ALineThatEndsElsewhereIsRefused) {
   content["grasps"][0]["arm_line"] = json::array();
   EXPECT_NE(complaint(content).find("grasps[0].arm_line: must not be empty"), std::string::npos)
       << complaint(content);
+}
+
+// The objects of a value, and of those in it, have the fields that its schema requires and no
+// others.
+void expect_fields_of(const json& value, const json& schema, const std::string& name) {
+  if (value.is_array() && schema.contains("items")) {
+    for (const json& item : value) expect_fields_of(item, schema["items"], name + "[]");
+  }
+  if (!value.is_object() || !schema.contains("required")) return;
+  for (const json& field : schema["required"]) {
+    EXPECT_TRUE(value.contains(field)) << name << ": " << field;
+  }
+  for (const auto& [field, inner] : value.items()) {
+    ASSERT_TRUE(schema["properties"].contains(field)) << name << ": " << field;
+    expect_fields_of(inner, schema["properties"][field], name + "." + field);
+  }
+}
+
+TEST_F(ArmResult, HasTheFieldsOfTheSchema) {
+  ScoredGrasp grasp = scored();
+  grasp.refinement = Refinement{0, 0.1, 5};
+  grasp.robustness = Robustness{};
+  grasp.robustness->samples = 16;
+  grasp.holding = PayloadMargin{};
+  grasp.holding->given.sum_of_normals = std::numeric_limits<double>::infinity();
+  grasp.shake = ShakeReport{.procedure = "shake", .tests = {{.name = "up"}}, .effort = {}};
+  const json written = grasp_to_json(grasp, scene(), {});
+  expect_fields_of(written, grasp_schema(), "grasp");
+  EXPECT_TRUE(written["weight"]["given"]["squeeze"].is_null());
+}
+
+// With PREHEND_WRITE_SCHEMA in the environment the document is written instead of compared.
+TEST(GraspSchema, IsThatOfTheDocument) {
+  const std::filesystem::path file =
+      std::filesystem::path(PREHEND_SOURCE_DIR) / "docs" / "reference" / "grasps.schema.json";
+  auto document = nlohmann::ordered_json::parse(read_file(file));
+  document["$defs"]["outcome"] = {{"enum", enum_names(Outcome{})}};
+  document["$defs"]["grasp"] = grasp_schema();
+  if (std::getenv("PREHEND_WRITE_SCHEMA") != nullptr) write_file(file, wrapped_json(document));
+  EXPECT_TRUE(read_file(file) == wrapped_json(document))
+      << "PREHEND_WRITE_SCHEMA=1 files_tests writes it anew";
 }
 
 }  // namespace

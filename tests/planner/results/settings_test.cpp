@@ -37,10 +37,8 @@ template <typename Value>
 Value changed(const Value& value) {
   if constexpr (std::is_same_v<Value, bool>) {
     return !value;
-  } else if constexpr (std::is_same_v<Value, PathPlanner>) {
-    return value == PathPlanner::roadmap ? PathPlanner::rrt_star : PathPlanner::roadmap;
-  } else if constexpr (std::is_same_v<Value, RefineObjective>) {
-    return value == RefineObjective::robust ? RefineObjective::epsilon : RefineObjective::robust;
+  } else if constexpr (std::is_enum_v<Value>) {
+    return value == kAll<Value>.front() ? kAll<Value>.back() : kAll<Value>.front();
   } else {
     return value + 1;
   }
@@ -50,7 +48,7 @@ Value changed(const Value& value) {
 template <typename Options>
 std::string change(Options& options, int which) {
   std::string name;
-  visit_settings(options, [&](const std::string& of, auto& value, const Range&) {
+  visit_settings(options, [&](const std::string& of, auto& value, const Setting&) {
     if (which-- == 0) {
       name = of;
       value = changed(value);
@@ -105,7 +103,8 @@ TEST(Settings, EveryOneOfThePathsIsInTheFileUnderItsOwnName) {
 }
 
 TEST(Settings, ThoseOfEarlierVersionsArePermitted) {
-  const JsonFile file("settings.json", R"({"seed": 5, "max_candidates": 800, "places": 3})");
+  const JsonFile file("settings.json", R"({"seed": 5, "max_candidates": 800, "places": 3,
+      "gaps_near": 5e-4, "paths": {"longest_edge": 0.8}})");
   RunRecord record;
   read_settings(file.root(), record);
   EXPECT_EQ(record.options.seed, 5U);

@@ -21,7 +21,8 @@ TEST(NumberText, ReadsBackEqualAndAsANumberEverywhere) {
   for (const auto& [value, text] : known) EXPECT_EQ(number_text(value), text);
   Random random(1);
   for (int i = 0; i < 1000; ++i) {
-    const double value = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-300.0, 300.0));
+    const double mantissa = random.uniform(-1.0, 1.0);
+    const double value = mantissa * std::pow(10.0, random.uniform(-300.0, 300.0));
     const std::string text = number_text(value);
     EXPECT_EQ(std::stod(text), value);
     EXPECT_NE(text.find('.'), std::string::npos) << text;

@@ -15,7 +15,7 @@ constexpr double kStep = 1e-3;
 TEST(BaseMotion, StartsAndEndsAtRest) {
   Random random(4);
   const BaseStart start{random.pose(0.5), random.direction(), 0.3};
-  for (const PhaseKind kind : kPhaseKinds) {
+  for (const PhaseKind kind : kAll<PhaseKind>) {
     const ProcedurePhase phase{.kind = kind, .duration = 1.5, .amplitude = 0.04, .frequency = 2.0};
     Vector3 velocity = Vector3::Zero();
     Pose at = start.X_WH;

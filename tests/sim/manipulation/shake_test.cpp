@@ -7,6 +7,8 @@
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/refusal_of.h"
 
 namespace prehend {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/energy.h"
 #include "sim/motion/world.h"
 #include "tests/support/sample_worlds.h"
 
@@ -103,7 +104,7 @@ TEST(ClosedForms, PainlevesRodGoesOn) {
         const StepResult result = step_world(world);
         ASSERT_TRUE(result.outcome == StepOutcome::moved ||
                     result.outcome == StepOutcome::not_converged)
-            << friction << " " << degrees << " " << step_outcome_name(result.outcome);
+            << friction << " " << degrees << " " << name_of(result.outcome);
         time += result.time;
         const double after = energy_of(world);
         EXPECT_LT(after, before + 1e-4) << friction << " " << degrees << " at " << time;

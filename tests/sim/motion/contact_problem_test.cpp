@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
+#include "sim/motion/contact_violation.h"
 #include "sim/motion/friction_cone.h"
+#include "sim/motion/solve_contacts.h"
 #include "tests/sim/motion/sample_problems.h"
 
 namespace prehend {

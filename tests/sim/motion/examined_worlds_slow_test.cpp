@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/step_world.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/support/judge_world.h"
 #include "tests/support/random_world.h"
@@ -30,7 +31,7 @@ void examine(World world, double seconds) {
   double energy = start;
   for (double time = 0.0; time < seconds;) {
     const StepResult result = step_world(world);
-    ASSERT_GT(result.time, 0.0) << step_outcome_name(result.outcome) << " at " << time;
+    ASSERT_GT(result.time, 0.0) << name_of(result.outcome) << " at " << time;
     time += result.time;
     const test::Placement after = test::WorldJudge::placement(world);
     double farthest = 0.0;

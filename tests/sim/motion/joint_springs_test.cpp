@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/energy.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/shape/basic_shapes.h"
 

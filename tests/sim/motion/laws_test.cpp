@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
+#include "sim/motion/energy.h"
 #include "sim/motion/island.h"
 #include "sim/motion/world.h"
 #include "sim/robot/files/robot_file.h"

@@ -61,10 +61,7 @@ inline ContactProblem random_pile(Random& random) {
   for (int c = 0; c < contacts; ++c) {
     const int body = static_cast<int>(random.uniform(0.0, bodies));
     const int other = static_cast<int>(random.uniform(-1.0, bodies));
-    const auto place = [&] {
-      return Vector3(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
-                     random.uniform(-0.1, 0.1));
-    };
+    const auto place = [&] { return random.in_box(0.1); };
     const Vector3 normal = (10.0 * place()).normalized();
     ContactCondition contact{{touching(6 * body, place(), normal)}, random.uniform(0.0, 1.5)};
     if (other >= 0 && other != body) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "sim/motion/require_world.h"
+#include "sim/motion/step_world.h"
 #include "sim/shape/basic_shapes.h"
 
 namespace prehend {

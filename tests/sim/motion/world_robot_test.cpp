@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/require_world.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/shape/basic_shapes.h"

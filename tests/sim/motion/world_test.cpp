@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/require_world.h"
 #include "tests/support/refusal_of.h"
 #include "tests/support/sample_worlds.h"
 

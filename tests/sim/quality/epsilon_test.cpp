@@ -53,7 +53,8 @@ TEST(Epsilon, TooLittleToSpanSixDimensions) {
 TEST(Epsilon, TwoPointContactsNeverHold) {
   Random random(5);
   for (int i = 0; i < 50; ++i) {
-    Contacts contacts = rotated(ring_grasp(2, random.uniform(0.1, 2.0)), random.rotation());
+    const double friction = random.uniform(0.1, 2.0);
+    Contacts contacts = rotated(ring_grasp(2, friction), random.rotation());
     EXPECT_FALSE(epsilon_l1(contact_wrenches(contacts, {})).force_closure());
     contacts = doubled(random, contacts, 0.0);
     EXPECT_FALSE(epsilon_l1(contact_wrenches(contacts, {})).force_closure());

@@ -149,7 +149,7 @@ TEST(Refused, WithAMessage) {
 }
 
 TEST(ExtremesTable, MentionsEveryGraspOnce) {
-  std::ifstream stream(std::string(kRoot) + "/docs/extremes.md");
+  std::ifstream stream(std::string(kRoot) + "/tests/sim/quality/oracle/extremes.md");
   const std::string text(std::istreambuf_iterator<char>(stream), {});
   std::set<std::string> names;
   for (const ExtremeGrasp& grasp : extreme_grasps()) {

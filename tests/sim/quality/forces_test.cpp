@@ -240,9 +240,9 @@ TEST(Forces, ThousandRandomProblems) {
       grasp.contacts =
           with_model(grasp.contacts, ContactModel::soft_finger, random.uniform(0.0, 0.3));
     }
+    const double load = std::pow(10.0, random.uniform(-3.0, 3.0));
     const Wrench external =
-        std::pow(10.0, random.uniform(-3.0, 3.0)) *
-        (Wrench() << random.direction(), random.uniform() * random.direction()).finished();
+        load * (Wrench() << random.direction(), random.vector(0.0, 1.0)).finished();
     const ContactForces forces = balancing_forces(grasp.contacts, {}, external);
     if (forces.outcome == ForceOutcome::impossible) {
       ++impossible;

@@ -15,7 +15,7 @@ constexpr ForceMeasure kForceMeasures[] = {ForceMeasure::sum_of_normals,
 constexpr FrictionCone kFrictionCones[] = {FrictionCone::pyramid, FrictionCone::exact};
 
 Wrench random_wrench(Random& random) {
-  return (Wrench() << random.direction(), random.uniform() * random.direction()).finished();
+  return (Wrench() << random.direction(), random.vector(0.0, 1.0)).finished();
 }
 
 // Both ways to the same smallest measure, and to the same verdict where there is none.

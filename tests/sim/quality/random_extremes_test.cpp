@@ -51,7 +51,10 @@ class RandomNumbers {
 
   Eigen::Vector3d vector(double largest, RandomCase& made) {
     Eigen::Vector3d v;
-    for (double& x : v) x = (chance(0.5) ? 1.0 : -1.0) * size(largest, made);
+    for (double& x : v) {
+      const double sign = chance(0.5) ? 1.0 : -1.0;
+      x = sign * size(largest, made);
+    }
     return v;
   }
 
@@ -85,7 +88,7 @@ RandomCase random_case(std::uint64_t seed) {
   const bool together = numbers.chance(0.6);
   const int count = static_cast<int>(numbers.uniform(2.0, 7.0));
   for (int i = 0; i < count; ++i) {
-    like.model = kContactModels[static_cast<std::size_t>(numbers.uniform(0.0, 3.0))];
+    like.model = kAll<ContactModel>[static_cast<std::size_t>(numbers.uniform(0.0, 3.0))];
     add_contact(numbers, like, together, made);
   }
   made.frame.torque_origin =

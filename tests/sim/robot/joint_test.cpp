@@ -81,7 +81,8 @@ TEST(Joint, WrittenEitherWayItIsTheSameArm) {
       const JointType type = random.uniform() < 0.3 ? JointType::prismatic : JointType::revolute;
       const Joint joint = denavit_hartenberg({.name = "j", .type = type, .parent = j - 1},
                                              random_parameters(random));
-      const Pose X_JK = pose_from(random.rotation(), random.uniform(-0.3, 0.3) * Vector3::UnitZ());
+      const Matrix3 turn = random.rotation();
+      const Pose X_JK = pose_from(turn, random.uniform(-0.3, 0.3) * Vector3::UnitZ());
       by_parameters.joints.push_back(joint);
       by_axes.joints.push_back({.name = "j",
                                 .type = type,

@@ -11,17 +11,17 @@ namespace prehend {
 namespace {
 
 TEST(FrictionTable, HasThePublishedStaticCoefficients) {
-  // Static friction between GraspIt!'s five default materials, in the order of kMaterials.
+  // Static friction between GraspIt!'s five default materials, in the order of kAll<Material>.
   constexpr double kPublished[5][5] = {{0.2, 0.2, 0.2, 0.3, 1.0},
                                        {0.2, 0.2, 0.2, 0.3, 1.0},
                                        {0.2, 0.2, 0.3, 0.4, 1.0},
                                        {0.3, 0.3, 0.4, 0.4, 1.0},
                                        {1.0, 1.0, 1.0, 1.0, 2.0}};
   const FrictionTable table;
-  for (std::size_t a = 0; a < kMaterials.size(); ++a) {
-    for (std::size_t b = 0; b < kMaterials.size(); ++b) {
-      EXPECT_EQ(table.between(kMaterials[a], kMaterials[b]), kPublished[a][b])
-          << material_name(kMaterials[a]) << " " << material_name(kMaterials[b]);
+  for (std::size_t a = 0; a < kAll<Material>.size(); ++a) {
+    for (std::size_t b = 0; b < kAll<Material>.size(); ++b) {
+      EXPECT_EQ(table.between(kAll<Material>[a], kAll<Material>[b]), kPublished[a][b])
+          << name_of(kAll<Material>[a]) << " " << name_of(kAll<Material>[b]);
     }
   }
 }
@@ -34,8 +34,8 @@ TEST(FrictionTable, IsSymmetricAlsoWhenChanged) {
   EXPECT_EQ(table.between(Material::rubber, Material::glass), 0.75);
   EXPECT_EQ(table.between(Material::wood, Material::wood), 0.0);
   EXPECT_EQ(table.between(Material::glass, Material::glass), 0.2);
-  for (const Material a : kMaterials) {
-    for (const Material b : kMaterials) EXPECT_EQ(table.between(a, b), table.between(b, a));
+  for (const Material a : kAll<Material>) {
+    for (const Material b : kAll<Material>) EXPECT_EQ(table.between(a, b), table.between(b, a));
   }
 }
 
@@ -59,8 +59,8 @@ TEST(FrictionTable, RefusesWhatIsNoFriction) {
 }
 
 TEST(Material, NamesGoBothWays) {
-  for (const Material material : kMaterials) {
-    EXPECT_EQ(material_named(material_name(material)), material);
+  for (const Material material : kAll<Material>) {
+    EXPECT_EQ(material_named(name_of(material)), material);
   }
   try {
     material_named("stone");

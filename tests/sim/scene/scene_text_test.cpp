@@ -44,9 +44,9 @@ void expect_same_scene(const Scene& a, const Scene& b) {
     expect_same_body(a.obstacles[i], a.obstacles[i].X_WB, b.obstacles[i], b.obstacles[i].X_WB);
     EXPECT_EQ(a.obstacles[i].restitution, b.obstacles[i].restitution);
   }
-  for (const Material one : kMaterials) {
+  for (const Material one : kAll<Material>) {
     EXPECT_EQ(a.compliant_depths.of(one), b.compliant_depths.of(one));
-    for (const Material other : kMaterials) {
+    for (const Material other : kAll<Material>) {
       EXPECT_EQ(a.friction.between(one, other), b.friction.between(one, other));
       EXPECT_EQ(a.kinetic_friction.between(one, other), b.kinetic_friction.between(one, other));
     }

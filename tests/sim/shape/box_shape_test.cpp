@@ -15,8 +15,7 @@ namespace {
 TEST(BoxShape, ABoxIsFoundWhereverItIs) {
   Random random(5);
   for (int i = 0; i < 50; ++i) {
-    const Vector3 size(random.uniform(0.001, 0.1), random.uniform(0.001, 0.1),
-                       random.uniform(0.001, 0.1));
+    const Vector3 size = random.in_box(Vector3::Constant(0.001), Vector3::Constant(0.1));
     const Pose X = random.pose(0.5);
     const TriangleMesh mesh = convex_hull(transformed(make_box(size), X).vertices);
     const auto box = box_shape(mesh);

@@ -141,7 +141,7 @@ TEST(MeshRepair, DropsDustOnly) {
   TriangleMesh dusty = sphere;
   Random random(4);
   for (int i = 0; i < 20; ++i) {
-    const Vector3 place(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(2, 3));
+    const Vector3 place = random.in_box({-3, -3, 2}, {3, 3, 3});
     append(dusty, test::moved(i % 2 == 0 ? make_box({0.01, 0.01, 0.01})
                                          : without_top(make_box({0.02, 0.02, 0.02})),
                               place));
@@ -213,8 +213,7 @@ TEST(MeshRepair, DoesTheSameAtAnyPoseAndSize) {
   const double volume = signed_volume(expected.mesh);
   Random random(9);
   for (const double scale : {0.03, 0.3, 1.0, 3.0, 30.0}) {
-    const Vector3 axis =
-        Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)).normalized();
+    const Vector3 axis = random.in_box(1.0).normalized();
     const Pose X = translation({1, -2, 0.5}) * test::turned(random.uniform(0, 3), axis);
     const MeshRepair repair = repair_mesh(test::scaled(transformed(ball, X), scale));
     EXPECT_EQ(repair.holes, expected.holes);

@@ -19,8 +19,7 @@ TEST(OverhangGauge, FindsTheNearestPoint) {
   const OverhangGauge gauge(mesh);
   Random random(2);
   for (int i = 0; i < 200; ++i) {
-    const Vector3 p(random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1),
-                    random.uniform(-0.05, 0.15));
+    const Vector3 p = random.in_box({-0.1, -0.1, -0.05}, {0.1, 0.1, 0.15});
     double least = 1e9;
     for (const Triangle& t : mesh.triangles) {
       const auto corner = [&](std::size_t k) {

@@ -193,7 +193,7 @@ TEST(GapOfPairs, IsTheGapWhileTheListReaches) {
                     triangle_gap(pair.a, pair.b, X_AB, p.pair).distance + kDistanceRounding);
         }
         const double angle = random.uniform(0.0, 1e-3) / radius;
-        const Vector3 shift = random.uniform(0.0, 5e-4) * random.direction();
+        const Vector3 shift = random.vector(0.0, 5e-4);
         moved = angle * radius + shift.norm() + kDistanceRounding;
         const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
         X_AB = pose_from(turn * X_AB.linear(), X_AB.translation() + shift);
@@ -215,7 +215,8 @@ test::Corners random_triangle(Random& random) {
   if (kind == 1)
     corners[2] = corners[1] + random.in_box(std::pow(10.0, random.uniform(-9.0, -3.0)));
   if (kind == 2) {
-    corners[2] = corners[0] + random.uniform(0.1, 0.9) * (corners[1] - corners[0]) +
+    const double part = random.uniform(0.1, 0.9);
+    corners[2] = corners[0] + part * (corners[1] - corners[0]) +
                  random.in_box(std::pow(10.0, random.uniform(-9.0, -3.0)));
   }
   if (kind == 3) {
@@ -232,7 +233,8 @@ TEST(TriangleGap, IsRightForNeedlesCapsAndSpecks) {
     const test::Corners s = random_triangle(random);
     test::Corners t = random_triangle(random);
     if (i % 2 == 0) {  // close to each other, where it matters
-      const Vector3 shift = s[0] + random.in_box(1e-3) - t[random.index(3)];
+      const Vector3 at = s[0] + random.in_box(1e-3);
+      const Vector3 shift = at - t[random.index(3)];
       for (Vector3& p : t) p += shift;
     }
     const double expected = test::triangle_to_triangle(s, t);

@@ -33,7 +33,7 @@ TEST(FirstHit, IsTheNearestOfAllTriangles) {
        {make_sphere(0.05, 3), make_box({0.1, 0.2, 0.3}, 5), make_cylinder(0.03, 0.2, 60, 10)}) {
     const ProximityMesh tree(mesh);
     for (int i = 0; i < 300; ++i) {
-      const Vector3 from = 0.2 * random.uniform() * random.direction();
+      const Vector3 from = random.vector(0.0, 0.2);
       const Vector3 direction = random.direction();
       double nearest = std::numeric_limits<double>::infinity();
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

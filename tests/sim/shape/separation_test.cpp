@@ -68,7 +68,8 @@ TEST(Separation, IsNearTheDistanceOfSetsThatNearlyTouch) {
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     for (std::size_t k = 0; k < meshes.size(); ++k) {
       for (int n = 0; n < 60; ++n) {
-        const Pose far = pose_from(random.rotation(), 0.4 * random.direction());
+        const Matrix3 turn = random.rotation();
+        const Pose far = pose_from(turn, 0.4 * random.direction());
         const TriangleGap gap =
             triangle_gap(bodies[i], bodies[k], far, find_gap(bodies[i], bodies[k], far).pair);
         // Moved along their common normal, the nearest points of convex sets stay the nearest.
@@ -89,7 +90,8 @@ TEST(Separation, LeavesADirectionThatGivesItsBound) {
   Random random(33);
   const TriangleMesh box = make_box({0.02, 0.05, 0.1});
   for (int n = 0; n < 50; ++n) {
-    const Pose X_AB = pose_from(random.rotation(), 0.2 * random.direction());
+    const Matrix3 turn = random.rotation();
+    const Pose X_AB = pose_from(turn, 0.2 * random.direction());
     Vector3 direction = random.in_box(1.0);
     const double bound = separation(points_of(box), points_of(box), X_AB, direction);
     ASSERT_NEAR(direction.norm(), 1.0, 1e-12);

@@ -69,8 +69,8 @@ TwoTriangles hard_pair(Random& random, int kind) {
       two.v[0] = two.u[0] + random.in_box(1e-6);
       break;
     case 5:
-      two.v[1] = two.v[0] + random.uniform(0.1, 2.0) * (two.u[1] - two.u[0]) +
-                 random.in_box(size * std::pow(10.0, random.uniform(-14.0, -3.0)));
+      two.v[1] = two.v[0] + random.uniform(0.1, 2.0) * (two.u[1] - two.u[0]);
+      two.v[1] += random.in_box(size * std::pow(10.0, random.uniform(-14.0, -3.0)));
       break;
     case 6:
       two.u[1] = two.u[0];

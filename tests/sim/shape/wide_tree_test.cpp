@@ -114,7 +114,8 @@ TEST(WideDistance, NeverExceedsTheDistanceOfAnyTwoPoints) {
   for (int i = 0; i < 600; ++i) {
     const Vector3 far = random.in_box(20.0);
     const WideTree a = tree_of(random_boxes(random), far);
-    const WideTree b = tree_of(random_boxes(random), random.in_box(20.0));
+    const auto boxes = random_boxes(random);
+    const WideTree b = tree_of(boxes, random.in_box(20.0));
     const Pose X_AB = translation(far) * random.pose(0.2) * translation(-b.origin);
     const WideDistance distance(a, b, X_AB);
     const auto box_b = lane_of(b.nodes[0], 0);

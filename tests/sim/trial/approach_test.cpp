@@ -178,7 +178,7 @@ TEST(Approach, LeavesClearancesBelowTheTrueGaps) {
   const CompiledScene scene = compiled(hand, make_sphere(0.05, 2));
   for (int i = 0; i < 20; ++i) {
     ApproachMotion motion;
-    motion.X_OH_end = pose_from(random.rotation(), random.in_box(0.1));
+    motion.X_OH_end = random.pose(0.1);
     motion.approach_O = motion.X_OH_end.linear() * hand.hand->approach;
     motion.distance = 0.4;
     const ApproachResult result = approach_open(scene, motion);

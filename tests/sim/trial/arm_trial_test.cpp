@@ -196,7 +196,7 @@ void expect_hand_stopped(Outcome expected, double above_the_palm) {
   const Vector3 at = palm - above_the_palm * grasp.candidate.approach_O;
   const CompiledScene blocked = compile(with_block_at(scene, at));
   const Trial trial = run_trial(blocked, grasp.candidate);
-  ASSERT_EQ(trial.outcome, expected) << outcome_name(trial.outcome);
+  ASSERT_EQ(trial.outcome, expected) << name_of(trial.outcome);
   EXPECT_FALSE(trial.arm_pair.has_value());
   expect_no_grasp(trial);
   EXPECT_EQ(collision_of(blocked, trial).by, "brick");

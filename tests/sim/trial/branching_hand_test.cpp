@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
+#include "sim/trial/candidate.h"
 #include "sim/trial/close_hand.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/self_centering.h"
 #include "sim/trial/trial.h"
 #include "tests/support/scenes.h"

@@ -177,9 +177,11 @@ TEST(CloseHand, DoesNotJumpThroughASheet) {
   int tried = 0;
   for (int i = 0; i < 120; ++i) {
     const double angle = random.uniform(0.3, 1.4);
+    const double away = random.uniform(0.03, 0.09);
+    const double tilt = random.uniform(-0.4, 0.4);
     const Pose X_OS = Pose(Eigen::AngleAxisd(angle, Vector3::UnitZ())) *
-                      translation({random.uniform(0.03, 0.09), 0.0, 0.0}) *
-                      Pose(Eigen::AngleAxisd(random.uniform(-0.4, 0.4), random.direction()));
+                      translation({away, 0.0, 0.0}) *
+                      Pose(Eigen::AngleAxisd(tilt, random.direction()));
     const CompiledScene scene = compiled(finger, transformed(sheet, X_OS));
     if (!test::collision(scene, Pose::Identity(), {0.0, 0.0}).empty()) continue;
     ++tried;

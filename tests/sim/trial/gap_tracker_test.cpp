@@ -31,7 +31,7 @@ std::vector<Bodies> bodies() {
 
 // Turns and shifts b's pose by less than `most` for any of its points within `radius` of its frame.
 Pose nudged(Random& random, const Pose& X, double radius, double most) {
-  const Vector3 shift = random.uniform(0.0, 0.6) * most * random.direction();
+  const Vector3 shift = random.vector(0.0, 0.6 * most);
   const double angle = random.uniform(-0.4, 0.4) * most / radius;
   const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
   return pose_from(turn * X.linear(), X.translation() + shift);
@@ -46,9 +46,9 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
     const double radius = max_distance(pair.b, Vector3::Zero());
     for (int run = 0; run < 8; ++run) {
       // In every second run nearly all lists of near pairs are too long to be kept.
-      const GapTrackerOptions options{.most_pairs = run % 2 == 0 ? 400 : 3};
-      GapTracker tracker(a, b, options);
-      Pose X_AB = pose_from(random.rotation(), 0.15 * random.direction());
+      GapTracker tracker(a, b, run % 2 == 0 ? 400 : 3);
+      const Matrix3 turn = random.rotation();
+      Pose X_AB = pose_from(turn, 0.15 * random.direction());
       double moved = 0.0;
       for (int step = 0; step < 40; ++step) {
         SCOPED_TRACE(pair.name + " run " + std::to_string(run) + " step " + std::to_string(step));
@@ -75,8 +75,7 @@ TEST(GapTracker, BracketsTheGapAlongAnyMotion) {
 TEST(GapTracker, IsExactCloseBy) {
   const ProximityMesh box(make_box({0.05, 0.05, 0.05}, 3));
   for (const int most_pairs : {400, 3}) {
-    const GapTrackerOptions options{.most_pairs = most_pairs};
-    GapTracker tracker(box, box, options);
+    GapTracker tracker(box, box, most_pairs);
     double height = 0.06;
     for (int i = 0; i < 200 && height > 0.05 + 4e-5; ++i) {
       const Gap gap = tracker.query(translation({0.0, 0.0, height}), i == 0 ? 0.0 : 1e-4, 1.0);

@@ -10,6 +10,7 @@
 #include "sim/quality/wrench.h"
 #include "sim/scene/object_mass.h"
 #include "sim/shape/files/mesh_file.h"
+#include "sim/trial/grasp_contacts.h"
 #include "sim/trial/payload_margin.h"
 #include "sim/trial/perturbed_trials.h"
 #include "tests/support/published_grasps.h"

@@ -7,8 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/gravity.h"
 #include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
@@ -128,8 +132,8 @@ TEST(HoldWeight, TheWorstAttitudeIsWithinItsBound) {
   const PayloadMargin holding = payload_margin(held.scene, held.trial);
   ASSERT_TRUE(std::isfinite(holding.worst.sum_of_normals));
   for (int i = 0; i < 200; ++i) {
-    held.scene.scene.object.X_WO =
-        turned(random.uniform(0.0, std::numbers::pi), random.direction());
+    const double angle = random.uniform(0.0, std::numbers::pi);
+    held.scene.scene.object.X_WO = turned(angle, random.direction());
     const ContactForces forces =
         balancing_forces(contacts_of(held.trial.contacts), held.scene.wrench_frame,
                          (Wrench() << kWeight * random.direction(), Vector3::Zero()).finished(),

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/gravity.h"
 #include "sim/scene/object_mass.h"
 #include "sim/trial/payload_margin.h"
 #include "tests/support/scenes.h"
@@ -146,7 +147,7 @@ TEST(TryDisturbed, WithoutErrorsRepeatsTheTrial) {
   const Robustness robustness = robustness_of(scene, tried, kNone);
   EXPECT_EQ(robustness.samples, 16);
   EXPECT_EQ(robustness.held, 16);
-  EXPECT_EQ(robustness.outcomes[static_cast<std::size_t>(Outcome::stable)], 16);
+  EXPECT_EQ(robustness.outcomes[Outcome::stable], 16);
   EXPECT_NEAR(robustness.epsilon_mean, tried.trial.epsilon.lower, 1e-9);
   EXPECT_NEAR(robustness.epsilon_low, tried.trial.epsilon.lower, 1e-9);
 }

@@ -7,6 +7,8 @@
 
 #include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/repeats.h"
 #include "tests/support/scenes.h"
 
@@ -97,7 +99,7 @@ bool starts_free_of_itself(const CompiledScene& scene, const Candidate& candidat
 void check_trial(const CompiledScene& scene, const Candidate& candidate, Tally& tally) {
   const Trial trial = run_trial(scene, candidate);
   ++tally.trials;
-  ++tally.outcomes[std::string(outcome_name(trial.outcome))];
+  ++tally.outcomes[std::string(name_of(trial.outcome))];
   tally.with_contacts += !trial.contacts.empty();
   tally.contacts += static_cast<int>(trial.contacts.size());
   tally.with_obstacles += scene.has_obstacles();

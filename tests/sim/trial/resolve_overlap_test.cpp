@@ -8,6 +8,8 @@
 
 #include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {
@@ -133,10 +135,9 @@ TEST(GiveWay, RandomOverlapsAreResolvedByShortMoves) {
   int missed = 0;
   int unresolved = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Vector3 p(random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05),
-                    random.uniform(0.04, 0.1));
-    const Matrix3 turn =
-        Eigen::AngleAxisd(random.uniform(0.0, 3.0), random.direction()).toRotationMatrix();
+    const Vector3 p = random.in_box({-0.05, -0.05, 0.04}, {0.05, 0.05, 0.1});
+    const double angle = random.uniform(0.0, 3.0);
+    const Matrix3 turn = Eigen::AngleAxisd(angle, random.direction()).toRotationMatrix();
     const Pose X_OH = pose_from(turn, p - turn * Vector3(0.0, 0.0, 0.1));
     const auto is_free = [&](const Vector3& by) {
       return !hand_collision(scene, translation(by) * X_OH, open, collision);

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "sim/trial/trial.h"
 #include "tests/support/scenes.h"
 

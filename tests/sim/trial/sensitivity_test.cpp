@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/trial/candidate.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {

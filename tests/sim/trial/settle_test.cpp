@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/random.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trial_bytes.h"
 
@@ -183,7 +185,8 @@ TEST(Settle, WhatTurnedIsFreeOfObstacles) {
   int kept = 0;
   for (int i = 0; i < 150; ++i) {
     StaticBody body = box_at(Vector3::Constant(0.02), Vector3::Zero());
-    body.X_WB = pose_from(random.rotation(), random.uniform(0.05, 0.25) * random.direction());
+    const Matrix3 turn = random.rotation();
+    body.X_WB = pose_from(turn, random.vector(0.05, 0.25));
     const Vector3 p = body.X_WB.translation().cwiseAbs() - Vector3(0.006, 0.06, 0.01);
     if (p.cwiseMax(0.0).norm() < 0.018) continue;  // the ball around the box could reach the bar
     const CompiledScene scene = bar_scene({body});

@@ -24,9 +24,9 @@ TEST(Success, FactsAreThoseOfTheTrials) {
   robustness.held = 4;
   robustness.epsilon_mean = 0.125;
   robustness.strength = 2.5;
-  robustness.outcomes[static_cast<std::size_t>(Outcome::stable)] = 7;
-  robustness.outcomes[static_cast<std::size_t>(Outcome::not_force_closure)] = 5;
-  robustness.outcomes[static_cast<std::size_t>(Outcome::hand_blocked)] = 4;
+  robustness.outcomes[Outcome::stable] = 7;
+  robustness.outcomes[Outcome::not_force_closure] = 5;
+  robustness.outcomes[Outcome::hand_blocked] = 4;
   const SuccessFacts facts = success_facts(robustness);
   EXPECT_EQ(facts.closed, 0.75);
   EXPECT_EQ(facts.held, 0.25);

@@ -9,6 +9,9 @@
 
 #include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trial_bytes.h"
 

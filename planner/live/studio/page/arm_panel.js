@@ -4,7 +4,7 @@ class ArmPanel {
   constructor(live) {
     this.live = live;
     this.rows = new Map();  // by the joint's name
-    this.turn = new Latest((joint, value) => this.send(joint, value));
+    this.turn = new Coalescer((joint, value) => this.send(joint, value));
     live.on('state', (state) => this.show(state));
     live.on('hand', (state) => this.show(state));
     byId('arm-branch').addEventListener('focus', () => this.listBranches());

@@ -8,6 +8,9 @@ class Refusal extends Error {
   }
 }
 
+// There is no connection, or it was lost before the answer came.
+class Disconnected extends Error {}
+
 const retryAfter = 1000;  // ms without a connection
 
 class Connection {
@@ -22,7 +25,7 @@ class Connection {
 
   open() {
     const address = new URL('/socket', window.location.href);
-    address.protocol = 'ws:';
+    address.protocol = window.location.protocol === 'https:' ? 'wss:' : 'ws:';
     address.search = window.location.search;
     this.socket = new WebSocket(address.href);
     this.socket.onopen = () => this.handlers.opened();
@@ -32,7 +35,7 @@ class Connection {
 
   lose() {
     for (const {reject} of this.waiting.values()) {
-      reject(new Error('the connection was lost'));
+      reject(new Disconnected('the connection was lost'));
     }
     this.waiting.clear();
     this.handlers.closed();
@@ -54,10 +57,10 @@ class Connection {
     }
   }
 
-  // Promises the result; fails with a Refusal, or where there is no connection.
+  // Promises the result; fails with a Refusal or as Disconnected.
   call(command, fields = {}) {
     if (this.socket.readyState !== WebSocket.OPEN) {
-      return Promise.reject(new Error('there is no connection'));
+      return Promise.reject(new Disconnected('there is no connection'));
     }
     const id = ++this.last;
     this.socket.send(JSON.stringify({id, command, ...fields}));
@@ -67,7 +70,7 @@ class Connection {
 
 // Runs an asynchronous function once at a time; of what is asked for meanwhile only the last is
 // done. This is how a pointer that moves faster than the session answers stays in step with it.
-class Latest {
+class Coalescer {
   constructor(run) {
     this.run = run;
     this.busy = false;
@@ -81,7 +84,11 @@ class Latest {
     while (this.next) {
       const now = this.next;
       this.next = null;
-      await this.run(...now);
+      try {
+        await this.run(...now);
+      } catch (error) {
+        reportError(error);  // in the console; what is asked for later is done all the same
+      }
     }
     this.busy = false;
   }

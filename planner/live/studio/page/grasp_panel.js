@@ -2,13 +2,12 @@
 
 const forceScale = 1.1;  // of the largest contact force, in radii of the object
 const loadMaterial = new THREE.MeshPhongMaterial({color: data.palette.weakest.color});
-const forceMaterial = new THREE.MeshPhongMaterial({color: data.palette.force.color});
 
 class GraspPanel {
   constructor(stage, live) {
     this.stage = stage;
     this.live = live;
-    this.judge = new Latest(() => this.ask());
+    this.judge = new Coalescer(() => this.ask());
     this.wrench = new WrenchView(byId('wrench'), this.wrenchSide(stage));
     live.on('state', (state) => this.follow(state));
     live.on('connected', () => {
@@ -42,8 +41,9 @@ class GraspPanel {
   }
 
   loadWeight() {
+    if (!this.live.state) return;
     const {object} = this.live.state;
-    const weight = object ? 9.80665 * object.mass : 0;
+    const weight = object ? data.gravity * object.mass : 0;
     const down = new THREE.Vector3(0, 0, -weight);
     ['x', 'y', 'z'].forEach((axis) => {
       byId(`load-${axis}`).value = Number(down[axis].toFixed(3));
@@ -63,6 +63,7 @@ class GraspPanel {
   // All of it in one go, so that it is about one moment.
   async ask() {
     const {state, connection} = this.live;
+    if (!state) return;  // there is no connection yet; the first state asks again
     if (state.problem) {
       this.showNothing(state);
       return;
@@ -77,12 +78,17 @@ class GraspPanel {
       }) :
                                   Promise.resolve(null),
     ];
+    let answers;
     try {
-      const [quality, {collisions}, forces] = await Promise.all(asked);
-      this.show(state, {quality, collisions, forces, load});
+      answers = await Promise.all(asked);
     } catch (error) {
-      if (error instanceof Refusal) this.live.tell('refused', error.message);
+      if (error instanceof Disconnected) return;  // the next connection asks again
+      if (!(error instanceof Refusal)) throw error;
+      this.live.tell('refused', error.message);
+      return;
     }
+    const [quality, {collisions}, forces] = answers;
+    this.show(state, {quality, collisions, forces, load});
   }
 
   showNothing(state) {
@@ -176,7 +182,7 @@ class GraspPanel {
     if (grasp.epsilon[0] > 0 && byId('show-weakest').checked) marks.add(weakestMarks(grasp));
     if (forces && forces.forces.length > 0) this.drawForces(quality, forces, load);
     this.wrench.show(grasp);
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 
   // As the scripts of all pages have a grasp.

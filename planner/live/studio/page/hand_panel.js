@@ -4,7 +4,7 @@ class HandPanel {
   constructor(live) {
     this.live = live;
     this.rows = [];
-    this.turn = new Latest((dof, value) => this.send(dof, value));
+    this.turn = new Coalescer((dof, value) => this.send(dof, value));
     live.on('state', (state) => this.show(state));
     live.on('hand', (state) => this.show(state));
     live.on('motion', (motion) => this.sayMotion(motion));

@@ -20,11 +20,11 @@ class Handling {
     this.proxy = new THREE.Object3D();
     this.gizmo = new THREE.TransformControls(stage.camera, stage.canvas);
     stage.scene.add(this.proxy, this.gizmo);
-    this.gizmo.addEventListener('change', () => stage.draw());
+    this.gizmo.addEventListener('change', () => stage.requestDraw());
     this.gizmo.addEventListener('objectChange', () => this.dragTo());
     this.gizmo.addEventListener('dragging-changed', ({value}) => this.holding(value));
-    this.moves = new Latest((body, matrix) => this.move(body, matrix));
-    this.turns = new Latest((joint, value) => this.turn(joint, value));
+    this.moves = new Coalescer((body, matrix) => this.move(body, matrix));
+    this.turns = new Coalescer((joint, value) => this.turn(joint, value));
     this.handles = new JointHandles(stage, {
       begin: () => live.beginGesture(),
       move: (joint, value) => this.turns.ask(joint, value),
@@ -78,7 +78,7 @@ class Handling {
       this.gizmo.attach(this.proxy);
     }
     for (const listener of this.listeners) listener();
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 
   chainTo(robot, joint) {
@@ -129,7 +129,7 @@ class Handling {
     const pose = this.poseOf(this.selected);
     if (!pose) return;
     pose.decompose(this.proxy.position, this.proxy.quaternion, this.proxy.scale);
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 
   holding(held) {

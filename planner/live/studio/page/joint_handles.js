@@ -93,7 +93,7 @@ class JointHandles {
       this.group.add(group);
     }
     this.follow();
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 
   hide() {
@@ -102,7 +102,7 @@ class JointHandles {
     this.handles = [];
     this.hovered = null;
     this.model = null;
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 
   // The joint's origin and axis in the world.
@@ -265,6 +265,6 @@ class JointHandles {
         if (material) material.color.copy(held ? handleColors.held : still);
       });
     }
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 }

@@ -22,7 +22,7 @@ const keyWords = [
 
 class Studio {
   constructor() {
-    this.live = new Live();
+    this.live = new SessionClient();
     this.stage = new Stage(byId('scene'), this.live);
     this.handling = new Handling(this.stage, this.live);
     this.measure = new Measure(this.stage, (words) => this.say(words));

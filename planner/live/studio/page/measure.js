@@ -50,6 +50,6 @@ class Measure {
     this.group.traverse((node) => {
       node.renderOrder = 35;
     });
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 }

@@ -10,6 +10,9 @@ class PlanPanel {
     this.results = [];
     this.current = -1;
     this.pictures = new Map();  // of pins
+    byId('export-format')
+        .append(...data.formats.map(
+            ({name, summary}) => element('option', {title: summary}, name)));
     byId('plan').addEventListener('click', () => this.start());
     byId('cancel').addEventListener('click', () => this.cancel());
     byId('export').addEventListener('click', () => this.save());
@@ -122,7 +125,7 @@ class PlanPanel {
     const X_WH = X_WO.clone().multiply(matrixOfPose(grasp.X_object_hand));
     this.stage.hand.setBase(X_WH);
     this.stage.hand.setJoints(grasp.joints);
-    this.stage.draw();
+    this.stage.requestDraw();
   }
 
   async go(i) {
@@ -151,7 +154,7 @@ class PlanPanel {
   }
 
   thumbnail() {
-    this.stage.drawNow();
+    this.stage.draw();
     const {canvas} = this.stage;
     const small = element('canvas', {width: 144, height: 108});
     const part = Math.min(canvas.width / 4, canvas.height / 3);

@@ -13,27 +13,20 @@ const standardViews = {
 
 const blockedColor = data.palette.outcomes.hand_blocked;  // of what overlaps something
 
+// The scene has changed meanwhile.
+class Superseded extends Error {}
+
 function bodyGroup(geometry, look) {
   return outlined(geometry, solid(geometry, look), look);
 }
 
-class Stage {
+class Stage extends View3d {
   constructor(canvas, live) {
-    this.canvas = canvas;
+    super(canvas);
     this.live = live;
-    this.renderer =
-        new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
-    this.pace = new Pace(() => this.draw());
-    this.scene = new THREE.Scene();
-    this.perspective = new THREE.PerspectiveCamera(34, 1, 0.005, 100);
     this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 100);
-    for (const camera of [this.perspective, this.orthographic]) camera.up.set(0, 0, 1);
-    this.camera = this.perspective;
-    this.addLights();
-    this.controls = new THREE.OrbitControls(this.camera, canvas);
-    this.controls.enableKeys = false;
+    this.orthographic.up.set(0, 0, 1);
     this.controls.screenSpacePanning = true;
-    this.controls.addEventListener('change', () => this.draw());
     this.surfaces = new Map();  // geometries by the surface's name
     this.bodies = new Map();    // "object" or "obstacle NAME" to {group, surface}
     this.hand = null;
@@ -42,23 +35,15 @@ class Stage {
     this.marks = new THREE.Group();  // in the frame of the object
     this.free = new THREE.Group();   // in the world
     this.scene.add(this.marks, this.free);
-    this.listeners = [];
-    this.sync = new Latest((state) => this.follow(state));
+    this.sync = new Coalescer((state) => this.follow(state));
     this.looked = false;
     this.orthoSize = 0.3;
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    this.resize();
-  }
-
-  addLights() {
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a94, 0.62));
-    this.lamp = new THREE.DirectionalLight(0xffffff, 0.42);
-    this.scene.add(this.lamp, this.lamp.target);
+    this.followSize();
   }
 
   setBackground(color) {
     this.scene.background = new THREE.Color(color);
-    this.draw();
+    this.requestDraw();
   }
 
   // --- Bodies
@@ -78,7 +63,9 @@ class Stage {
     try {
       await this.fetch(state);
     } catch (error) {
-      return;  // the scene has changed meanwhile, and another state is on its way
+      const superseded = [Refusal, Disconnected, Superseded].some((kind) => error instanceof kind);
+      if (!superseded) throw error;
+      return;  // another state is on its way
     }
     this.place(state);
     if (!this.looked) {
@@ -90,7 +77,7 @@ class Stage {
   async fetch(state) {
     if (state.robots !== this.robots) {
       const robots = await this.live.connection.call('view.robots');
-      if (robots.robots !== state.robots) throw new Error('older than the robots');
+      if (robots.robots !== state.robots) throw new Superseded();
       this.takeRobots(robots);
     }
     const wanted = new Map();
@@ -176,7 +163,7 @@ class Stage {
     this.hand.setBase(matrixOfPose(state.hand.X_world_hand));
     this.hand.setJoints(state.hand.joints);
     if (this.arm) this.placeArm(state);
-    this.draw();
+    this.requestDraw();
   }
 
   // The values of all joints of the platform; those of the hand on it are not drawn.
@@ -207,7 +194,7 @@ class Stage {
     }
     this.setPose(this.bodies.get('object'), object);
     object.decompose(this.marks.position, this.marks.quaternion, this.marks.scale);
-    this.draw();
+    this.requestDraw();
   }
 
   // What does not reach its place is seen through.
@@ -242,19 +229,13 @@ class Stage {
         node.material.color.set(names.has(name) ? blockedColor : node.userData.color);
       });
     }
-    this.draw();
+    this.requestDraw();
   }
 
   // --- The camera
 
-  resize() {
-    const box = this.canvas.parentElement.getBoundingClientRect();
-    if (!(box.width > 0 && box.height > 0)) return;
-    this.renderer.setSize(box.width, box.height, false);
-    this.perspective.aspect = box.width / box.height;
-    this.perspective.updateProjectionMatrix();
+  resized() {
     this.sizeOrthographic();
-    this.drawNow();
   }
 
   sizeOrthographic() {
@@ -265,10 +246,6 @@ class Stage {
     camera.top = this.orthoSize;
     camera.bottom = -this.orthoSize;
     camera.updateProjectionMatrix();
-  }
-
-  direction() {
-    return this.camera.position.clone().sub(this.controls.target).normalize();
   }
 
   // So that object and hand, or with `everything` all bodies, fill the picture.
@@ -296,7 +273,7 @@ class Stage {
     this.sizeOrthographic();
     this.controls.target.copy(target);
     this.controls.update();
-    this.draw();
+    this.requestDraw();
   }
 
   setOrthographic(flat) {
@@ -314,7 +291,7 @@ class Stage {
     this.controls.object = next;
     this.controls.update();
     this.tell();
-    this.draw();
+    this.requestDraw();
   }
 
   // Turns about a point from now on, seen from half as far.
@@ -327,21 +304,10 @@ class Stage {
       this.camera.updateProjectionMatrix();
     }
     this.controls.update();
-    this.draw();
+    this.requestDraw();
   }
 
   // --- What is under the pointer
-
-  ray(event) {
-    const box = this.canvas.getBoundingClientRect();
-    const at = new THREE.Vector2(
-        (event.clientX - box.left) / box.width * 2 - 1,
-        1 - (event.clientY - box.top) / box.height * 2);
-    const caster = new THREE.Raycaster();
-    this.camera.updateMatrixWorld();
-    caster.setFromCamera(at, this.camera);
-    return caster;
-  }
 
   // The nearest point of a body: {point, body, link}, or null.
   pick(event) {
@@ -355,36 +321,9 @@ class Stage {
     return {point, ...object.userData};
   }
 
-  // --- Drawing
-
-  // Draws once before the next repaint, however often it is asked.
-  draw() {
-    if (this.asked) return;
-    this.asked = true;
-    this.canvas.dataset.drawn = 'stale';
-    requestAnimationFrame((now) => {
-      this.asked = false;
-      const ratio = this.pace.next(now);
-      if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
-      this.drawNow();
-    });
-  }
-
-  drawNow() {
-    this.lamp.position.copy(this.camera.position);
-    this.lamp.target.position.copy(this.controls.target);
-    this.renderer.render(this.scene, this.camera);
-    this.tell();
-    this.canvas.dataset.drawn = this.asked ? 'stale' : this.pace.coarse() ? 'coarse' : 'fine';
-  }
-
-  tell() {
-    for (const listener of this.listeners) listener();
-  }
-
   // The picture as a PNG file.
   picture() {
-    this.drawNow();
+    this.draw();
     return new Promise((resolve) => this.canvas.toBlob(resolve, 'image/png'));
   }
 }

@@ -146,14 +146,14 @@ class TimePanel {
       if (along.length() < 0.02 * radius) continue;
       this.forces.add(arrow(at.sub(along), along, 0.025 * radius, forceMaterial));
     }
-    this.stage.draw();
+    this.stage.requestDraw();
     return sizes.reduce((sum, size) => sum + size, 0);
   }
 
   // A drag that begins on the object pulls at that point while time runs.
   listenToPulls() {
     const area = this.stage.canvas.parentElement;
-    const pull = new Latest((to) => this.pull(to));
+    const pull = new Coalescer((to) => this.pull(to));
     area.addEventListener('pointerdown', (event) => {
       if (!this.running || event.button !== 0 || this.measure.active) return;
       const hit = this.stage.pick(event);

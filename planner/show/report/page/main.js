@@ -45,8 +45,8 @@ class Page {
   }
 
   summary() {
-    const {happened} = data.grasps[0] || {};
-    if (happened) return happened[happened.length - 1];
+    const {events} = data.grasps[0] || {};
+    if (events) return events[events.length - 1];
     const best = bestGrasp();
     const tried = data.candidates.in_all;
     if (best >= 0) {
@@ -135,7 +135,7 @@ class Page {
     this.list.select(i);
     showNumbers(grasp, i);
     showShake(grasp);
-    showHappenings(grasp);
+    showEvents(grasp);
     showContacts(grasp, (contact) => this.light(contact));
     if (!this.view) return;
     this.view.show(grasp);

@@ -1,40 +1,17 @@
 // The 3-D view of the scene: its bodies, their poses at a time of the motion, and the camera.
 
-const forceMaterial = new THREE.MeshPhongMaterial({color: data.palette.force.color});
-
-class SceneView {
+class SceneView extends View3d {
   constructor(canvas) {
-    this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
-    this.pace = new Pace(() => this.ask());
-    this.camera = new THREE.PerspectiveCamera(34, 1, 0.01, 100);
-    this.camera.up.set(0, 0, 1);
-    this.scene = new THREE.Scene();
-    this.scene.background = new THREE.Color('#ffffff');
-    this.light();
+    super(canvas);
     this.layers = {};
     this.grasp = null;
     this.lit = -1;
     this.moved = false;  // by the person who looks
     this.build();
-    this.controls = new THREE.OrbitControls(this.camera, canvas);
-    this.controls.enableKeys = false;
     this.controls.addEventListener('start', () => {
       this.moved = true;
     });
-    this.controls.addEventListener('change', () => this.ask());
-    this.listeners = [];
-    this.asked = false;
-    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    this.resize();
-  }
-
-  // From behind the viewer, so that what is looked at is lit.
-  light() {
-    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8a8a94, 0.62), this.camera);
-    const lamp = new THREE.DirectionalLight(0xffffff, 0.42);
-    lamp.position.set(-0.4, 0.7, 1);
-    this.camera.add(lamp);
+    this.followSize();
   }
 
   layer(name, parent, ...nodes) {
@@ -136,7 +113,7 @@ class SceneView {
       this.poseObject(motion, time);
       if (this.layers.forces) this.showForces(motion, time);
     }
-    this.ask();
+    this.requestDraw();
   }
 
   poseHand(motion, row, time) {
@@ -197,13 +174,13 @@ class SceneView {
     this.layers.contacts.traverse((node) => {
       if (node.isMesh) node.material = node.userData.contact === i ? litMaterial : contactMaterial;
     });
-    this.ask();
+    this.requestDraw();
   }
 
   setVisible(name, visible) {
     if (name === 'frames' && this.handAxes) this.handAxes.visible = visible;
     this.layers[name].visible = visible;
-    this.ask();
+    this.requestDraw();
   }
 
   // Points that the camera has to show: of hand and object, or with `everything` also of the arm
@@ -242,69 +219,25 @@ class SceneView {
   look(direction, everything = false) {
     this.controls.target.copy(aim(this.camera, this.corners(everything), direction));
     this.controls.update();
-    this.ask();
-  }
-
-  direction() {
-    return this.camera.position.clone().sub(this.controls.target).normalize();
+    this.requestDraw();
   }
 
   // The contact or candidate under a point of the page, as a mesh that was hit.
   hit(event, name) {
     if (!this.layers[name].visible) return null;
-    const box = this.canvas.getBoundingClientRect();
-    const at = new THREE.Vector2(
-        (event.clientX - box.left) / box.width * 2 - 1,
-        1 - (event.clientY - box.top) / box.height * 2);
-    const ray = new THREE.Raycaster();
-    ray.setFromCamera(at, this.camera);
-    return ray.intersectObject(this.layers[name], true)[0] || null;
-  }
-
-  resize() {
-    const box = this.canvas.parentElement.getBoundingClientRect();
-    if (!(box.width > 0 && box.height > 0)) return;
-    this.renderer.setSize(box.width, box.height, false);
-    this.camera.aspect = box.width / box.height;
-    this.camera.updateProjectionMatrix();
-    this.draw();  // at once: a new size leaves the canvas empty
+    return this.ray(event).intersectObject(this.layers[name], true)[0] || null;
   }
 
   // Runs what poses the scene for a picture on another canvas, and puts it back as it was. The
   // picture on this canvas stays, as it would look the same again.
   borrow(pose) {
-    const {grasp, time, lit, asked} = this;
-    this.asked = true;
+    const {grasp, time, lit, requested} = this;
+    this.requested = true;
     pose();
     this.show(grasp);
     this.pose(time);
     this.highlight(lit);
-    this.asked = asked;
-  }
-
-  // Draws once before the next repaint, however often it is asked.
-  ask() {
-    if (this.asked) return;
-    this.asked = true;
-    this.tellState();
-    requestAnimationFrame((now) => {
-      this.asked = false;
-      const ratio = this.pace.next(now);
-      if (ratio !== this.renderer.getPixelRatio()) this.renderer.setPixelRatio(ratio);
-      this.draw();
-    });
-  }
-
-  draw() {
-    this.renderer.render(this.scene, this.camera);
-    for (const listener of this.listeners) listener();
-    this.tellState();
-  }
-
-  // The attribute data-drawn of the canvas: "stale" while what it shows is older than what was
-  // asked for, "coarse" while a finer picture is to come, else "fine". Tests wait for it.
-  tellState() {
-    this.canvas.dataset.drawn = this.asked ? 'stale' : this.pace.coarse() ? 'coarse' : 'fine';
+    this.requested = requested;
   }
 }
 

@@ -5,7 +5,6 @@ class Thumbnails {
     this.view = view;
     this.waiting = [];
     this.camera = view.camera.clone();
-    this.camera.add(...view.camera.children.map((lamp) => lamp.clone()));
     this.renderer = new THREE.WebGLRenderer({antialias: true, preserveDrawingBuffer: true});
     this.watcher = new IntersectionObserver((entries) => {
       for (const entry of entries) {
@@ -52,6 +51,7 @@ class Thumbnails {
     this.renderer.setSize(canvas.width, canvas.height, false);
     this.camera.aspect = canvas.width / canvas.height;
     aim(this.camera, view.corners(false), view.telling());
+    view.lightFrom(this.camera);
     this.renderer.render(view.scene, this.camera);
     canvas.getContext('2d').drawImage(this.renderer.domElement, 0, 0);
     canvas.dataset.drawn = 'fine';

@@ -272,7 +272,8 @@ std::string random_line(Random& random) {
       "0.5", "1e999", "nan", "x",   "\t", "%s", "Error:", "1e8", "render", "4 0 0 0 0"};
   std::string line = random.index(20) == 0 ? "" : commands[random.index(commands.size())];
   for (std::size_t count = random.index(5); count > 0; --count) {
-    line += (random.index(9) == 0 ? "  " : " ") + words[random.index(words.size())];
+    line += random.index(9) == 0 ? "  " : " ";
+    line += words[random.index(words.size())];
   }
   if (random.index(5) == 0 && !line.empty()) {
     line[random.index(line.size())] = static_cast<char>(random.index(256));

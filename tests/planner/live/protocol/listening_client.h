@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "planner/live/protocol/endpoint.h"
+#include "planner/live/serve/endpoint.h"
 
 namespace prehend::test {
 

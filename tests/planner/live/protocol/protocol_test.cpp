@@ -17,7 +17,7 @@
 namespace prehend::test {
 namespace {
 
-TEST(TestProcedure, AHandTakesHoldOfAnObject) {
+TEST(Protocol, AHandTakesHoldOfAnObject) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   EXPECT_EQ(client.result({{"command", "hello"}})["version"], 1);
@@ -99,7 +99,7 @@ constexpr Mistake kMistakes[] = {
     {"{\"command\": \"\xff\"}", "line 1"},
 };
 
-TEST(TestProcedure, EveryMistakeIsToldWithItsField) {
+TEST(Protocol, EveryMistakeIsToldWithItsField) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   for (const Mistake& mistake : kMistakes) {
@@ -115,7 +115,7 @@ TEST(TestProcedure, EveryMistakeIsToldWithItsField) {
   EXPECT_EQ(client.result({{"command", "state"}})["revision"], 0);
 }
 
-TEST(TestProcedure, RepliesHaveTheIdAndTheOrderOfTheRequests) {
+TEST(Protocol, RepliesHaveTheIdAndTheOrderOfTheRequests) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   for (int i = 0; i < 100; ++i) {
@@ -125,7 +125,7 @@ TEST(TestProcedure, RepliesHaveTheIdAndTheOrderOfTheRequests) {
   EXPECT_EQ(client.reply_to_text(R"({"id": "a", "command": "fly"})")["id"], "a");
 }
 
-TEST(TestProcedure, TwoClientsSeeTheSame) {
+TEST(Protocol, TwoClientsSeeTheSame) {
   SessionEndpoint endpoint({});
   ListeningClient one(endpoint);
   ListeningClient two(endpoint);
@@ -147,7 +147,7 @@ TEST(TestProcedure, TwoClientsSeeTheSame) {
   EXPECT_EQ(one.result({{"command", "undo"}})["done"], true);
 }
 
-TEST(TestProcedure, PlansAreToldOfCancelledAndKept) {
+TEST(Protocol, PlansAreToldOfCancelledAndKept) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   ListeningClient other(endpoint);
@@ -174,7 +174,7 @@ TEST(TestProcedure, PlansAreToldOfCancelledAndKept) {
   EXPECT_EQ(client.result({{"command", "plan.cancel"}})["cancelled"], false);
 }
 
-TEST(TestProcedure, AnEndpointEndsWhileAPlanRuns) {
+TEST(Protocol, AnEndpointEndsWhileAPlanRuns) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   client.result({{"command", "scene.new"}, {"hand", "parallel_jaw"}});
@@ -202,14 +202,17 @@ std::string garbage(Random& random) {
     return text;
   }
   if (kind == 1) return text.substr(0, random.index(text.size() + 1));
-  if (kind == 2) return std::string(random.index(400), random.index(2) == 0 ? '[' : '{');
+  if (kind == 2) {
+    const std::size_t depth = random.index(400);
+    return std::string(depth, random.index(2) == 0 ? '[' : '{');
+  }
   for (int i = random.integer(1, 3); i > 0; --i) {
     text[random.index(text.size())] = static_cast<char>(random.integer(0, 255));
   }
   return text;
 }
 
-TEST(TestProcedure, GarbageIsAnsweredOnceEach) {
+TEST(Protocol, GarbageIsAnsweredOnceEach) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   Random random(11);
@@ -224,7 +227,7 @@ TEST(TestProcedure, GarbageIsAnsweredOnceEach) {
   EXPECT_TRUE(client.result({{"command", "state"}}).contains("hand"));
 }
 
-TEST(TestProcedure, ManyClientsAtOnceGetTheirOwnReplies) {
+TEST(Protocol, ManyClientsAtOnceGetTheirOwnReplies) {
   SessionEndpoint endpoint({});
   std::vector<std::thread> threads;
   for (int t = 0; t < 4; ++t) {
@@ -242,7 +245,7 @@ TEST(TestProcedure, ManyClientsAtOnceGetTheirOwnReplies) {
   for (std::thread& thread : threads) thread.join();
 }
 
-TEST(TestProcedure, WhatAClientSendsAheadIsBounded) {
+TEST(Protocol, WhatAClientSendsAheadIsBounded) {
   SessionEndpoint endpoint({});
   ListeningClient client(endpoint);
   constexpr int kSent = 3000;
@@ -254,14 +257,14 @@ TEST(TestProcedure, WhatAClientSendsAheadIsBounded) {
 // The documents in which the table of commands is written down. With PREHEND_WRITE_PROTOCOL in the
 // environment they are written instead of compared.
 std::filesystem::path document(const std::string& name) {
-  return std::filesystem::path(PREHEND_SOURCE_DIR) / "docs" / name;
+  return std::filesystem::path(PREHEND_SOURCE_DIR) / "docs/reference" / name;
 }
 
 bool writes_documents() { return std::getenv("PREHEND_WRITE_PROTOCOL") != nullptr; }
 
 constexpr const char* kHint = "PREHEND_WRITE_PROTOCOL=1 protocol_tests writes it anew";
 
-TEST(TestProcedure, TheSchemaIsThatOfTheCommands) {
+TEST(Protocol, TheSchemaIsThatOfTheCommands) {
   const std::filesystem::path file = document("protocol.schema.json");
   if (writes_documents()) write_file(file, protocol_schema());
   EXPECT_TRUE(read_file(file) == protocol_schema()) << kHint;
@@ -274,7 +277,7 @@ TEST(TestProcedure, TheSchemaIsThatOfTheCommands) {
   }
 }
 
-TEST(TestProcedure, TheDocumentListsTheCommands) {
+TEST(Protocol, TheDocumentListsTheCommands) {
   const std::string heading = "## Commands\n\n";
   const std::filesystem::path file = document("protocol.md");
   std::string text = read_file(file);

@@ -91,7 +91,7 @@ TEST(Candidates, CloseOnWhatTheirPreshapeTakesAndSayWhenNothingFits) {
 }
 
 // True when the hand's poses are farther apart than a duplicate, at the level of the later one.
-bool differ(const ProposedGrasp& a, const ProposedGrasp& b, const CandidateOptions& options) {
+bool differ(const ProposedGrasp& a, const ProposedGrasp& b) {
   if (a.candidate.preshape != b.candidate.preshape) return true;
   const double part = std::pow(0.5, std::max(a.level, b.level));
   const Pose& X_OA = a.candidate.X_OH;
@@ -99,8 +99,7 @@ bool differ(const ProposedGrasp& a, const ProposedGrasp& b, const CandidateOptio
   const double apart = (X_OA.translation() - X_OB.translation()).norm();
   // Angle of the turn between them, from its trace.
   const double cosine = 0.5 * ((X_OA.linear().transpose() * X_OB.linear()).trace() - 1.0);
-  return apart > part * options.duplicate_distance ||
-         cosine < std::cos(part * options.duplicate_angle) + kRounding;
+  return apart > part * kDuplicateDistance || cosine < std::cos(part * kDuplicateAngle) + kRounding;
 }
 
 TEST(Candidates, NoTwoAreTheSame) {
@@ -111,11 +110,10 @@ TEST(Candidates, NoTwoAreTheSame) {
     pieces.push_back(pieces[i]);
     pieces.back().X_OP = translation({0.0, 0.0, 1e-4}) * pieces.back().X_OP;
   }
-  const CandidateOptions options;
-  const Proposals proposals = propose_grasps(scene, pieces, kMany, options);
+  const Proposals proposals = propose_grasps(scene, pieces, kMany);
   for (std::size_t i = 0; i < proposals.grasps.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      ASSERT_TRUE(differ(proposals.grasps[i], proposals.grasps[k], options)) << i << " and " << k;
+      ASSERT_TRUE(differ(proposals.grasps[i], proposals.grasps[k])) << i << " and " << k;
     }
   }
 }

@@ -28,7 +28,7 @@ inline GraspSetEntry random_entry(Random& random, const GraspSet& set, double kn
   grasp.X_OH = random_pose(random);
   grasp.X_OH_aim = random_pose(random);
   if (random.uniform(0.0, 1.0) < known) grasp.approach_O = random.direction();
-  grasp.outcome = kOutcomes.at(random.index(kOutcomes.size()));
+  grasp.outcome = kAll<Outcome>.at(random.index(kAll<Outcome>.size()));
   grasp.epsilon = {random.uniform(0.0, 0.1), random.uniform(0.1, 0.2)};
   for (std::size_t c = random.index(6); c > 0 && !set.links.empty(); --c) {
     grasp.contacts.push_back(

@@ -29,28 +29,26 @@ PlanOptions few_candidates() {
   return options;
 }
 
-int count_in(const PlanResult& result, Outcome outcome) {
-  return result.outcomes[static_cast<std::size_t>(outcome)];
-}
+int count_in(const PlanResult& result, Outcome outcome) { return result.outcomes[outcome]; }
 
 // Every candidate is counted once, in all that a result and its report say.
 void expect_counted(const PlanResult& result, const nlohmann::json& data) {
-  std::array<int, kOutcomes.size()> tried{};
-  for (const Tried& one : result.tried) ++tried[static_cast<std::size_t>(one.outcome)];
+  EnumArray<Outcome, int> tried;
+  for (const Tried& one : result.tried) ++tried[one.outcome];
   EXPECT_EQ(tried, result.outcomes);
-  std::array<int, kOutcomes.size()> drawn{};
+  EnumArray<Outcome, int> drawn;
   for (const nlohmann::json& row : data["candidates"]["rows"]) {
     ASSERT_EQ(row.size(), 8U);
     expect_numbers(row, "candidate");
-    ++drawn.at(row[6].get<std::size_t>());
+    ++drawn.entries.at(row[6].get<std::size_t>());
     EXPECT_LT(row[7].get<std::size_t>(), data["candidates"]["blames"].size());
   }
   EXPECT_EQ(drawn, result.outcomes);
   EXPECT_EQ(data["candidates"]["in_all"], result.tried.size());
-  ASSERT_EQ(data["outcomes"].size(), kOutcomes.size());
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
-    EXPECT_EQ(data["outcomes"][i]["name"], outcome_name(kOutcomes[i]));
-    EXPECT_EQ(data["outcomes"][i]["count"], result.outcomes[i]);
+  ASSERT_EQ(data["outcomes"].size(), kAll<Outcome>.size());
+  for (std::size_t i = 0; i < kAll<Outcome>.size(); ++i) {
+    EXPECT_EQ(data["outcomes"][i]["name"], name_of(kAll<Outcome>[i]));
+    EXPECT_EQ(data["outcomes"][i]["count"], result.outcomes.entries[i]);
     EXPECT_FALSE(data["outcomes"][i]["meaning"].get<std::string>().empty());
   }
 }

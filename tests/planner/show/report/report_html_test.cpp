@@ -213,8 +213,8 @@ TEST(ReportJson, ColoursAndOpacitiesAreThoseOfPictures) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     expect_color(found["axes"][axis], palette::kAxes[axis], "axis");
   }
-  for (const Outcome outcome : kOutcomes) {
-    const std::string name(outcome_name(outcome));
+  for (const Outcome outcome : kAll<Outcome>) {
+    const std::string name(name_of(outcome));
     ASSERT_TRUE(found["outcomes"].contains(name)) << name;
     expect_color(found["outcomes"][name], palette::of(outcome), name);
   }

@@ -122,11 +122,11 @@ TEST(Bootstrap, DrawsObjectsWhereThereAreSeveralElseSessions) {
 }
 
 TEST(Bootstrap, GroupingsHaveNames) {
-  for (const Grouping grouping : kGroupings) {
-    EXPECT_EQ(named_grouping(grouping_name(grouping)), grouping);
+  for (const Grouping grouping : kAll<Grouping>) {
+    EXPECT_EQ(value_named<Grouping>(name_of(grouping)), grouping);
   }
-  EXPECT_EQ(named_grouping(""), std::nullopt);
-  EXPECT_EQ(named_grouping("objects"), std::nullopt);
+  EXPECT_EQ(value_named<Grouping>(""), std::nullopt);
+  EXPECT_EQ(value_named<Grouping>("objects"), std::nullopt);
 }
 
 }  // namespace

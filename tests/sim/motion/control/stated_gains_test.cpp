@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/step_world.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/support/refusal_of.h"
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/step_world.h"
 #include "sim/shape/basic_shapes.h"
 #include "tests/support/scenes.h"
 

@@ -101,8 +101,8 @@ TEST(ConicProgram, SimplexPicksTheSmallestCost) {
 TEST(ConicProgram, LinearOverABall) {
   Random random(2);
   for (int i = 0; i < 40; ++i) {
-    const Eigen::Vector3d c = random.uniform(0.1, 4.0) * random.direction();
-    const Eigen::Vector3d centre = random.uniform(0.0, 2.0) * random.direction();
+    const Eigen::Vector3d c = random.vector(0.1, 4.0);
+    const Eigen::Vector3d centre = random.vector(0.0, 2.0);
     const double radius = random.uniform(0.01, 2.0);
     const ConicProgram p = ball_program(c, centre, radius);
     expect_value(p, c.dot(centre) - radius * c.norm());
@@ -114,7 +114,7 @@ TEST(ConicProgram, DistanceFromAnAffineSubspace) {
   // Minimise t with |x| <= t and a'x = b: |b| / |a|.
   Random random(3);
   for (int i = 0; i < 40; ++i) {
-    const Eigen::Vector3d a = random.uniform(0.1, 5.0) * random.direction();
+    const Eigen::Vector3d a = random.vector(0.1, 5.0);
     const double b = random.uniform(-3.0, 3.0);
     ConicProgram p;
     p.c = Eigen::Vector4d(1, 0, 0, 0);

@@ -1,4 +1,4 @@
-// The robot printed in docs/robot-file.md is a robot.
+// The robot printed in docs/reference/robot-file.md is a robot.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,9 +13,9 @@
 namespace prehend {
 namespace {
 
-// Block `k` of JSON in docs/robot-file.md.
+// Block `k` of JSON in docs/reference/robot-file.md.
 std::string json_block(int k) {
-  std::ifstream stream(std::filesystem::path(PREHEND_SOURCE_DIR) / "docs/robot-file.md");
+  std::ifstream stream(std::filesystem::path(PREHEND_SOURCE_DIR) / "docs/reference/robot-file.md");
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   const std::string fence = "```json\n";
   std::size_t begin = 0;

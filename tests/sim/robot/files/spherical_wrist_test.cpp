@@ -21,8 +21,8 @@ Robot rewritten(const Robot& arm, Random& random) {
   Pose X_before = Pose::Identity();  // the frame of the rewritten joint before, in the old one
   for (std::size_t j = 0; j < arm.joints.size(); ++j) {
     Joint& joint = robot.joints[j];
-    const Pose on_axis = translation(random.uniform(-0.3, 0.3) * Vector3::UnitZ()) *
-                         Eigen::AngleAxisd(random.uniform(-3.0, 3.0), Vector3::UnitZ());
+    const Pose along = translation(random.uniform(-0.3, 0.3) * Vector3::UnitZ());
+    const Pose on_axis = along * Eigen::AngleAxisd(random.uniform(-3.0, 3.0), Vector3::UnitZ());
     const Pose X_JK = on_axis * pose_from(random.rotation(), Vector3::Zero());
     joint.X_PJ = X_before.inverse() * arm.joints[j].X_PJ * X_JK;
     joint.axis = (X_JK.linear().transpose() * Vector3::UnitZ()).normalized();

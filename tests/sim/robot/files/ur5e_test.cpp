@@ -143,8 +143,8 @@ TEST(UrArm, AnyFramesOnTheAxesDo) {
     Pose X_before = Pose::Identity();
     for (std::size_t j = 0; j < 6; ++j) {
       Joint& joint = robot.joints[j];
-      const Pose X_JK = translation(random.uniform(-0.3, 0.3) * Vector3::UnitZ()) *
-                        pose_from(random.rotation(), Vector3::Zero());
+      const Pose along = translation(random.uniform(-0.3, 0.3) * Vector3::UnitZ());
+      const Pose X_JK = along * pose_from(random.rotation(), Vector3::Zero());
       const double sense = random.uniform() < 0.5 ? -1.0 : 1.0;
       joint.X_PJ = X_before.inverse() * joint.X_PJ * X_JK;
       joint.axis = sense * (X_JK.linear().transpose() * Vector3::UnitZ()).normalized();

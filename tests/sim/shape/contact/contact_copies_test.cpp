@@ -16,7 +16,7 @@ std::vector<SurfaceContact> kept_of_all(const std::vector<SurfaceContact>& conta
   std::vector<SurfaceContact> kept;
   for (const SurfaceContact& c : contacts) {
     const bool copy = std::any_of(kept.begin(), kept.end(), [&](const SurfaceContact& k) {
-      return (k.position - c.position).norm() <= options.same_place * options.threshold &&
+      return (k.position - c.position).norm() <= kSamePlace * options.threshold &&
              k.normal.dot(c.normal) > 0.0 &&
              k.normal.cross(c.normal).norm() <= 2.0 * options.angular_tolerance;
     });
@@ -35,7 +35,7 @@ std::vector<SurfaceContact> crowded(Random& random, const ContactOptions& option
   std::vector<SurfaceContact> contacts;
   for (int i = 0; i < 150; ++i) {
     const auto place = static_cast<std::size_t>(random.integer(0, 10));
-    const double off = random.uniform(0.0, 1.2 * options.same_place * options.threshold);
+    const double off = random.uniform(0.0, 1.2 * kSamePlace * options.threshold);
     const Vector3 normal = (Vector3::UnitZ() + random.in_box(0.06)).normalized();
     contacts.push_back({places[place] + off * random.direction(),
                         random.integer(0, 4) == 0 ? Vector3(-normal) : normal, 1e-7 * i});

@@ -24,7 +24,7 @@ std::vector<SoftPatch> patches_of(const TriangleMesh& object_W, const Pose& X_WO
   SoftPatchWorkspace workspace;
   const Pose X_OW = X_WO.inverse();
   std::vector<SoftPatch> patches;
-  soft_patches(ProximityMesh(transformed(object_W, X_OW)), pad(), X_OW * kPadBelow, kDepth, {},
+  soft_patches(ProximityMesh(transformed(object_W, X_OW)), pad(), X_OW * kPadBelow, kDepth,
                workspace, patches);
   for (SoftPatch& patch : patches) {
     patch.position = X_WO * patch.position;

@@ -60,7 +60,7 @@ TEST(SurfaceContact, ACornerNearAFlatEdgeIsOnePoint) {
         std::min_element(link.vertices.begin(), link.vertices.end(),
                          [](const Vector3& p, const Vector3& q) { return p.z() < q.z(); });
     // Up to 0.1 mm beside the edges along x = 0, so that edges of the link pass over them.
-    const Vector3 at(random.uniform(-1e-4, 1e-4), random.uniform(0.001, 0.03), 0.0);
+    const Vector3 at = random.in_box({-1e-4, 0.001, 0.0}, {1e-4, 0.03, 0.0});
     link = transformed(link, translation(at + gap * Vector3::UnitZ() - *lowest));
     const auto contacts = Touching(object, link, X_WO, X_WL).points();
     expect_sound(contacts, object, link);
@@ -112,7 +112,8 @@ TEST(SurfaceContact, BodiesWithinTheThresholdHaveAContactAtTheirNearestPoints) {
   for (int i = 0; i < 300; ++i) {
     const TriangleMesh& object = bodies[random.index(bodies.size())];
     const TriangleMesh& tool = bodies[random.index(bodies.size())];
-    Pose X_OL = pose_from(random.rotation(), 0.3 * random.direction());
+    const Matrix3 turn = random.rotation();
+    Pose X_OL = pose_from(turn, 0.3 * random.direction());
     const ProximityMesh a(object);
     const ProximityMesh b(tool);
     const TriangleGap far = triangle_gap(a, b, X_OL, find_gap(a, b, X_OL).pair);
@@ -125,7 +126,8 @@ TEST(SurfaceContact, BodiesWithinTheThresholdHaveAContactAtTheirNearestPoints) {
     if (nearest > 9.5e-5) continue;
     ++touching;
     const TriangleMesh link = transformed(tool, X_OL);
-    const Touching pair(object, link, random.pose(0.2), random.pose(0.2));
+    const Pose X_WO = random.pose(0.2);
+    const Touching pair(object, link, X_WO, random.pose(0.2));
     const auto contacts = pair.points();
     expect_sound(contacts, object, link);
     ASSERT_FALSE(contacts.empty()) << "pair " << i;

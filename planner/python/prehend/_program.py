@@ -1,0 +1,10 @@
+"""The command prehend of an installed wheel: the program that stands in its folder bin."""
+
+import os
+import pathlib
+import sys
+
+
+def main() -> None:
+    program = pathlib.Path(__file__).parent / "bin" / "prehend"
+    os.execv(program, ["prehend", *sys.argv[1:]])

@@ -1,0 +1,503 @@
+"""What trials and plans return: plain values with NumPy arrays that own their memory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields as fields_of
+from functools import cached_property
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
+
+import numpy as np
+
+from . import _core, _notebook
+from ._arrays import FloatArray, IntArray
+from ._core import (
+    ContactModel,
+    EpsilonStatus,
+    Hint,
+    LiftEnd,
+    Outcome,
+    PlanCount,
+    PlanStatus,
+    Stage,
+)
+from ._names import show_in
+from ._steps import Candidate, Path, Primitive
+
+__all__ = [
+    "Advice",
+    "CollisionCount",
+    "Contact",
+    "ContactModel",
+    "Contacts",
+    "EpsilonStatus",
+    "Grasp",
+    "Hint",
+    "LiftEnd",
+    "LoadCase",
+    "Outcome",
+    "PayloadMargin",
+    "PlanCount",
+    "PlanResult",
+    "PlanStatus",
+    "Refinement",
+    "Robustness",
+    "RuleCount",
+    "Stage",
+    "StageCount",
+    "Trial",
+    "Tried",
+]
+
+show_in(__name__, ContactModel, EpsilonStatus, Hint, LiftEnd, PlanCount, PlanStatus, Stage)
+
+
+Kind = TypeVar("Kind")
+
+
+def _made(kind: Type[Kind], values: Dict[str, Any]) -> Kind:
+    """An object of a dataclass from its fields among the values; others have no place in it."""
+    return kind(**{one.name: values[one.name] for one in fields_of(kind)})
+
+
+class Contact(NamedTuple):
+    """A point where a link of the hand touches the object, in the object's frame O."""
+
+    position: FloatArray
+    """(3,) [m]."""
+    normal: FloatArray
+    """(3,): unit, into the object."""
+    friction: float
+    """Coefficient."""
+    torsion: float
+    """Soft fingers: largest torque about the normal over largest friction force [m]; else 0."""
+    gap: float
+    """Between link and object [m]."""
+    model: ContactModel
+    """What it can exert."""
+    link: str
+    """Name of the link."""
+
+
+@dataclass(frozen=True, eq=False)
+class Contacts(Sequence[Contact]):
+    """Contacts of one or several grasps, as arrays; a sequence of Contact as well."""
+
+    positions: FloatArray
+    """(M, 3), object's frame [m]."""
+    normals: FloatArray
+    """(M, 3): unit, into the object."""
+    friction: FloatArray
+    """(M,): coefficients."""
+    torsion: FloatArray
+    """(M,) [m]."""
+    gap: FloatArray
+    """(M,) [m]."""
+    models: List[ContactModel]
+    """M contact models."""
+    links: List[str]
+    """M names of links."""
+    grasps: IntArray
+    """(M,): the number of the grasp that each contact belongs to."""
+
+    def __len__(self) -> int:
+        return len(self.links)
+
+    def __getitem__(self, i: Any) -> Any:
+        if isinstance(i, slice):
+            return [self[k] for k in range(*i.indices(len(self)))]
+        return Contact(
+            self.positions[i],
+            self.normals[i],
+            float(self.friction[i]),
+            float(self.torsion[i]),
+            float(self.gap[i]),
+            self.models[i],
+            self.links[i],
+        )
+
+    def __iter__(self) -> Iterator[Contact]:
+        return (self[i] for i in range(len(self)))
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} contacts>"
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Contacts":
+        fields["models"] = [ContactModel(model) for model in fields["models"]]
+        return Contacts(**fields, grasps=np.zeros(len(fields["links"]), dtype=np.intc))
+
+    @staticmethod
+    def _joined(parts: Sequence["Contacts"]) -> "Contacts":
+        def rows(name: str, columns: Tuple[int, ...]) -> FloatArray:
+            arrays = [getattr(part, name) for part in parts]
+            return np.concatenate(arrays) if arrays else np.zeros((0, *columns))
+
+        return Contacts(
+            rows("positions", (3,)),
+            rows("normals", (3,)),
+            rows("friction", ()),
+            rows("torsion", ()),
+            rows("gap", ()),
+            [model for part in parts for model in part.models],
+            [link for part in parts for link in part.links],
+            np.repeat(np.arange(len(parts), dtype=np.intc), [len(part) for part in parts]),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """What became of one candidate."""
+
+    outcome: Outcome
+    """Outcome.stable if the grasp holds, else why it does not."""
+    epsilon: float
+    """Smallest disturbance that breaks the grasp, a lower bound; 0 unless it holds."""
+    epsilon_upper: float
+    """Upper bound of the same."""
+    epsilon_status: EpsilonStatus
+    """How the search for epsilon ended."""
+    weakest_wrench: FloatArray = field(repr=False)
+    """(6,): the disturbance that it resists least, [force; torque * torque_scale]."""
+    X_OH: FloatArray = field(repr=False)
+    """(4, 4): the hand's base in the object's frame."""
+    X_WH: FloatArray = field(repr=False)
+    """(4, 4): and in the world's."""
+    approach: FloatArray = field(repr=False)
+    """(3,): unit, object's frame: the hand came this way."""
+    travel: float = field(repr=False)
+    """Length of the approach until the grasp [m]."""
+    gave_way: FloatArray = field(repr=False)
+    """(3,): by this the hand moved at first, out of a small overlap, object's frame [m]."""
+    back_offs: int = field(repr=False)
+    """How often the hand went back and closed again."""
+    pushed: FloatArray = field(repr=False)
+    """(3,): the finger that touched first pushed the object by this, object's frame [m]."""
+    turned: float = field(repr=False)
+    """By this the object turned between the fingers [rad]."""
+    slid: float = field(repr=False)
+    """And by this its centre of mass moved there [m]."""
+    preshape: Optional[str]
+    """The opening that the hand came with; None where it has no name."""
+    dofs: FloatArray = field(repr=False)
+    """(D,): degrees of freedom of the closed hand [rad or m]."""
+    joints: FloatArray = field(repr=False)
+    """(J,): its joints [rad or m]."""
+    arm_dofs: Optional[FloatArray] = field(repr=False)
+    """Degrees of freedom of arm and hand at the grasp, the hand as it starts; None without an arm."""
+    contacts: Contacts
+    """Where the hand touches the object."""
+    blocked_link: Optional[str]
+    """The link that was blocked, for outcomes that end in _blocked."""
+    blocked_by: Optional[str]
+    """The object, obstacle or link that blocked it."""
+    overlap: Optional[float]
+    """Of hand_blocked: how far the hand would have to move to overlap nothing [m].
+
+    None if farther than 20 mm, and in plans, which leave such grasps out.
+    """
+    candidate: Candidate = field(repr=False)
+    """What was tried."""
+    _trial: "_core._Trial" = field(repr=False)
+
+    @property
+    def stable(self) -> bool:
+        """Whether the grasp holds."""
+        return self.outcome is Outcome.stable
+
+    @classmethod
+    def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
+        fields["outcome"] = Outcome(fields["outcome"])
+        fields["epsilon_status"] = EpsilonStatus(fields["epsilon_status"])
+        fields["contacts"] = Contacts._of(fields["contacts"])
+        fields["candidate"] = Candidate(**fields["candidate"])
+        return _made(cls, fields)
+
+    def _repr_html_(self) -> str:
+        return _notebook.trial_html(self)
+
+
+def _by_outcome(counts: Dict[str, int]) -> Dict[Outcome, int]:
+    return {Outcome(outcome): count for outcome, count in counts.items()}
+
+
+@dataclass(frozen=True, eq=False)
+class LoadCase:
+    """What it takes to hold the object's weight in one attitude."""
+
+    down: FloatArray = field(repr=False)
+    """(3,): where gravity pulls, unit, object's frame."""
+    sum_of_normals: float
+    """The smallest sum of normal forces that balances the weight, inf where none do [N]."""
+    largest_normal: float
+    """The smallest largest normal force that does [N]."""
+    strength: float
+    """How many times the weight the drives hold with the efforts in the robot's file; 0 where no
+    forces balance it, inf where it loads no drive whose effort is known."""
+
+
+@dataclass(frozen=True, eq=False)
+class PayloadMargin:
+    """What a grasp's weight takes: in the attitude of the scene and in the worst of 42."""
+
+    given: LoadCase
+    """As the object lies in the scene."""
+    worst: LoadCase
+    """In the attitude with the largest sum of normal forces."""
+
+    @property
+    def holds(self) -> bool:
+        """Whether the drives hold the weight as the object lies."""
+        return self.given.strength >= 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Robustness:
+    """How a grasp fares with errors of pose, friction and centre of mass (UncertaintyOptions)."""
+
+    samples: int
+    """Trials that were made."""
+    held: int
+    """In so many of them the hand closed on the object and holds its weight."""
+    interval: Tuple[float, float]
+    """Contains the true share with a probability of 90 %."""
+    epsilon_mean: float
+    """Mean epsilon of the trials."""
+    epsilon_low: float
+    """At most a tenth of the trials have less."""
+    outcomes: Dict[Outcome, int] = field(repr=False)
+    """How many trials ended with each outcome."""
+    spare: float
+    """The object may be off by this along any axis of the hand, of 0, 1, 2.5, 5 and 10 mm [m]."""
+    weakest: FloatArray = field(repr=False)
+    """(3,): the direction in which it may be off the least, object's frame; 0: none."""
+    weakest_outcome: Outcome = field(repr=False)
+    """How a trial ends that is farther off that way; stable: the drives do not hold the weight."""
+    strength: float
+    """So many times the weight the drives hold without errors."""
+    success: float
+    """Probability that it lifts the object, as of grasps that were carried out in simulation."""
+
+    @property
+    def probability(self) -> float:
+        """Share of the trials that held."""
+        return self.held / self.samples
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Robustness":
+        fields["outcomes"] = _by_outcome(fields["outcomes"])
+        fields["weakest_outcome"] = Outcome(fields["weakest_outcome"])
+        return _made(Robustness, fields)
+
+
+class Refinement(NamedTuple):
+    """What the refinement of a grasp took and gave."""
+
+    gain: float
+    """By how much its objective is larger than before."""
+    trials: int
+    """That were made for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grasp(Trial):
+    """A trial as a plan returns it."""
+
+    volume: float
+    """Of the hull of the wrenches that the grasp can exert; 0 without force closure, NaN where the
+    plan was cancelled before."""
+    epsilon_nearby: Optional[Tuple[float, float]]
+    """Of a stable grasp: the least and the largest epsilon with the hand moved by next to nothing
+    or the contact threshold changed by 10 %; None where the volume was not computed."""
+    holding: Optional[PayloadMargin] = field(repr=False)
+    """What its weight takes; None without contacts and where the volume was not computed."""
+    robustness: Optional[Robustness] = field(repr=False)
+    """How it fares with errors of the pose; None where that was not asked for."""
+    primitive: Optional[int]
+    """Number of the primitive that it came from; None for a grasp that was given."""
+    rule: str
+    """Which rule of the primitive; "given" for a grasp that was given."""
+    refinement: Optional[Refinement]
+    """Of a grasp that was refined: what that gained, and the trials it took."""
+    path: Optional[Path] = field(repr=False)
+    """The arm's way to it, where that was asked for."""
+
+    @classmethod
+    def _of(cls: Type[Kind], fields: Dict[str, Any]) -> Kind:
+        path = fields["path"]
+        fields["path"] = None if path is None else Path._of(path)
+        holding = fields["holding"]
+        if holding is not None:
+            fields["holding"] = PayloadMargin(
+                LoadCase(**holding["given"]), LoadCase(**holding["worst"])
+            )
+        robustness = fields["robustness"]
+        if robustness is not None:
+            fields["robustness"] = Robustness._of(robustness)
+        refinement = fields["refinement"]
+        if refinement is not None:
+            fields["refinement"] = Refinement(*refinement)
+        return super()._of(fields)
+
+
+@dataclass(frozen=True)
+class CollisionCount:
+    """How many candidates ended in `outcome` because `link` met `by`."""
+
+    outcome: Outcome
+    link: str
+    by: str
+    count: int
+
+
+@dataclass(frozen=True)
+class StageCount:
+    """What a stage of a plan makes and how many came out of it."""
+
+    what: PlanCount
+    count: int
+
+
+class Advice(NamedTuple):
+    """Something that may help where a plan found no grasp."""
+
+    hint: Hint
+    """What may help."""
+    words: str
+    """What to change and why, with the option of the program or the field of the scene file."""
+
+
+class RuleCount(NamedTuple):
+    """How the candidates of one rule ended."""
+
+    rule: str
+    outcomes: Dict[Outcome, int]
+
+
+class Tried(NamedTuple):
+    """All candidates that were tried, in the order they were made."""
+
+    candidates: IntArray
+    """(N,): the place of each among those that were proposed or given."""
+    poses: FloatArray
+    """(N, 4, 4): where the approach was to end, the hand in the object's frame."""
+    approach: FloatArray
+    """(N, 3): unit, object's frame."""
+    outcomes: List[Outcome]
+    """N outcomes."""
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "Tried":
+        fields["outcomes"] = [Outcome(outcome) for outcome in fields["outcomes"]]
+        return Tried(**fields)
+
+
+class PlanResult:
+    """What plan() and evaluate() return. A sequence of its grasps: len(result), result[0], ..."""
+
+    def __init__(self, core: "_core._PlanResult", scene: "_core.CompiledScene") -> None:
+        self._core = core
+        self.scene: "_core.CompiledScene" = scene
+        """What was planned for."""
+        fields = core.fields()
+        self.grasps: List[Grasp] = [Grasp._of(core.grasp(i)) for i in range(fields["count"])]
+        """plan(): best first; evaluate(): as given."""
+        self.status: PlanStatus = PlanStatus(fields["status"])
+        """How the call ended."""
+        self.reason: str = fields["words"]
+        """Why nothing could be tried, in one line; "" where something was."""
+        self.advice: List[Advice] = [
+            Advice(Hint(hint), words) for hint, words in fields["advice"]
+        ]
+        """Of plan() without a grasp: what may help."""
+        self.rules: List[RuleCount] = [
+            RuleCount(rule, _by_outcome(outcomes)) for rule, outcomes in fields["rules"]
+        ]
+        """Of plan() without a grasp: how the candidates of each rule ended."""
+        self.untested: int = fields["untested"]
+        """Candidates that a call which was cancelled or ran out of time left untried."""
+        self.families: int = fields["ways"]
+        """Of plan(): families of grasps, each a rule of a primitive with a preshape and a depth."""
+        self.families_untested: int = fields["ways_untested"]
+        """Of plan(): how many of them no trial has looked at."""
+        self.smallest_width: float = fields["smallest_width"]
+        """Of plan(): smallest size that a rule wanted to close on [m]."""
+        self.largest_opening: float = fields["largest_opening"]
+        """Of plan(): largest size that an opening of the hand takes [m]."""
+        self.outcomes: Dict[Outcome, int] = _by_outcome(fields["outcomes"])
+        """How many candidates ended how."""
+        self.blockers: List[CollisionCount] = [
+            CollisionCount(Outcome(outcome), *of) for outcome, *of in fields["blockers"]
+        ]
+        """What was in the way, most often first."""
+        self.stages: List[StageCount] = [
+            StageCount(PlanCount(what), count) for what, count in fields["stages"]
+        ]
+        """What came out of each stage."""
+        self.seconds: Dict[Stage, float] = {
+            Stage(stage): seconds for stage, seconds in fields["seconds"].items()
+        }
+        """How long each stage took [s]."""
+        self.primitives: List[Primitive] = [Primitive(**one) for one in fields["primitives"]]
+        """The object's, which Grasp.primitive counts."""
+        self.tried: Tried = Tried._of(fields["tried"])
+        """All candidates."""
+
+    def __len__(self) -> int:
+        return len(self.grasps)
+
+    def __getitem__(self, i: int) -> Grasp:
+        return self.grasps[i]
+
+    def __iter__(self) -> Iterator[Grasp]:
+        return iter(self.grasps)
+
+    def __repr__(self) -> str:
+        best = f", best epsilon {self.grasps[0].epsilon:.4f}" if self.grasps else ""
+        return f"<prehend.PlanResult, {self.status}: {len(self)} grasps of {sum(self.outcomes.values())} tried{best}>"
+
+    def _repr_html_(self) -> str:
+        return _notebook.plan_html(self)
+
+    def _array(self, name: str, shape: Tuple[int, ...] = ()) -> FloatArray:
+        rows = [getattr(grasp, name) for grasp in self.grasps]
+        return np.array(rows, dtype=np.float64).reshape((len(rows), *shape))
+
+    @cached_property
+    def poses(self) -> FloatArray:
+        """(N, 4, 4): the hand's base in the object's frame, X_OH, for each grasp."""
+        return self._array("X_OH", (4, 4))
+
+    @cached_property
+    def world_poses(self) -> FloatArray:
+        """(N, 4, 4): and in the world's frame, X_WH."""
+        return self._array("X_WH", (4, 4))
+
+    @cached_property
+    def epsilon(self) -> FloatArray:
+        """(N,): smallest disturbance that breaks each grasp."""
+        return self._array("epsilon")
+
+    @cached_property
+    def volume(self) -> FloatArray:
+        """(N,): volumes of their wrench hulls."""
+        return self._array("volume")
+
+    @cached_property
+    def dofs(self) -> FloatArray:
+        """(N, D): degrees of freedom of the closed hands [rad or m]."""
+        return self._array("dofs", (len(self.scene.hand.dofs),))
+
+    @cached_property
+    def joints(self) -> FloatArray:
+        """(N, J): joints of the closed hands [rad or m]."""
+        return self._array("joints", (len(self.scene.hand.joints),))
+
+    @cached_property
+    def contacts(self) -> List[Contacts]:
+        """The contacts of each grasp."""
+        return [grasp.contacts for grasp in self.grasps]
+
+    @cached_property
+    def flat_contacts(self) -> Contacts:
+        """All of them one after the other, M in all; `grasps` says whose each is."""
+        return Contacts._joined(self.contacts)

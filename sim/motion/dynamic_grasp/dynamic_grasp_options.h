@@ -1,0 +1,37 @@
+// Whether and how a hand closes in time.
+#pragma once
+
+#include "sim/base/settings.h"
+
+namespace prehend {
+
+struct DynamicGraspOptions {
+  static constexpr AboutSettings kAbout{"FormationOptions",
+                                        "A hand that closes in time, on an object that gives way."};
+  bool dynamic = false;
+  double gravity = 9.81;
+  double settle = 0.5;
+  double close = 2.0;
+  double lift = 0.05;
+  double lift_time = 0.5;
+  double step = 2.5e-3;
+};
+
+template <SettingsOf<DynamicGraspOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [dynamic, gravity, settle, close, lift, lift_time, step] = options;
+  visit("dynamic", dynamic,
+        "Whether a trial's hand closes in time, which takes a hundred times longer; else the "
+        "object stands still, as in the closing of a hand in GraspIt!.");
+  visit("gravity", gravity, kAtLeast0, "m/s^2",
+        "Where the scene has obstacles to stand on; else there is none.");
+  visit("settle", settle, kAtLeast0, "s",
+        "Longest time in which the object comes to rest at first.");
+  visit("close", close, kAbove0, "s", "Longest time in which the hand closes.");
+  visit("lift", lift, kAtLeast0, "m",
+        "How far the closed hand rises, if the object stands on something; 0: not.");
+  visit("lift_time", lift_time, kAbove0, "s", "Time in which it rises.");
+  visit("step", step, kAbove0, "s", "Of the simulation.");
+}
+
+}  // namespace prehend

@@ -1,0 +1,28 @@
+// How a world is stepped through time.
+#pragma once
+
+#include "sim/motion/contact_memory.h"
+#include "sim/motion/contact_problem.h"
+
+namespace prehend {
+
+struct StepOptions {
+  double step = 2.5e-3;  // longest step, > 0 and at most 0.1 [s]
+  ContactSearchOptions contacts = {};
+  // What bodies at rest keep between them, of which steps may use up all [m].
+  double rest_gap = 5e-5;
+  // Surfaces may cross by this much where no contact was found that keeps them apart [m].
+  double shallow = 1e-5;
+  // A step is not made shorter than this part of `step`.
+  double shortest = 1e-6;
+  // Impacts slower than this do not bounce [m/s].
+  double slowest_bounce = 0.01;
+  // Contacts that slid faster than this in the last step have kinetic friction [m/s].
+  double sliding = 1e-3;
+  // Bodies slower than this at all their points for so long fall asleep [m/s, s].
+  double still = 1e-5;
+  double sleep_after = 0.5;
+  ContactSolverOptions solver = {};
+};
+
+}  // namespace prehend

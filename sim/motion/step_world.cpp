@@ -1,0 +1,296 @@
+#include "sim/motion/step_world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/base/index.h"
+#include "sim/motion/crossings.h"
+#include "sim/motion/impacts.h"
+#include "sim/motion/island.h"
+#include "sim/motion/joint_conditions.h"
+#include "sim/motion/near_pairs.h"
+#include "sim/motion/solids.h"
+
+namespace prehend {
+namespace {
+
+// What a step changes of bodies and robots, to take it back.
+struct Motions {
+  std::vector<RigidMotion> bodies;
+  struct OfRobot {
+    Pose X_WB;
+    Eigen::VectorXd x;
+    Eigen::VectorXd rate;
+  };
+  std::vector<OfRobot> robots;
+};
+
+Motions motions_of(const World& world) {
+  Motions motions;
+  for (const WorldBody& body : world.bodies) motions.bodies.push_back(body.motion);
+  for (const WorldRobot& robot : world.robots) {
+    motions.robots.push_back({robot.X_WB, robot.x, robot.rate});
+  }
+  return motions;
+}
+
+void set_motions(const Motions& motions, World& world) {
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) world.bodies[i].motion = motions.bodies[i];
+  for (std::size_t r = 0; r < world.robots.size(); ++r) {
+    world.robots[r].X_WB = motions.robots[r].X_WB;
+    world.robots[r].x = motions.robots[r].x;
+    world.robots[r].rate = motions.robots[r].rate;
+  }
+}
+
+// Moves a body with the velocities at the end of the step. Its angular momentum is what it was and
+// what pushed it, so that the velocity after the turn follows from the inertia there.
+void move_body(const Eigen::Ref<const Vector6>& velocity, double time, WorldBody& body) {
+  const Matrix3 inertia = inertia_in_world(body.inertial, body.motion.X_WB);
+  const Vector3 before = inertia * body.motion.angular;
+  const Vector3 free = free_angular_velocity(body.inertial, body.motion.X_WB, before, time);
+  const Vector3 turning = velocity.head<3>();
+  const Vector3 momentum = before + inertia * (turning - free);
+  body.motion.angular = turning;
+  body.motion.linear = velocity.tail<3>();
+  body.motion.X_WB = carried(body.inertial, body.motion, time);
+  const Matrix3 inertia_after = inertia_in_world(body.inertial, body.motion.X_WB);
+  body.motion.angular = inertia_after.ldlt().solve(momentum);
+}
+
+void move_base(double time, WorldRobot& robot) {
+  const RigidMotion base{robot.X_WB, robot.base_angular, robot.base_linear};
+  robot.X_WB = carried(Inertial{}, base, time);
+}
+
+// One step of a world, tried with shorter and shorter times.
+class WorldStep {
+ public:
+  WorldStep(World& world, const StepOptions& options)
+      : world_(world),
+        options_(options),
+        before_(motions_of(world)),
+        hit_(before_),
+        solids_(world) {}
+
+  StepResult run() {
+    result_.time = find_near(solids_, nullptr, world_, options_.step, options_, world_.memory);
+    if (result_.time < options_.step) ++result_.shortened;
+    bounce();
+    while (result_.time >= options_.shortest * options_.step) {
+      solve();
+      if (!all_finite()) return ended(StepOutcome::not_finite);
+      move();
+      const Solids after(world_);
+      const bool met = may_have_met(after, world_.memory);
+      const std::vector<Crossing> crossings =
+          met ? std::vector<Crossing>{} : crossings_of(world_.memory, solids_, after, options_);
+      if (!met && crossings.empty()) return finished(after);
+      if (!met && looked_again_ && accepts(crossings, after)) return finished(after);
+      set_motions(hit_, world_);
+      if (!met && keep_apart(crossings)) continue;
+      shorten(after);
+    }
+    return ended(StepOutcome::blocked);
+  }
+
+ private:
+  StepResult ended(StepOutcome outcome) {
+    set_motions(before_, world_);
+    result_.outcome = outcome;
+    result_.time = 0.0;
+    return result_;
+  }
+
+  void bounce() {
+    if (!resolve_impacts(world_, result_.time, options_)) return;
+    solids_ = Solids(world_);
+    for (std::size_t i = 0; i < world_.bodies.size(); ++i) hit_.bodies[i] = world_.bodies[i].motion;
+  }
+
+  bool rests(const Island& island) const {
+    return std::all_of(island.movers.begin(), island.movers.end(), [&](int mover) {
+      return index(mover) < world_.bodies.size() &&
+             (world_.bodies[index(mover)].asleep || world_.bodies[index(mover)].is_fixed);
+    });
+  }
+
+  void solve() {
+    islands_.clear();
+    motions_.clear();
+    result_.newton_steps = 0;
+    result_.violation = 0.0;
+    result_.outcome = StepOutcome::moved;
+    for (Island& island : islands_of(solids_, world_.memory)) {
+      if (rests(island)) continue;
+      motions_.push_back(solve_island(world_, solids_, island, result_.time, options_));
+      islands_.push_back(std::move(island));
+      const ContactSolution& solution = motions_.back().solution;
+      result_.newton_steps += solution.newton_steps;
+      result_.violation = std::max(result_.violation, solution.violation);
+      if (solution.outcome != ContactOutcome::solved) result_.outcome = StepOutcome::not_converged;
+    }
+  }
+
+  bool all_finite() const {
+    return std::all_of(motions_.begin(), motions_.end(), [](const IslandMotion& motion) {
+      return motion.solution.velocity.allFinite();
+    });
+  }
+
+  void move() {
+    for (std::size_t k = 0; k < islands_.size(); ++k) {
+      for (std::size_t m = 0; m < islands_[k].movers.size(); ++m) {
+        const std::size_t mover = index(islands_[k].movers[m]);
+        const Eigen::VectorXd& velocity = motions_[k].solution.velocity;
+        const int first = motions_[k].first[m];
+        if (mover < world_.bodies.size()) {
+          move_body(velocity.segment<6>(first), result_.time, world_.bodies[mover]);
+        } else {
+          WorldRobot& robot = world_.robots[mover - world_.bodies.size()];
+          robot.rate = velocity.segment(first, robot.rate.size());
+          robot.x += result_.time * robot.rate;
+          move_base(result_.time, robot);
+        }
+      }
+    }
+  }
+
+  // Where features crossed that no contact stands for, contacts are added that do: whether there
+  // are any.
+  bool keep_apart(const std::vector<Crossing>& crossings) {
+    constexpr int kMostRounds = 8;
+    if (rounds_ == kMostRounds) return false;
+    bool added = false;
+    for (const Crossing& crossing : crossings) {
+      PairMemory& pair = world_.memory.pairs[crossing.pair];
+      added = add_contacts(crossing, solids_, options_.contacts, pair) || added;
+    }
+    if (!added) return false;
+    ++rounds_;
+    bounce();
+    return true;
+  }
+
+  // What the step sets in motion may need more room than what moved before: once, contacts are
+  // looked for with the new speeds. After that only a shorter step helps.
+  void shorten(const Solids& after) {
+    ++result_.shortened;
+    if (looked_again_) {
+      result_.time *= 0.5;
+    } else {
+      result_.time = std::min(
+          result_.time, find_near(solids_, &after, world_, result_.time, options_, world_.memory));
+      looked_again_ = true;
+    }
+    rounds_ = 0;
+  }
+
+  // Where shorter steps do not help: once surfaces cannot cross by more than `shallow` in the step,
+  // they may, and are pushed apart.
+  bool accepts(const std::vector<Crossing>& crossings, const Solids& after) {
+    for (const Crossing& crossing : crossings) {
+      const PairMemory& pair = world_.memory.pairs[crossing.pair];
+      if (pair.crosses) return false;
+      const double speed = closing_speed(after.at(pair.a), after.at(pair.b));
+      if (result_.time * speed > options_.shallow) return false;
+    }
+    for (const Crossing& crossing : crossings) world_.memory.pairs[crossing.pair].crosses = true;
+    result_.crossings += static_cast<int>(crossings.size());
+    return true;
+  }
+
+  StepResult finished(const Solids& after) {
+    world_.contacts.clear();
+    for (std::size_t k = 0; k < islands_.size(); ++k)
+      keep_contacts(islands_[k], after, motions_[k]);
+    for (std::size_t k = 0; k < islands_.size(); ++k) keep_joints(islands_[k], motions_[k]);
+    for (const Island& island : islands_) rest(island, after);
+    for (WorldRobot& robot : world_.robots) {
+      robot.last_base_angular = robot.base_angular;
+      robot.last_base_linear = robot.base_linear;
+    }
+    world_.last_step = result_.time;
+    return result_;
+  }
+
+  // The conditions of an island are those of the joints of its robots, then the contacts of its
+  // pairs, in order.
+  void keep_contacts(const Island& island, const Solids& after, IslandMotion& motion) {
+    std::size_t condition = motion.solution.impulses.size() - motion.contacts.size();
+    std::size_t contact = 0;
+    for (const std::size_t p : island.pairs) {
+      PairMemory& pair = world_.memory.pairs[p];
+      pair.stiffness = motion.solution.stiffness;
+      const Pose X_AB = after.at(pair.a).X_WS.inverse() * after.at(pair.b).X_WS;
+      for (HeldContact& held : pair.contacts) {
+        held.impulse = motion.solution.impulses[condition++] / result_.time;
+        held.slides = motion.contacts[contact++].slip > options_.sliding;
+        if (held.slides) stick_here(X_AB, held);
+      }
+    }
+    std::move(motion.contacts.begin(), motion.contacts.end(), std::back_inserter(world_.contacts));
+  }
+
+  void keep_joints(const Island& island, const IslandMotion& motion) {
+    std::size_t condition = 0;
+    for (std::size_t m = 0; m < island.movers.size(); ++m) {
+      const std::size_t mover = index(island.movers[m]);
+      if (mover < world_.bodies.size()) continue;
+      WorldRobot& robot = world_.robots[mover - world_.bodies.size()];
+      // As they were before the step, with which the conditions were made.
+      WorldRobot earlier = robot;
+      earlier.x = before_.robots[mover - world_.bodies.size()].x;
+      earlier.rate = before_.robots[mover - world_.bodies.size()].rate;
+      robot.joint_impulses.assign(joint_places(robot), 0.0);
+      for (const JointCondition& joint : joint_conditions(earlier, motion.first[m], result_.time)) {
+        robot.joint_impulses[joint.place] = motion.solution.impulses[condition++][0] / result_.time;
+      }
+    }
+  }
+
+  // Bodies of an island that has no robot fall asleep together.
+  void rest(const Island& island, const Solids& after) {
+    bool all = true;
+    for (const int mover : island.movers) {
+      if (index(mover) >= world_.bodies.size()) {
+        all = false;
+        continue;
+      }
+      WorldBody& body = world_.bodies[index(mover)];
+      body.asleep = false;
+      if (body.is_fixed) continue;
+      const Solid& solid = after.all()[index(mover)];
+      const double speed =
+          body.motion.linear.norm() + solid.angular.norm() * body.shape.mesh.ball_radius();
+      body.rest_time = speed <= options_.still ? body.rest_time + result_.time : 0.0;
+      all = all && body.rest_time > options_.sleep_after;
+    }
+    if (!all) return;
+    for (const int mover : island.movers) {
+      WorldBody& body = world_.bodies[index(mover)];
+      body.asleep = true;
+      body.motion.linear.setZero();
+      body.motion.angular.setZero();
+    }
+  }
+
+  World& world_;
+  const StepOptions& options_;
+  const Motions before_;
+  Motions hit_;    // with the velocities after impacts
+  Solids solids_;  // before the step, after impacts
+  StepResult result_;
+  bool looked_again_ = false;    // for contacts, with the speeds after a first try
+  int rounds_ = 0;               // in which contacts were added, of this length of the step
+  std::vector<Island> islands_;  // those that move
+  std::vector<IslandMotion> motions_;
+};
+
+}  // namespace
+
+StepResult step_world(World& world, const StepOptions& options) {
+  return WorldStep(world, options).run();
+}
+
+}  // namespace prehend

@@ -1,0 +1,186 @@
+"""Tests of what a result shows in a notebook, of learned orders and of decompositions."""
+
+import base64
+import html.parser
+import json
+import os
+import pathlib
+import re
+import subprocess
+import tempfile
+import unittest
+
+import numpy as np
+
+import prehend
+from prehend import files, options, planning
+
+SOURCE = pathlib.Path(os.environ["PREHEND_SOURCE"])
+
+
+class Page(html.parser.HTMLParser):
+    """Collects elements and text, and checks that elements are closed in order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.images, self.rows, self.texts = [], [], [], []
+        self.feed(text)
+        self.close()
+        if self.open:
+            raise AssertionError(f"not closed: {self.open}")
+
+    def handle_starttag(self, tag, attrs):
+        if tag == "img":
+            self.images.append(dict(attrs)["src"])
+        else:
+            self.open.append(tag)
+        if tag == "tr":
+            self.rows.append([])
+
+    def handle_endtag(self, tag):
+        if self.open.pop() != tag:
+            raise AssertionError(f"</{tag}> closes another element")
+
+    def handle_data(self, data):
+        self.texts.append(data)
+        if "tr" in self.open:
+            self.rows[-1].append(data)
+
+
+def few(trials=40, **fields):
+    return prehend.PlanOptions(search=options.SearchOptions(trials=trials, **fields))
+
+
+class Notebook(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = prehend.plan(prehend.load_scene("mug"), few())
+
+    def png_of(self, page):
+        (source,) = page.images
+        kind, data = source.split(",")
+        self.assertEqual(kind, "data:image/png;base64")
+        return base64.b64decode(data, validate=True)
+
+    def test_a_plan_shows_its_grasps_and_the_first_of_them(self):
+        page = Page(self.result._repr_html_())
+        self.assertTrue(self.png_of(page).startswith(b"\x89PNG"))
+        shown = page.rows[1:]
+        self.assertEqual(len(shown), min(10, len(self.result)))
+        for row, grasp in zip(shown, self.result):
+            self.assertEqual(row[1], f"{grasp.epsilon:.4f}")
+        self.assertIn("mug: complete", page.texts[0])
+
+    def test_a_grasp_shows_its_numbers_and_its_picture(self):
+        grasp = self.result[0]
+        page = Page(grasp._repr_html_())
+        rows = dict(page.rows)
+        self.assertEqual(rows["outcome"], "stable")
+        self.assertIn(f"{grasp.epsilon:.4g}", rows["epsilon"])
+        self.assertTrue(self.png_of(page).startswith(b"\x89PNG"))
+
+    def test_a_trial_that_does_not_hold_says_why(self):
+        far = prehend.Candidate(self.result[0].X_OH + np.array([[0, 0, 0, 1.0]] + [[0] * 4] * 3),
+                                preshape=self.result[0].preshape)
+        trial = planning.run_trial(self.result.scene, far)
+        rows = dict(Page(trial._repr_html_()).rows)
+        self.assertEqual(rows["outcome"], "no_contact")
+        self.assertEqual(rows["what it means"], prehend.Outcome.no_contact.__doc__)
+
+    def test_a_plan_without_a_grasp_shows_the_outcomes(self):
+        ring = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * 1.0
+        faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]]
+        faces += [[2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]]
+        result = prehend.plan(prehend.make_scene((ring, faces)), few())
+        page = Page(result._repr_html_())
+        self.assertEqual(result.status, "object_too_large")
+        self.assertEqual(page.images, [])
+        self.assertIn(result.reason, page.texts)
+
+    def test_names_are_no_markup(self):
+        mesh = self.result.scene.object
+        nasty = "<b>&amp;\"'</b><script>"
+        scene = prehend.make_scene(mesh, name=nasty)
+        result = prehend.plan(scene, few())
+        text = result._repr_html_()
+        self.assertNotIn("<script", text)
+        self.assertIn(f"{scene.name}: {result.status}", "".join(Page(text).texts))
+
+
+class LearnedOrders(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.path = pathlib.Path(cls.folder.name)
+        header = (SOURCE / "planner/plan/learn/grasp_features.h").read_text()
+        names = header.split("kGraspFeatures = {")[1].split("};")[0]
+        version = int(re.search(r"kGraspFeaturesVersion = (\d+)", header)[1])
+        cls.content = {
+            "format": "prehend trees 1",
+            "features_version": version,
+            "features": re.findall(r'"(\w+)"', names),
+            "hands": ["barrett"],
+            "any_hand": False,
+            "objects": 1,
+            "trials": 10,
+            "base": 0.1,
+            "trees": [  # rims, and what else is far from the centre, come last
+                {
+                    "feature": [4, -1, -1],
+                    "threshold": [0.5, 0, 0],
+                    "left": [1, -1, -1],
+                    "right": [2, -1, -1],
+                    "value": [0, 0.5, -0.5],
+                }
+            ],
+        }
+        cls.file = cls.path / "small.json"
+        cls.file.write_text(json.dumps(cls.content))
+
+    def test_the_program_writes_the_same_bytes(self):
+        words = ["plan", "mug", "--trials", "40", "--no-report", "--model", str(self.file)]
+        subprocess.run(
+            [os.environ["PREHEND_PROGRAM"], *words, "--out", str(self.path / "out")],
+            check=True,
+            capture_output=True,
+        )
+        model = planning.load_model(self.file)
+        self.assertEqual((model.name, model.hands, model.trials), ("small", ["barrett"], 10))
+        order = options.LearnedOrder(model=model)
+        result = prehend.plan(prehend.load_scene("mug"), few(learned=order))
+        written = (self.path / "out" / "grasps.json").read_bytes()
+        self.assertEqual(files.grasps_json(result).encode(), written)
+        self.assertIn(b'"small"', written)
+
+    def test_options_of_the_order(self):
+        order = options.LearnedOrder(variety=0.25)
+        self.assertIsNone(order.model)
+        chosen = few(learned=order)
+        self.assertEqual(chosen.search.learned.variety, 0.25)
+        with self.assertRaisesRegex(prehend.InputError, "learned: has no model"):
+            prehend.plan(prehend.load_scene("mug"), chosen)
+        with self.assertRaisesRegex(prehend.InputError, "LearnedOrder.unordered"):
+            options.LearnedOrder(unordered=2.0)
+
+    def test_models_that_do_not_fit(self):
+        with self.assertRaisesRegex(prehend.InputError, "nowhere.json"):
+            planning.load_model(self.path / "nowhere.json")
+        order = options.LearnedOrder(model=planning.load_model(self.file))
+        with self.assertRaisesRegex(prehend.InputError, "trained for other hands"):
+            prehend.plan(prehend.load_scene("mug", hand="parallel_jaw"), few(learned=order))
+
+
+class Decompositions(unittest.TestCase):
+    def test_distances_of_the_surface(self):
+        found = planning.decompose(prehend.load_scene("mug").object)
+        self.assertEqual(len(found.share), len(found.primitives))
+        self.assertEqual(len(found.distances_of), len(found.primitives))
+        self.assertGreater(found.tolerance, 0.0)
+        for distances in (found.distances, *found.distances_of):
+            self.assertLessEqual(distances.median, distances.percentile_95)
+            self.assertLessEqual(distances.percentile_95, distances.largest)
+
+
+if __name__ == "__main__":
+    unittest.main()
