@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Eigenvalues>
 
@@ -107,19 +106,6 @@ Matrix3 normal_axes(std::span<const SurfacePoint> points) {
   Matrix3 scatter = Matrix3::Zero();
   for (const SurfacePoint& s : points) scatter += s.n_O * s.n_O.transpose();
   return right_handed_eigenvectors(scatter);
-}
-
-std::vector<Vector3> half_sphere_directions(int count) {
-  std::vector<Vector3> directions;
-  // A Fibonacci spiral: equal steps in z have equal areas, and turning by the golden ratio of a
-  // full turn leaves no direction in line with an earlier one.
-  for (int i = 0; i < count; ++i) {
-    const double z = (i + 0.5) / count;
-    const double rho = std::sqrt(1.0 - z * z);
-    const double angle = 2.0 * std::numbers::pi * std::numbers::phi * i;
-    directions.emplace_back(rho * std::cos(angle), rho * std::sin(angle), z);
-  }
-  return directions;
 }
 
 }  // namespace prehend

@@ -83,7 +83,4 @@ Matrix3 point_axes(std::span<const SurfacePoint> points);
 // smallest first: for a long cylinder, its axis).
 Matrix3 normal_axes(std::span<const SurfacePoint> points);
 
-// Unit directions spread evenly over a half-sphere.
-std::vector<Vector3> half_sphere_directions(int count);
-
 }  // namespace prehend

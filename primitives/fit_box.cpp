@@ -8,6 +8,7 @@
 #include "primitives/normal_equations.h"
 #include "primitives/quantile.h"
 #include "primitives/ranked_starts.h"
+#include "sim/shape/sphere_directions.h"
 
 namespace prehend {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "sim/base/formatted.h"
-#include "sim/base/markup.h"
+#include "sim/base/xml/xml_text.h"
 
 namespace prehend::bench {
 namespace {

@@ -290,8 +290,7 @@ auto named_values(const JsonField& root, std::string_view key, const Read& read)
 
 void read_friction_list(const JsonField& root, Batch& batch) {
   const std::vector<double> values = distinct(root, "frictions", [](const JsonField& field) {
-    if (!(field.number() >= 0.0)) field.fail("must be at least 0");
-    return field.number();
+    return with_field_errors(field, [&] { return checked_friction(field.number()); });
   });
   batch.frictions.assign(values.begin(), values.end());
 }

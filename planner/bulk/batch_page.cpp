@@ -4,7 +4,7 @@
 #include "planner/bulk/batch_summary.h"
 #include "planner/show/page/plain_page.h"
 #include "sim/base/formatted.h"
-#include "sim/base/markup.h"
+#include "sim/base/xml/xml_text.h"
 
 namespace prehend {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/number_text.h"
 
 namespace prehend {
 
@@ -15,13 +16,6 @@ std::size_t take(std::size_t& number, std::size_t size) {
   const std::size_t index = number % size;
   number /= size;
   return index;
-}
-
-// The shortest text that reads back as the number.
-std::string shortest(double number) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
-  return {text.data(), end};
 }
 
 bool read_whole(std::string_view words, int& number) {
@@ -61,9 +55,10 @@ std::string hand_name(const std::string& hand) {
 
 std::string part_name(const Batch& batch, const BatchPart& part) {
   std::string name = batch.objects[part.object].name + "/" + hand_name(batch.hands[part.hand]);
-  if (batch.scales.size() > 1) name += "_scale" + shortest(batch.scales[part.scale]);
+  if (batch.scales.size() > 1) name += "_scale" + shortest_text(batch.scales[part.scale]);
   if (batch.scenes.size() > 1) name += "_" + batch.scenes[part.scene].name;
-  if (batch.frictions.size() > 1) name += "_friction" + shortest(*batch.frictions[part.friction]);
+  if (batch.frictions.size() > 1)
+    name += "_friction" + shortest_text(*batch.frictions[part.friction]);
   if (batch.settings.size() > 1) name += "_" + batch.settings[part.setting].name;
   if (batch.seeds.size() > 1) name += "_seed" + std::to_string(batch.seeds[part.seed]);
   return name;

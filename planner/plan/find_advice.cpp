@@ -171,8 +171,8 @@ class Adviser {
     }
   }
 
-  // The hand of the library that holds most, each with the places that this plan proposed.
-  // The smallest hand with which half of the candidates hold, else the best.
+  // The first hand of the library with which half of the candidates hold, else the one with which
+  // most do; each is tried at the places that this plan proposed.
   void advise_hand() {
     std::shared_ptr<const Robot> best;
     Held most;

@@ -94,10 +94,16 @@ class Random {
 
 // The seed of one of a run's random generators, from the run's seed `run`. It depends on nothing
 // else, so that a run gives the same result on any number of threads. `item` distinguishes
-// generators that serve the same purpose, such as the path planners of different grasps. Generators
-// of different purposes may share a seed: they use the stream for different quantities.
+// generators that serve the same purpose, such as the path planners of different grasps; item 0
+// has the seed of the run. Generators of different purposes may share a seed: they use the stream
+// for different quantities. The bits of the item are mixed, so that the items of one run have other
+// seeds than those of runs with neighbouring seeds. Source: the last step of SplitMix64 (Steele,
+// Lea and Flood 2014, figure 16, with the constants of Stafford's variant 13).
 constexpr std::uint64_t derived_seed(std::uint64_t run, std::uint64_t item = 0) {
-  return run + item;
+  std::uint64_t mixed = item;
+  mixed = (mixed ^ mixed >> 30U) * 0xBF58476D1CE4E5B9U;
+  mixed = (mixed ^ mixed >> 27U) * 0x94D049BB133111EBU;
+  return run + (mixed ^ mixed >> 31U);
 }
 
 }  // namespace prehend

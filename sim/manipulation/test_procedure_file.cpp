@@ -1,11 +1,6 @@
 #include "sim/manipulation/test_procedure_file.h"
 
-#include <algorithm>
-
-#include "sim/base/data_folder.h"
-#include "sim/base/input_error.h"
-#include "sim/base/input_file.h"
-#include "sim/base/joined.h"
+#include "sim/base/data_library.h"
 #include "sim/base/json/json_fields.h"
 
 namespace prehend {
@@ -14,7 +9,7 @@ namespace {
 constexpr double kLongestPhase = 1000.0;  // [s]
 constexpr double kLongestStep = 0.1;      // [s]
 
-std::filesystem::path library() { return data_folder() / "protocols"; }
+DataLibrary library() { return {"protocols", ".json"}; }
 
 // A number that must be above 0.
 void positive(FieldReader& fields, std::string_view name, double& value) {
@@ -129,24 +124,10 @@ TestProcedure parse_test_procedure(const std::string& text, const std::string& n
   return read(JsonFile(name, text));
 }
 
-std::vector<std::string> library_test_procedure_names() {
-  std::vector<std::string> names;
-  std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(library(), missing)) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
+std::vector<std::string> library_test_procedure_names() { return library().names(); }
 
 std::filesystem::path find_test_procedure(const std::string& name_or_file) {
-  if (is_there(name_or_file)) return name_or_file;
-  const std::filesystem::path in_library = library() / (name_or_file + ".json");
-  if (name_or_file.find('/') == std::string::npos && is_there(in_library)) return in_library;
-  const std::string names = joined(library_test_procedure_names());
-  throw InputError(
-      {.file = name_or_file,
-       .problem = "no such file, and no protocol of that name (protocols: " + names + ")"});
+  return library().find(name_or_file, "protocol");
 }
 
 }  // namespace prehend

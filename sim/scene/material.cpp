@@ -13,14 +13,23 @@ namespace {
 std::size_t place_of(Material material) { return static_cast<std::size_t>(material); }
 
 void require_friction(Material a, Material b, double friction) {
-  if (friction >= 0.0 && friction <= kLargestFriction) return;
-  throw InputError({.field = "friction",
-                    .problem = "must be from 0 to 1e6 between " + std::string(name_of(a)) +
-                               " and " + std::string(name_of(b)),
-                    .value = std::to_string(friction)});
+  try {
+    checked_friction(friction);
+  } catch (const InputError& error) {
+    throw InputError({.field = error.field(),
+                      .problem = error.problem() + " between " + std::string(name_of(a)) + " and " +
+                                 std::string(name_of(b)),
+                      .value = error.value()});
+  }
 }
 
 }  // namespace
+
+double checked_friction(double friction) {
+  if (friction >= 0.0 && friction <= kLargestFriction) return friction;
+  throw InputError(
+      {.field = "friction", .problem = "must be from 0 to 1e6", .value = std::to_string(friction)});
+}
 
 // Rows and columns are in the order of Material: glass, metal, plastic, wood, rubber.
 FrictionTable::FrictionTable()

@@ -8,6 +8,10 @@
 
 namespace prehend {
 
+// A friction coefficient, which must be from 0 to 1e6 (kLargestFriction, sim/quality/ranges.h).
+// Throws InputError otherwise.
+double checked_friction(double friction);
+
 // Symmetric table of static friction coefficients. Values: the table of GraspIt!'s default
 // materials (Miller and Allen 2004, section "Contacts and Friction"; docs/reference/scene-file.md).
 class FrictionTable {
@@ -15,7 +19,7 @@ class FrictionTable {
   FrictionTable();
 
   double between(Material a, Material b) const;
-  // Throws InputError unless `friction` is finite and >= 0.
+  // Throws as checked_friction.
   void set(Material a, Material b, double friction);
 
  private:
@@ -27,8 +31,7 @@ class FrictionTable {
 class KineticFriction {
  public:
   std::optional<double> between(Material a, Material b) const;
-  // Throws InputError unless `friction` is finite and >= 0. Without a number the pair has none of
-  // its own from then on.
+  // Throws as checked_friction. Without a number the pair has none of its own from then on.
   void set(Material a, Material b, std::optional<double> friction);
   // Whether no pair has one.
   bool empty() const;

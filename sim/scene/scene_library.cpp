@@ -1,38 +1,21 @@
 #include "sim/scene/scene_library.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "sim/base/data_folder.h"
-#include "sim/base/input_error.h"
-#include "sim/base/input_file.h"
-#include "sim/base/joined.h"
+#include "sim/base/data_library.h"
 
 namespace prehend {
 namespace {
 
-std::filesystem::path library() { return data_folder() / "scenes"; }
+DataLibrary library() { return {"scenes", ".json"}; }
 
 }  // namespace
 
-std::vector<std::string> library_scene_names() {
-  std::vector<std::string> names;
-  std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(library(), missing)) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
+std::vector<std::string> library_scene_names() { return library().names(); }
 
 std::filesystem::path find_scene(const std::string& name_or_file) {
-  if (is_there(name_or_file)) return name_or_file;
-  const std::filesystem::path in_library = library() / (name_or_file + ".json");
-  const bool is_name = name_or_file.find('/') == std::string::npos;
-  if (is_name && is_there(in_library)) return in_library;
-  const std::string names = joined(library_scene_names());
-  throw InputError({.file = name_or_file,
-                    .problem = "no such file, and no scene of that name (scenes: " + names + ")"});
+  return library().find(name_or_file, "scene");
 }
 
 std::string scene_reference(const std::filesystem::path& name_or_file) {

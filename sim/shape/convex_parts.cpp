@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 #include "sim/shape/convex_hull.h"
 #include "sim/shape/nearest_point.h"
+#include "sim/shape/sphere_directions.h"
 
 namespace prehend {
 namespace {
@@ -46,15 +46,6 @@ ConvexPoints hull_around(const std::vector<Vector3>& points) {
   std::vector<Vector3> corners = used_vertices(hull);
   if (corners.size() <= kManyCorners) return ConvexPoints(std::move(corners));
   return coarse_hull(hull, kCoarseCorners);
-}
-
-// Direction i of n that cover the sphere evenly: equal steps along the axis, and a turn by the
-// golden angle from each to the next.
-Vector3 spread_direction(int i, int n) {
-  const double z = 1.0 - (2.0 * i + 1.0) / n;
-  const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-  const double r = std::sqrt(1.0 - z * z);
-  return {r * std::cos(angle), r * std::sin(angle), z};
 }
 
 // An upper bound of the distance of p from a convex solid, given by its faces: the distance from
@@ -104,7 +95,7 @@ ConvexPoints coarse_hull(const TriangleMesh& hull, int most) {
   const Vector3 size = bounds(hull).size();
   std::set<std::size_t> chosen;
   for (int i = 0; i < most; ++i) {
-    const Vector3 direction = spread_direction(i, most).cwiseQuotient(size);
+    const Vector3 direction = sphere_direction(i, most).cwiseQuotient(size);
     const auto farthest = std::max_element(
         corners.begin(), corners.end(),
         [&](const Vector3& p, const Vector3& q) { return p.dot(direction) < q.dot(direction); });

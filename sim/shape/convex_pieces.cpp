@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "sim/shape/convex_hull.h"
 #include "sim/shape/mesh_checks.h"
 #include "sim/shape/overhang.h"
+#include "sim/shape/sphere_directions.h"
 #include "sim/shape/surface_part.h"
 
 namespace prehend {
@@ -51,10 +51,7 @@ struct Piece {
 std::vector<Vector3> compared_directions() {
   std::vector<Vector3> directions;
   for (int i = 0; i < kDirections; ++i) {
-    const double z = 1.0 - (2.0 * i + 1.0) / kDirections;
-    const double angle = i * std::numbers::pi * (3.0 - std::sqrt(5.0));
-    const double r = std::sqrt(1.0 - z * z);
-    directions.emplace_back(r * std::cos(angle), r * std::sin(angle), z);
+    directions.push_back(sphere_direction(i, kDirections));
   }
   for (int k = 0; k < 3; ++k) {
     directions.push_back(Vector3::Unit(k));

@@ -8,9 +8,9 @@
 
 #include "planner/show/exports/mjcf_drives.h"
 #include "planner/show/exports/mjcf_geoms.h"
-#include "planner/show/exports/xml_text.h"
 #include "sim/base/index.h"
 #include "sim/base/number_text.h"
+#include "sim/base/xml/xml_text.h"
 #include "sim/motion/placed_contact.h"
 
 namespace prehend {

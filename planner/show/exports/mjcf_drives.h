@@ -4,7 +4,7 @@
 #include <string>
 
 #include "planner/show/exports/hand_drives.h"
-#include "planner/show/exports/xml_text.h"
+#include "sim/base/xml/xml_text.h"
 
 namespace prehend {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/show/exports/xml_text.h"
+#include "sim/base/xml/xml_text.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/shape/box_shape.h"
 #include "sim/shape/convex_pieces.h"

@@ -1,7 +1,7 @@
 #include "planner/show/page/plain_page.h"
 
 #include "sim/base/formatted.h"
-#include "sim/base/markup.h"
+#include "sim/base/xml/xml_text.h"
 
 namespace prehend {
 namespace {

@@ -8,7 +8,7 @@
 #include "planner/show/validation/unit_plot.h"
 #include "planner/show/validation/validation_text.h"
 #include "sim/base/formatted.h"
-#include "sim/base/markup.h"
+#include "sim/base/xml/xml_text.h"
 
 namespace prehend {
 namespace {

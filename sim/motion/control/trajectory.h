@@ -21,7 +21,7 @@ struct Trajectory {
   std::vector<double> times;                   // s, from 0, increasing
   std::vector<std::vector<double>> positions;  // one row a sample, one number a joint [rad or m]
   std::vector<std::vector<double>> velocities;
-  std::vector<TrajectorySegment> segments;  // "preshape", "transfer", "approach", "close"
+  std::vector<TrajectorySegment> segments;  // "preshape", "transfer", "approach", ...
 };
 
 }  // namespace prehend

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "sim/base/index.h"
 #include "sim/base/json/wrapped_json.h"
+#include "sim/base/number_text.h"
+#include "sim/base/xml/xml_text.h"
 #include "sim/robot/files/robot_text_parts.h"
-#include "sim/robot/files/urdf_form.h"
 #include "sim/shape/files/mesh_text.h"
 
 namespace prehend {
@@ -18,32 +18,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The shortest text that reads back as the same number.
-std::string digits(double value) {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
-}
-
 std::string digits(const Vector3& v) {
-  return digits(v.x()) + " " + digits(v.y()) + " " + digits(v.z());
-}
-
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) < ' ')
-      out += ' ';
-    else
-      out += c;
-  }
-  return out + "\"";
+  return shortest_text(v.x()) + " " + shortest_text(v.y()) + " " + shortest_text(v.z());
 }
 
 // Angles about the fixed axes x, y, z. The yaw is taken out before the others are found, so that
@@ -54,22 +30,90 @@ Vector3 roll_pitch_yaw(const Matrix3& R) {
   return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
 }
 
-std::string origin_xml(const Pose& pose) {
-  if (pose.matrix() == Pose::Identity().matrix()) return "";
-  std::string xml = "<origin xyz=\"" + digits(Vector3(pose.translation())) + "\"";
+void write_origin(XmlText& xml, const Pose& pose) {
+  if (pose.matrix() == Pose::Identity().matrix()) return;
+  XmlAttributes attributes{{"xyz", digits(Vector3(pose.translation()))}};
   if (pose.linear() != Matrix3::Identity()) {
-    xml += " rpy=\"" + digits(roll_pitch_yaw(pose.linear())) + "\"";
+    attributes.emplace_back("rpy", digits(roll_pitch_yaw(pose.linear())));
   }
-  return xml + "/>";
+  xml.element("origin", attributes);
 }
 
-std::string inertial_xml(const Inertial& inertial) {
-  if (!(inertial.mass > 0.0)) return "";
+void write_inertial(XmlText& xml, const Inertial& inertial) {
+  if (!(inertial.mass > 0.0)) return;
   const Matrix3& I = inertial.inertia;
-  return "    <inertial><origin xyz=\"" + digits(inertial.center_of_mass) + "\"/><mass value=\"" +
-         digits(inertial.mass) + "\"/><inertia ixx=\"" + digits(I(0, 0)) + "\" ixy=\"" +
-         digits(I(0, 1)) + "\" ixz=\"" + digits(I(0, 2)) + "\" iyy=\"" + digits(I(1, 1)) +
-         "\" iyz=\"" + digits(I(1, 2)) + "\" izz=\"" + digits(I(2, 2)) + "\"/></inertial>\n";
+  xml.open("inertial");
+  xml.element("origin", {{"xyz", digits(inertial.center_of_mass)}});
+  xml.element("mass", {{"value", shortest_text(inertial.mass)}});
+  xml.element("inertia", {{"ixx", shortest_text(I(0, 0))},
+                          {"ixy", shortest_text(I(0, 1))},
+                          {"ixz", shortest_text(I(0, 2))},
+                          {"iyy", shortest_text(I(1, 1))},
+                          {"iyz", shortest_text(I(1, 2))},
+                          {"izz", shortest_text(I(2, 2))}});
+  xml.close();
+}
+
+// The joint that stands for the degree of freedom, -1: it drives none.
+int leader_of(const Robot& robot, int dof) {
+  int leader = -1;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const Joint& joint = robot.joints[j];
+    if (joint.dof != dof) continue;
+    if (leader < 0) leader = static_cast<int>(j);
+    if (joint.ratio == 1.0 && joint.offset == 0.0) return static_cast<int>(j);
+  }
+  return leader;
+}
+
+// Values of the degree of freedom are ratio * old + offset from now on.
+void change_variable(Robot& robot, int dof, double ratio, double offset) {
+  DegreeOfFreedom& motion = robot.dofs[index(dof)];
+  const auto changed = [&](double value) { return ratio * value + offset; };
+  motion.lower = changed(motion.lower);
+  motion.upper = changed(motion.upper);
+  if (ratio < 0.0) std::swap(motion.lower, motion.upper);
+  motion.initial = changed(motion.initial);
+  motion.closing_velocity *= ratio;
+  motion.max_velocity *= std::abs(ratio);
+  motion.max_acceleration *= std::abs(ratio);
+  // Efforts of the new variable are 1 / ratio times those of the old one.
+  if (motion.stiffness) *motion.stiffness /= ratio * ratio;
+  if (motion.damping) *motion.damping /= ratio * ratio;
+  for (Joint& joint : robot.joints) {
+    if (joint.dof != dof) continue;
+    joint.ratio /= ratio;
+    joint.offset -= joint.ratio * offset;
+  }
+  if (!robot.hand) return;
+  for (Preshape& preshape : robot.hand->preshapes) {
+    preshape.dofs[index(dof)] = changed(preshape.dofs[index(dof)]);
+  }
+}
+
+// The same robot with `prefix` before all its names, and every degree of freedom called after one
+// of its joints, whose value it is (ratio 1, offset 0): one that is so already, else the first.
+Robot urdf_form(Robot robot, const std::string& prefix) {
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    const int dof = static_cast<int>(d);
+    const int leader = leader_of(robot, dof);
+    if (leader < 0) continue;
+    Joint& joint = robot.joints[index(leader)];
+    if (joint.ratio != 1.0 || joint.offset != 0.0) {
+      change_variable(robot, dof, joint.ratio, joint.offset);
+      joint.ratio = 1.0;
+      joint.offset = 0.0;
+    }
+    robot.dofs[d].name = joint.name;
+  }
+  const auto rename = [&](auto& named) {
+    for (auto& one : named) one.name = prefix + one.name;
+  };
+  rename(robot.chains);
+  rename(robot.joints);
+  rename(robot.dofs);
+  rename(robot.links);
+  return robot;
 }
 
 class UrdfWriter {
@@ -91,12 +135,12 @@ class UrdfWriter {
 
   // `wanted`, or the first of wanted_2, wanted_3, ... that no link has.
   std::string new_link(const std::string& wanted);
-  void write_frame(const std::string& link) { xml_ += "  <link name=" + quoted(link) + "/>\n"; }
+  void write_frame(const std::string& link) { xml_.element("link", {{"name", link}}); }
 
   const Platform& platform_;
   std::filesystem::path name_;
   std::string folder_;
-  std::string xml_;
+  XmlText xml_;
   std::vector<RobotTextFile> files_;
   std::set<std::string> links_;
   std::set<std::string> mesh_names_;
@@ -124,16 +168,25 @@ std::string UrdfWriter::mesh_file(const std::string& link) {
 void UrdfWriter::write_link(const Link& link) {
   const std::string file = mesh_file(link.name);
   files_.push_back({file, obj_text(link.mesh)});
-  const std::string geometry = "<geometry><mesh filename=" + quoted(file) + "/></geometry>";
-  xml_ += "  <link name=" + quoted(link.name) + ">\n" + inertial_xml(link.inertial) +
-          "    <visual>" + geometry + "</visual>\n    <collision>" + geometry +
-          "</collision>\n  </link>\n";
+  xml_.open("link", {{"name", link.name}});
+  write_inertial(xml_, link.inertial);
+  for (const char* use : {"visual", "collision"}) {
+    xml_.open(use);
+    xml_.open("geometry");
+    xml_.element("mesh", {{"filename", file}});
+    xml_.close();
+    xml_.close();
+  }
+  xml_.close();
 }
 
 void UrdfWriter::write_fixed(const std::string& name, const std::string& parent,
                              const std::string& child, const Pose& X) {
-  xml_ += "  <joint name=" + quoted(name) + " type=\"fixed\">" + origin_xml(X) +
-          "<parent link=" + quoted(parent) + "/><child link=" + quoted(child) + "/></joint>\n";
+  xml_.open("joint", {{"name", name}, {"type", "fixed"}});
+  write_origin(xml_, X);
+  xml_.element("parent", {{"link", parent}});
+  xml_.element("child", {{"link", child}});
+  xml_.close();
 }
 
 void UrdfWriter::write_joint(const Robot& robot, std::size_t j) {
@@ -150,21 +203,25 @@ void UrdfWriter::write_joint(const Robot& robot, std::size_t j) {
   }
   const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
   const std::string parent = joint.parent < 0 ? robot.links[0].name : frames[index(joint.parent)];
-  xml_ += "  <joint name=" + quoted(joint.name) + " type=\"" + (turns ? "revolute" : "prismatic") +
-          "\">\n    " + origin_xml(joint.X_PJ * across(at_zero, 0.0)) +
-          "<parent link=" + quoted(parent) + "/><child link=" + quoted(child) + "/><axis xyz=\"" +
-          digits(joint.axis) + "\"/>\n    <limit lower=\"" + digits(joint.lower) + "\" upper=\"" +
-          digits(joint.upper) + "\" effort=\"" + digits(joint.max_effort) + "\" velocity=\"" +
-          digits(dof.max_velocity * std::abs(joint.ratio)) + "\"/>";
+  xml_.open("joint", {{"name", joint.name}, {"type", turns ? "revolute" : "prismatic"}});
+  write_origin(xml_, joint.X_PJ * across(at_zero, 0.0));
+  xml_.element("parent", {{"link", parent}});
+  xml_.element("child", {{"link", child}});
+  xml_.element("axis", {{"xyz", digits(joint.axis)}});
+  xml_.element("limit", {{"lower", shortest_text(joint.lower)},
+                         {"upper", shortest_text(joint.upper)},
+                         {"effort", shortest_text(joint.max_effort)},
+                         {"velocity", shortest_text(dof.max_velocity * std::abs(joint.ratio))}});
   if (joint.friction.coulomb > 0.0 || joint.friction.viscous > 0.0) {
-    xml_ += "<dynamics damping=\"" + digits(joint.friction.viscous) + "\" friction=\"" +
-            digits(joint.friction.coulomb) + "\"/>";
+    xml_.element("dynamics", {{"damping", shortest_text(joint.friction.viscous)},
+                              {"friction", shortest_text(joint.friction.coulomb)}});
   }
   if (dof.name != joint.name) {
-    xml_ += "<mimic joint=" + quoted(dof.name) + " multiplier=\"" + digits(joint.ratio) +
-            "\" offset=\"" + digits(joint.offset) + "\"/>";
+    xml_.element("mimic", {{"joint", dof.name},
+                           {"multiplier", shortest_text(joint.ratio)},
+                           {"offset", shortest_text(joint.offset)}});
   }
-  xml_ += "\n  </joint>\n";
+  xml_.close();
 }
 
 void UrdfWriter::write_robot(const Robot& robot) {
@@ -233,7 +290,7 @@ std::string UrdfWriter::sidecar() const {
 }
 
 std::vector<RobotTextFile> UrdfWriter::write() {
-  xml_ = "<?xml version=\"1.0\"?>\n<robot name=" + quoted(platform_.name) + ">\n";
+  xml_.open("robot", {{"name", platform_.name}});
   for (const MountedRobot& mounted : platform_.robots) {
     require_tree(mounted.robot);
     const std::string prefix = platform_.robots.size() > 1 ? mounted.name + "_" : "";
@@ -241,10 +298,10 @@ std::vector<RobotTextFile> UrdfWriter::write() {
     write_robot(robots_.back());
     if (mounted.parent >= 0) write_mount(mounted, robots_.back());
   }
-  xml_ += "</robot>\n";
+  xml_.close();
   std::filesystem::path beside = name_.filename();
   files_.push_back({beside.replace_extension(".prehend.json"), sidecar()});
-  files_.push_back({name_.filename(), std::move(xml_)});
+  files_.push_back({name_.filename(), "<?xml version=\"1.0\"?>\n" + xml_.text()});
   return std::move(files_);
 }
 

@@ -1,5 +1,3 @@
-#include "sim/shape/files/collada_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +14,7 @@
 #include "sim/base/index.h"
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_file.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

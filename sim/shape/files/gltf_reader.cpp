@@ -1,5 +1,3 @@
-#include "sim/shape/files/gltf_reader.h"
-
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -15,6 +13,7 @@
 #include "sim/base/json/json_depth.h"
 #include "sim/shape/files/gltf_buffers.h"
 #include "sim/shape/files/gltf_members.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

@@ -1,5 +1,3 @@
-#include "sim/shape/files/inventor_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <span>
@@ -10,6 +8,7 @@
 #include "sim/shape/files/inventor_tokens.h"
 #include "sim/shape/files/inventor_transforms.h"
 #include "sim/shape/files/inventor_tree.h"
+#include "sim/shape/files/mesh_readers.h"
 
 namespace prehend {
 namespace {

@@ -8,13 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
-#include "sim/shape/files/collada_reader.h"
-#include "sim/shape/files/gltf_reader.h"
-#include "sim/shape/files/inventor_reader.h"
-#include "sim/shape/files/obj_reader.h"
-#include "sim/shape/files/off_reader.h"
-#include "sim/shape/files/ply_reader.h"
-#include "sim/shape/files/stl_reader.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/weld.h"
 

@@ -3,32 +3,21 @@
 #include <array>
 #include <bit>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <limits>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/number_text.h"
 
 namespace prehend {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "PLY and STL are written as they are");
 
-void add_digits(double value, std::string& text) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  text.append(digits.data(), end);
-}
-
 void add_vertices(const TriangleMesh& mesh, const char* start, std::string& text) {
   for (const Vector3& p : mesh.vertices) {
-    text += start;
-    add_digits(p.x(), text);
-    text += ' ';
-    add_digits(p.y(), text);
-    text += ' ';
-    add_digits(p.z(), text);
+    text += start + shortest_text(p.x()) + ' ' + shortest_text(p.y()) + ' ' + shortest_text(p.z());
     text += '\n';
   }
 }

@@ -1,5 +1,3 @@
-#include "sim/shape/files/obj_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "sim/base/input_error.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

@@ -1,11 +1,10 @@
-#include "sim/shape/files/off_reader.h"
-
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/base/input_error.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

@@ -1,7 +1,5 @@
 // The header declares elements (vertex, face, others) with typed properties; the body is traversed
 // as declared, and lengths, indices and coordinates are checked.
-#include "sim/shape/files/ply_reader.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,6 +15,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/polygon.h"
 

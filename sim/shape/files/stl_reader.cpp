@@ -1,8 +1,6 @@
 // Nothing in the format tells text and binary apart for certain. Text files begin with the word
 // "solid", but so do the headers of some binary files; a binary file has a size that follows from
 // its number of facets. Numbers in binary files are little-endian. Normals are not used.
-#include "sim/shape/files/stl_reader.h"
-
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "sim/base/input_error.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 
 namespace prehend {

@@ -104,6 +104,7 @@ TEST_F(BatchFile, NamesTheFieldThatIsRefused) {
       {R"("objects": ["single.obj"], "scales": [0])", "scales[0]"},
       {R"("objects": ["single.obj"], "scales": [1, 1.0])", "scales[1]"},
       {R"("objects": ["single.obj"], "frictions": [-0.1])", "frictions[0]"},
+      {R"("objects": ["single.obj"], "frictions": [0.5, 1e9])", "frictions[1]"},
       {R"("objects": ["single.obj"], "frictions": [])", "frictions"},
       {R"("objects": ["single.obj"], "seeds": [-1])", "seeds[0]"},
       {R"("objects": ["single.obj"], "settings": ["coarse"])", "settings[0]"},

@@ -200,5 +200,18 @@ TEST(UrdfText, NamesMayHoldAnything) {
   EXPECT_EQ(other.links[1].name, robot.links[1].name);
 }
 
+// Names of other encodings, as a URDF file in Latin-1 has.
+TEST(UrdfText, IsUtf8WhateverNamesHold) {
+  Platform platform = find_platform("parallel_jaw");
+  platform.name = "Zange f\xFCr T\xF6pfe";
+  Robot& robot = platform.robots[0].robot;
+  robot.links[0].name =
+      "B\xFC"
+      "gel";
+  const std::string xml = urdf_text(platform, "made.urdf").back().content;
+  EXPECT_NE(xml.find("<robot name=\"Zange f\uFFFDr T\uFFFDpfe\">"), std::string::npos) << xml;
+  EXPECT_EQ(written_and_read(platform).robots.at(0).robot.links[0].name, "B\uFFFDgel");
+}
+
 }  // namespace
 }  // namespace prehend

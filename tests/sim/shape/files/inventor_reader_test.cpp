@@ -1,5 +1,3 @@
-#include "sim/shape/files/inventor_reader.h"
-
 #include <numbers>
 #include <string>
 
@@ -7,6 +5,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/shape/files/mesh_file.h"
+#include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/mesh_checks.h"
 #include "tests/support/refusal_of.h"

@@ -1,4 +1,4 @@
-#include "planner/show/exports/xml_text.h"
+#include "sim/base/xml/xml_text.h"
 
 #include <cassert>
 
@@ -9,34 +9,46 @@
 namespace prehend {
 namespace {
 
-std::string utf8_text(const std::string& text) {
+// The writer of JSON knows UTF-8.
+std::string utf8_text(std::string_view text) {
   using Json = nlohmann::json;
   return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
       .get<std::string>();
 }
 
-std::string xml_value(const std::string& value) {
-  std::string out = "\"";
-  for (const char c : utf8_text(value)) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) < ' ')
-      out += ' ';
-    else
-      out += c;
-  }
-  return out + "\"";
-}
-
 }  // namespace
+
+std::string markup_text(std::string_view text) {
+  std::string escaped;
+  for (const char letter : utf8_text(text)) {
+    switch (letter) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += static_cast<unsigned char>(letter) < ' ' || letter == '\x7f' ? ' ' : letter;
+    }
+  }
+  return escaped;
+}
 
 void XmlText::begin(const std::string& tag, const XmlAttributes& attributes) {
   text_ += std::string(2 * open_.size(), ' ') + "<" + tag;
-  for (const auto& [name, value] : attributes) text_ += " " + name + "=" + xml_value(value);
+  for (const auto& [name, value] : attributes) {
+    text_ += " " + name + "=\"" + markup_text(value) + "\"";
+  }
 }
 
 void XmlText::element(const std::string& tag, const XmlAttributes& attributes) {

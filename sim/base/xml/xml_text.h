@@ -1,8 +1,9 @@
-// XML as text, element by element.
+// XML and other markup as text, element by element.
 #pragma once
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -10,8 +11,11 @@
 
 namespace prehend {
 
-// Names and values of attributes, in their order. Values are escaped when they are written; what is
-// not UTF-8 in them becomes U+FFFD.
+// Text with the characters that HTML, SVG and XML reserve replaced. Control characters become
+// spaces, and what is not UTF-8 becomes U+FFFD.
+std::string markup_text(std::string_view text);
+
+// Names and values of attributes, in their order. Values are written as markup_text.
 using XmlAttributes = std::vector<std::pair<std::string, std::string>>;
 
 class XmlText {

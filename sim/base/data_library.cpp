@@ -1,0 +1,44 @@
+#include "sim/base/data_library.h"
+
+#include <set>
+#include <utility>
+
+#include "sim/base/data_folder.h"
+#include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
+#include "sim/base/joined.h"
+
+namespace prehend {
+
+DataLibrary::DataLibrary(std::filesystem::path folder, std::string suffix)
+    : folder_(std::move(folder)), suffix_(std::move(suffix)) {}
+
+std::vector<std::string> DataLibrary::names() const {
+  std::set<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / folder_, missing)) {
+    std::string name = entry.path().filename().string();
+    // What follows the name in that of the entry: nothing, where each has a folder.
+    const std::string ending = suffix_.substr(0, suffix_.find('/'));
+    if (!name.ends_with(ending)) continue;
+    name.resize(name.size() - ending.size());
+    if (is_there(file(name))) names.insert(name);
+  }
+  return {names.begin(), names.end()};
+}
+
+std::filesystem::path DataLibrary::file(const std::string& name) const {
+  return data_folder() / folder_ / (name + suffix_);
+}
+
+std::filesystem::path DataLibrary::find(const std::string& name_or_file,
+                                        const std::string& what) const {
+  if (is_there(name_or_file)) return name_or_file;
+  const bool is_name = name_or_file.find('/') == std::string::npos;
+  if (is_name && is_there(file(name_or_file))) return file(name_or_file);
+  throw InputError({.file = name_or_file,
+                    .problem = "no such file, and no " + what + " of that name (" + what +
+                               "s: " + joined(names()) + ")"});
+}
+
+}  // namespace prehend
