@@ -107,7 +107,7 @@ std::optional<LearnRun> run_learn_case(const LearnObject& object, const std::str
   SearchOptions options;
   options.trials = search.trials;
   options.learned = search.learned;
-  if (!search.follow) options.follow = 0.0;
+  if (!search.follow) options.local_fraction = 0.0;
   const SearchResult found =
       search_grasps(scene, primitives, {}, options, {}, {.threads = search.threads});
   if (found.trials.empty()) return std::nullopt;

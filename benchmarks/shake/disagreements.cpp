@@ -174,7 +174,7 @@ std::string verdict_text(const ShakeResult& result) {
   for (const ShakeTestResult& test : failed_tests(result)) {
     const PhaseFailure failure = test.phases.back().failure;
     if (failure != last) {
-      add_part(text, std::string(name_of(failure)) + " in ");
+      add_part(text, std::string(prehend::name_of(failure)) + " in ");
     } else {
       text += ", ";
     }

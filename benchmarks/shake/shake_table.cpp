@@ -20,7 +20,7 @@ void print_failures(const char* who, const OpinionTally& tally) {
   for (const PhaseFailure failure : kAll<PhaseFailure>) {
     const int times = tally.failures[static_cast<std::size_t>(failure)];
     if (times == 0) continue;
-    std::printf("%s %s %d", any ? "" : who, std::string(name_of(failure)).c_str(), times);
+    std::printf("%s %s %d", any ? "" : who, std::string(prehend::name_of(failure)).c_str(), times);
     any = true;
   }
 }

@@ -28,7 +28,7 @@ namespace {
 constexpr double kNothing = 1e-12;
 // Part of the residual tolerance that may be left over in directions that are left out of the
 // balance.
-constexpr double kShare = 0.1;
+constexpr double kResidualShare = 0.1;
 constexpr int kPolishRounds = 3;
 constexpr double kPolishCost = 1e-8;  // relative increase of the measure that polishing may cost
 
@@ -51,7 +51,7 @@ ForceProgram::ForceProgram(const ForceBalance& balance, const ForceOptions& opti
 // direction is kept, so that the equation has no solution and the grasp is found impossible.
 void ForceProgram::find_basis(const Eigen::MatrixXd& wrenches) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(wrenches, Eigen::ComputeFullU);
-  const double allowed = kShare * options_.residual_tolerance;
+  const double allowed = kResidualShare * options_.residual_tolerance;
   const Eigen::Index sizes = svd.singularValues().size();
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < 6; ++i) {

@@ -71,7 +71,7 @@ class DebianPackage(Packages):
             self.assertIn(f"prehend {command}", printed(self.root / "usr/bin/prehend", command, "--help"))
 
     def test_plans_from_python(self):
-        words = "import prehend; print(prehend.__file__, len(prehend.plan(prehend.load_scene('mug')).grasps))"
+        words = "import prehend; print(prehend.__file__, len(list(prehend.plan(prehend.load_scene('mug')))))"
         environment = {**os.environ, "PYTHONPATH": str(self.root / "usr/lib/python3/dist-packages")}
         file, count = printed("/usr/bin/python3", "-c", words, env=environment).split()
         self.assertTrue(file.startswith(str(self.root)), file)
@@ -140,7 +140,7 @@ class Wheel(Packages):
         self.assertEqual(planned(self.venv / "bin/prehend", self.folder / "wheel"), self.expected)
 
     def test_plans_from_python(self):
-        words = "import prehend; print(prehend.__file__, len(prehend.plan(prehend.load_scene('mug')).grasps))"
+        words = "import prehend; print(prehend.__file__, len(list(prehend.plan(prehend.load_scene('mug')))))"
         environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         file, count = printed(self.venv / "bin/python", "-c", words, env=environment, cwd="/").split()
         self.assertTrue(file.startswith(str(self.venv)), file)

@@ -89,6 +89,15 @@ std::string field_names(const Command& command) {
   return names;
 }
 
+// What the command replies; of equal replies only the first is written out.
+std::string reply_text(const Command& command) {
+  for (const Command& earlier : commands()) {
+    if (&earlier == &command) break;
+    if (earlier.result == command.result) return "as `" + std::string(earlier.name) + "` does";
+  }
+  return std::string(command.result);
+}
+
 }  // namespace
 
 std::string protocol_schema() {
@@ -122,7 +131,7 @@ std::string protocol_reference() {
   for (const Command& command : commands()) {
     text << "| `" << command.name << "`" << (command.kind == CommandKind::world ? " *" : "")
          << " | " << field_names(command) << " | " << command.summary;
-    if (command.result != kState) text << " Replies " << command.result << ".";
+    if (command.result != kState) text << " Replies " << reply_text(command) << ".";
     text << " |\n";
   }
   return text.str();

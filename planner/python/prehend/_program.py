@@ -7,4 +7,4 @@ import sys
 
 def main() -> None:
     program = pathlib.Path(__file__).parent / "bin" / "prehend"
-    os.execv(program, ["prehend", *sys.argv[1:]])
+    os.execv(program, [str(program), *sys.argv[1:]])

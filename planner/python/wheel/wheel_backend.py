@@ -104,9 +104,11 @@ def bundle(binaries, stage):
     replace = [word for pair in renamed.items() for word in ("--replace-needed", *pair)]
     for file in [*binaries, *copies]:
         path = os.path.relpath(folder, file.parent)
-        soname = ["--set-soname", file.name] if file in copies else []
-        subprocess.run(["patchelf", *replace, *soname, "--set-rpath",
-                        "$ORIGIN" if path == "." else f"$ORIGIN/{path}", file], check=True)
+        changes = [replace, ["--set-rpath", "$ORIGIN" if path == "." else f"$ORIGIN/{path}"]]
+        if file in copies:
+            changes.append(["--set-soname", file.name])
+        for change in changes:  # all at once, patchelf 0.14 mixes up their texts
+            subprocess.run(["patchelf", *change, file], check=True)
 
 
 def write_metadata(stage, bundled):

@@ -177,7 +177,7 @@ int count_of(const PlanResult& result, Outcome outcome) { return result.outcomes
 // Every candidate ends in one outcome; what was blocked has somebody to blame.
 void expect_accounted_for(const PlanResult& result) {
   int tried = 0;
-  for (const int count : result.outcomes) tried += count;
+  for (const int count : result.outcomes.entries) tried += count;
   const auto candidates =
       std::find_if(result.stages.begin(), result.stages.end(),
                    [](const StageCount& stage) { return stage.what == PlanCount::candidates; });

@@ -98,7 +98,7 @@ RunRecord some_record() {
   record.options.trial.cone_edges = 12;
   record.options.trial.back_off_step = 0.01;
   record.options.primitives.tolerance = 0.07;
-  record.options.search.follow = 0.2;
+  record.options.search.local_fraction = 0.2;
   record.options.paths.emplace();
   record.options.paths->transfer.planner = PathPlanner::rrt_star;
   record.options.paths->transfer.max_iterations = 50;
