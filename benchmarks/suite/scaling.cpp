@@ -60,9 +60,9 @@ void measure_grown(const MemoryCase& what, Scene scene, const std::vector<Candid
 void measure_triangles(const Sizes& sizes, const std::string& program, Record& record) {
   // The same candidates at all sizes.
   const std::vector<Candidate> candidates = propose(scene_of_triangles(5000), sizes.scaling_trials);
-  Patience trials_before_extra_back_offs(sizes.longest_point);
+  Patience patience(sizes.longest_point);
   for (const int triangles : sizes.triangles) {
-    if (!trials_before_extra_back_offs.allows(triangles)) break;
+    if (!patience.allows(triangles)) break;
     const Clock::time_point start = Clock::now();
     Scene scene = mug_scene(triangles);
     const double found =
@@ -70,19 +70,19 @@ void measure_triangles(const Sizes& sizes, const std::string& program, Record& r
     record.add(kTriangles, "primitives found", "ms", found, triangles);
     measure_grown({kTriangles, triangles, sizes.scaling_trials}, std::move(scene), candidates,
                   program, record);
-    trials_before_extra_back_offs.took(triangles, 1e-3 * milliseconds_since(start));
+    patience.took(triangles, 1e-3 * milliseconds_since(start));
   }
 }
 
 void measure_obstacles(const Sizes& sizes, const std::string& program, Record& record) {
   const std::vector<Candidate> candidates = propose(scene_of_obstacles(0), sizes.scaling_trials);
-  Patience trials_before_extra_back_offs(sizes.longest_point);
+  Patience patience(sizes.longest_point);
   for (const int obstacles : sizes.obstacles) {
-    if (!trials_before_extra_back_offs.allows(obstacles)) break;
+    if (!patience.allows(obstacles)) break;
     const Clock::time_point start = Clock::now();
     measure_grown({kObstacles, obstacles, sizes.scaling_trials}, scene_among(obstacles), candidates,
                   program, record);
-    trials_before_extra_back_offs.took(obstacles, 1e-3 * milliseconds_since(start));
+    patience.took(obstacles, 1e-3 * milliseconds_since(start));
   }
 }
 
@@ -122,9 +122,9 @@ void measure_candidates(const Sizes& sizes, const std::string& program, Record& 
 template <typename Call>
 void measure_quality(const std::string& series, const Sizes& sizes, Record& record,
                      const Call& call) {
-  Patience trials_before_extra_back_offs(sizes.longest_point);
+  Patience patience(sizes.longest_point);
   for (const int contacts : sizes.contacts) {
-    if (!trials_before_extra_back_offs.allows(contacts)) break;
+    if (!patience.allows(contacts)) break;
     std::vector<double> times;
     for (const std::vector<Contact>& grasp : holding_grasps(contacts, sizes.grasps)) {
       const Wrenches wrenches = contact_wrenches(grasp, {});
@@ -132,7 +132,7 @@ void measure_quality(const std::string& series, const Sizes& sizes, Record& reco
     }
     record.add(kContacts, series, "ms", times, contacts);
     // The hull in six dimensions grows with the third power of its points at worst.
-    trials_before_extra_back_offs.took(contacts, 8.0 * 1e-3 * sum_of(times));
+    patience.took(contacts, 8.0 * 1e-3 * sum_of(times));
   }
 }
 

@@ -5,20 +5,21 @@ options. They are made from their declarations in C++, and so are their types he
 that lies beside TARGET.
 """
 
-import importlib.util
+import importlib
 import inspect
 import pathlib
 import sys
+import types
 
 MARK = "# <options>\n"
 
 
 def load_core(folder):
-    (file,) = folder.glob("_core*.so")
-    spec = importlib.util.spec_from_file_location("prehend._core", file)
-    core = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(core)
-    return core
+    """The extension module, without the rest of the package, which needs NumPy."""
+    package = types.ModuleType("prehend")
+    package.__path__ = [str(folder)]
+    sys.modules["prehend"] = package
+    return importlib.import_module("prehend._core")
 
 
 def class_stub(cls):

@@ -55,13 +55,13 @@ TEST(Arguments, RefusesWhatItDoesNotKnow) {
 }
 
 TEST(Patience, EndsWhereTheNextSizeWouldTakeTooLong) {
-  Patience trials_before_extra_back_offs(10.0);
-  EXPECT_TRUE(trials_before_extra_back_offs.allows(1e9));
-  trials_before_extra_back_offs.took(100.0, 2.0);
-  EXPECT_TRUE(trials_before_extra_back_offs.allows(500.0));
-  EXPECT_FALSE(trials_before_extra_back_offs.allows(501.0));
-  trials_before_extra_back_offs.took(0.0, 50.0);  // a size of nothing tells nothing
-  EXPECT_TRUE(trials_before_extra_back_offs.allows(1.0));
+  Patience patience(10.0);
+  EXPECT_TRUE(patience.allows(1e9));
+  patience.took(100.0, 2.0);
+  EXPECT_TRUE(patience.allows(500.0));
+  EXPECT_FALSE(patience.allows(501.0));
+  patience.took(0.0, 50.0);  // a size of nothing tells nothing
+  EXPECT_TRUE(patience.allows(1.0));
 }
 
 TEST(Arguments, HandsTakeObjects) {
