@@ -21,11 +21,9 @@ namespace prehend::test {
 class SocketClient {
  public:
   explicit SocketClient(std::uint16_t port) : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    const timeval trials_before_extra_back_offs{60, 0};
-    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &trials_before_extra_back_offs,
-                 sizeof trials_before_extra_back_offs);
-    ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &trials_before_extra_back_offs,
-                 sizeof trials_before_extra_back_offs);
+    const timeval patience{60, 0};
+    ::setsockopt(socket_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    ::setsockopt(socket_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
     sockaddr_in place{};
     place.sin_family = AF_INET;
     place.sin_port = htons(port);
