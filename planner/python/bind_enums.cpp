@@ -36,8 +36,11 @@ void add_enum(py::module_& core, const char* name, const char* doc,
     std::replace(member.begin(), member.end(), ' ', '_');
     members.append(py::make_tuple(member, text));
   }
-  const py::object base = py::module_::import("prehend._names").attr("NamedEnum");
-  const py::object made = base(name, members, py::arg("module") = "prehend._core");
+  const py::module_ builtins = py::module_::import("builtins");
+  const py::object made = py::module_::import("enum").attr("Enum")(
+      name, members, py::arg("module") = "prehend._core", py::arg("type") = builtins.attr("str"));
+  // Shown as the string that it is, as enum.StrEnum of later Python does.
+  made.attr("__str__") = builtins.attr("str").attr("__str__");
   made.attr("__doc__") = doc;
   if (meaning_of != nullptr) {
     for (const Enum value : kAll<Enum>) {

@@ -1,11 +1,10 @@
 """Types of the C++ half of prehend. What its fields mean, help() says: the docstrings are there."""
 
+import enum
 from typing import Any, Callable, Dict, List, Literal, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
-
-from ._names import NamedEnum
 
 _Floats = npt.NDArray[np.float64]
 _Integers = npt.NDArray[np.intc]
@@ -15,7 +14,7 @@ __version__: str
 most_detailed: int
 fields_of_results: Dict[str, Tuple[str, ...]]
 
-class Outcome(NamedEnum):
+class Outcome(str, enum.Enum):
     stable = "stable"
     not_force_closure = "not_force_closure"
     no_contact = "no_contact"
@@ -30,14 +29,14 @@ class Outcome(NamedEnum):
     not_simulated = "not_simulated"
     no_path = "no_path"
 
-class PlanStatus(NamedEnum):
+class PlanStatus(str, enum.Enum):
     complete = "complete"
     out_of_time = "out_of_time"
     cancelled = "cancelled"
     object_too_large = "object_too_large"
     no_candidates = "no_candidates"
 
-class PlanCount(NamedEnum):
+class PlanCount(str, enum.Enum):
     primitives_given = "primitives given"
     primitives = "primitives"
     candidates = "candidates"
@@ -48,7 +47,7 @@ class PlanCount(NamedEnum):
     ranked = "ranked"
     paths = "paths"
 
-class Stage(NamedEnum):
+class Stage(str, enum.Enum):
     load = "load"
     compile = "compile"
     primitives = "primitives"
@@ -63,14 +62,14 @@ class Stage(NamedEnum):
     report = "report"
     picture = "picture"
 
-class LiftEnd(NamedEnum):
+class LiftEnd(str, enum.Enum):
     not_asked = "not_asked"
     complete = "complete"
     lift_unreachable = "lift_unreachable"
     lift_blocked = "lift_blocked"
     retreat_blocked = "retreat_blocked"
 
-class Hint(NamedEnum):
+class Hint(str, enum.Enum):
     friction = "friction"
     soft_contacts = "soft_contacts"
     other_hand = "other_hand"
@@ -81,42 +80,42 @@ class Hint(NamedEnum):
     path = "path"
     unit = "unit"
 
-class Accuracy(NamedEnum):
+class Accuracy(str, enum.Enum):
     draft = "draft"
     standard = "standard"
     fine = "fine"
 
-class Material(NamedEnum):
+class Material(str, enum.Enum):
     glass = "glass"
     metal = "metal"
     plastic = "plastic"
     wood = "wood"
     rubber = "rubber"
 
-class ContactModel(NamedEnum):
+class ContactModel(str, enum.Enum):
     frictionless = "frictionless"
     point = "point"
     soft_finger = "soft_finger"
 
-class EpsilonStatus(NamedEnum):
+class EpsilonStatus(str, enum.Enum):
     converged = "converged"
     no_force_closure = "no_force_closure"
     below_cutoff = "below_cutoff"
     limit = "limit"
     stalled = "stalled"
 
-class ForceOutcome(NamedEnum):
+class ForceOutcome(str, enum.Enum):
     balanced = "balanced"
     impossible = "impossible"
     limit = "limit"
 
-class StepOutcome(NamedEnum):
+class StepOutcome(str, enum.Enum):
     moved = "moved"
     not_converged = "not_converged"
     blocked = "blocked"
     not_finite = "not_finite"
 
-class ControlOutcome(NamedEnum):
+class ControlOutcome(str, enum.Enum):
     finished = "finished"
     stopped = "stopped"
     not_a_number = "not_a_number"
@@ -124,13 +123,13 @@ class ControlOutcome(NamedEnum):
     blocked = "blocked"
     not_finite = "not_finite"
 
-class ObjectPlace(NamedEnum):
+class ObjectPlace(str, enum.Enum):
     between = "between"
     beside = "beside"
     inside = "inside"
     palm = "palm"
 
-class Grouping(NamedEnum):
+class Grouping(str, enum.Enum):
     object = "object"
     session = "session"
     both = "both"
