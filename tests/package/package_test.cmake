@@ -95,8 +95,8 @@ endfunction()
 
 # --- prehend::quality ---------------------------------------------------------------------------------
 set(prefix ${folder}/quality_only)
-expect_shown(README.md cpp ${examples}/quality/main.cpp)
-expect_shown(README.md cmake ${examples}/quality/CMakeLists.txt)
+expect_shown(docs/how-to/cpp.md cpp ${examples}/quality/main.cpp)
+expect_shown(docs/how-to/cpp.md cmake ${examples}/quality/CMakeLists.txt)
 install_moved(${prefix} --component quality)
 if(EXISTS ${prefix}/bin OR EXISTS ${prefix}/share/prehend)
   message(SEND_ERROR "the component quality installs more than that")
