@@ -6,19 +6,19 @@
 namespace prehend::python {
 
 // The parts, each in a file of its name.
-void bind_context(pybind11::module_& core);          // Cancellation, Progress
-void bind_control(pybind11::module_& core);          // controllers, and runs with them
-void bind_enums(pybind11::module_& core);            // enumerations by their names
-void bind_fields(pybind11::module_& core);           // names of the fields of results
-void bind_files(pybind11::module_& core);            // grasps.json, report, exports, pictures
-void bind_learned_order(pybind11::module_& core);    // models that order candidates
-void bind_options(pybind11::module_& core);          // of planning and of the quality measures
-void bind_plan(pybind11::module_& core);             // decompose, propose, trial, plan, evaluate
-void bind_quality(pybind11::module_& core);          // measures of many grasps at a time
-void bind_robot(pybind11::module_& core);            // robots, their kinematics and its inverse
-void bind_scene(pybind11::module_& core);            // scenes, meshes and what the library has
-void bind_validation(pybind11::module_& core);       // scores against executed grasps
-void bind_world(pybind11::module_& core);            // worlds that move, their robots and bodies
+void bind_context(pybind11::module_& core);        // Cancellation, Progress
+void bind_control(pybind11::module_& core);        // controllers, and runs with them
+void bind_enums(pybind11::module_& core);          // enumerations by their names
+void bind_fields(pybind11::module_& core);         // names of the fields of results
+void bind_files(pybind11::module_& core);          // grasps.json, report, exports, pictures
+void bind_learned_order(pybind11::module_& core);  // models that order candidates
+void bind_options(pybind11::module_& core);        // of planning and of the quality measures
+void bind_plan(pybind11::module_& core);           // decompose, propose, trial, plan, evaluate
+void bind_quality(pybind11::module_& core);        // measures of many grasps at a time
+void bind_robot(pybind11::module_& core);          // robots, their kinematics and its inverse
+void bind_scene(pybind11::module_& core);          // scenes, meshes and what the library has
+void bind_validation(pybind11::module_& core);     // scores against executed grasps
+void bind_world(pybind11::module_& core);          // worlds that move, their robots and bodies
 
 // In errors.cpp.
 void translate_errors();

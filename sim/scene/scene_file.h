@@ -37,7 +37,8 @@ inline constexpr const char* kDefaultHand = "barrett";
 
 // A scene file (.json), a GraspIt! world or body (.xml, graspit_world.h), a mesh file as the object
 // of a scene with nothing else in it, or, where there is no such file, the library's scene of that
-// name ("mug", see scene_library.h). Throws InputError that names the file, the field and the value.
+// name ("mug", see scene_library.h). Throws InputError that names the file, the field and the
+// value.
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source = {});
 // The unit in which load_scene has read the mesh file that was given in place of a scene; m for a
 // scene file.

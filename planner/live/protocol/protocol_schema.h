@@ -5,7 +5,8 @@
 
 namespace prehend {
 
-// docs/reference/protocol.schema.json: a JSON schema (draft 2020-12) of requests, replies and events.
+// docs/reference/protocol.schema.json: a JSON schema (draft 2020-12) of requests, replies and
+// events.
 std::string protocol_schema();
 
 // The part of docs/reference/protocol.md that lists all commands with their fields.

@@ -11,8 +11,8 @@
 #include <thread>
 
 #include "planner/live/protocol/command.h"
-#include "planner/live/serve/endpoint.h"
 #include "planner/live/protocol/recording.h"
+#include "planner/live/serve/endpoint.h"
 #include "planner/live/session.h"
 
 namespace prehend {

@@ -11,8 +11,8 @@ class PlanPanel {
     this.current = -1;
     this.pictures = new Map();  // of pins
     byId('export-format')
-        .append(...data.formats.map(
-            ({name, summary}) => element('option', {title: summary}, name)));
+        .append(
+            ...data.formats.map(({name, summary}) => element('option', {title: summary}, name)));
     byId('plan').addEventListener('click', () => this.start());
     byId('cancel').addEventListener('click', () => this.cancel());
     byId('export').addEventListener('click', () => this.save());
