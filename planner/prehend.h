@@ -32,12 +32,14 @@
 //   accuracy.h            options that belong together: draft, standard, fine
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
 //   advice.h              what may help where a plan has no grasp
-//   grasp_text.h         where a grasp came from, in words
+//   grasp_text.h          where a grasp came from, in words
 //   run_context.h         threads, progress and cancellation of all that takes long
 // One step alone
 //   decompose.h           an object into boxes, spheres, cylinders and cones
 //   thin_parts.h          its rims and bars
 //   candidates.h          where a hand may come from
+//   trial.h               what a trial found
+//   approach_line.h       the straight motion of its hand
 //   run_trial.h           one candidate, from pre-grasp to quality
 //   grasp_contacts.h      where a closed hand touches the object
 //   refine_grasps.h       the best grasps improved by trials of grasps near them
@@ -67,7 +69,7 @@
 //   contacts_report.h     what a report says of contacts without a hand
 //   report_html.h         a report as one file for a browser
 //   posed_grasp.h         a grasp as something to look at
-//   best_viewpoint.h        the viewing direction that shows most of a grasp
+//   best_viewpoint.h      the viewing direction that shows most of a grasp
 //   grasp_picture.h       its picture
 //   contact_sheet.h       pictures of many grasps in one
 //   image.h               a picture as PNG
@@ -82,7 +84,7 @@
 //   simulation_file.h     its states as files
 //   simulation_report.h   its report
 //   shake.h               one grasp under a protocol, and what became of it
-//   protocol_file.h       protocols from files and from the library
+//   test_procedure_file.h protocols from files and from the library
 //   world.h               bodies and robots that move
 //   step_world.h          moves them on, step by step
 //   require_world.h       whether that can be done

@@ -61,7 +61,7 @@ class DebianPackage(Packages):
         (database / "updates").mkdir()
         (database / "status").touch()
         printed("dpkg", f"--root={cls.root}", "--force-not-root", "--force-depends", "--log=/dev/null",
-                "--install", cls.package, env={"PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
+                "--unpack", cls.package, env={"PATH": "/usr/sbin:/usr/bin:/sbin:/bin"})
 
     def test_plans_in_an_empty_root(self):
         self.assertEqual(planned(self.root / "usr/bin/prehend", self.folder / "deb"), self.expected)
