@@ -44,6 +44,11 @@ file(GLOB python_files CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/planner/
 set(python_stub planner/python/prehend/_core.pyi)
 list(REMOVE_ITEM python_files prehend/_core.pyi)
 file(MAKE_DIRECTORY ${python_package})
+# Links of an earlier configuration to files that are gone since.
+file(GLOB earlier_links ${python_package}/*.py ${python_package}/py.typed)
+if(earlier_links)
+  file(REMOVE ${earlier_links})
+endif()
 file(RELATIVE_PATH python_folder ${python_package} ${PROJECT_SOURCE_DIR}/planner/python/prehend)
 foreach(file IN LISTS python_files)
   cmake_path(GET file FILENAME name)

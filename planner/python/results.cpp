@@ -101,10 +101,10 @@ void reshape(py::dict& fields) {
   for (const auto& [name, whole] :
        {std::pair{"link", "blocked_link"}, std::pair{"by", "blocked_by"},
         std::pair{"overlap", "overlap"}}) {
-    fields[whole] = blocked.is_none() ? py::none() : blocked[name];
+    fields[whole] = blocked.is_none() ? blocked : py::object(blocked[name]);
   }
   const py::object primitive = taken("primitive");
-  fields["primitive"] = primitive.is_none() ? py::none() : primitive["index"];
+  fields["primitive"] = primitive.is_none() ? primitive : py::object(primitive["index"]);
   // The object "approach" has the direction under its own name.
   const py::object approach = taken("approach");
   fields.attr("update")(approach);

@@ -161,7 +161,7 @@ class Parity(unittest.TestCase):
             cls = class_of(struct)
             names = set(getattr(cls, "_fields", ())) | set(getattr(cls, "__dataclass_fields__", ()))
             if cls is prehend.PlanResult:
-                source = inspect.getsource(cls)
+                source = inspect.getsource(cls.__init__)
                 names = {name for name in (*fields, "seconds") if f"self.{name}: " in source}
             left_out = ONLY_IN_CPP.get(struct, {})
             for field in fields:
