@@ -54,7 +54,7 @@ struct SettingName {
   std::string_view name;
   std::string_view in_files;
 
-  // Not explicit: most settings have one name.
+  // NOLINTNEXTLINE(google-explicit-constructor): most settings have one name.
   constexpr SettingName(const char* both) : name(both), in_files(both) {}
   constexpr SettingName(const char* in_code, const char* in_file)
       : name(in_code), in_files(in_file) {}
