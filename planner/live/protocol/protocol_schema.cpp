@@ -83,8 +83,9 @@ constexpr std::string_view kState = "the state, as of `state`";
 std::string field_names(const Command& command) {
   std::string names;
   for (const CommandField& field : command.fields) {
-    const std::string mark = field.required ? "**" : "";
-    names += (names.empty() ? "" : ", ") + mark + "`" + std::string(field.name) + "`" + mark;
+    const std::string_view mark = field.required ? "**" : "";
+    if (!names.empty()) names += ", ";
+    names.append(mark).append("`").append(field.name).append("`").append(mark);
   }
   return names;
 }
