@@ -50,7 +50,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("cutoff", cutoff, kAtLeast0, "",
         "Stop as soon as the upper bound is below this: for callers who rank and know a better "
         "grasp.");
-  visit("max_facets", max_facets, kAtLeast1, "",
+  visit("max_facets", max_facets, kAtLeast0, "",
         "Most facets made in all; checked before each expansion, which may exceed it.");
   visit("descent_steps", descent_steps, kAtLeast0, "",
         "Steps of gradient descent on the support function from each new upper bound; they pay on "

@@ -94,8 +94,8 @@ inline std::vector<RefusedGrasp> refused_grasps() {
        "torque_origin: must be within 1e+06 m of 0 (1e+200, 0, 0)",
        four,
        {{1e200, 0.0, 0.0}, 1.0}},
-      {"tolerance -1", "relative_tolerance: must not be negative (-1.000000)", four, {}, 8, {-1.0}},
-      {"tolerance NaN", "relative_tolerance: must not be negative (nan)", four, {}, 8, {nan}},
+      {"tolerance -1", "relative_tolerance: must be at least 0 (-1)", four, {}, 8, {-1.0}},
+      {"tolerance NaN", "relative_tolerance: must be at least 0 (nan)", four, {}, 8, {nan}},
   };
   refused.insert(refused.end(), others.begin(), others.end());
   return refused;
