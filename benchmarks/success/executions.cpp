@@ -52,8 +52,8 @@ bool lifts(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& 
   once.back_off_tries = 0;
   TrialWorkspace workspace;
   Trial trial;
-  run_hand_trial(scene, repeated(grasp.candidate, grasp.trial, perturbation.X_OC), once, workspace,
-                 trial, {});
+  run_hand_trial(scene, replayed_approach(grasp.candidate, grasp.trial, perturbation.X_OC), once,
+                 workspace, trial, {});
   if (trial.contacts.empty()) return false;
   const TestProcedure procedure = lift_and_shake(friction_of(trial) * perturbation.friction);
   return shake_grasp(scene, hand, posture_of(trial), procedure).holds();

@@ -87,9 +87,7 @@ class FieldSchema {
   }
   template <typename Visit>
   void object_or_null(std::string_view name, bool /*there*/, const Visit& visit) {
-    nlohmann::ordered_json schema = object_schema(visit);
-    schema["type"] = {"object", "null"};
-    add(name, std::move(schema), true);
+    add(name, object_schema(visit, nlohmann::ordered_json::array({"object", "null"})), true);
   }
   template <typename T, typename Visit>
   void part(std::string_view name, const std::optional<T>& /*value*/, const Visit& visit) {
@@ -113,8 +111,8 @@ class FieldSchema {
   }
 
   // The finished schema, which permits no other fields.
-  nlohmann::ordered_json json() && {
-    return {{"type", "object"},
+  nlohmann::ordered_json json(nlohmann::ordered_json type = "object") && {
+    return {{"type", std::move(type)},
             {"required", std::move(required_)},
             {"properties", std::move(properties_)},
             {"additionalProperties", false}};
@@ -122,10 +120,11 @@ class FieldSchema {
 
  private:
   template <typename Visit>
-  static nlohmann::ordered_json object_schema(const Visit& visit) {
+  static nlohmann::ordered_json object_schema(const Visit& visit,
+                                              nlohmann::ordered_json type = "object") {
     FieldSchema inner;
     visit(inner);
-    return std::move(inner).json();
+    return std::move(inner).json(std::move(type));
   }
   void add(std::string_view name, nlohmann::ordered_json schema, bool always) {
     properties_[std::string(name)] = std::move(schema);

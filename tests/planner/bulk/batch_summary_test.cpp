@@ -86,7 +86,7 @@ TEST(DataCard, NothingOfANameBecomesMarkup) {
   BatchSummary summary;
   summary.name = "<script>alert(1)</script>";
   summary.failed = {{"<b>", "it & that"}};
-  summary.tally.objects["<i>"].of[0] = 1;
+  summary.tally.objects["<i>"].of[kAll<Outcome>.front()] = 1;
   const std::string page = batch_page(summary);
   EXPECT_EQ(page.find("<script"), std::string::npos);
   EXPECT_EQ(page.find("<b>"), std::string::npos);

@@ -79,7 +79,7 @@ TEST(CancelledPlan, RanksExactlyTheTrialsThatWereFinished) {
     ASSERT_EQ(result.tried.size(), static_cast<std::size_t>(k));
     std::vector<Trial> first;
     for (int i = 0; i < k; ++i) {
-      EXPECT_EQ(result.tried[i].candidate, i);
+      EXPECT_EQ(result.tried[index(i)].candidate, i);
       first.push_back(run_trial(mug(), candidates[static_cast<std::size_t>(i)]));
     }
     const std::vector<std::size_t> order = rank(first, options.rank);
@@ -102,7 +102,7 @@ TEST(CancelledPlan, OnTwoThreadsEveryCandidateIsTriedOrCountedAsUntested) {
   EXPECT_GT(some.untested, 0);
   EXPECT_EQ(some.tried.size() + static_cast<std::size_t>(some.untested), all.tried.size());
   for (const Tried& tried : some.tried) {
-    EXPECT_EQ(tried.outcome, all.tried[tried.candidate].outcome);
+    EXPECT_EQ(tried.outcome, all.tried[index(tried.candidate)].outcome);
   }
 }
 

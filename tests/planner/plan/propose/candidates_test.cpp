@@ -164,7 +164,7 @@ TEST(ProposalSequence, WhatLiesBesideAGraspIsNearItAndNotProposedAgain) {
   for (std::size_t i = 0; i < kMany; ++i) all.push_back(sequence.next(Track::solids).value());
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      ASSERT_TRUE(differ(all[i], all[k], options)) << i << " and " << k;
+      ASSERT_TRUE(differ(all[i], all[k])) << i << " and " << k;
     }
   }
 }
