@@ -117,7 +117,7 @@ Files mjcf_files(const ExportInput& input) {
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
-  static const std::vector<ExportFormat> kFormats = {
+  static const std::vector<ExportFormat> formats = {
       {.name = "csv",
        .files = {"grasps.csv", "path_#.csv"},
        .summary = "Tables of grasps and paths.",
@@ -139,7 +139,7 @@ std::span<const ExportFormat> export_formats() {
        .files = {"grasp_#.xml"},
        .summary = "Each grasp as a model of MuJoCo.",
        .make = mjcf_files}};
-  return kFormats;
+  return formats;
 }
 
 std::vector<std::string> export_names() {
