@@ -17,9 +17,9 @@ struct Executions {
 };
 
 // Carries out each grasp of the result whose hand has closed, once for each disturbance: the hand
-// repeats its motion against the disturbed object (replayed_approach), and what it holds then is lifted and
-// swung with its weight, with the disturbed friction and centre of mass. A hand that does not close
-// on the object has not lifted it. In the order of the grasps; in parallel.
+// repeats its motion against the disturbed object (replayed_approach), and what it holds then is
+// lifted and swung with its weight, with the disturbed friction and centre of mass. A hand that
+// does not close on the object has not lifted it. In the order of the grasps; in parallel.
 std::vector<Executions> execute_grasps(const CompiledScene& scene, const TrialOptions& options,
                                        const std::vector<Perturbation>& perturbations,
                                        const PlanResult& result);
