@@ -10,7 +10,7 @@ import unittest
 from graspit_server import GraspitServer
 
 FOLDER = os.path.dirname(os.path.realpath(__file__))
-CLIENT = os.path.join(FOLDER, "..", "..", "planner", "octave")
+CLIENT = os.path.join(FOLDER, "..", "..", "planner", "live", "octave")
 PROGRAM = os.environ["PREHEND_PROGRAM"]
 
 # prehend's own server of GraspIt!'s protocol: the words that start it on a free port, and what it

@@ -5,8 +5,8 @@
 // with the quality of where the hand is then, as a whole and without the time that drawing took,
 // which is the processor's here and a graphics card's elsewhere; and the rate of pictures while a
 // plan finds a thousand grasps.
-import {launch} from '../../../tests/web/browser.mjs';
-import {Studio} from '../../../tests/web/studio.mjs';
+import {launch} from '../../../../tests/web/browser.mjs';
+import {Studio} from '../../../../tests/web/studio.mjs';
 
 const moves = 60;
 const found = 1000;

@@ -4,7 +4,7 @@
 import {statSync} from 'node:fs';
 import {join} from 'node:path';
 
-import {launch, OpenReport} from '../../../tests/web/browser.mjs';
+import {launch, OpenReport} from '../../../../tests/web/browser.mjs';
 
 const frames = 80;
 

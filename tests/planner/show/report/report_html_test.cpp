@@ -136,9 +136,9 @@ std::string content(const std::filesystem::path& file) {
 
 // What the page is made of: what all pages share, and its own.
 std::vector<std::filesystem::path> page_parts() {
-  const std::filesystem::path planner = std::filesystem::path(PREHEND_SOURCE_DIR) / "planner";
+  const std::filesystem::path show = std::filesystem::path(PREHEND_SOURCE_DIR) / "planner/show";
   std::vector<std::filesystem::path> parts;
-  for (const auto& folder : {planner / "page", planner / "report" / "page"}) {
+  for (const auto& folder : {show / "page", show / "report" / "page"}) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
       const std::string kind = entry.path().extension().string();
       if (kind == ".js" || kind == ".html" || kind == ".css") parts.push_back(entry.path());
