@@ -1,6 +1,6 @@
-// prehend, whole: from a mesh and a hand to ranked grasps, and each step of that by itself.
-// docs/how-to/cpp.md has an example and the conventions; sim/quality/quality.h what judges
-// contacts.
+// Planning: from a mesh and a hand to ranked grasps, and each step of that by itself. Two other
+// pages list the rest: planner/simulation.h what moves in time, planner/contacts.h what judges
+// contacts. docs/how-to/cpp.md has an example and the conventions.
 //
 // The question
 //   scene.h               an object, a hand, what is around them, friction: a plain value
@@ -30,6 +30,7 @@
 //   platform_file.h       a platform by name or file
 // The answer
 //   accuracy.h            options that belong together: draft, standard, fine
+//   tree_model_file.h     a model that orders the candidates, learnt from earlier trials
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
 //   advice.h              what may help where a plan has no grasp
 //   grasp_text.h          where a grasp came from, in words
@@ -65,8 +66,6 @@
 //   graspgen_file.h       such a set as a file of GraspGen, JSON, written and read
 //   grasp_table.h         such sets as one table
 //   set_candidates.h      the grasps of such a set, to be tried again
-//   contacts_file.h       contacts from a file
-//   contacts_report.h     what a report says of contacts without a hand
 //   report_html.h         a report as one file for a browser
 //   posed_grasp.h         a grasp as something to look at
 //   best_viewpoint.h      the viewing direction that shows most of a grasp
@@ -76,33 +75,12 @@
 //   output_file.h         files that are written whole or not at all
 //   data_folder.h         where the robots and scenes that come with prehend are
 //   input_error.h         what is thrown for a caller's mistake
-// Things that move
-//   shake_grasps.h        the grasps of a plan are closed, lifted and shaken
-//   form_dynamic_grasp.h          a hand that closes in time, on an object that gives way
-//   object_watch.h        what becomes of the object
-//   simulate.h            a scene simulated and recorded
-//   simulation_file.h     its states as files
-//   simulation_report.h   its report
-//   shake.h               one grasp under a protocol, and what became of it
-//   test_procedure_file.h protocols from files and from the library
-//   world.h               bodies and robots that move
-//   step_world.h          moves them on, step by step
-//   require_world.h       whether that can be done
-//   energy.h              their energy
-//   scene_bodies.h        a scene's bodies in a world, and how they touch
-//   controller.h          what drives a robot: a function from its state to efforts
-//   joint_controllers.h   PD, gravity compensation and computed torque
-//   stated_gains.h        gains, efforts and set points as a robot's file states them
-//   wrist_impedance.h     an arm whose wrist gives way like a spring
-//   joint_motion.h        what a controller follows: a trajectory, or one posture
-//   run_controlled.h      a world run with controllers, and how that ended
-// Judging contacts
-//   quality.h             contacts in, numbers out
 #pragma once
 
 #include "planner/plan/accuracy.h"
 #include "planner/plan/advice.h"
 #include "planner/plan/grasp_text.h"
+#include "planner/plan/learn/tree_model_file.h"
 #include "planner/plan/path/check_path.h"
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/plan/path/grasp_path.h"
@@ -111,25 +89,20 @@
 #include "planner/plan/plan.h"
 #include "planner/plan/propose/candidates.h"
 #include "planner/plan/refine_grasps.h"
-#include "planner/plan/shake_grasps.h"
-#include "planner/results/contacts_file.h"
 #include "planner/results/datasets/acronym_file.h"
 #include "planner/results/datasets/grasp_set.h"
 #include "planner/results/datasets/grasp_table.h"
 #include "planner/results/datasets/graspgen_file.h"
 #include "planner/results/datasets/set_candidates.h"
 #include "planner/results/grasps_file.h"
-#include "planner/results/simulation_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/contact_sheet.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/picture/image.h"
 #include "planner/show/posed_grasp.h"
-#include "planner/show/report/contacts_report.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
-#include "planner/show/report/simulation_report.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/data_folder.h"
@@ -137,25 +110,8 @@
 #include "sim/base/output_file.h"
 #include "sim/base/pose.h"
 #include "sim/base/run_context.h"
-#include "sim/manipulation/shake.h"
-#include "sim/manipulation/simulate.h"
-#include "sim/manipulation/test_procedure_file.h"
-#include "sim/motion/control/controller.h"
-#include "sim/motion/control/joint_controllers.h"
-#include "sim/motion/control/joint_motion.h"
-#include "sim/motion/control/run_controlled.h"
-#include "sim/motion/control/stated_gains.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
-#include "sim/motion/control/wrist_impedance.h"
-#include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
-#include "sim/motion/dynamic_grasp/object_watch.h"
-#include "sim/motion/energy.h"
-#include "sim/motion/require_world.h"
-#include "sim/motion/scene_bodies.h"
-#include "sim/motion/step_world.h"
-#include "sim/motion/world.h"
-#include "sim/quality/quality.h"
 #include "sim/robot/files/converted.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"

@@ -7,9 +7,10 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/shape/primitive.h"
-#include "sim/shape/proximity.h"
 
 namespace prehend {
+
+class ProximityMesh;
 
 struct ThinPartOptions {
   static constexpr AboutSettings kAbout{"ThinPartOptions",

@@ -26,7 +26,9 @@
 #include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/rigid_motion.h"
+#include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/basic_shapes.h"
 

@@ -12,6 +12,7 @@
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend::bench {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "benchmarks/shake/mujoco_shake.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "sim/manipulation/shake.h"
 
 namespace prehend::bench {
@@ -114,7 +115,7 @@ ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
   options.time_step *= run.step;
   options.contact_time *= run.step;
   if (run.clutches) {
-    options.drives.clutches = hand.clutches;
+    options.clutches = hand.clutches;
     subject.locks = locks_of(hand);
   }
   const ExportGrasp exported = export_of(shaken.scene, grasp.grasp, grasp.rank);

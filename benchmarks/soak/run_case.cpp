@@ -10,9 +10,11 @@
 
 #include "benchmarks/support/resources.h"
 #include "planner/plan/plan.h"
+#include "planner/plan/search_grasps.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/scene/compiled_scene.h"
 #include "tests/support/judge_path.h"
 #include "tests/support/judge_plan.h"
 #include "tests/support/trial_bytes.h"

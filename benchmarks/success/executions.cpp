@@ -4,7 +4,9 @@
 
 #include "sim/base/parallel/parallel.h"
 #include "sim/manipulation/shake.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/perturbed_trials.h"
+#include "sim/trial/run_trial.h"
 
 namespace prehend::bench {
 namespace {

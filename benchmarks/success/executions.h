@@ -7,6 +7,7 @@
 
 #include "planner/plan/plan_result.h"
 #include "sim/trial/uncertainty.h"
+#include "sim/trial/trial_options.h"
 
 namespace prehend::bench {
 

@@ -21,6 +21,7 @@
 #include "planner/plan/plan_options.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/object_generator.h"

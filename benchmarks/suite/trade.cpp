@@ -6,6 +6,7 @@
 #include "benchmarks/suite/planning.h"
 #include "benchmarks/suite/record.h"
 #include "benchmarks/support/resources.h"
+#include "sim/trial/run_trial.h"
 
 namespace prehend::bench {
 namespace {

@@ -13,6 +13,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/trial/approach_line.h"
+#include "sim/trial/run_trial.h"
 
 namespace prehend::bench {
 namespace {

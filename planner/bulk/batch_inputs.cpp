@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "planner/bulk/content_key.h"
+#include "planner/plan/learn/tree_model.h"
 #include "planner/plan/search_settings.h"
 #include "planner/results/json_settings.h"
 #include "sim/robot/files/robot_text.h"

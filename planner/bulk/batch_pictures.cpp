@@ -8,7 +8,9 @@
 #include "planner/bulk/part_worker.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/grasp_picture.h"
+#include "planner/show/posed_grasp.h"
 #include "sim/base/formatted.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
@@ -84,8 +86,9 @@ BatchPicture batch_picture(const Batch& batch, const BatchInputs& inputs, const 
   }
   BatchPicture picture;
   picture.title = title_of(batch, chosen);
-  picture.image = grasp_picture(scene, posed, best_viewpoint(scene, posed, {}, context),
-                                {kPictureWidth, kPictureHeight}, context);
+  picture.image =
+      grasp_picture(scene, posed, best_viewpoint(scene, posed, kViewpointPicture, context),
+                    {kPictureWidth, kPictureHeight}, context);
   return picture;
 }
 

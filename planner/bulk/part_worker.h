@@ -14,6 +14,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // What a thread needs for parts, one after the other. It keeps the mesh and the primitives of the
 // last object, so that neighbouring parts share them; that changes no result.
 class PartWorker {

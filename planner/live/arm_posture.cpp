@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/reach/cartesian_line.h"
+#include "sim/scene/reach/motion_check.h"
 
 namespace prehend {
 namespace {

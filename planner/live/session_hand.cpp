@@ -7,6 +7,7 @@
 #include "sim/base/joined.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/grasp_contacts.h"
+#include "sim/trial/run_trial.h"
 
 // What a session does with its hand.
 namespace prehend {

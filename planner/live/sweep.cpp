@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/shape/separation.h"
 #include "sim/trial/gap_tracker.h"
 
 namespace prehend {

@@ -8,6 +8,7 @@
 #include "planner/plan/grasp_text.h"
 #include "sim/base/formatted.h"
 #include "sim/base/joined.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/success.h"
 
 namespace prehend {

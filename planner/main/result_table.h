@@ -7,6 +7,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // A row a grasp: rank, epsilon, volume, times the weight that it holds, contacts, outcome or
 // primitive. At most `rows`.
 std::string grasp_table(const CompiledScene& scene, const PlanResult& result, std::size_t rows);

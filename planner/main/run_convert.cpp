@@ -33,11 +33,10 @@ void declare(CLI::App& command, ConvertCommand& options) {
 int run_convert(const ConvertCommand& command, Interrupts& interrupts) {
   const std::filesystem::path folder = std::filesystem::absolute(command.target).parent_path();
   require_writable(folder);
-  ConvertOptions options{.unit = command.unit,
-                         .foreign = foreign_options(command.packages, command.srdf)};
   std::vector<std::string> notes;
   const std::vector<RobotTextFile> files =
-      converted(command.source, command.target, options, notes);
+      converted(command.source, command.target, command.unit,
+                foreign_options(command.packages, command.srdf), notes);
   for (const std::string& note : notes) std::cerr << "note: " << on_one_line(note) << "\n";
   std::string names;
   for (const RobotTextFile& file : files) {

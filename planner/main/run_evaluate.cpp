@@ -181,7 +181,8 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   const RunRecord record = record_of(loaded.record, options);
   std::string report;
   if (!command.common.no_report) {
-    report = report_html(plan_report(loaded.scene, result, record, {}, {command.common.threads}));
+    report = report_html(
+        plan_report(loaded.scene, result, record, kMostDetailed, {command.common.threads}));
     watch.lap(Stage::report);
   }
   make_folder(command.common.out);

@@ -13,6 +13,7 @@
 #include "planner/results/timings_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "planner/show/exports/result_files.h"
 #include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
@@ -265,7 +266,7 @@ class PlanProgram {
     if (command_.common.no_report) return;
     const RunContext context{.threads = command_.common.threads};
     interrupts_.write(folder_ / "report.html",
-                      report_html(plan_report(scene, result, record, {}, context)));
+                      report_html(plan_report(scene, result, record, kMostDetailed, context)));
     written_ += ", report.html";
     watch_.lap(Stage::report);
   }

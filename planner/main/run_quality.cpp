@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/main/option_values.h"
 #include "planner/main/shared_options.h"
 #include "planner/results/contacts_file.h"
 #include "planner/show/exports/ply.h"
@@ -13,6 +14,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_pose.h"
 #include "sim/base/output_file.h"
+#include "sim/quality/measures.h"
 #include "sim/quality/ranges.h"
 #include "sim/quality/wrench_slice.h"
 

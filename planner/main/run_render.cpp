@@ -7,6 +7,7 @@
 #include "planner/show/exports/result_files.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
+#include "planner/show/posed_grasp.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
@@ -43,7 +44,7 @@ void declare(CLI::App& command, RenderCommand& options) {
 }
 
 constexpr std::size_t kSheetGrasps = 10;
-constexpr GraspPictureOptions kFramePicture{800, 640};
+constexpr PictureSize kFramePicture{800, 640};
 
 struct DrawnGrasp {
   std::size_t number = 0;  // in the file, from 1
@@ -106,9 +107,8 @@ void write_each(const std::filesystem::path& folder, const CompiledScene& scene,
   std::vector<std::string> names(grasps.size());
   for_each_in_parallel(grasps.size(), 0, [&](std::size_t i) {
     names[i] = formatted("grasp_%03zu.png", grasps[i].number);
-    interrupts.write(
-        folder / names[i],
-        png_bytes(grasp_from_four_sides(scene, grasps[i].posed, {.width = 1400, .height = 1100})));
+    interrupts.write(folder / names[i],
+                     png_bytes(grasp_from_four_sides(scene, grasps[i].posed, {1400, 1100})));
   });
   print_written(folder, names);
 }

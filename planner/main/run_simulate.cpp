@@ -9,6 +9,7 @@
 #include "planner/show/exports/result_files.h"
 #include "planner/show/motion_frames.h"
 #include "planner/show/motion_picture.h"
+#include "planner/show/posed_grasp.h"
 #include "planner/show/report/report_html.h"
 #include "planner/show/report/simulation_report.h"
 #include "sim/base/formatted.h"
@@ -16,9 +17,11 @@
 #include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/manipulation/simulate.h"
 #include "sim/manipulation/test_procedure_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
+#include "sim/trial/run_trial.h"
 
 namespace prehend {
 namespace {
@@ -68,7 +71,7 @@ void declare(CLI::App& command, SimulateCommand& options) {
   add_no_report(command, options.common.no_report);
 }
 
-constexpr GraspPictureOptions kMomentPicture{800, 640};
+constexpr PictureSize kMomentPicture{800, 640};
 
 struct AskedSimulation {
   CompiledScene scene;

@@ -11,6 +11,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/quality/wrench.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/trial/grasp_contacts.h"
 

@@ -8,6 +8,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // Hints for a plan of `scene` that was completed without a grasp, in the order of Hint. `tried` are
 // the trials of the plan, in the order of result.tried. Tries a few candidates of each of a few
 // variants of the scene and the options: soft contacts, more friction, the other hands of the

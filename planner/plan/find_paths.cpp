@@ -9,6 +9,7 @@
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 #include "sim/base/random.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {

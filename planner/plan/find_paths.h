@@ -6,6 +6,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // Plans paths to the ranked grasps of `result`, best first, until options.rank.top have one (or all
 // were tried); options.paths must be set. Grasps without a path are left out and counted as
 // Outcome::no_path. The same on any number of threads. A cancelled search leaves the grasps whose

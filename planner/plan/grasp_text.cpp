@@ -3,7 +3,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/plan/plan_result.h"
 #include "sim/base/formatted.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 

@@ -3,9 +3,16 @@
 
 #include <string>
 
-#include "planner/plan/plan_result.h"
-
 namespace prehend {
+
+struct Candidate;
+struct CollisionNames;
+struct CompiledScene;
+struct LoadCase;
+struct PlanResult;
+struct Robustness;
+struct ScoredGrasp;
+struct Trial;
 
 // Primitive and rule that a grasp was proposed by: "cylinder 1 (cylinder side, thumb across)";
 // "given" for a grasp that the caller gave.

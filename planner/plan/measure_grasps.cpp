@@ -10,6 +10,7 @@
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/sensitivity.h"
 
@@ -42,7 +43,7 @@ void measure(const CompiledScene& scene, const TrialOptions& options, bool with_
     grasp.volume = 0.0;
     return;
   }
-  grasp.epsilon_nearby = epsilon_nearby(scene, grasp.trial, options, {}, context);
+  grasp.epsilon_nearby = epsilon_nearby(scene, grasp.trial, options, context);
   const std::vector<Contact> contacts = contacts_of(grasp.trial.contacts);
   const SpaceHull hull = space_hull_of(contacts, scene.wrench_frame, options.cone_edges);
   grasp.volume = hull.volume;

@@ -9,6 +9,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // For how many of the grasps, the first ones.
 struct WantedMeasures {
   std::size_t volumes = std::numeric_limits<std::size_t>::max();  // epsilon_nearby, holding

@@ -7,6 +7,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // Fills in ScoredGrasp::robustness of the grasps in which the hand has closed on the object. The
 // disturbances are the same for all of them, so that differences between grasps are not by chance.
 // The same result on any number of threads. Does not throw Cancelled: grasps that were not tried

@@ -10,7 +10,7 @@
 #include "planner/plan/propose/candidates.h"
 #include "planner/plan/rank.h"
 #include "planner/plan/refine_grasps.h"
-#include "planner/plan/search_grasps.h"
+#include "planner/plan/search_options.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
 #include "sim/base/settings.h"

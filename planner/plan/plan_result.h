@@ -8,17 +8,17 @@
 #include <vector>
 
 #include "planner/plan/advice.h"
-#include "planner/plan/path/grasp_path.h"
-#include "planner/plan/stopwatch.h"
+#include "planner/plan/path/lift_object.h"
 #include "sim/base/named_enum.h"
-#include "sim/manipulation/shake.h"
+#include "sim/base/run_context.h"
+#include "sim/manipulation/shake_report.h"
 #include "sim/motion/control/trajectory.h"
 #include "sim/quality/interval.h"
 #include "sim/quality/wrench_slice.h"
 #include "sim/shape/primitive.h"
 #include "sim/trial/candidate.h"
 #include "sim/trial/payload_margin.h"
-#include "sim/trial/perturbed_trials.h"
+#include "sim/trial/robustness.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {

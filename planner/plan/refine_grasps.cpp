@@ -15,6 +15,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/parallel/parallel.h"
 #include "sim/base/require_settings.h"
+#include "sim/quality/wrench_space.h"
 #include "sim/trial/grasp_contacts.h"
 
 namespace prehend {

@@ -9,12 +9,13 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/quality/robust_epsilon.h"
-#include "sim/scene/compiled_scene.h"
 #include "sim/trial/candidate.h"
 #include "sim/trial/trial.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {
+
+struct CompiledScene;
 
 // What a refinement makes larger.
 enum class RefineObjective {

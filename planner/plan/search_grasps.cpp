@@ -5,6 +5,7 @@
 #include <deque>
 #include <utility>
 
+#include "planner/plan/learn/ordered_proposals.h"
 #include "planner/plan/propose/proposal_sequence.h"
 #include "planner/plan/reach_memory.h"
 #include "planner/plan/run_trials.h"

@@ -4,6 +4,8 @@
 
 #include "planner/plan/cut_short.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/manipulation/shake.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {

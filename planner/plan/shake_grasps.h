@@ -1,10 +1,12 @@
 // Every grasp of a result is closed, lifted and shaken (sim/manipulation/shake.h), in parallel.
 #pragma once
 
-#include "planner/plan/plan_result.h"
-#include "sim/manipulation/test_procedure.h"
-
 namespace prehend {
+
+struct CompiledScene;
+struct PlanResult;
+struct RunContext;
+struct TestProcedure;
 
 // Fills in ScoredGrasp::shake of the grasps in which the hand has closed on the object. The same
 // result on any number of threads. Does not throw Cancelled: what was not shaken when the context

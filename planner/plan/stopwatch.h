@@ -1,4 +1,4 @@
-// Wall-clock time of the stages of a run.
+// Measures the wall-clock time of the stages of a run.
 #pragma once
 
 #include <chrono>
@@ -7,12 +7,6 @@
 #include "sim/base/run_context.h"
 
 namespace prehend {
-
-// How long one stage took.
-struct StageTime {
-  Stage stage = Stage::trials;
-  double seconds = 0.0;
-};
 
 // Measures stages that follow one another. It starts when it is made; each lap is the time since
 // the lap before it.

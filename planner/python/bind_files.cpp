@@ -9,6 +9,7 @@
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/exports/result_files.h"
+#include "planner/show/grasp_picture.h"
 #include "planner/show/posed_grasp.h"
 #include "planner/show/report/plan_report.h"
 #include "planner/show/report/report_html.h"
@@ -39,7 +40,7 @@ py::bytes png_in_python(const Pixels& pixels) {
 std::string report_in_python(const PlanHandle& plan, const CallOptions& call) {
   std::string html;
   run_in_background(call, [&](const RunContext& context) {
-    html = report_html(plan_report(*plan.scene, *plan.result, plan.record, {}, context));
+    html = report_html(plan_report(*plan.scene, *plan.result, plan.record, kMostDetailed, context));
   });
   return html;
 }

@@ -8,6 +8,7 @@
 #include "planner/python/results.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/trial/run_trial.h"
 
 namespace prehend::python {
 namespace {

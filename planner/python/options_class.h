@@ -10,7 +10,9 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
+#include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
+#include "sim/base/visit_settings.h"
 
 namespace prehend::python {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/quality/forces.h"
-#include "sim/quality/measures.h"
+#include "sim/quality/task.h"
 
 namespace prehend {
 

@@ -13,6 +13,7 @@
 #include "sim/base/input_file.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_fields.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/json_primitive.h"
 
 namespace prehend {

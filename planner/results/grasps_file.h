@@ -12,6 +12,7 @@
 
 namespace prehend {
 
+struct CompiledScene;
 class JsonFile;  // sim/base/json/json_field.h
 
 // The inputs of a run, which the file repeats as "scene" and "settings".

@@ -8,6 +8,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 nlohmann::ordered_json grasp_to_json(const ScoredGrasp& grasp, const CompiledScene& scene,
                                      const std::vector<Primitive>& primitives);
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "planner/plan/learn/tree_model.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_fields.h"

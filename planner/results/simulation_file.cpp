@@ -10,6 +10,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/manipulation/simulate.h"
 
 namespace prehend {
 namespace {

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "sim/manipulation/simulate.h"
-
 namespace prehend {
+
+struct Simulation;
+struct World;
 
 // What happened and all recorded states (docs/reference/simulation.md). The same simulation gives
 // the same bytes.

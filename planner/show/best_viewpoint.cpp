@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "planner/show/grasp_bodies.h"
+#include "planner/show/picture/draw.h"
 #include "planner/show/picture/simplified_mesh.h"
 #include "planner/show/picture/visible_pixels.h"
 #include "sim/base/index.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
@@ -80,12 +82,12 @@ double sum(std::span<const double> values) {
 }
 
 View view_from(const Vector3& direction, const SmallScene& small, const CompiledScene& scene,
-               const PosedGrasp& grasp, const TellingSideOptions& options) {
+               const PosedGrasp& grasp, const PictureSize& size) {
   const Camera camera =
-      camera_around(small.framed, direction, {.width = options.width, .height = options.height});
+      camera_around(small.framed, direction, {.width = size.width, .height = size.height});
   const auto pixels_of = [&](const std::vector<DrawnBody>& seen,
                              const std::vector<DrawnBody>& around) {
-    return visible_pixels(seen, around, camera, options.width, options.height);
+    return visible_pixels(seen, around, camera, size.width, size.height);
   };
   // Pixels are counted twice where there are obstacles: without them, for the part of the hand that
   // they hide, and with them, for everything else.
@@ -156,7 +158,7 @@ struct Choice {
 };
 
 Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles,
-                 const TellingSideOptions& options, const RunContext& context) {
+                 const PictureSize& size, const RunContext& context) {
   const SmallScene small = small_scene(scene, grasp, with_obstacles);
   const std::vector<Vector3> directions = viewing_directions();
   // All views come first, because hand_score compares each with the largest of them.
@@ -164,7 +166,7 @@ Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_
   std::vector<double> largest(small.links, 0.0);
   for (const Vector3& direction : directions) {
     context.cancellation.check();
-    views.push_back(view_from(direction, small, scene, grasp, options));
+    views.push_back(view_from(direction, small, scene, grasp, size));
     for (std::size_t l = 0; l < small.links; ++l) {
       largest[l] = std::max(largest[l], views.back().links[l]);
     }
@@ -204,12 +206,12 @@ std::vector<Vector3> viewing_directions() {
   return directions;
 }
 
-Vector3 best_viewpoint(const CompiledScene& scene, const PosedGrasp& grasp,
-                       const TellingSideOptions& options, const RunContext& context) {
-  const Choice side = best_side(scene, grasp, true, options, context);
+Vector3 best_viewpoint(const CompiledScene& scene, const PosedGrasp& grasp, const PictureSize& size,
+                       const RunContext& context) {
+  const Choice side = best_side(scene, grasp, true, size, context);
   // Where obstacles hide the grasp from every side, as a closed box does, they are left out.
   if (side.score > 0.0 || !scene.has_obstacles()) return side.direction;
-  return best_side(scene, grasp, false, options, context).direction;
+  return best_side(scene, grasp, false, size, context).direction;
 }
 
 }  // namespace prehend

@@ -3,17 +3,17 @@
 
 #include <vector>
 
-#include "planner/show/grasp_picture.h"
+#include "planner/show/picture/image.h"
+#include "sim/base/pose.h"
 #include "sim/base/run_context.h"
 
 namespace prehend {
 
-// Resolution of the search.
-struct TellingSideOptions {
-  // Size of the pictures in which visible pixels are counted; they are not shown [pixels].
-  int width = 160;
-  int height = 128;
-};
+struct CompiledScene;
+struct PosedGrasp;
+
+// In which best_viewpoint counts visible pixels, unless told otherwise; it is not shown.
+inline constexpr PictureSize kViewpointPicture{160, 128};
 
 // The directions that best_viewpoint chooses from: unit vectors from what is looked at to the eye,
 // in the world's frame, around the upper half of the sphere. Always the same ones.
@@ -29,6 +29,6 @@ std::vector<Vector3> viewing_directions();
 // behind them, the object dims it. Where every score is 0 because of obstacles, they do not count.
 // Throws Cancelled.
 Vector3 best_viewpoint(const CompiledScene& scene, const PosedGrasp& grasp,
-                       const TellingSideOptions& options = {}, const RunContext& context = {});
+                       const PictureSize& size = kViewpointPicture, const RunContext& context = {});
 
 }  // namespace prehend

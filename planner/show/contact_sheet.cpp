@@ -4,9 +4,12 @@
 #include <cstddef>
 
 #include "planner/show/best_viewpoint.h"
+#include "planner/show/grasp_picture.h"
 #include "planner/show/palette.h"
 #include "planner/show/picture/label.h"
+#include "planner/show/posed_grasp.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
@@ -32,8 +35,8 @@ Image cell(const Image& picture, const std::string& text, int strip) {
 
 }  // namespace
 
-Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
-                    const ContactSheetOptions& options, const RunContext& context) {
+Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps, int columns,
+                    const PictureSize& size, const RunContext& context) {
   // All cells have the strip of the tallest title, so that pictures and titles of a row are
   // aligned.
   int strip = 0;
@@ -48,11 +51,11 @@ Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& g
     PosedGrasp untitled = grasps[i];
     untitled.title.clear();
     const Image picture =
-        grasp_picture(scene, untitled, best_viewpoint(scene, untitled, {}, context),
-                      {options.width, options.height}, context);
+        grasp_picture(scene, untitled, best_viewpoint(scene, untitled, kViewpointPicture, context),
+                      size, context);
     cells[i] = cell(picture, grasps[i].title, strip);
   });
-  return grid(cells, options.columns);
+  return grid(cells, columns);
 }
 
 }  // namespace prehend

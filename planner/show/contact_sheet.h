@@ -3,22 +3,18 @@
 
 #include <vector>
 
-#include "planner/show/grasp_picture.h"
+#include "planner/show/picture/image.h"
 #include "sim/base/run_context.h"
 
 namespace prehend {
 
-// Layout of the sheet.
-struct ContactSheetOptions {
-  int columns = 5;
-  // Of the picture of one grasp; its title stands under it [pixels].
-  int width = 480;
-  int height = 400;
-};
+struct CompiledScene;
+struct PosedGrasp;
 
-// Each grasp as seen from best_viewpoint(), in reading order, in cells of one size. Throws
-// Cancelled.
+// Each grasp as seen from best_viewpoint(), in reading order, `columns` to a row, in pictures of
+// one size with their titles under them. Throws Cancelled.
 Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& grasps,
-                    const ContactSheetOptions& options = {}, const RunContext& context = {});
+                    int columns = 5, const PictureSize& size = {480, 400},
+                    const RunContext& context = {});
 
 }  // namespace prehend

@@ -6,6 +6,7 @@
 
 #include "planner/show/palette.h"
 #include "planner/show/picture/marks.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {

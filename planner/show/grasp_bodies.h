@@ -8,6 +8,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // All in the world's frame. Meshes of the object, of links and of obstacles are those of the scene,
 // not copies of them: the scene must outlive the bodies.
 struct GraspBodies {

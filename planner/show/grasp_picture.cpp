@@ -5,16 +5,17 @@
 
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/palette.h"
+#include "planner/show/picture/draw.h"
 #include "planner/show/picture/label.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
 
 // All bodies, from a camera so near that `framed` fill the picture.
 Image view(const std::vector<DrawnBody>& all, const std::vector<DrawnBody>& framed,
-           const Vector3& direction, const GraspPictureOptions& options,
-           const RunContext& context) {
-  const DrawOptions draw_options{.width = options.width, .height = options.height};
+           const Vector3& direction, const PictureSize& size, const RunContext& context) {
+  const DrawOptions draw_options{.width = size.width, .height = size.height};
   return draw(all, camera_around(framed, direction, draw_options), draw_options, context);
 }
 
@@ -28,15 +29,15 @@ void write_title(Image& image, const std::string& title) {
 }
 
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
-                    const GraspPictureOptions& options, const RunContext& context) {
+                    const PictureSize& size, const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);
-  Image image = view(bodies.all(), bodies.grasp(), direction, options, context);
+  Image image = view(bodies.all(), bodies.grasp(), direction, size, context);
   write_title(image, grasp.title);
   return image;
 }
 
-Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
-                  const GraspPictureOptions& options, const RunContext& context) {
+Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp, const PictureSize& size,
+                  const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);
   std::vector<DrawnBody> all = bodies.grasp_and_arm();
   all.insert(all.end(), bodies.obstacles.begin(), bodies.obstacles.end());
@@ -46,13 +47,13 @@ Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
   Vector3 aside = Vector3::UnitZ().cross(way);
   if (!(aside.norm() > 1e-6)) aside = Vector3::UnitX();
   const Vector3 direction = aside.normalized() - 0.3 * way.normalized() + 0.5 * Vector3::UnitZ();
-  Image image = view(all, bodies.grasp_and_arm(), direction, options, context);
+  Image image = view(all, bodies.grasp_and_arm(), direction, size, context);
   write_title(image, grasp.title);
   return image;
 }
 
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
-                            const GraspPictureOptions& options, const RunContext& context) {
+                            const PictureSize& size, const RunContext& context) {
   const GraspBodies bodies = grasp_bodies(scene, grasp);
   std::vector<Image> views;
   for (int side = 0; side < 4; ++side) {
@@ -61,7 +62,7 @@ Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
     const double angle = (0.25 + 0.5 * side) * std::numbers::pi;
     views.push_back(view(bodies.all(), bodies.grasp(),
                          Vector3(std::cos(angle), std::sin(angle), 0.55),
-                         {options.width / 2, options.height / 2}, context));
+                         {size.width / 2, size.height / 2}, context));
   }
   Image image = grid(views, 2);
   write_title(image, grasp.title);

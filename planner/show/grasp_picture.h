@@ -3,16 +3,17 @@
 
 #include <string>
 
-#include "planner/show/picture/draw.h"
-#include "planner/show/posed_grasp.h"
+#include "planner/show/picture/image.h"
+#include "sim/base/pose.h"
+#include "sim/base/run_context.h"
 
 namespace prehend {
 
-// Size of a picture [pixels].
-struct GraspPictureOptions {
-  int width = 900;
-  int height = 700;
-};
+struct CompiledScene;
+struct PosedGrasp;
+
+// Of a picture of one grasp.
+inline constexpr PictureSize kGraspPicture{900, 700};
 
 // Writes lines of text into the lower left corner.
 void write_title(Image& image, const std::string& title);
@@ -20,15 +21,15 @@ void write_title(Image& image, const std::string& title);
 // One view from `direction` (to the eye, any length, in the world's frame; best_viewpoint has one
 // that shows much). What stands around is drawn as far as it is in the picture.
 Image grasp_picture(const CompiledScene& scene, const PosedGrasp& grasp, const Vector3& direction,
-                    const GraspPictureOptions& options = {}, const RunContext& context = {});
+                    const PictureSize& size = kGraspPicture, const RunContext& context = {});
 
 // One view of the arm that holds the object; needs arm_joints.
 Image arm_picture(const CompiledScene& scene, const PosedGrasp& grasp,
-                  const GraspPictureOptions& options = {}, const RunContext& context = {});
+                  const PictureSize& size = kGraspPicture, const RunContext& context = {});
 
 // Four views around the vertical in one picture, half as wide and high each.
 Image grasp_from_four_sides(const CompiledScene& scene, const PosedGrasp& grasp,
-                            const GraspPictureOptions& options = {},
+                            const PictureSize& size = kGraspPicture,
                             const RunContext& context = {});
 
 }  // namespace prehend

@@ -5,7 +5,9 @@
 
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/grasp_bodies.h"
+#include "planner/show/picture/draw.h"
 #include "planner/show/picture/visible_pixels.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
@@ -70,7 +72,7 @@ Vector3 side_of_way(const CompiledScene& scene, const std::vector<MotionFrame>& 
 }  // namespace
 
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
-                       const PosedGrasp& grasp, const GraspPictureOptions& options,
+                       const PosedGrasp& grasp, const PictureSize& size,
                        const RunContext& context) {
   MotionView view;
   view.with_arm = !frames.back().arm_joints.empty();
@@ -89,18 +91,18 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
     }
     append_points(grasp_bodies(scene, moment).grasp(), close);
   }
-  view.close = camera_around(close, best_viewpoint(scene, grasp, {}, context), options.width,
-                             options.height);
+  view.close = camera_around(close, best_viewpoint(scene, grasp, kViewpointPicture, context),
+                             size.width, size.height);
   if (!view.with_arm) return view;
-  view.whole = camera_around(whole, side_of_way(scene, frames, whole, context), options.width,
-                             options.height);
+  view.whole =
+      camera_around(whole, side_of_way(scene, frames, whole, context), size.width, size.height);
   return view;
 }
 
 Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,
-                     const GraspPictureOptions& options, const RunContext& context) {
+                     const PictureSize& size, const RunContext& context) {
   const std::vector<DrawnBody> bodies = grasp_bodies(scene, moment).all();
-  const DrawOptions draw_options{.width = options.width, .height = options.height};
+  const DrawOptions draw_options{.width = size.width, .height = size.height};
   std::vector<Image> pictures;
   if (view.with_arm) pictures.push_back(draw(bodies, view.whole, draw_options, context));
   pictures.push_back(draw(bodies, view.close, draw_options, context));

@@ -6,8 +6,12 @@
 
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/show/grasp_picture.h"
+#include "planner/show/picture/camera.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct PosedGrasp;
 
 // Where the viewer stands. With an arm there are two pictures side by side: one sees the robot on
 // its whole way, one the hand at the object.
@@ -21,11 +25,11 @@ struct MotionView {
 // one across the hand's way on which the hand is hidden least; the other's is the telling side.
 // Throws Cancelled.
 MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame>& frames,
-                       const PosedGrasp& grasp, const GraspPictureOptions& options = {},
+                       const PosedGrasp& grasp, const PictureSize& size = kGraspPicture,
                        const RunContext& context = {});
 
 // A moment of the motion, with its title. Throws Cancelled.
 Image motion_picture(const CompiledScene& scene, const PosedGrasp& moment, const MotionView& view,
-                     const GraspPictureOptions& options = {}, const RunContext& context = {});
+                     const PictureSize& size = kGraspPicture, const RunContext& context = {});
 
 }  // namespace prehend

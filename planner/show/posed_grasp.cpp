@@ -1,5 +1,9 @@
 #include "planner/show/posed_grasp.h"
 
+#include "planner/plan/path/grasp_motion.h"
+#include "planner/plan/plan_result.h"
+#include "sim/scene/compiled_scene.h"
+
 namespace prehend {
 
 PosedGrasp posed_grasp(const CompiledScene& scene, const ScoredGrasp& grasp,

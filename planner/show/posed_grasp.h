@@ -4,11 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "planner/plan/path/grasp_motion.h"
-#include "planner/plan/plan_result.h"
+#include "sim/quality/contact_map.h"
 #include "sim/trial/trial.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct MotionFrame;
+struct ScoredGrasp;
 
 // A hand where it is, with what it touches.
 struct PosedGrasp {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/show/palette.h"
+#include "planner/show/picture/draw.h"
 #include "sim/base/index.h"
 #include "sim/shape/basic_shapes.h"
 
@@ -60,12 +61,12 @@ std::vector<NamedPosture> telling_postures(const Robot& robot) {
 }
 
 Image robot_picture(const Robot& robot, const std::vector<NamedPosture>& postures,
-                    const PostureSurvey& survey, const GraspPictureOptions& options,
+                    const PostureSurvey& survey, const PictureSize& size,
                     const RunContext& context) {
   const auto cells = static_cast<int>(postures.size()) + 1;
   const int columns = std::min(cells, 3);
   const int rows = (cells + columns - 1) / columns;
-  const DrawOptions cell{.width = options.width / columns, .height = options.height / rows};
+  const DrawOptions cell{.width = size.width / columns, .height = size.height / rows};
   const Vector3 direction = telling_direction(robot);
   std::vector<Image> images;
   const auto draw_cell = [&](const std::vector<DrawnBody>& bodies, const std::string& title) {

@@ -22,7 +22,7 @@ std::vector<NamedPosture> telling_postures(const Robot& robot);
 // with the places that the tips reached in the survey, a colour each. Sizes are of the whole
 // picture. Throws Cancelled.
 Image robot_picture(const Robot& robot, const std::vector<NamedPosture>& postures,
-                    const PostureSurvey& survey, const GraspPictureOptions& options = {},
+                    const PostureSurvey& survey, const PictureSize& size = kGraspPicture,
                     const RunContext& context = {});
 
 }  // namespace prehend

@@ -5,8 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "sim/base/formatted.h"
-
 namespace prehend {
 
 // An interval of finite numbers, with its upper end and, unless without_lower, its lower end. NaN
@@ -23,19 +21,10 @@ struct Range {
   }
 
   // "must be at least 1 and at most 3", "must be above 0", "must be a number".
-  std::string words() const {
-    if (!std::isfinite(lower)) return "must be a number";
-    std::string text = formatted(without_lower ? "must be above %g" : "must be at least %g", lower);
-    if (std::isfinite(upper)) text += formatted(" and at most %g", upper);
-    return text;
-  }
+  std::string words() const;
 
   // As an interval: "[1, 3]", "(0, 1]", "> 0", ">= 1"; "" for any number.
-  std::string interval() const {
-    if (!std::isfinite(lower)) return "";
-    if (!std::isfinite(upper)) return formatted(without_lower ? "> %g" : ">= %g", lower);
-    return formatted(without_lower ? "(%g, %g]" : "[%g, %g]", lower, upper);
-  }
+  std::string interval() const;
 };
 
 inline constexpr Range kAnyNumber{.lower = -std::numeric_limits<double>::infinity()};

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "sim/base/settings.h"
+#include "sim/base/visit_settings.h"
 
 namespace prehend {
 

@@ -77,6 +77,12 @@ struct Progress {
   int stable = 0;  // number of finished trials with a stable grasp
 };
 
+// How long one stage took.
+struct StageTime {
+  Stage stage = Stage::trials;
+  double seconds = 0.0;
+};
+
 // Passed to long calls by reference or value; copies share the cancellation flag.
 struct RunContext {
   int threads = 0;  // number of worker threads; 0: one per processor

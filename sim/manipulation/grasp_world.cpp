@@ -2,6 +2,8 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 namespace {

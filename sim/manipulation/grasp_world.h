@@ -5,9 +5,11 @@
 
 #include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
-#include "sim/trial/trial.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct Trial;
 
 // A grasp to be moved: where the object and the hand are, and the values of the hand's degrees of
 // freedom and joints, as a trial or a file of grasps has them.

@@ -9,6 +9,10 @@
 namespace prehend {
 namespace {
 
+// Joints of an arm whose file states no gains are held by critically damped PD controllers of this
+// frequency [Hz].
+constexpr double kFrequency = 10.0;
+
 bool is_of_hand(int dof, const WorldHand& hand) {
   return dof >= hand.first_dof && dof < hand.first_dof + hand.dofs;
 }
@@ -22,10 +26,9 @@ void move_base(const Pose& to, double step, WorldRobot& robot) {
 
 }  // namespace
 
-std::vector<Drive> arm_drives(const WorldRobot& robot, const WorldHand& hand,
-                              const ArmDriveOptions& options) {
+std::vector<Drive> arm_drives(const WorldRobot& robot, const WorldHand& hand) {
   const RobotModel& model = *robot.model;
-  const PdGains gains = stated_gains(robot, options.frequency);
+  const PdGains gains = stated_gains(robot, kFrequency);
   std::vector<Drive> drives;
   for (int d = 0; d < static_cast<int>(model.dofs()); ++d) {
     if (is_of_hand(d, hand)) continue;

@@ -7,16 +7,9 @@
 
 namespace prehend {
 
-struct ArmDriveOptions {
-  // Joints of an arm whose file states no gains are held by critically damped PD controllers of
-  // this frequency [Hz].
-  double frequency = 10.0;
-};
-
 // PD controllers that hold the degrees of freedom of a robot outside its hand where they are, with
 // the gains that its file states (stated_gains), up to their largest efforts.
-std::vector<Drive> arm_drives(const WorldRobot& robot, const WorldHand& hand,
-                              const ArmDriveOptions& options = {});
+std::vector<Drive> arm_drives(const WorldRobot& robot, const WorldHand& hand);
 
 class HandMover {
  public:

@@ -7,6 +7,8 @@
 #include "sim/manipulation/base_motion.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
+#include "sim/motion/step_world.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {

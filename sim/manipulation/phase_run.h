@@ -15,6 +15,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // What phases need to know besides the world.
 struct PhaseSetting {
   const CompiledScene& scene;

@@ -11,14 +11,13 @@
 
 namespace prehend {
 
-struct ShakeOptions {
-  StepOptions step;  // step.step is the protocol's
-};
+struct CompiledScene;
 
-// Runs a protocol on a grasp. The same grasp gives the same bytes. Throws InputError for a world
-// that cannot be stepped (require_world), and Cancelled.
+// Runs a protocol on a grasp, in steps of the length that the protocol says. The same grasp gives
+// the same bytes. Throws InputError for a world that cannot be stepped (require_world), and
+// Cancelled.
 ShakeReport shake_grasp(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                         const GraspPosture& grasp, const TestProcedure& procedure,
-                        const ShakeOptions& options = {}, const RunContext& context = {});
+                        const StepOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

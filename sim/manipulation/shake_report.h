@@ -9,8 +9,7 @@
 
 #include "sim/base/named_enum.h"
 #include "sim/manipulation/test_procedure.h"
-#include "sim/motion/step_world.h"
-#include "sim/motion/world.h"
+#include "sim/motion/step_outcome.h"
 
 namespace prehend {
 

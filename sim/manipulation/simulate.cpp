@@ -7,8 +7,11 @@
 #include "sim/base/joined.h"
 #include "sim/manipulation/phase_run.h"
 #include "sim/motion/require_world.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/trial/approach_line.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 namespace {

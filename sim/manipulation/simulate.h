@@ -10,9 +10,13 @@
 #include "sim/manipulation/shake_report.h"
 #include "sim/manipulation/test_procedure.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
-#include "sim/trial/candidate.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
+
+struct Candidate;
+struct CompiledScene;
+struct Trial;
 
 struct SimulateOptions {
   double every = 0.01;  // between two recorded frames, at least; > 0 [s]

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "sim/shape/contact/surface_contact.h"
+#include "sim/base/pose.h"
 
 namespace prehend {
 
@@ -31,12 +30,6 @@ struct HeldContact {
       false;  // in the last step; else it sticks where p_A and p_B were opposite each other
 };
 
-// How far two contacts of a pair are from being the same: in place, and in normal times `arm` [m].
-double difference(const HeldContact& a, const HeldContact& b, double arm);
-
-// Sticks, or slides, from where the solids are now: p_B becomes the point of b opposite to p_A.
-void stick_here(const Pose& X_AB, HeldContact& contact);
-
 // What is known of a pair of solids since it was last looked at.
 struct PairMemory {
   SolidId a = {};
@@ -55,35 +48,5 @@ struct PairMemory {
 struct ContactMemory {
   std::vector<PairMemory> pairs;
 };
-
-struct ContactSearchOptions {
-  // Surfaces closer than this are in contact; where they approach each other, those that may meet
-  // within the step as well [m].
-  double range = 2e-4;
-  // Contacts are searched again after points moved against each other by this [m].
-  double refresh = 1e-4;
-  // Most contacts of a pair (>= 4): the nearest, and those that it meets first when it tilts.
-  int most = 8;
-  // Contacts that differ by less than this count once: in place, and in normal times `arm` [m].
-  double apart = 1e-3;
-  double arm = 0.02;
-};
-
-// The contacts of two meshes that are within `range`, as ContactSearchOptions says; `memory` gets
-// them. X_AB: pose of b's frame in a's. Impulses are taken over from those held before at the same
-// places.
-void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
-                     const ContactSearchOptions& options, ContactWorkspace& workspace,
-                     PairMemory& memory);
-
-// A contact at the nearest points of a pair of triangles (of find_gap) that do not meet: for
-// surfaces whose contacts are none that search_contacts finds.
-HeldContact nearest_contact(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
-                            const TrianglePair& pair);
-
-// A contact for surfaces that cross: in the middle of the triangles that meet, along the mean of
-// their normals. Nothing where these cancel each other.
-std::optional<HeldContact> crossing_contact(const ProximityMesh& a, const ProximityMesh& b,
-                                            const Pose& X_AB);
 
 }  // namespace prehend

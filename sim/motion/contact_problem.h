@@ -61,31 +61,13 @@ struct ContactProblem {
   std::vector<ContactCondition> contacts;
 };
 
-// Which friction a step has, and how it is solved for.
-enum class ContactMethod {
-  cones,     // exact cones (multiplier_method.h); where that does not converge, led by pyramids
-  pyramids,  // pyramids, exactly (contact_pyramids.h)
-};
-
-struct PyramidOptions {
-  // Edges of the friction pyramid of a contact, around its normal (>= 3). They lie on the cone, so
-  // that friction is weaker by up to 1 - cos(pi / edges) between them: 7.6 % for 8.
-  int edges = 8;
-  int max_pivots = 10000;  // >= 1
-};
-
 struct ContactSolverOptions {
-  ContactMethod method = ContactMethod::cones;
-
   // Violation of the law, relative to the velocities that occur, at which the search ends (> 0),
   // and up to which a search that rounding stalls counts as solved.
   double tolerance = 1e-9;
   double acceptable = 1e-5;
   int max_rounds = 30;  // steps of the multipliers (>= 1)
   int max_newton = 30;  // steps within each (>= 1)
-  PyramidOptions pyramids = {};
-  // Pyramids lead cones in problems of up to so many contacts: they take much longer in others.
-  int most_led = 60;
 };
 
 // How a solution ended.

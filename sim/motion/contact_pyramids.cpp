@@ -179,16 +179,16 @@ MatrixXd bilateral_gain(const ConditionRows& rows, const std::vector<Index>& bil
 
 }  // namespace
 
-ContactSolution solve_with_pyramids(const ContactProblem& problem, const PyramidOptions& options) {
+ContactSolution solve_with_pyramids(const ContactProblem& problem, int edges) {
   const ConditionRows rows = rows_of(problem);
-  const PyramidVariables variables(problem, rows, options.edges);
+  const PyramidVariables variables(problem, rows, edges);
   const MatrixXd gain = bilateral_gain(rows, variables.bilateral);
   const MatrixXd response = rows.delassus + rows.delassus * gain * rows.delassus;
   const VectorXd free = rows.free + rows.delassus * gain * rows.free;
   const MatrixXd from_x = variables.from_x();
   const MatrixXd M = from_x.transpose() * response * from_x + variables.coupling();
   const VectorXd q = from_x.transpose() * (response * variables.base + free) + variables.constant();
-  const LcpSolution found = solve_lcp(M, q, {.max_pivots = options.max_pivots});
+  const LcpSolution found = solve_lcp(M, q);
 
   VectorXd p = from_x * found.z + variables.base;
   p += gain * (rows.delassus * p + rows.free);

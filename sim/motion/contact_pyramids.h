@@ -15,7 +15,9 @@ namespace prehend {
 // Resistance to spin adds an edge along either direction of spin. Joints keep their intervals.
 // `violation` states what rounding left, relative to the velocities that occur, of the law with
 // pyramids. Its time grows with the third power of the number of contacts. Deterministic.
-ContactSolution solve_with_pyramids(const ContactProblem& problem,
-                                    const PyramidOptions& options = {});
+//
+// `edges` (>= 3) of the pyramid around the normal of a contact lie on the cone, so that friction is
+// weaker by up to 1 - cos(pi / edges) between them: 7.6 % for 8.
+ContactSolution solve_with_pyramids(const ContactProblem& problem, int edges = 8);
 
 }  // namespace prehend

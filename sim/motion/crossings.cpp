@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/motion/contact_search.h"
+
 namespace prehend {
 namespace {
 
@@ -95,8 +97,7 @@ std::vector<Crossing> crossings_of(const ContactMemory& memory, const Solids& be
   return crossings;
 }
 
-bool add_contacts(const Crossing& crossing, const Solids& before,
-                  const ContactSearchOptions& options, PairMemory& pair) {
+bool add_contacts(const Crossing& crossing, const Solids& before, PairMemory& pair) {
   constexpr int kMost = 4;        // at once
   constexpr double kSame = 0.05;  // of what makes contacts differ in a search
   const ProximityMesh& a = before.at(pair.a).shape->mesh;
@@ -117,7 +118,7 @@ bool add_contacts(const Crossing& crossing, const Solids& before,
     const HeldContact& contact = one.second;
     const bool is_known =
         std::any_of(pair.contacts.begin(), pair.contacts.end(), [&](const HeldContact& known) {
-          return difference(known, contact, options.arm) < kSame * options.apart;
+          return difference(known, contact) < kSame * kContactsApart;
         });
     if (is_known) continue;
     pair.contacts.push_back(contact);

@@ -24,7 +24,6 @@ std::vector<Crossing> crossings_of(const ContactMemory& memory, const Solids& be
 
 // Adds contacts to the pair between those features that cross and were apart before: the law then
 // keeps them apart. Whether there is any that it did not have.
-bool add_contacts(const Crossing& crossing, const Solids& before,
-                  const ContactSearchOptions& options, PairMemory& pair);
+bool add_contacts(const Crossing& crossing, const Solids& before, PairMemory& pair);
 
 }  // namespace prehend

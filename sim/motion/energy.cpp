@@ -2,6 +2,7 @@
 
 #include "sim/base/index.h"
 #include "sim/motion/joint_springs.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/motion/solids.h"
 
 namespace prehend {
@@ -15,7 +16,7 @@ double energy_of(const World& world) {
   }
   for (const WorldRobot& robot : world.robots) {
     const RobotModel& model = *robot.model;
-    sum += model.dynamics.kinetic_energy(joints_of(robot), model.joints_of * robot.rate) +
+    sum += model.dynamics->kinetic_energy(joints_of(robot), model.joints_of * robot.rate) +
            0.5 * robot.rate.dot(model.drive_inertia.cwiseProduct(robot.rate)) +
            spring_energy(model.robot, joints_of(robot));
     const RobotState state = state_of(robot);

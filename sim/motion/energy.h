@@ -1,9 +1,9 @@
 // The energy of a world.
 #pragma once
 
-#include "sim/motion/world.h"
-
 namespace prehend {
+
+struct World;
 
 // Kinetic and potential energy of all bodies and robots that move, gravity's from the world's
 // origin, and that of springs in joints; bases of robots count as at rest [J].

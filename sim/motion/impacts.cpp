@@ -42,11 +42,11 @@ class IslandImpact {
   // contacts. Without restitution Coulomb's law only takes energy.
   ContactSolution bounce() {
     constexpr int kHalvings = 6;
-    ContactSolution solution = solve_contacts(problem_, options_.solver);
+    ContactSolution solution = solve_contacts(problem_);
     for (int i = 0; i <= kHalvings && gains_energy(solution.velocity); ++i) {
       const double part = i == kHalvings ? 0.0 : 0.5;
       for (ContactCondition& condition : problem_.contacts) condition.offset[0] *= part;
-      solution = solve_contacts(problem_, options_.solver);
+      solution = solve_contacts(problem_);
     }
     return solution;
   }

@@ -8,6 +8,7 @@
 #include "sim/motion/joint_conditions.h"
 #include "sim/motion/joint_springs.h"
 #include "sim/motion/placed_contact.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/motion/solve_contacts.h"
 
 namespace prehend {
@@ -30,7 +31,7 @@ class IslandStep {
     const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
                                       [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
     if (!has_warm) warm_ = {};
-    motion_.solution = solve_contacts(problem_, options_.solver, warm_);
+    motion_.solution = solve_contacts(problem_, {}, warm_);
     report();
     return std::move(motion_);
   }
@@ -75,11 +76,11 @@ class IslandStep {
     const RobotModel& model = *robot.model;
     const Eigen::VectorXd q = joints_of(robot);
     const Eigen::MatrixXd& C = model.joints_of;
-    Eigen::MatrixXd mass = C.transpose() * model.dynamics.mass_matrix(q) * C;
+    Eigen::MatrixXd mass = C.transpose() * model.dynamics->mass_matrix(q) * C;
     mass.diagonal() += model.drive_inertia;
     Eigen::VectorXd push = Eigen::VectorXd::Zero(mass.cols());
     if (!robot.is_balanced)
-      push -= C.transpose() * model.dynamics.bias(q, C * robot.rate, around(robot));
+      push -= C.transpose() * model.dynamics->bias(q, C * robot.rate, around(robot));
     if (robot.effort.size() > 0) push.head(model.dofs()) += robot.effort;
     Eigen::VectorXd momentum = mass * robot.rate + time_ * push;
     if (!robot.is_balanced) add_springs(model, q, time_, mass, momentum);

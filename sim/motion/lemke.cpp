@@ -17,12 +17,15 @@ using Eigen::VectorXd;
 // Pivots after which the tableau is made anew.
 constexpr int kRefreshed = 100;
 
+// Entries of a column below this part of its largest do not limit a step. What limits it at ratios
+// within this part of each other counts as a tie.
+constexpr double kTolerance = 1e-11;
+
 // The columns of the tableau: q, then w, z and z0. The columns of w are the inverse of the basis,
 // which the lexicographic rule compares.
 class Tableau {
  public:
-  Tableau(const MatrixXd& M, const VectorXd& q, const LcpOptions& options)
-      : size_(q.size()), options_(options), rows_(size_, 2 * size_ + 2) {
+  Tableau(const MatrixXd& M, const VectorXd& q) : size_(q.size()), rows_(size_, 2 * size_ + 2) {
     rows_.col(0) = q;
     rows_.middleCols(1, size_).setIdentity();
     rows_.middleCols(1 + size_, size_) = -M;
@@ -47,7 +50,7 @@ class Tableau {
 
   // The row whose variable is first to become zero as the column enters; -1: none does.
   Index leaving_row(Index column) const {
-    const double least = options_.tolerance * rows_.col(column).cwiseAbs().maxCoeff();
+    const double least = kTolerance * rows_.col(column).cwiseAbs().maxCoeff();
     Index best = -1;
     for (Index i = 0; i < size_; ++i) {
       if (!(rows_(i, column) > least)) continue;
@@ -100,7 +103,7 @@ class Tableau {
       const double of_a = rows_(a, k) / rows_(a, column);
       const double of_b = rows_(b, k) / rows_(b, column);
       const double size = std::max(std::abs(of_a), std::abs(of_b));
-      if (std::abs(of_a - of_b) > options_.tolerance * std::max(size, 1e-300)) return of_a < of_b;
+      if (std::abs(of_a - of_b) > kTolerance * std::max(size, 1e-300)) return of_a < of_b;
       if (k == 0 && basic(b) == artificial()) return false;
       if (k == 0 && basic(a) == artificial()) return true;
     }
@@ -108,7 +111,6 @@ class Tableau {
   }
 
   Index size_;
-  LcpOptions options_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows_;
   std::vector<Index> basis_;
   VectorXd factors_;
@@ -136,11 +138,11 @@ VectorXd polished(const MatrixXd& M, const VectorXd& q, const VectorXd& z) {
 
 }  // namespace
 
-LcpSolution solve_lcp(const MatrixXd& M, const VectorXd& q, const LcpOptions& options) {
+LcpSolution solve_lcp(const MatrixXd& M, const VectorXd& q, int max_pivots) {
   LcpSolution solution;
   solution.z = VectorXd::Zero(q.size());
   if (q.size() == 0 || q.minCoeff() >= 0.0) return solution;
-  Tableau tableau(M, q, options);
+  Tableau tableau(M, q);
   Index row = tableau.first_row();
   Index entering = tableau.artificial();
   while (true) {
@@ -148,7 +150,7 @@ LcpSolution solve_lcp(const MatrixXd& M, const VectorXd& q, const LcpOptions& op
     tableau.pivot(row, entering);
     ++solution.pivots;
     if (leaving == tableau.artificial()) break;
-    if (solution.pivots >= options.max_pivots) {
+    if (solution.pivots >= max_pivots) {
       solution.outcome = LcpOutcome::too_long;
       break;
     }

@@ -12,13 +12,6 @@ enum class LcpOutcome {
   too_long,  // more pivots than allowed
 };
 
-struct LcpOptions {
-  int max_pivots = 10000;  // >= 1
-  // Entries of a column below this part of its largest do not limit a step. What limits it at
-  // ratios within this part of each other counts as a tie.
-  double tolerance = 1e-11;
-};
-
 struct LcpSolution {
   LcpOutcome outcome = LcpOutcome::solved;
   Eigen::VectorXd z;  // n, >= 0; where the method did not solve: as far as it came
@@ -34,7 +27,7 @@ struct LcpSolution {
 // on rounding that differs between machines with the same arithmetic. For copositive-plus matrices,
 // and for those of contacts with friction whose gaps are open (Anitescu and Potra 1997,
 // theorem 3.2), it ends with a solution.
-LcpSolution solve_lcp(const Eigen::MatrixXd& M, const Eigen::VectorXd& q,
-                      const LcpOptions& options = {});
+// At most `max_pivots` (>= 1) are made.
+LcpSolution solve_lcp(const Eigen::MatrixXd& M, const Eigen::VectorXd& q, int max_pivots = 10000);
 
 }  // namespace prehend

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/base/index.h"
+#include "sim/motion/contact_search.h"
 
 namespace prehend {
 namespace {
@@ -73,13 +74,13 @@ std::vector<std::pair<int, int>> ball_pairs(const Solids& solids, const World& w
 
 // The range up to which contacts may be looked for: within about the size of a triangle only few
 // of them are near.
-double widest_range(const Solid& a, const Solid& b, const ContactSearchOptions& options) {
+double widest_range(const Solid& a, const Solid& b) {
   constexpr double kPart = 0.3;
   const auto grain = [](const Solid& solid) {
     const ProximityMesh& mesh = solid.shape->mesh;
     return 2.0 * mesh.ball_radius() / std::sqrt(static_cast<double>(mesh.mesh().triangles.size()));
   };
-  return std::max(2.0 * options.range, kPart * std::min(grain(a), grain(b)));
+  return std::max(2.0 * kContactRange, kPart * std::min(grain(a), grain(b)));
 }
 
 // Looks at one pair: what the memory says of it is enough, or is brought up to date. Returns the
@@ -107,16 +108,14 @@ class PairSearch {
   double look(const Solid& a, const Solid& b, double speed, PairMemory& pair) {
     const double need = time_ * (speed + gain_);
     const double moved = moved_since(pair, solids_);
-    const ContactSearchOptions& contacts = options_.contacts;
     const bool is_fresh = pair.contacts.empty()
-                              ? pair.at_least - moved > contacts.range + need
-                              : moved <= contacts.refresh && pair.at_least - moved > need;
+                              ? pair.at_least - moved > kContactRange + need
+                              : moved <= kContactRefresh && pair.at_least - moved > need;
     if (is_fresh) return time_;
-    const double range =
-        std::clamp(contacts.range + need, contacts.range, widest_range(a, b, contacts));
+    const double range = std::clamp(kContactRange + need, kContactRange, widest_range(a, b));
     const Pose X_AB = a.X_WS.inverse() * b.X_WS;
     // Farther than needed now, so that the answer lasts for some steps.
-    const double far = contacts.range + 3.0 * need + kMargin;
+    const double far = kContactRange + 3.0 * need + kMargin;
     const Gap gap = find_gap(a.shape->mesh, b.shape->mesh, X_AB,
                              {.cap = far, .relative_error = 0.1, .hint = {}});
     if (gap.lower > range) {
@@ -124,9 +123,9 @@ class PairSearch {
       pair.crosses = false;
       pair.X_AB = X_AB;
       pair.at_least = std::min(gap.lower, far);
-      if (pair.at_least > contacts.range + need) return time_;
+      if (pair.at_least > kContactRange + need) return time_;
       // To the middle of the range: the contact is there in the next step.
-      return (pair.at_least - 0.5 * contacts.range) / (speed + gain_);
+      return (pair.at_least - 0.5 * kContactRange) / (speed + gain_);
     }
     touch(a.shape->mesh, b.shape->mesh, X_AB, gap, range, pair);
     return need < range ? time_ : time_ * range / need;
@@ -157,7 +156,7 @@ class PairSearch {
   // none may be found there.
   void search(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, const Gap& gap,
               double range, PairMemory& pair) {
-    search_contacts(a, b, X_AB, range, options_.contacts, workspace_, pair);
+    search_contacts(a, b, X_AB, range, workspace_, pair);
     const double near = std::max(2.0 * gap.upper, 0.1 * options_.rest_gap);
     const bool has_nearest =
         std::any_of(pair.contacts.begin(), pair.contacts.end(), [&](const HeldContact& contact) {

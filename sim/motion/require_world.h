@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "sim/motion/step_options.h"
-#include "sim/motion/world.h"
 
 namespace prehend {
+
+struct World;
 
 // The names of two solids that overlap where they are, if any do.
 std::optional<std::pair<std::string, std::string>> overlap_in(const World& world,

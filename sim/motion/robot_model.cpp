@@ -6,10 +6,23 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/robot/link_pairs.h"
 
 namespace prehend {
 namespace {
+
+// What is assumed of a robot that does not say it.
+
+// Density of links whose mass is not known: solid plastic (material.h) [kg/m^3].
+constexpr double kDensity = 1050.0;
+// Force at its farthest link with which a degree of freedom closes that states no effort [N].
+constexpr double kTipForce = 15.0;
+// Part of the effort of a degree of freedom that each breakaway clutch bears that does not say: as
+// in the Barrett hand, 0.5 of 2.5 N m. Fingers that share a drive share its effort evenly.
+constexpr double kClutchPart = 0.2;
+// Inertia of a drive with clutches, as a part of the inertia of its joints at value 0.
+constexpr double kDriveInertia = 0.1;
 
 Eigen::Index row(int i) { return static_cast<Eigen::Index>(i); }
 
@@ -93,22 +106,22 @@ double farthest_reach(const Robot& robot, int dof) {
 }
 
 // The effort of a degree of freedom is what its joints may bear at most, each through its ratio.
-Eigen::VectorXd efforts_of(const Robot& robot, const RobotModelOptions& options) {
+Eigen::VectorXd efforts_of(const Robot& robot) {
   Eigen::VectorXd efforts = Eigen::VectorXd::Zero(row(static_cast<int>(robot.dofs.size())));
   for (const Joint& joint : robot.joints) {
     efforts[joint.dof] += std::abs(joint.ratio) * joint.max_effort;
   }
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     double& effort = efforts[row(static_cast<int>(d))];
-    if (effort == 0.0) effort = options.tip_force * farthest_reach(robot, static_cast<int>(d));
+    if (effort == 0.0) effort = kTipForce * farthest_reach(robot, static_cast<int>(d));
   }
   return efforts;
 }
 
-void complete_inertials(Robot& robot, double density) {
+void complete_inertials(Robot& robot) {
   for (Link& link : robot.links) {
     if (link.mesh.empty()) throw InputError({robot.name, "link " + link.name, "has no triangles"});
-    if (link.inertial.mass == 0.0) link.inertial = inertial_of_density(link.mesh, density);
+    if (link.inertial.mass == 0.0) link.inertial = inertial_of_density(link.mesh, kDensity);
     const std::string defect = inertia_defect(link.inertial.inertia);
     if (link.joint >= 0 && !defect.empty()) {
       throw InputError({robot.name, "link " + link.name, defect});
@@ -134,39 +147,39 @@ void set_coordinates(RobotModel& model) {
 
 // Only drives with clutches need an inertia of their own: where all their clutches slip, nothing
 // else would have to be accelerated.
-void set_drive_inertias(RobotModel& model, double part) {
+void set_drive_inertias(RobotModel& model) {
   model.drive_inertia = Eigen::VectorXd::Zero(model.coordinates());
   const Eigen::MatrixXd mass =
-      model.joints_of.transpose() * model.dynamics.mass_matrix(model.offset) * model.joints_of;
+      model.joints_of.transpose() * model.dynamics->mass_matrix(model.offset) * model.joints_of;
   for (const Clutch& clutch : model.clutches) {
-    model.drive_inertia[clutch.dof] = part * mass(clutch.dof, clutch.dof);
+    model.drive_inertia[clutch.dof] = kDriveInertia * mass(clutch.dof, clutch.dof);
   }
 }
 
 }  // namespace
 
-RobotModel make_robot_model(Robot robot, const RobotModelOptions& options) {
-  complete_inertials(robot, options.density);
-  RobotDynamics dynamics(robot);
+RobotModel make_robot_model(Robot robot) {
+  complete_inertials(robot);
+  auto dynamics = std::make_shared<const RobotDynamics>(robot);
   RobotModel model{.robot = std::move(robot), .dynamics = std::move(dynamics)};
   for (const Link& link : model.robot.links) {
     model.shapes.push_back(make_collision_body(link.name, link.mesh, true));
     model.materials.push_back(material_named(link.material));
   }
   model.self_pairs = checked_pairs(model.robot);
-  model.effort = efforts_of(model.robot, options);
+  model.effort = efforts_of(model.robot);
   model.clutches = clutches_of(model.robot);
   for (Clutch& clutch : model.clutches) {
     const DegreeOfFreedom& dof = model.robot.dofs[index(clutch.dof)];
     const auto fingers = std::count_if(model.clutches.begin(), model.clutches.end(),
                                        [&](const Clutch& c) { return c.dof == clutch.dof; });
-    const double part = dof.coupling == Coupling::by_finger ? 1.0 / static_cast<double>(fingers)
-                                                            : options.clutch_part;
+    const double part =
+        dof.coupling == Coupling::by_finger ? 1.0 / static_cast<double>(fingers) : kClutchPart;
     clutch.effort =
         dof.breakaway_effort > 0.0 ? dof.breakaway_effort : part * model.effort[clutch.dof];
   }
   set_coordinates(model);
-  set_drive_inertias(model, options.drive_inertia);
+  set_drive_inertias(model);
   return model;
 }
 

@@ -1,17 +1,19 @@
 // A robot made ready to move in a world: its coordinates, its masses and its surfaces.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "sim/base/material.h"
-#include "sim/motion/robot_dynamics.h"
 #include "sim/robot/robot.h"
 #include "sim/scene/collision_body.h"
 
 namespace prehend {
+
+class RobotDynamics;
 
 // A clutch between a degree of freedom and some of its joints (all of one finger, or a single
 // joint): they may slip against their drive where the clutch bears no more.
@@ -24,19 +26,6 @@ struct Clutch {
   double locks = 0.0;
 };
 
-// What is assumed of a robot that does not say it.
-struct RobotModelOptions {
-  // Density of links whose mass is not known: solid plastic (material.h) [kg/m^3].
-  double density = 1050.0;
-  // Force at its farthest link with which a degree of freedom closes that states no effort [N].
-  double tip_force = 15.0;
-  // Part of the effort of a degree of freedom that each breakaway clutch bears that does not say:
-  // as in the Barrett hand, 0.5 of 2.5 N m. Fingers that share a drive share its effort evenly.
-  double clutch_part = 0.2;
-  // Inertia of a drive with clutches, as a part of the inertia of its joints at value 0.
-  double drive_inertia = 0.1;
-};
-
 // Immutable once made, so that worlds and their copies share it.
 //
 // Its coordinates are the values of the degrees of freedom, followed by the slips of the clutches:
@@ -46,7 +35,7 @@ struct RobotModelOptions {
 // so that coupled joints follow each other exactly, without a force that could drift.
 struct RobotModel {
   Robot robot;
-  RobotDynamics dynamics;
+  std::shared_ptr<const RobotDynamics> dynamics;     // not null
   std::vector<CollisionBody> shapes = {};            // of each link
   std::vector<Material> materials = {};              // of each link
   std::vector<std::pair<int, int>> self_pairs = {};  // links that may collide
@@ -62,7 +51,9 @@ struct RobotModel {
 
 // Throws InputError that names the joint or link for a robot that is no tree, has a joint that
 // moves no mass, an unknown material, a link without triangles or with an inertia that no body has.
-RobotModel make_robot_model(Robot robot, const RobotModelOptions& options = {});
+// What the robot does not say is assumed: links of solid plastic, drives that press with 15 N at
+// the farthest link, breakaway clutches that bear a fifth of their drive's effort.
+RobotModel make_robot_model(Robot robot);
 
 // The coordinates at given values of the degrees of freedom and joints, which differ from those of
 // the degrees of freedom by what clutches have slipped. `joints` empty: none has.

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "sim/base/input_error.h"
+#include "sim/scene/scene.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend {

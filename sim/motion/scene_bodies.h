@@ -2,9 +2,10 @@
 #pragma once
 
 #include "sim/motion/world.h"
-#include "sim/scene/scene.h"
 
 namespace prehend {
+
+struct Scene;
 
 // Friction, static and kinetic, and compliance of a scene.
 ContactLaws laws_of(const Scene& scene);

@@ -8,6 +8,9 @@
 namespace prehend {
 namespace {
 
+// Pyramids lead cones in problems of up to so many contacts: they take much longer in others.
+constexpr std::size_t kMostLed = 60;
+
 ContactProblem without_corrections(ContactProblem problem) {
   for (ContactCondition& condition : problem.contacts) condition.correction.setZero();
   return problem;
@@ -17,7 +20,7 @@ ContactProblem without_corrections(ContactProblem problem) {
 // not far. The better of the two.
 ContactSolution led_by_pyramids(const ContactProblem& problem, const ContactSolverOptions& options,
                                 ContactSolution found) {
-  const ContactSolution lead = solve_with_pyramids(problem, options.pyramids);
+  const ContactSolution lead = solve_with_pyramids(problem);
   if (!lead.velocity.allFinite()) return found;
   ContactSolution again = solve_with_multipliers(problem, options, {lead.velocity, lead.impulses});
   again.newton_steps += found.newton_steps;
@@ -36,19 +39,12 @@ ContactSolution solve_contacts(const ContactProblem& problem, const ContactSolve
     solution.velocity = problem.free;
     return solution;
   }
-  if (options.method == ContactMethod::pyramids) {
-    ContactSolution found = solve_with_pyramids(problem, options.pyramids);
-    if (found.outcome == ContactOutcome::solved) return found;
-    found = solve_with_pyramids(without_corrections(problem), options.pyramids);
-    found.corrected = false;
-    return found;
-  }
   ContactSolution found = solve_with_multipliers(problem, options, warm);
   if (found.outcome == ContactOutcome::solved) return found;
   const ContactProblem bare = without_corrections(problem);
   ContactSolution again = solve_with_multipliers(bare, options, warm);
   again.newton_steps += found.newton_steps;
-  const bool is_small = problem.contacts.size() <= static_cast<std::size_t>(options.most_led);
+  const bool is_small = problem.contacts.size() <= kMostLed;
   if (again.outcome != ContactOutcome::solved && is_small) {
     again = led_by_pyramids(bare, options, std::move(again));
   }

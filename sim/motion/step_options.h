@@ -1,14 +1,10 @@
 // How a world is stepped through time.
 #pragma once
 
-#include "sim/motion/contact_memory.h"
-#include "sim/motion/contact_problem.h"
-
 namespace prehend {
 
 struct StepOptions {
   double step = 2.5e-3;  // longest step, > 0 and at most 0.1 [s]
-  ContactSearchOptions contacts = {};
   // What bodies at rest keep between them, of which steps may use up all [m].
   double rest_gap = 5e-5;
   // Surfaces may cross by this much where no contact was found that keeps them apart [m].
@@ -22,7 +18,6 @@ struct StepOptions {
   // Bodies slower than this at all their points for so long fall asleep [m/s, s].
   double still = 1e-5;
   double sleep_after = 0.5;
-  ContactSolverOptions solver = {};
 };
 
 }  // namespace prehend

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "sim/base/index.h"
+#include "sim/motion/contact_search.h"
 #include "sim/motion/crossings.h"
 #include "sim/motion/impacts.h"
 #include "sim/motion/island.h"
 #include "sim/motion/joint_conditions.h"
 #include "sim/motion/near_pairs.h"
 #include "sim/motion/solids.h"
+#include "sim/motion/spatial.h"
 
 namespace prehend {
 namespace {
@@ -164,7 +166,7 @@ class WorldStep {
     bool added = false;
     for (const Crossing& crossing : crossings) {
       PairMemory& pair = world_.memory.pairs[crossing.pair];
-      added = add_contacts(crossing, solids_, options_.contacts, pair) || added;
+      added = add_contacts(crossing, solids_, pair) || added;
     }
     if (!added) return false;
     ++rounds_;

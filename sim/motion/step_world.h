@@ -8,27 +8,12 @@
 // within a step make it shorter.
 #pragma once
 
-#include <array>
-#include <string_view>
-
-#include "sim/base/named_enum.h"
 #include "sim/motion/step_options.h"
-#include "sim/motion/world.h"
+#include "sim/motion/step_outcome.h"
 
 namespace prehend {
 
-// How a step ended.
-enum class StepOutcome {
-  moved,
-  not_converged,  // the law of contact was not met to its tolerance; the bodies moved all the same
-  blocked,        // no step however short was free of penetration; the bodies are where they were
-  not_finite,     // velocities beyond all numbers; the bodies are where they were
-};
-
-// The name in files: the same word as the enumerator.
-constexpr auto enum_names(StepOutcome /*of*/) {
-  return std::to_array<std::string_view>({"moved", "not_converged", "blocked", "not_finite"});
-}
+struct World;
 
 struct StepResult {
   StepOutcome outcome = StepOutcome::moved;

@@ -9,7 +9,8 @@
 
 namespace prehend {
 
-using Wrench = Eigen::Matrix<double, 6, 1>;  // [force; torque * torque_scale]
+using Wrench = Eigen::Matrix<double, 6, 1>;                 // [force; torque * torque_scale]
+using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one a column
 
 // The point about which torques are taken, and the factor that makes them comparable with forces.
 struct WrenchFrame {

@@ -8,10 +8,11 @@
 
 #include "sim/base/named_enum.h"
 #include "sim/base/settings.h"
-#include "sim/quality/support.h"
-#include "sim/quality/wrench.h"
+#include "sim/quality/contact_map.h"
 
 namespace prehend {
+
+class SupportMap;
 
 // How the search for epsilon ended.
 enum class EpsilonStatus {

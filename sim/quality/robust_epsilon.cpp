@@ -10,6 +10,7 @@
 #include "sim/base/random.h"
 #include "sim/base/require_settings.h"
 #include "sim/quality/ranges.h"
+#include "sim/quality/wrench_space.h"
 
 // Samples are drawn one after the other from one generator, and every number is drawn in a
 // statement of its own: the order in which the arguments of one call are evaluated is up to the

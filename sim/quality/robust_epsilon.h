@@ -8,9 +8,11 @@
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/quality/contact.h"
-#include "sim/quality/wrench_space.h"
+#include "sim/quality/contact_map.h"
 
 namespace prehend {
+
+struct WrenchSpaceOptions;
 
 struct NoiseOptions {
   static constexpr AboutSettings kAbout{
@@ -53,7 +55,7 @@ struct RobustEpsilon {
 // (probability of force closure under pose error). Throws InputError for a deviation that is
 // negative or not finite or for no samples, as wrench_space, and Cancelled.
 RobustEpsilon robust_epsilon(std::span<const Contact> contacts, const WrenchFrame& frame,
-                             const WrenchSpaceOptions& space = {}, const NoiseOptions& noise = {},
+                             const WrenchSpaceOptions& space, const NoiseOptions& noise = {},
                              const RunContext& context = {});
 
 }  // namespace prehend

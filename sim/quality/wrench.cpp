@@ -6,6 +6,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/quality/ranges.h"
+#include "sim/quality/wrench_workspace.h"
 
 namespace prehend {
 

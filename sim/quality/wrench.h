@@ -1,9 +1,7 @@
 // Wrenches that contacts can exert, as the corners of pyramids: columns [force; torque * scale].
 #pragma once
 
-#include <array>
 #include <span>
-#include <vector>
 
 #include <Eigen/Core>
 
@@ -11,8 +9,6 @@
 #include "sim/quality/contact_map.h"
 
 namespace prehend {
-
-using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
 // The corners of each contact's friction cone with `edges` (3 to 1024) edges, cut at a unit normal
 // force, contact after contact. A point contact has `edges` columns: edge j is n + friction (cos(2
@@ -24,17 +20,6 @@ using Wrenches = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame,
                           int edges = 8);
 
-// Buffers of contact_wrenches, to allocate less; one for each thread.
-struct WrenchWorkspace {
-  std::vector<Wrench> columns;
-  std::array<Eigen::Matrix3Xd, kAll<ContactModel>.size()> corners;  // unit_corners of each model
-};
-
-// The same columns, in the workspace: valid until its next use.
-Eigen::Map<const Wrenches> contact_wrenches(std::span<const Contact> contacts,
-                                            const WrenchFrame& frame, int edges,
-                                            WrenchWorkspace& workspace);
-
 // Throws InputError for a number of edges outside its range (ranges.h).
 void check_edges(int edges);
 
@@ -44,7 +29,5 @@ int pyramid_corners(ContactModel model, int edges);
 // Their tangential parts for a unit normal force and unit friction, in columns of the same order:
 // [force along the first and second tangent, torque about the normal over torsion].
 Eigen::Matrix3Xd unit_corners(ContactModel model, int edges);
-// The same; `corners` is resized where it has to be.
-void unit_corners(ContactModel model, int edges, Eigen::Matrix3Xd& corners);
 
 }  // namespace prehend

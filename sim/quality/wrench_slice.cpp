@@ -9,6 +9,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/quality/conic/conic_program.h"
+#include "sim/quality/point_hull.h"
 
 namespace prehend {
 namespace {

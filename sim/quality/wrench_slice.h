@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "sim/quality/point_hull.h"
-
 namespace prehend {
+
+struct PointHull;
 
 // Coordinates are 0 to 5: the force's x, y, z and the scaled torque's.
 struct FixedCoordinates {

@@ -5,6 +5,7 @@
 
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
+#include "sim/shape/proximity.h"
 
 // Two bodies overlap where their surfaces cross, or where one body is inside the other. Where the
 // surfaces do not cross, each connected component of one is wholly inside or wholly outside the

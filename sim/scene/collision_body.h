@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/base/pose.h"
-#include "sim/shape/proximity.h"
+#include "sim/shape/proximity_mesh.h"
 
 namespace prehend {
 

@@ -10,6 +10,7 @@
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/never_collide.h"
 #include "sim/scene/scene.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 namespace {

@@ -9,6 +9,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/shape/mesh_checks.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/quality/wrench.h"
+#include "sim/quality/contact_map.h"
 #include "sim/scene/body_tree.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_link.h"

@@ -206,8 +206,7 @@ TriangleMesh generate_mug(double edge) {
   edge = std::min(edge, 0.018);
   // The holes are slightly larger than the cross section of the handle, like the foot of its flare.
   const int columns = std::max(1, static_cast<int>(std::lround(kHandleWidth * 1.1 / edge)));
-  Revolved body =
-      revolve(profile_points(body_profile(), edge), {.edge = edge, .half_step = columns % 2 == 1});
+  Revolved body = revolve(profile_points(body_profile(), edge), edge, columns % 2 == 1);
   const Wall wall = find_wall(body);
   const int rows =
       std::max(1, static_cast<int>(std::lround(kHandleThickness * 1.5 / wall.row_height)));

@@ -21,7 +21,7 @@ namespace {
 TriangleMesh turned(const std::vector<ProfileCorner>& corners, double edge) {
   // Coarser than this, the profiles lose their form.
   edge = std::min(edge, 0.03);
-  return revolve(profile_points(corners, edge), {.edge = edge}).mesh;
+  return revolve(profile_points(corners, edge), edge).mesh;
 }
 
 // A vessel from its outer profile: the inner profile is parallel to it at distance `wall`, and the

@@ -136,10 +136,10 @@ std::vector<Vector2d> profile_points(const std::vector<ProfileCorner>& corners, 
   return points;
 }
 
-Revolved revolve(const std::vector<Vector2d>& profile, const RevolveOptions& options) {
+Revolved revolve(const std::vector<Vector2d>& profile, double wanted_edge, bool half_step) {
   double widest = 0.0;
   for (const Vector2d& p : profile) widest = std::max(widest, p.x());
-  const double edge = std::min(options.edge, 2.0 * std::numbers::pi * widest / 16.0);
+  const double edge = std::min(wanted_edge, 2.0 * std::numbers::pi * widest / 16.0);
 
   Revolved made;
   for (const Vector2d& p : profile) {
@@ -151,7 +151,7 @@ Revolved revolve(const std::vector<Vector2d>& profile, const RevolveOptions& opt
       ring.count = std::max(6, static_cast<int>(std::lround(std::round(wanted * 1e9) * 1e-9)));
     }
     for (int j = 0; j < ring.count; ++j) {
-      const double step = j + (options.half_step ? 0.5 : 0.0);
+      const double step = j + (half_step ? 0.5 : 0.0);
       const double angle = 2.0 * std::numbers::pi * step / ring.count;
       const double radius = ring.count == 1 ? 0.0 : p.x();
       made.mesh.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle), p.y()});
@@ -160,7 +160,7 @@ Revolved revolve(const std::vector<Vector2d>& profile, const RevolveOptions& opt
   }
   for (std::size_t i = 0; i + 1 < made.rings.size(); ++i) {
     made.first_triangle.push_back(static_cast<int>(made.mesh.triangles.size()));
-    add_band(made, made.rings[i], made.rings[i + 1], options.half_step);
+    add_band(made, made.rings[i], made.rings[i + 1], half_step);
   }
   return made;
 }

@@ -39,18 +39,13 @@ struct Revolved {
   std::vector<int> first_triangle;  // per band between ring i and i + 1
 };
 
-// Density and phase of the vertices along the rings.
-struct RevolveOptions {
-  // Wanted length of an edge along a ring [m]: a ring of radius r gets about 2 pi r / edge
-  // vertices, at least 6; `edge` is reduced so that the widest ring gets at least 16.
-  double edge = 0.005;
-  // Whether vertex j of n lies at angle 2 pi (j + 1/2) / n instead of 2 pi j / n.
-  bool half_step = false;
-};
-
 // Turns a profile into a closed mesh. The profile starts and ends on the axis and has the outside
 // on its right. In a band between two rings of equal count, the cell between vertices j and j + 1
 // consists of triangles first_triangle + 2 j and first_triangle + 2 j + 1.
-Revolved revolve(const std::vector<Eigen::Vector2d>& profile, const RevolveOptions& options);
+//
+// `edge` is the wanted length of an edge along a ring [m]: a ring of radius r gets about
+// 2 pi r / edge vertices, at least 6; the edge is shorter where the widest ring would get less than
+// 16. Vertex j of n lies at angle 2 pi j / n, with `half_step` at 2 pi (j + 1/2) / n.
+Revolved revolve(const std::vector<Eigen::Vector2d>& profile, double edge, bool half_step = false);
 
 }  // namespace prehend

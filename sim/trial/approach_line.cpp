@@ -1,6 +1,8 @@
 #include "sim/trial/approach_line.h"
 
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "sim/scene/reach/reach.h"
-#include "sim/trial/candidate.h"
-#include "sim/trial/trial.h"
 
 namespace prehend {
+
+struct Candidate;
+struct CompiledScene;
+struct Trial;
 
 // The straight motion of the hand from the pre-grasp to the grasp of `trial`, with the joint values
 // at which the candidate starts.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/base/index.h"
+#include "sim/shape/proximity.h"
 
 // Like a motion that advances by lower bounds of the gap, a turn is free when no point moves as far
 // as the smallest gap. Gaps are costly and motions cheap to compute, so that a gap is computed

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/base/index.h"
+#include "sim/shape/separation.h"
 
 namespace prehend {
 namespace {

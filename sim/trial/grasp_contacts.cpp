@@ -1,5 +1,9 @@
 #include "sim/trial/grasp_contacts.h"
 
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/grasp_contacts_workspace.h"
+#include "sim/trial/trial_options.h"
+
 namespace prehend {
 
 void grasp_contacts(const CompiledScene& scene, const Pose& X_OH, const std::vector<double>& joints,

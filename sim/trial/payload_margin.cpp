@@ -8,7 +8,9 @@
 
 #include "sim/base/gravity.h"
 #include "sim/base/index.h"
+#include "sim/quality/forces.h"
 #include "sim/quality/ranges.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/grasp_contacts.h"
 
 namespace prehend {

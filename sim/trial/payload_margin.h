@@ -2,12 +2,14 @@
 // has to squeeze for that.
 #pragma once
 
+#include "sim/base/pose.h"
 #include "sim/base/run_context.h"
-#include "sim/quality/forces.h"
-#include "sim/scene/compiled_scene.h"
-#include "sim/trial/trial.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct HandTorques;
+struct Trial;
 
 // What it takes to hold the weight in one attitude. Of all forces within the friction cones that
 // balance it, `sum_of_normals` and `largest_normal` are the smallest there are, each by itself.

@@ -5,8 +5,11 @@
 
 #include "sim/quality/share_interval.h"
 #include "sim/quality/wrench_space.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/payload_margin.h"
+#include "sim/trial/run_trial.h"
+#include "sim/trial/uncertainty.h"
 
 namespace prehend {
 namespace {

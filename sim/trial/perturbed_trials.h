@@ -9,40 +9,15 @@
 #include "sim/base/run_context.h"
 #include "sim/quality/interval.h"
 #include "sim/trial/candidate.h"
-#include "sim/trial/run_trial.h"
-#include "sim/trial/trial.h"
-#include "sim/trial/trial_options.h"
-#include "sim/trial/uncertainty.h"
+#include "sim/trial/robustness.h"
 
 namespace prehend {
 
-// What disturbed trials of one grasp showed.
-struct Robustness {
-  int samples = 0;
-  // In so many of them the hand closed on the object and holds its weight as it lies in the scene
-  // (can_lift), with the disturbed friction and centre of mass.
-  int held = 0;
-  // Of the lower bound of epsilon, 0 where a sample is not in force closure: the mean, and the
-  // largest value that at most a tenth of the samples are below.
-  double epsilon_mean = 0.0;
-  double epsilon_low = 0.0;
-  std::vector<double> epsilons;      // of the samples, in their order
-  EnumArray<Outcome, int> outcomes;  // of the samples
-  // How many times the weight the drives hold without errors (weight_strength).
-  double strength = 0.0;
-  // How far the object may be off, alone, along each axis of the hand's base, both ways, before the
-  // hand no longer holds it: at least this far [m], of the distances kMarginSteps. The direction is
-  // that in which the object is off, object's frame.
-  double position_margin = 0.0;
-  Vector3 weakest_O = Vector3::Zero();
-  // How the trial ended with the object farther off that way than `spare`; stable: in force
-  // closure, but the drives do not hold the weight. Of no meaning where `spare` is the last of
-  // kMarginSteps.
-  Outcome weakest_end = Outcome::stable;
-
-  // Share of the samples that held.
-  double probability() const { return samples > 0 ? static_cast<double>(held) / samples : 0.0; }
-};
+struct CompiledScene;
+struct Perturbation;
+struct Trial;
+struct TrialOptions;
+class TrialWorkspace;
 
 // Distances by which the object is moved to find Robustness::spare [m].
 inline constexpr std::array<double, 5> kMarginSteps = {0.0, 1e-3, 2.5e-3, 5e-3, 1e-2};

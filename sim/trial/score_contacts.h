@@ -5,11 +5,15 @@
 
 #include "sim/quality/epsilon_workspace.h"
 #include "sim/quality/wrench.h"
+#include "sim/quality/wrench_workspace.h"
 #include "sim/trial/grasp_contacts.h"
+#include "sim/trial/grasp_contacts_workspace.h"
 #include "sim/trial/trial.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {
+
+struct CompiledScene;
 
 // Buffers of score_contacts, to allocate less; one for each thread.
 struct ScoringWorkspace {

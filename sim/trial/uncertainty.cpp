@@ -6,6 +6,7 @@
 
 #include "sim/base/random.h"
 #include "sim/base/require_settings.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/object_mass.h"
 
 namespace prehend {

@@ -7,9 +7,10 @@
 
 #include "sim/base/pose.h"
 #include "sim/base/settings.h"
-#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
+
+struct CompiledScene;
 
 // The defaults are those of an object that a depth camera sees and of a calibrated arm.
 struct UncertaintyOptions {

@@ -2,6 +2,7 @@
 
 #include "planner/results/grasps_file.h"
 #include "sim/base/json/json_field.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/same_json.h"

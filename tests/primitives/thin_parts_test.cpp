@@ -8,6 +8,7 @@
 
 #include "sim/base/random.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/shape/proximity_mesh.h"
 #include "sim/shape/revolve.h"
 #include "tests/primitives/test_meshes.h"
 
@@ -25,7 +26,7 @@ TriangleMesh cup() {
   std::vector<ProfileCorner> profile{
       {{0.0, 0.0}, 0.0}, {{kCupRadius, 0.0}, 0.0}, {{kCupRadius, kCupHeight}, 0.0}};
   for (const ProfileCorner& corner : inner_side(profile, kWall)) profile.push_back(corner);
-  return revolve(profile_points(profile, 0.004), {.edge = 0.004}).mesh;
+  return revolve(profile_points(profile, 0.004), 0.004).mesh;
 }
 
 // A circle of radius `tube` about each point of a circle of radius `ring` in the plane z = 0.
@@ -86,7 +87,7 @@ TEST(ThinParts, TheEdgeOfABentWallIsFound) {
   }
   profile.front().x() = 0.0;
   profile.back().x() = 0.0;
-  const auto parts = thin_parts_of(revolve(profile, {.edge = 0.005}).mesh);
+  const auto parts = thin_parts_of(revolve(profile, 0.005).mesh);
   ASSERT_EQ(parts.size(), 1U);
   const Rim& rim = std::get<Rim>(parts[0].shape);
   EXPECT_TRUE(rim.closed);

@@ -7,6 +7,8 @@
 
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/show/grasp_picture.h"
+#include "planner/show/posed_grasp.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/scenes.h"
 
 namespace prehend::test {

@@ -15,10 +15,15 @@
 #include "benchmarks/support/percentile.h"
 #include "planner/plan/path/grasp_path.h"
 #include "planner/plan/plan.h"
+#include "planner/results/grasps_file.h"
 #include "planner/show/contact_sheet.h"
+#include "planner/show/grasp_picture.h"
+#include "planner/show/posed_grasp.h"
 #include "planner/show/report/plan_report.h"
 #include "sim/base/random.h"
 #include "sim/quality/robust_epsilon.h"
+#include "sim/quality/wrench_space.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/shape/object_generator.h"
@@ -111,10 +116,12 @@ void measure_trials(int rounds) {
   measure("robust_epsilon", rounds, [&](const RunContext& context) {
     (void)robust_epsilon(contacts, scene.wrench_frame, {}, {}, context);
   });
-  measure("plan_report", rounds,
-          [&](const RunContext& context) { (void)plan_report(scene, planned, {}, {}, context); });
-  measure("contact_sheet", rounds,
-          [&](const RunContext& context) { (void)contact_sheet(scene, posed, {}, context); });
+  measure("plan_report", rounds, [&](const RunContext& context) {
+    (void)plan_report(scene, planned, {}, kMostDetailed, context);
+  });
+  measure("contact_sheet", rounds, [&](const RunContext& context) {
+    (void)contact_sheet(scene, posed, 5, kGraspPicture, context);
+  });
 }
 
 void measure_paths(int rounds) {

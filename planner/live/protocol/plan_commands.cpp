@@ -4,6 +4,7 @@
 #include "planner/live/protocol/session_json.h"
 #include "planner/plan/accuracy.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"

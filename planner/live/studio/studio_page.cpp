@@ -1,6 +1,7 @@
 #include "planner/live/studio/studio_page.h"
 
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "planner/show/page/page_text.h"
 #include "planner/show/report/palette_json.h"
 #include "sim/base/gravity.h"

@@ -1,17 +1,17 @@
-# Run by `cmake --install`, with the variables `source` (folder), `umbrella` (a header in it), `written`
-# (a folder to write to) and `destination` (below the prefix). Installs the umbrella header as
-# prehend/NAME.h, and every header that it includes, directly or not, under prehend/ with its path.
+# Run by `cmake --install`, with the variables `source` (folder), `pages` (headers in it), `written`
+# (a folder to write to) and `destination` (below the prefix). Installs each page as prehend/NAME.h,
+# and every header that it includes, directly or not, under prehend/ with its path.
 # In the source tree these include each other as "sim/...", which needs the tree on the include path;
 # installed they say <prehend/sim/...>.
 
 cmake_minimum_required(VERSION 3.25)
 
 # Headers that are installed at the top, where a user includes them from.
-set(umbrellas sim/quality/quality.h planner/prehend.h)
+set(contents_pages sim/quality/quality.h planner/prehend.h planner/simulation.h planner/contacts.h)
 
 function(install_path header result)
   set(path prehend/${header})
-  if(header IN_LIST umbrellas)
+  if(header IN_LIST contents_pages)
     cmake_path(GET header FILENAME name)
     set(path prehend/${name})
   endif()
@@ -19,8 +19,8 @@ function(install_path header result)
 endfunction()
 
 file(REMOVE_RECURSE ${written})
-set(waiting ${umbrella})
-set(known ${umbrella})
+set(waiting ${pages})
+set(known ${pages})
 while(waiting)
   list(POP_FRONT waiting header)
   file(READ ${source}/${header} text)

@@ -26,11 +26,12 @@ set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/prehend)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/prehendConfigVersion.cmake
   COMPATIBILITY SameMinorVersion)
 
-# Headers: what the umbrella header includes, and what these include.
-function(prehend_install_headers component umbrella)
+# Headers: the contents pages (the arguments behind `component`), what they include, and what these
+# include.
+function(prehend_install_headers component)
   install(CODE "
     set(source [[${PROJECT_SOURCE_DIR}]])
-    set(umbrella ${umbrella})
+    set(pages ${ARGN})
     set(written [[${PROJECT_BINARY_DIR}/installed_headers/${component}]])
     set(destination [[include]])" COMPONENT ${component})
   install(SCRIPT planner/main/package/install_headers.cmake COMPONENT ${component})
@@ -58,5 +59,5 @@ install(FILES planner/main/package/completion.bash RENAME prehend
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT prehend)
 install(DIRECTORY robots DESTINATION ${CMAKE_INSTALL_DATADIR}/prehend COMPONENT prehend)
 install(DIRECTORY benchmarks/scenes benchmarks/protocols DESTINATION ${CMAKE_INSTALL_DATADIR}/prehend COMPONENT prehend)
-prehend_install_headers(prehend planner/prehend.h)
+prehend_install_headers(prehend planner/prehend.h planner/simulation.h planner/contacts.h)
 prehend_install_component(prehend)

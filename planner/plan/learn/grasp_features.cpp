@@ -7,6 +7,8 @@
 
 #include "planner/plan/learn/primitive_extent.h"
 #include "sim/base/index.h"
+#include "sim/shape/proximity.h"
+#include "sim/shape/separation.h"
 
 namespace prehend {
 namespace {

@@ -8,6 +8,8 @@
 #include "planner/plan/path/motion_lines.h"
 #include "sim/base/index.h"
 #include "sim/motion/control/joint_curve.h"
+#include "sim/scene/compiled_arm.h"
+#include "sim/scene/reach/motion_check.h"
 
 namespace prehend {
 namespace {

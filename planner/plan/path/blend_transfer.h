@@ -8,6 +8,8 @@
 
 namespace prehend {
 
+struct CompiledArm;
+
 // The timed motion along straight lines in joint space, free of collision as they are: `waypoints`
 // are degrees of freedom of the platform, `hand_joints` the hand's joints all the way. Each corner
 // is rounded off (time_blended) as far as TransferOptions::corner_deviation allows and as is proven

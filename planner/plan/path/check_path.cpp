@@ -11,6 +11,7 @@
 #include "sim/motion/control/cubic_peaks.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/carried_object.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 namespace {

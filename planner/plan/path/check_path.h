@@ -5,10 +5,11 @@
 
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
-#include "sim/motion/control/trajectory.h"
-#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct Trajectory;
 
 // What check_path measured along a path.
 struct PathCheck {

@@ -4,11 +4,17 @@
 #include <utility>
 
 #include "planner/plan/path/closing_path.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/trial/approach_line.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 namespace {
+
+// Of the hand on the way to the object, where no path says how fast [m/s].
+constexpr double kApproachSpeed = 0.1;
 
 // Arm and hand with the platform's joints at `arm_joints`. The hand's base is found by forward
 // kinematics: frame of the joint that carries the hand, then the fixed pose from there to the hand.
@@ -54,7 +60,7 @@ std::size_t GraspMotion::grasp() const {
 // grasp is linear and frames are interpolated. Close: the stops of closing_path. The frame in which
 // the approach ends is the first of the closing, so the approach adds all postures but its last.
 GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
-                         const Trajectory* path, const GraspMotionOptions& options) {
+                         const Trajectory* path) {
   if (path != nullptr && scene.arm) return motion_along(scene, *path);
   const HandLine line = approach_line(scene, candidate, trial);
   const std::vector<DofValues> no_arm;
@@ -67,7 +73,7 @@ GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate,
                                 : MotionFrame{time, X_OH, joints});
   };
   // A single posture does not say how the arm came to it, so there is no approach to show.
-  const double seconds = arm_line.size() == 1 ? 0.0 : trial.travel / options.approach_speed;
+  const double seconds = arm_line.size() == 1 ? 0.0 : trial.travel / kApproachSpeed;
   const std::size_t postures = arm_line.empty() ? 2 : arm_line.size();
   if (seconds > 0.0) {
     for (std::size_t i = 0; i + 1 < postures; ++i) {

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "sim/base/pose.h"
 #include "sim/motion/control/trajectory.h"
-#include "sim/scene/compiled_scene.h"
-#include "sim/trial/candidate.h"
-#include "sim/trial/trial.h"
 
 namespace prehend {
+
+struct Candidate;
+struct CompiledScene;
+struct Trial;
 
 // A force on the object, in the frame O.
 struct MotionForce {
@@ -42,17 +44,12 @@ struct GraspMotion {
   std::size_t grasp() const;
 };
 
-struct GraspMotionOptions {
-  // Of the hand on the way to the object, where no path says how fast [m/s].
-  double approach_speed = 0.1;
-};
-
 // With `path` (and a scene with an arm): a frame for each of its samples. Otherwise (`path` null)
-// the motion of the trial: the hand approaches and then closes at its closing velocities, carried
-// by the arm along trial.arm_line where there is one. An arm_line of a single posture has no
-// approach: the motion then starts at the grasp.
+// the motion of the trial: the hand approaches at 0.1 m/s and then closes at its closing
+// velocities, carried by the arm along trial.arm_line where there is one. An arm_line of a single
+// posture has no approach: the motion then starts at the grasp.
 GraspMotion grasp_motion(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
-                         const Trajectory* path, const GraspMotionOptions& options = {});
+                         const Trajectory* path);
 
 // The motion with about `most` (>= 2) of its frames: every n-th one, and always those at the ends
 // of segments, which is why there can be a few more.

@@ -8,7 +8,10 @@
 #include "planner/plan/path/closing_path.h"
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/approach_line.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 namespace {

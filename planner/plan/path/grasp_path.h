@@ -9,10 +9,13 @@
 #include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/trajectory.h"
-#include "sim/trial/candidate.h"
-#include "sim/trial/trial.h"
+#include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
+
+struct Candidate;
+struct CompiledScene;
+struct Trial;
 
 struct GraspPathOptions {
   static constexpr AboutSettings kAbout{"GraspPathOptions", "The whole path of an arm to a grasp."};

@@ -5,11 +5,14 @@
 
 #include "planner/plan/path/blend_transfer.h"
 #include "planner/plan/path/motion_lines.h"
+#include "planner/plan/path/plan_transfer.h"
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
 #include "sim/scene/carried_object.h"
 #include "sim/scene/reach/cartesian_line.h"
 #include "sim/scene/reach/leave_contact.h"
+#include "sim/scene/reach/reach_options.h"
+#include "sim/trial/trial.h"
 
 namespace prehend {
 namespace {
@@ -17,10 +20,6 @@ namespace {
 // Where a joint comes to rest at its limit, the smooth curve through the postures swings beyond
 // them by a few times 1e-4. So the line is followed inside of narrower limits [rad or m].
 constexpr double kInsideLimits = 1e-3;
-
-// What the object or the hand touches when the lift begins has to be apart before any point has
-// moved by more than this [m].
-constexpr double kLeaveWithin = 0.02;
 
 // Follows the line with limits that are narrower, but contain the first posture.
 FollowedLine follow_inside(CompiledArm& arm, const Pose& X_OH_from, const Pose& X_OH_to,
@@ -64,8 +63,7 @@ LiftedPath lift_object(const HeldObject& held, const LiftOptions& options,
   std::vector<ArmPair> pairs = arm.arm_pairs;
   pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
   path.end = LiftEnd::lift_blocked;
-  if (first_blocked_leaving(arm, pairs, motion.lines, motion.sway,
-                            {.within = kLeaveWithin, .motion = transfer.motion}, context)) {
+  if (first_blocked_leaving(arm, pairs, motion.lines, motion.sway, transfer.motion, context)) {
     return path;
   }
   path.lift = std::move(lift);

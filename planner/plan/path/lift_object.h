@@ -6,14 +6,18 @@
 #include <optional>
 #include <string_view>
 
-#include "planner/plan/path/plan_transfer.h"
 #include "sim/base/named_enum.h"
+#include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/motion/control/time_path.h"
-#include "sim/scene/reach/reach.h"
-#include "sim/trial/trial.h"
+#include "sim/robot/dof_values.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct ReachOptions;
+struct TransferOptions;
+struct Trial;
 
 // Names of the segments.
 inline constexpr const char* kLift = "lift";

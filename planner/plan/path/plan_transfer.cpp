@@ -14,6 +14,8 @@
 
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
+#include "sim/scene/compiled_arm.h"
+#include "sim/scene/reach/motion_check.h"
 
 namespace prehend {
 namespace {

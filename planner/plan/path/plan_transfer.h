@@ -12,10 +12,12 @@
 #include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
-#include "sim/robot/inverse_kinematics.h"
-#include "sim/scene/reach/motion_check.h"
+#include "sim/robot/dof_values.h"
+#include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
+
+struct CompiledArm;
 
 // The sampling-based planner that is used.
 enum class PathPlanner {

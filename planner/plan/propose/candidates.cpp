@@ -2,6 +2,7 @@
 
 #include "planner/plan/propose/proposal_sequence.h"
 #include "sim/base/require_settings.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 

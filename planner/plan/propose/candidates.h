@@ -6,11 +6,12 @@
 
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
-#include "sim/scene/compiled_scene.h"
-#include "sim/shape/primitive.h"
 #include "sim/trial/candidate.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct Primitive;
 
 // Two candidates with the same preshape are duplicates, and only the first is proposed, when their
 // hand poses are no farther apart than both of these, halved at each level of detail.

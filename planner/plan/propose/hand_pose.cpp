@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/shape/separation.h"
+
 namespace prehend {
 namespace {
 

@@ -12,6 +12,8 @@
 
 namespace prehend {
 
+struct CompiledScene;
+
 // Combines every rule of every primitive with every preshape whose range of widths includes the
 // width that the rule closes on, and with two depths: the hand's origin aimed at the target, so
 // that the palm moves on until it touches, and stopping short by Preshape::depth, so that the

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "planner/plan/plan_result.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 

@@ -1,14 +1,18 @@
 // The grasps of a set as candidates, and how far what became of them agrees with what the set says.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "planner/plan/plan_result.h"
 #include "planner/results/datasets/grasp_set.h"
-#include "sim/scene/compiled_scene.h"
+#include "sim/trial/candidate.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct Hand;
+struct Tried;
 
 // The preshape (index) from which a hand closes on the grasps of a set: the narrowest that opens at
 // least as wide as `configuration`, where there is none, or it is not known, the widest; the first

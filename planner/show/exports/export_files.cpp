@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/plan/grasp_text.h"
+#include "planner/plan/plan_result.h"
 #include "planner/show/exports/csv.h"
+#include "planner/show/exports/export_formats.h"
 #include "planner/show/exports/isaac.h"
 #include "planner/show/exports/mjcf.h"
 #include "planner/show/exports/moveit.h"

@@ -10,6 +10,10 @@
 namespace prehend {
 namespace {
 
+// Effort of a drive whose effort the robot file does not state.
+constexpr double kForce = 20.0;  // of prismatic joints [N]
+constexpr double kTorque = 1.0;  // of revolute joints [N m]
+
 // The joint next to the base among those that carry this one.
 int first_joint_of(const Robot& hand, int joint) {
   while (hand.joints[index(joint)].parent >= 0) joint = hand.joints[index(joint)].parent;
@@ -20,13 +24,13 @@ bool moves_as_one(Coupling coupling) {
   return coupling == Coupling::rigid || coupling == Coupling::self_centering;
 }
 
-double effort_without(const Robot& hand, int joint, const HandDriveOptions& options) {
+double effort_without(const Robot& hand, int joint) {
   double effort = 0.0;
   for (const Joint& other : hand.joints) {
     if (other.dof == hand.joints[index(joint)].dof) effort = std::max(effort, other.max_effort);
   }
   if (effort > 0.0) return effort;
-  return hand.joints[index(joint)].type == JointType::prismatic ? options.force : options.torque;
+  return hand.joints[index(joint)].type == JointType::prismatic ? kForce : kTorque;
 }
 
 const Clutch* clutch_of(const std::vector<Clutch>& clutches, int joint) {
@@ -45,9 +49,9 @@ bool has_clutches(const Robot& hand, int dof, const std::vector<Clutch>& clutche
 // The joints of a degree of freedom that breaks away. What its joints bear in all is what its drive
 // makes, at the joint that leads the others.
 void add_breakaway(const Robot& hand, const std::vector<int>& joints,
-                   const HandDriveOptions& options, HandDrives& found) {
+                   const std::vector<Clutch>& clutches, HandDrives& found) {
   const int leader = *std::find_if(joints.begin(), joints.end(), [&](int joint) {
-    return clutch_of(options.clutches, joint) == nullptr;
+    return clutch_of(clutches, joint) == nullptr;
   });
   const Joint& leads = hand.joints[index(leader)];
   double effort = 0.0;
@@ -56,32 +60,32 @@ void add_breakaway(const Robot& hand, const std::vector<int>& joints,
     effort += std::abs(at.ratio) * at.max_effort;
     if (joint == leader) continue;
     const HandCoupling coupling{joint, leader, at.ratio / leads.ratio};
-    if (const Clutch* clutch = clutch_of(options.clutches, joint)) {
+    if (const Clutch* clutch = clutch_of(clutches, joint)) {
       found.clutches.push_back({coupling, clutch->effort / std::abs(at.ratio)});
     } else {
       found.couplings.push_back(coupling);
     }
   }
-  effort = effort > 0.0 ? effort / std::abs(leads.ratio) : effort_without(hand, leader, options);
+  effort = effort > 0.0 ? effort / std::abs(leads.ratio) : effort_without(hand, leader);
   const double way = hand.dofs[index(leads.dof)].closing_velocity * leads.ratio;
   found.drives.push_back({leader, effort, std::copysign(effort, way)});
 }
 
 }  // namespace
 
-HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options) {
+HandDrives hand_drives(const Robot& hand, const std::vector<Clutch>& clutches) {
   std::map<std::pair<int, int>, std::vector<int>> sets;  // by degree of freedom and finger
   for (std::size_t j = 0; j < hand.joints.size(); ++j) {
     const int dof = hand.joints[j].dof;
     const int joint = static_cast<int>(j);
     const bool one =
-        moves_as_one(hand.dofs[index(dof)].coupling) || has_clutches(hand, dof, options.clutches);
+        moves_as_one(hand.dofs[index(dof)].coupling) || has_clutches(hand, dof, clutches);
     sets[{dof, one ? -1 : first_joint_of(hand, joint)}].push_back(joint);
   }
   HandDrives found;
   for (const auto& [key, joints] : sets) {
-    if (has_clutches(hand, key.first, options.clutches)) {
-      add_breakaway(hand, joints, options, found);
+    if (has_clutches(hand, key.first, clutches)) {
+      add_breakaway(hand, joints, clutches, found);
       continue;
     }
     const auto stated = [&](int joint) { return hand.joints[index(joint)].max_effort > 0.0; };
@@ -94,7 +98,7 @@ HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options) {
         found.couplings.push_back({joint, leader, at.ratio / hand.joints[index(leader)].ratio});
       }
       if (joint != leader && !stated(joint)) continue;
-      const double effort = stated(joint) ? at.max_effort : effort_without(hand, joint, options);
+      const double effort = stated(joint) ? at.max_effort : effort_without(hand, joint);
       const double way = speed * at.ratio;
       found.drives.push_back({joint, effort, way > 0.0 ? effort : way < 0.0 ? -effort : 0.0});
     }

@@ -35,20 +35,13 @@ struct HandDrives {
   std::vector<HandClutch> clutches;     // in the order of joints
 };
 
-struct HandDriveOptions {
-  // Of a drive whose effort the robot file does not state.
-  double force = 20.0;  // prismatic joints [N]
-  double torque = 1.0;  // revolute joints [N m]
-  // The clutches of degrees of freedom that break away; those without one are as if they had none.
-  std::vector<Clutch> clutches = {};
-};
-
 // The joints of a degree of freedom move together as they do from the grasp on: all of them where
 // their coupling is rigid or self-centering, else those of each finger (joints behind the same
 // first joint). Without clutches a joint that stopped before the others keeps its way behind them.
 // With them, its degree of freedom drives the first joint that has none. Each other joint whose
 // effort is stated has a drive; in a set of joints that move together without one, the first has a
-// drive, as strong as another of the same degree of freedom or as the options say.
-HandDrives hand_drives(const Robot& hand, const HandDriveOptions& options = {});
+// drive, as strong as another of the same degree of freedom, else 20 N or 1 N m. `clutches`: those
+// of degrees of freedom that break away; those without one are as if they had none.
+HandDrives hand_drives(const Robot& hand, const std::vector<Clutch>& clutches = {});
 
 }  // namespace prehend

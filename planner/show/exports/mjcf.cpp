@@ -30,7 +30,7 @@ class MjcfWriter {
         shapes_(shapes),
         grasp_(grasp),
         options_(options),
-        drives_(hand_drives(hand_, options.drives)),
+        drives_(hand_drives(hand_, options.clutches)),
         obstacles_(options.obstacles ? scene.scene.obstacles : std::vector<StaticBody>{}) {}
 
   std::string write();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "planner/show/exports/export_grasp.h"
 #include "planner/show/exports/hand_drives.h"
@@ -11,9 +12,9 @@
 namespace prehend {
 
 struct MjcfOptions {
-  bool obstacles = true;  // whether those of the scene are there
-  HandDriveOptions drives;
-  double time_step = 1e-3;     // s
+  bool obstacles = true;              // whether those of the scene are there
+  std::vector<Clutch> clutches = {};  // of the hand (hand_drives)
+  double time_step = 1e-3;            // s
   double contact_time = 2e-3;  // within which contacts push bodies apart, >= 2 time steps [s]
   // Speed that a drive has without a load where the robot file states none; damping makes it so.
   double slide_speed = 0.1;  // m/s

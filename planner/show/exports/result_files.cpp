@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "sim/base/output_file.h"
 
 namespace prehend {

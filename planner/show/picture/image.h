@@ -8,6 +8,12 @@
 
 namespace prehend {
 
+// Width and height of a picture [pixels].
+struct PictureSize {
+  int width;
+  int height;
+};
+
 // Row-major 8-bit sRGB, top row first: 3 * width * height bytes.
 struct Image {
   int width = 0;

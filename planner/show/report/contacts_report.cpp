@@ -1,5 +1,7 @@
 #include "planner/show/report/contacts_report.h"
 
+#include "planner/results/contacts_file.h"
+
 namespace prehend {
 
 Report contacts_report(const std::string& name, const ContactsFile& file,

@@ -3,10 +3,15 @@
 
 #include <string>
 
-#include "planner/results/contacts_file.h"
 #include "planner/show/report/report.h"
+#include "sim/base/run_context.h"
+#include "sim/quality/epsilon.h"
+#include "sim/quality/interval.h"
+#include "sim/quality/wrench_space.h"
 
 namespace prehend {
+
+struct ContactsFile;
 
 // The quality of the contacts of a file, and the wrench space that it refers to.
 struct JudgedContacts {

@@ -6,6 +6,7 @@
 #include "sim/base/input_error.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
+#include "sim/quality/wrench_space.h"
 
 namespace prehend {
 namespace {

@@ -8,11 +8,13 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
+#include "sim/quality/contact_map.h"
 #include "sim/quality/robust_epsilon.h"
 #include "sim/quality/wrench_slice.h"
-#include "sim/quality/wrench_space.h"
 
 namespace prehend {
+
+struct WrenchSpaceOptions;
 
 // How much a grasp depends on one link: the smaller epsilon is without it, the more it does.
 struct LinkShare {

@@ -3,17 +3,24 @@
 #include <algorithm>
 
 #include "planner/plan/grasp_text.h"
+#include "planner/results/grasps_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/posed_grasp.h"
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/quality/wrench_space.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
 
 // Pictures in which visible pixels are counted. Smaller than by default, because a report needs a
 // side for each of its detailed grasps.
-constexpr TellingSideOptions kSmall{96, 80};
+constexpr PictureSize kSmall{96, 80};
+
+// They keep a report small and quick to make.
+constexpr std::size_t kMostGrasps = 1000;      // that are listed
+constexpr std::size_t kMostCandidates = 4000;  // that are drawn
 
 std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& scene,
                                                           const PlanResult& result,
@@ -76,8 +83,7 @@ GraspDetail detail_of(const CompiledScene& scene, const ReportGrasp& grasp,
   return detail;
 }
 
-void add_why_not(const CompiledScene& scene, const PlanResult& result,
-                 const PlanReportOptions& options, Report& report) {
+void add_why_not(const CompiledScene& scene, const PlanResult& result, Report& report) {
   for (Outcome outcome : kAll<Outcome>) {
     report.outcomes.push_back({std::string(name_of(outcome)), std::string(outcome_meaning(outcome)),
                                result.outcomes[outcome]});
@@ -95,7 +101,7 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
   }
   for (const Advice& advice : result.advice) report.advice.push_back(advice.words);
   report.candidates_in_all = result.tried.size();
-  const std::size_t count = std::min(result.tried.size(), options.most_candidates);
+  const std::size_t count = std::min(result.tried.size(), kMostCandidates);
   // Candidates are in the order of primitives and rules; every n-th one represents all of them.
   for (std::size_t i = 0; i < count; ++i) {
     const Tried& tried = result.tried[i * result.tried.size() / count];
@@ -108,7 +114,7 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result,
 }  // namespace
 
 Report plan_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record,
-                   const PlanReportOptions& options, const RunContext& context) {
+                   std::size_t most_detailed, const RunContext& context) {
   context.cancellation.check();
   Report report;
   const std::string& object = scene.scene.object.name;
@@ -119,20 +125,20 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.frame = scene.wrench_frame;
   report.primitives = result.primitives;
   report.grasps_in_all = result.grasps.size();
-  report.grasps.resize(std::min(result.grasps.size(), options.most_grasps));
+  report.grasps.resize(std::min(result.grasps.size(), kMostGrasps));
   // Each grasp has its own place in the list, so the report is the same on any number of threads.
-  // Only the first ones are analysed in detail (PlanReportOptions).
+  // Only the first ones are analysed in detail.
   for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
     context.cancellation.check();
     report.grasps[i] = grasp_of(scene, result, result.grasps[i]);
-    if (i < options.most_detailed) {
+    if (i < most_detailed) {
       report.grasps[i].detail =
           detail_of(scene, report.grasps[i], result.grasps[i], record, context);
       report.grasps[i].side =
           best_viewpoint(scene, posed_grasp(scene, result.grasps[i]), kSmall, context);
     }
   });
-  add_why_not(scene, result, options, report);
+  add_why_not(scene, result, report);
   return report;
 }
 

@@ -9,13 +9,16 @@
 
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/show/report/grasp_detail.h"
-#include "sim/manipulation/shake.h"
+#include "sim/manipulation/shake_report.h"
+#include "sim/quality/epsilon.h"
 #include "sim/quality/interval.h"
-#include "sim/scene/compiled_scene.h"
+#include "sim/shape/primitive.h"
 #include "sim/trial/payload_margin.h"
-#include "sim/trial/perturbed_trials.h"
+#include "sim/trial/robustness.h"
 
 namespace prehend {
+
+struct CompiledScene;
 
 // A contact of a grasp.
 struct ReportContact {

@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "planner/show/report/report.h"
-
 namespace prehend {
+
+struct Report;
 
 // The HTML text. Names are escaped, so that markup in them is shown as text. The same report gives
 // the same bytes.

@@ -11,6 +11,7 @@
 #include "planner/show/report/palette_json.h"
 #include "planner/show/report/robot_json.h"
 #include "planner/show/report/slice_json.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/trial/success.h"
 
 namespace prehend {

@@ -2,6 +2,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
+#include "sim/manipulation/simulate.h"
 #include "sim/trial/close_and_score.h"
 
 namespace prehend {

@@ -2,11 +2,14 @@
 // grasp at its end.
 #pragma once
 
+#include "planner/plan/path/grasp_motion.h"
 #include "planner/show/report/report.h"
-#include "sim/manipulation/simulate.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {
+
+struct CompiledScene;
+struct Simulation;
 
 // Hand, object and forces as they were recorded, in the frame O in which the object stands in the
 // scene.

@@ -5,6 +5,7 @@
 
 #include "sim/base/index.h"
 #include "sim/robot/hand/opposition.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 namespace {

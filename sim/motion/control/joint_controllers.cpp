@@ -6,6 +6,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/motion/joint_springs.h"
+#include "sim/motion/robot_dynamics.h"
 
 namespace prehend {
 namespace {
@@ -49,8 +50,8 @@ Eigen::VectorXd efforts_for(const ControlState& state, const Eigen::VectorXd& ra
   const Eigen::VectorXd next =
       q + state.step * (model.joints_of * (rate + state.step * acceleration));
   const Eigen::VectorXd joints =
-      model.dynamics.inverse(q, model.joints_of * rate, model.joints_of * acceleration,
-                             surroundings(state)) -
+      model.dynamics->inverse(q, model.joints_of * rate, model.joints_of * acceleration,
+                              surroundings(state)) -
       spring_efforts(model.robot, next);
   const Eigen::VectorXd efforts =
       model.joints_of.transpose() * joints + model.drive_inertia.cwiseProduct(acceleration);
@@ -67,7 +68,7 @@ void require_gains(const RobotModel& model, const PdGains& gains) {
 Eigen::VectorXd moved_inertias(const WorldRobot& robot) {
   const RobotModel& model = *robot.model;
   const Eigen::MatrixXd mass =
-      model.joints_of.transpose() * model.dynamics.mass_matrix(joints_of(robot)) * model.joints_of;
+      model.joints_of.transpose() * model.dynamics->mass_matrix(joints_of(robot)) * model.joints_of;
   return (mass.diagonal() + model.drive_inertia).head(model.dofs());
 }
 

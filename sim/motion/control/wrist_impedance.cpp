@@ -10,6 +10,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/motion/control/joint_controllers.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/motion/solids.h"
 
 namespace prehend {
@@ -36,7 +37,7 @@ Matrix6 damping_of(const WorldRobot& robot, const Eigen::MatrixXd& J, const Matr
   constexpr double kSmallest = 1e-6;
   const RobotModel& model = *robot.model;
   Eigen::MatrixXd mass =
-      model.joints_of.transpose() * model.dynamics.mass_matrix(joints_of(robot)) * model.joints_of;
+      model.joints_of.transpose() * model.dynamics->mass_matrix(joints_of(robot)) * model.joints_of;
   mass.diagonal() += model.drive_inertia;
   Matrix6 mobility = J * mass.llt().solve(J.transpose());
   mobility.diagonal().array() += kSmallest * mobility.trace();

@@ -8,6 +8,8 @@
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/dynamic_grasp/resting.h"
 #include "sim/motion/require_world.h"
+#include "sim/motion/step_world.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {

@@ -8,9 +8,11 @@
 #include "sim/base/run_context.h"
 #include "sim/motion/dynamic_grasp/dynamic_grasp_options.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
-#include "sim/motion/step_world.h"
+#include "sim/motion/step_outcome.h"
 
 namespace prehend {
+
+struct CompiledScene;
 
 // Where the hand is when it begins to close.
 struct DynamicGraspStart {

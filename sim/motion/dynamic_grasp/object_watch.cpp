@@ -8,6 +8,18 @@
 namespace prehend {
 namespace {
 
+// Pressures of links oppose each other where the cosine of the angle between them is below this:
+// three fingers around a cylinder press at 120 degrees to each other.
+constexpr double kOpposed = -0.3;
+constexpr double kLifted = 5e-3;  // the object counts as lifted from this rise on [m]
+// As tilted from this angle on between the vertical and what was vertical, if it also sank by so
+// much: a ball that rolls does not tip over [rad, m].
+constexpr double kTilted = 0.79;
+constexpr double kSank = 2e-3;
+constexpr double kFell = 0.02;  // and as fallen from this way down on [m]
+// No link of the hand is near it (as contacts are found) for so long: it has left the hand [s].
+constexpr double kLeft = 0.05;
+
 // What one contact does to the object.
 struct Press {
   SolidId by;
@@ -59,9 +71,7 @@ std::vector<SolidId> links_on_object(const World& world, const WorldHand& hand) 
   return links;
 }
 
-ObjectWatch::ObjectWatch(const World& start, const WorldHand& hand,
-                         const ObjectWatchOptions& options)
-    : hand_(hand), options_(options) {
+ObjectWatch::ObjectWatch(const World& start, const WorldHand& hand) : hand_(hand) {
   const WorldBody& object = start.bodies[index(kObjectBody)];
   up_O_ = object.motion.X_WB.linear().transpose() * Vector3::UnitZ();
   height_ = center_in_world(object.inertial, object.motion.X_WB).z();
@@ -83,7 +93,7 @@ void ObjectWatch::look(const World& world, double time) {
   const auto first = std::find_if(presses.begin(), presses.end(),
                                   [&](const Press& press) { return hand_.has(press.by); });
   touches_ = first != presses.end();
-  grips_ = grips(presses, hand_, options_.opposed);
+  grips_ = grips(presses, hand_, kOpposed);
   if (touches_) {
     last_link_ = name_of(world, first->by);
     note(ObjectEventKind::touched, time, last_link_);
@@ -101,16 +111,16 @@ void ObjectWatch::look(const World& world, double time) {
   const double rise = center_in_world(object.inertial, object.motion.X_WB).z() - height_;
   const bool by_hand_alone = std::all_of(presses.begin(), presses.end(),
                                          [&](const Press& press) { return hand_.has(press.by); });
-  if (touches_ && by_hand_alone && rise > options_.lifted) note(ObjectEventKind::lifted, time);
+  if (touches_ && by_hand_alone && rise > kLifted) note(ObjectEventKind::lifted, time);
   const double upright = (object.motion.X_WB.linear() * up_O_).z();
-  if (upright < std::cos(options_.tilted) && rise < -options_.sank) {
+  if (upright < std::cos(kTilted) && rise < -kSank) {
     note(ObjectEventKind::tilted, time);
   }
-  const bool is_alone = alone_since_ && time - *alone_since_ > options_.left;
+  const bool is_alone = alone_since_ && time - *alone_since_ > kLeft;
   if (is_alone && happened(ObjectEventKind::touched)) {
     note(ObjectEventKind::left, *alone_since_, last_link_);
   }
-  if (rise < -options_.fell) note(ObjectEventKind::fell, time);
+  if (rise < -kFell) note(ObjectEventKind::fell, time);
 }
 
 double ObjectWatch::alone_for(double time) const {

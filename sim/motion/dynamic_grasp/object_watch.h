@@ -64,25 +64,11 @@ constexpr std::string_view object_end_meaning(ObjectEnd end) {
   return kMeanings[static_cast<std::size_t>(end)];
 }
 
-struct ObjectWatchOptions {
-  // Pressures of links oppose each other where the cosine of the angle between them is below this:
-  // three fingers around a cylinder press at 120 degrees to each other.
-  double opposed = -0.3;
-  double lifted = 5e-3;  // it counts as lifted from this rise on [m]
-  // As tilted from this angle on between the vertical and what was vertical, if it also sank by so
-  // much: a ball that rolls does not tip over [rad, m].
-  double tilted = 0.79;
-  double sank = 2e-3;
-  double fell = 0.02;  // and as fallen from this way down on [m]
-  // No link of the hand is near it (as contacts are found) for so long: it has left the hand [s].
-  double left = 0.05;
-};
-
 // Looks at a world after each of its steps.
 class ObjectWatch {
  public:
   // `start`: before anything touches the object.
-  ObjectWatch(const World& start, const WorldHand& hand, const ObjectWatchOptions& options = {});
+  ObjectWatch(const World& start, const WorldHand& hand);
 
   // `time`: after all steps so far [s].
   void look(const World& world, double time);
@@ -98,7 +84,6 @@ class ObjectWatch {
   void note(ObjectEventKind kind, double time, std::string link = {});
 
   WorldHand hand_;
-  ObjectWatchOptions options_;
   Vector3 up_O_;         // the vertical of the start, in the object
   double height_ = 0.0;  // of the centre of mass at the start
   bool touches_ = false;

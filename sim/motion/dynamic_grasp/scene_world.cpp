@@ -5,6 +5,7 @@
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/scene_bodies.h"
 #include "sim/motion/solids.h"
+#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
 namespace {
@@ -30,14 +31,12 @@ std::vector<double> part_of(const Eigen::VectorXd& values, int first, int count)
 
 }  // namespace
 
-std::shared_ptr<const RobotModel> hand_model(const CompiledScene& scene,
-                                             const RobotModelOptions& options) {
-  return std::make_shared<const RobotModel>(make_robot_model(scene.scene.hand, options));
+std::shared_ptr<const RobotModel> hand_model(const CompiledScene& scene) {
+  return std::make_shared<const RobotModel>(make_robot_model(scene.scene.hand));
 }
 
-std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene,
-                                                 const RobotModelOptions& options) {
-  return std::make_shared<const RobotModel>(make_robot_model(scene.arm->robot(), options));
+std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene) {
+  return std::make_shared<const RobotModel>(make_robot_model(scene.arm->robot()));
 }
 
 World make_scene_world(const CompiledScene& scene, bool obstacles) {

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "sim/motion/world.h"
-#include "sim/scene/compiled_scene.h"
 
 namespace prehend {
+
+struct CompiledScene;
 
 // Index of the object among the bodies of a scene's world; obstacles follow as in the scene.
 inline constexpr int kObjectBody = 0;
@@ -34,12 +35,10 @@ struct WorldHand {
 };
 
 // The scene's hand as a model, which worlds of all its grasps share.
-std::shared_ptr<const RobotModel> hand_model(const CompiledScene& scene,
-                                             const RobotModelOptions& options = {});
+std::shared_ptr<const RobotModel> hand_model(const CompiledScene& scene);
 
 // The platform that carries the scene's hand, and the hand, as one model. The scene has an arm.
-std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene,
-                                                 const RobotModelOptions& options = {});
+std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene);
 
 // The scene's object with its mass, free, where it stands; with `obstacles` also the obstacles,
 // which are fixed; no robot. Friction and soft materials are the scene's, gravity is the world's

@@ -20,12 +20,12 @@ void require_another_file(const std::string& source, const std::filesystem::path
 }  // namespace
 
 std::vector<RobotTextFile> converted(const std::string& source, const std::filesystem::path& target,
-                                     const ConvertOptions& options,
+                                     const std::string& unit, const ForeignRobotOptions& foreign,
                                      std::vector<std::string>& notes) {
   require_another_file(source, target);
   const std::string extension = target.extension().string();
   if (is_written_mesh_name(target)) {
-    const LoadedMesh loaded = load_mesh(source, {.metres_per_unit = metres_per_unit(options.unit)});
+    const LoadedMesh loaded = load_mesh(source, {.metres_per_unit = metres_per_unit(unit)});
     if (loaded.degenerate_removed + loaded.duplicates_removed > 0) {
       notes.push_back(std::to_string(loaded.degenerate_removed) + " triangles without area and " +
                       std::to_string(loaded.duplicates_removed) + " duplicates are left out");
@@ -38,7 +38,7 @@ std::vector<RobotTextFile> converted(const std::string& source, const std::files
                                  ".obj .stl .ply .off for meshes",
                       .value = extension});
   }
-  const Platform platform = find_platform(source, options.foreign);
+  const Platform platform = find_platform(source, foreign);
   for (const MountedRobot& mounted : platform.robots) {
     notes.insert(notes.end(), mounted.robot.notes.begin(), mounted.robot.notes.end());
   }

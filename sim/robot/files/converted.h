@@ -10,19 +10,15 @@
 
 namespace prehend {
 
-// What convert takes beside the names.
-struct ConvertOptions {
-  std::string unit = "m";            // of a mesh file that is read: m, cm, mm, in
-  ForeignRobotOptions foreign = {};  // of a robot in another program's format
-};
-
 // The files that hold `source` in the format that the extension of `target` names. For .json and
 // .urdf, `source` is a robot or platform: a name of the library or a file that find_platform takes;
 // for .obj, .stl, .ply and .off it is a mesh file. Names of the files are relative to the folder of
-// `target`; the last one is `target` itself. `notes` gets what was assumed of the source. Throws
-// InputError for a source that cannot be read, another extension, and a target that is the source.
+// `target`; the last one is `target` itself. `unit` (m, cm, mm, in) is that of a mesh file that is
+// read, `foreign` belongs to a robot in another program's format. `notes` gets what was assumed of
+// the source. Throws InputError for a source that cannot be read, another extension, and a target
+// that is the source.
 std::vector<RobotTextFile> converted(const std::string& source, const std::filesystem::path& target,
-                                     const ConvertOptions& options,
+                                     const std::string& unit, const ForeignRobotOptions& foreign,
                                      std::vector<std::string>& notes);
 
 }  // namespace prehend

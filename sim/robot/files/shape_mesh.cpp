@@ -38,7 +38,7 @@ TriangleMesh capsule_mesh(double radius, double height) {
       profile.emplace_back(x, side * (0.5 * height + radius * std::cos(angle)));
     }
   }
-  return revolve(profile, {.edge = 2.0 * std::numbers::pi * radius / kSidesOfCapsule}).mesh;
+  return revolve(profile, 2.0 * std::numbers::pi * radius / kSidesOfCapsule).mesh;
 }
 
 TriangleMesh ellipsoid_mesh(const Vector3& radii) {

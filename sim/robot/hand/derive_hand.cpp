@@ -172,7 +172,8 @@ Grip find_grip(const HandParts& parts, Robot& robot) {
 
 }  // namespace
 
-Robot with_derived_hand(Robot robot, const DeriveHandOptions& options) {
+Robot with_derived_hand(Robot robot, const StatedHand& stated) {
+  constexpr std::size_t kMostPreshapes = 8;
   require_tree(robot);
   const HandParts parts = find_hand_parts(robot);
   if (parts.fingers.empty()) {
@@ -181,12 +182,12 @@ Robot with_derived_hand(Robot robot, const DeriveHandOptions& options) {
   const auto [closing, best] = find_grip(parts, robot);
   SelfCollision collision(robot);
   exempt_always_colliding(closing, best, collision, robot);
-  const HandAxes axes = find_hand_axes(robot, parts, closing, best, options.stated, collision);
+  const HandAxes axes = find_hand_axes(robot, parts, closing, best, stated, collision);
   Hand hand{
       .approach = axes.approach, .closing = axes.closing, .origin = axes.origin, .preshapes = {}};
   const PreshapeMeasure measure(robot, parts, closing, hand, collision);
   const auto add = [&](const std::string& name, const Opposition& opening, double part) {
-    if (static_cast<int>(hand.preshapes.size()) >= options.most_preshapes) return;
+    if (hand.preshapes.size() >= kMostPreshapes) return;
     if (auto preshape = measure.at(name, opening, part)) hand.preshapes.push_back(*preshape);
   };
   const auto openings = openings_of(robot, parts, closing, best);
@@ -195,7 +196,7 @@ Robot with_derived_hand(Robot robot, const DeriveHandOptions& options) {
     add(openings[k].name, openings[k].opposition, 0.0);
     if (half && k < 2) add(openings[k].name + "_half", openings[k].opposition, 0.5);
   }
-  if (hand.preshapes.empty() && options.most_preshapes > 0) {
+  if (hand.preshapes.empty()) {
     refuse(robot, "its links collide in every opening, or the fingers open no gap");
   }
   state_velocities(closing, robot);
@@ -214,7 +215,7 @@ Robot with_hand(Robot robot) {
   stated.approach = robot.hand->approach;
   stated.origin = robot.hand->origin;
   if (!robot.hand->closing.isZero()) stated.closing = robot.hand->closing;
-  return with_derived_hand(std::move(robot), {.stated = stated});
+  return with_derived_hand(std::move(robot), stated);
 }
 
 }  // namespace prehend

@@ -68,20 +68,20 @@ std::vector<CollidingLinks> most_often_first(const std::map<std::pair<int, int>,
 
 }  // namespace
 
-PostureSurvey survey_postures(const Robot& robot, const SurveyOptions& options) {
-  require(options.postures >= 1, {.field = "postures",
-                                  .problem = "must be at least 1",
-                                  .value = std::to_string(options.postures)});
+PostureSurvey survey_postures(const Robot& robot, int postures, std::uint64_t seed) {
+  require(
+      postures >= 1,
+      {.field = "postures", .problem = "must be at least 1", .value = std::to_string(postures)});
   const SelfCollision collision(robot);
   const std::vector<SurveyedTip> tips = tips_of(robot);
   const std::vector<std::pair<double, double>> ranges = ranges_of(robot);
-  Random random(options.seed);
+  Random random(seed);
   std::map<std::pair<int, int>, int> counts;
   PostureSurvey survey;
-  survey.postures = options.postures;
+  survey.postures = postures;
   for (const SurveyedTip& tip : tips) survey.tips.push_back({tip.name, {}, {}, 0.0});
   std::vector<Pose> X_BJ;
-  for (int i = 0; i < options.postures; ++i) {
+  for (int i = 0; i < postures; ++i) {
     std::vector<double> dofs;
     for (const auto& [lower, upper] : ranges) dofs.push_back(random.uniform(lower, upper));
     const std::vector<std::pair<int, int>> colliding = collision.colliding(dofs);

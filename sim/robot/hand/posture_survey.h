@@ -11,11 +11,6 @@
 
 namespace prehend {
 
-struct SurveyOptions {
-  int postures = 1000;  // >= 1
-  std::uint64_t seed = 1;
-};
-
 // Two links that collide in some of the postures.
 struct CollidingLinks {
   int first = 0;  // indices in Robot::links
@@ -41,8 +36,8 @@ struct PostureSurvey {
 
 // Draws each degree of freedom uniformly between its limits, joints follow by their couplings. One
 // that may turn without end is drawn from one turn about its initial value, one that may slide
-// without end stays there. The same robot and options give the same survey. Throws InputError for
-// options out of range and for a link without triangles.
-PostureSurvey survey_postures(const Robot& robot, const SurveyOptions& options = {});
+// without end stays there. The same arguments give the same survey. Throws InputError for
+// less than one posture and for a link without triangles.
+PostureSurvey survey_postures(const Robot& robot, int postures = 1000, std::uint64_t seed = 1);
 
 }  // namespace prehend

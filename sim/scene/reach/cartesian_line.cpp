@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim/base/index.h"
+#include "sim/robot/inverse_kinematics.h"
+#include "sim/scene/compiled_arm.h"
 
 namespace prehend {
 namespace {

@@ -3,9 +3,14 @@
 
 #include <vector>
 
-#include "sim/scene/reach/reach.h"
+#include "sim/base/pose.h"
+#include "sim/base/run_context.h"
+#include "sim/robot/dof_values.h"
+#include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
+
+struct CompiledArm;
 
 // How an attempt to follow a line ended.
 enum class LineEnd {

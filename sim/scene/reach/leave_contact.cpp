@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/index.h"
+#include "sim/scene/compiled_arm.h"
 
 namespace prehend {
 namespace {
@@ -21,7 +22,7 @@ double motion_of(const ArmPair& pair, const std::vector<double>& joints) {
 // the allowed way.
 std::optional<std::size_t> opens_at(const CompiledArm& arm, const ArmPair& pair,
                                     const JointPath& path, double apart,
-                                    const LeaveContactOptions& options, const RunContext& context) {
+                                    const RunContext& context) {
   bool touches = true;
   double moved = 0.0;
   std::vector<Pose> X_BL;
@@ -30,7 +31,7 @@ std::optional<std::size_t> opens_at(const CompiledArm& arm, const ArmPair& pair,
     context.cancellation.check();
     for (std::size_t j = 0; i > 0 && j < step.size(); ++j) step[j] = path[i][j] - path[i - 1][j];
     moved += motion_of(pair, step);
-    if (moved > options.within) return std::nullopt;
+    if (moved > kLeaveWithin) return std::nullopt;
     arm_link_poses(arm, path[i], X_BL);
     const GapAnswer gap = gap_beyond(arm, pair, X_BL, apart, kMotionGapError);
     if (gap == GapAnswer::larger) return i;
@@ -45,7 +46,7 @@ std::optional<std::size_t> opens_at(const CompiledArm& arm, const ArmPair& pair,
 std::optional<ArmPair> first_blocked_leaving(const CompiledArm& arm,
                                              const std::vector<ArmPair>& pairs,
                                              const JointPath& path, const std::vector<double>& sway,
-                                             const LeaveContactOptions& options,
+                                             const MotionCheckOptions& options,
                                              const RunContext& context) {
   if (path.empty()) return std::nullopt;
   std::vector<Pose> X_BL;
@@ -53,17 +54,17 @@ std::optional<ArmPair> first_blocked_leaving(const CompiledArm& arm,
   std::vector<ArmPair> apart;
   for (const ArmPair& pair : pairs) {
     // Twice what first_blocked resolves, so that it does not fail where the pair has just opened.
-    const double gap = 2.0 * options.motion.tightest + motion_of(pair, sway);
+    const double gap = 2.0 * options.tightest + motion_of(pair, sway);
     if (gap_beyond(arm, pair, X_BL, gap, kMotionGapError) == GapAnswer::larger) {
       apart.push_back(pair);
       continue;
     }
-    const auto open = opens_at(arm, pair, path, gap, options, context);
+    const auto open = opens_at(arm, pair, path, gap, context);
     if (!open) return pair;
     const JointPath rest(path.begin() + static_cast<std::ptrdiff_t>(*open), path.end());
-    if (first_blocked(arm, {pair}, rest, sway, options.motion, context)) return pair;
+    if (first_blocked(arm, {pair}, rest, sway, options, context)) return pair;
   }
-  return first_blocked(arm, apart, path, sway, options.motion, context);
+  return first_blocked(arm, apart, path, sway, options, context);
 }
 
 }  // namespace prehend

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/base/index.h"
+#include "sim/scene/compiled_arm.h"
 
 namespace prehend {
 namespace {

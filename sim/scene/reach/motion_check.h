@@ -5,10 +5,12 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/scene/compiled_arm.h"
+#include "sim/scene/ids.h"
 #include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
+
+struct CompiledArm;
 
 // Waypoints of a motion, joined by straight lines in joint space. Each has one value for each joint
 // of the platform [rad or m].

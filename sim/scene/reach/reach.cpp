@@ -3,7 +3,10 @@
 #include <algorithm>
 
 #include "sim/base/require_settings.h"
+#include "sim/robot/inverse_kinematics.h"
+#include "sim/scene/compiled_arm.h"
 #include "sim/scene/reach/cartesian_line.h"
+#include "sim/scene/reach/motion_check.h"
 
 // An arm has several postures for one pose of the hand, the branches of its inverse kinematics, and
 // a redundant arm has infinitely many. Along a line the joints can move continuously only within

@@ -4,12 +4,15 @@
 #include <optional>
 #include <vector>
 
-#include "sim/robot/inverse_kinematics.h"
-#include "sim/scene/compiled_scene.h"
-#include "sim/scene/reach/motion_check.h"
+#include "sim/base/pose.h"
+#include "sim/base/run_context.h"
+#include "sim/robot/dof_values.h"
+#include "sim/scene/ids.h"
 #include "sim/scene/reach/reach_options.h"
 
 namespace prehend {
+
+struct CompiledArm;
 
 // A straight motion of the hand with its own joints at rest. Poses of the hand H in the object's
 // frame O.

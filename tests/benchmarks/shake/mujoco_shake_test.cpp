@@ -8,6 +8,7 @@
 #include "planner/plan/plan.h"
 #include "planner/plan/plan_options.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "planner/show/exports/mjcf.h"
 #include "sim/base/input_error.h"
 #include "tests/support/held_cube.h"
@@ -18,13 +19,12 @@ namespace {
 
 constexpr double kGravity = 9.81;
 
-std::string model_of(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
-                     const MjcfOptions& options = {}) {
+std::string model_of(const CompiledScene& scene, const Candidate& candidate, const Trial& trial) {
   ScoredGrasp grasp;
   grasp.trial = trial;
   grasp.candidate = candidate;
   const MjcfShapes shapes = mjcf_shapes(scene, {.tolerance = 4e-3, .relative_tolerance = 1.0});
-  return mjcf_text(scene, shapes, export_of(scene, grasp, 1), options);
+  return mjcf_text(scene, shapes, export_of(scene, grasp, 1));
 }
 
 // A cube of 50 mm on which the hand comes from above and closes along x.
@@ -34,19 +34,21 @@ struct Held {
   std::string model;
 };
 
-Held held_by(const std::string& hand, double palm, const MjcfOptions& options = {}) {
-  Held held{test::compiled(find_robot(hand), make_box(Vector3::Constant(test::kCube))), {}, {}};
+Held held_by(const Robot& hand, double palm) {
+  Held held{test::compiled(hand, make_box(Vector3::Constant(test::kCube))), {}, {}};
   Candidate candidate = test::from_above();
   candidate.X_OH.translation().z() = palm;
-  if (hand == "franka_hand") {  // which closes along y
+  if (hand.name == "franka_hand") {  // which closes along y
     candidate.X_OH.linear() =
         candidate.X_OH.linear() * Eigen::AngleAxisd(0.5 * M_PI, Vector3::UnitZ());
   }
   held.trial = run_trial(held.scene, candidate);
   EXPECT_EQ(held.trial.outcome, Outcome::stable);
-  held.model = model_of(held.scene, candidate, held.trial, options);
+  held.model = model_of(held.scene, candidate, held.trial);
   return held;
 }
+
+Held held_by(const std::string& hand, double palm) { return held_by(find_robot(hand), palm); }
 
 TestProcedure hanging(double mass, double friction) {
   TestProcedure procedure;
@@ -65,7 +67,9 @@ TestProcedure hanging(double mass, double friction) {
 // 0.1 kg between two pads of 10 N each and friction 0.5, ten times what is needed: it neither
 // creeps nor sinks in. What remains of creep is what the search for forces leaves.
 TEST(MujocoShake, ABoxBetweenTwoPadsHangsStill) {
-  const Held held = held_by("parallel_jaw", 0.05, {.drives = {.force = 10.0}});
+  Robot jaw = find_robot("parallel_jaw");
+  for (Joint& joint : jaw.joints) joint.max_effort = 10.0;
+  const Held held = held_by(jaw, 0.05);
   const ShakeResult result = shake_in_mujoco(held.model, hanging(0.1, 0.5), subject_of(held.scene));
   ASSERT_TRUE(result.survived());
   const PhaseMeasure& last = result.tests.at(0).phases.at(1).measure;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/quality/epsilon.h"
+#include "sim/quality/wrench.h"
 #include "tests/support/judge_epsilon.h"
 
 namespace prehend::test {

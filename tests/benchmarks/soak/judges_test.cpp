@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/plan/plan.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/basic_shapes.h"
 #include "tests/support/judge_plan.h"

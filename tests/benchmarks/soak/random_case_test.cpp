@@ -6,6 +6,7 @@
 
 #include "benchmarks/soak/random_object.h"
 #include "benchmarks/soak/tally.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend::soak {

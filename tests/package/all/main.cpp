@@ -3,7 +3,9 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <prehend/contacts.h>
 #include <prehend/prehend.h>
+#include <prehend/simulation.h>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -143,6 +145,19 @@ void judge_contacts_alone() {
   check(epsilon.lower > 0.0, "two soft fingers hold");
 }
 
+void let_it_fall() {
+  const prehend::Scene scene =
+      prehend::make_scene(prehend::make_graspable("box", prehend::make_box({0.04, 0.05, 0.06}),
+                                                  prehend::Material::wood),
+                          "parallel_jaw");
+  prehend::World world;
+  prehend::add_bodies(scene, world);
+  const prehend::StepResult step = prehend::step_world(world);
+  check(step.outcome == prehend::StepOutcome::moved, "a world moves on");
+  const double speed = world.bodies.front().motion.linear.z();
+  check(std::abs(speed + 9.81 * step.time) < 1e-9, "nothing holds the box");
+}
+
 void refuse_mistakes() {
   const auto refuses = [](const auto& mistake, const std::string& word) {
     try {
@@ -170,6 +185,7 @@ int main(int argc, char** argv) {
     decompose_alone();
     solve_kinematics_alone();
     judge_contacts_alone();
+    let_it_fall();
     refuse_mistakes();
     cancel_from_progress();
     plan_with_arm(argv[1]);

@@ -9,6 +9,7 @@
 #include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/json/json_field.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/basic_shapes.h"
 

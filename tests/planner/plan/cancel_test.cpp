@@ -9,6 +9,7 @@
 #include "planner/results/grasps_file.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/trial/approach_line.h"
+#include "sim/trial/run_trial.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {

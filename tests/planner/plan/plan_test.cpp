@@ -8,6 +8,7 @@
 #include "sim/base/json/json_field.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/shape/object_generator.h"

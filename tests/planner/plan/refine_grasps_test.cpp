@@ -12,6 +12,7 @@
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/quality/wrench_space.h"
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/run_trial.h"
 #include "tests/support/library_scenes.h"

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/plan/learn/grasp_features.h"
+#include "planner/plan/learn/tree_model.h"
 #include "primitives/decompose.h"
 #include "sim/base/index.h"
 #include "sim/scene/make_scene.h"

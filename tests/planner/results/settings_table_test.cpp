@@ -12,6 +12,7 @@
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
 #include "sim/base/output_file.h"
+#include "sim/base/visit_settings.h"
 
 namespace prehend {
 namespace {

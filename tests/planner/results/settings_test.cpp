@@ -8,8 +8,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "planner/plan/learn/tree_model.h"
 #include "planner/results/grasps_file.h"
 #include "planner/results/json_settings.h"
+#include "sim/base/visit_settings.h"
 #include "sim/shape/basic_shapes.h"
 #include "tests/support/scenes.h"
 

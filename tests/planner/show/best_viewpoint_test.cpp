@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/show/grasp_bodies.h"
+#include "planner/show/picture/draw.h"
 #include "tests/support/held_cube.h"
 
 namespace prehend {

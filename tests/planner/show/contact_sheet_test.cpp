@@ -18,16 +18,16 @@ int dark_pixels(const Image& image) {
 
 TEST(ContactSheet, HasACellForEachAndTheSameBytesTwice) {
   const HeldCube held = held_cube();
-  const ContactSheetOptions options{.columns = 2, .width = 150, .height = 100};
-  const Image one = contact_sheet(held.scene, {held.grasp}, options);
-  const Image three = contact_sheet(held.scene, {held.grasp, held.grasp, held.grasp}, options);
+  const PictureSize size{150, 100};
+  const Image one = contact_sheet(held.scene, {held.grasp}, 2, size);
+  const Image three = contact_sheet(held.scene, {held.grasp, held.grasp, held.grasp}, 2, size);
   EXPECT_GE(one.width, 150);
   EXPECT_GT(one.height, 100);
   EXPECT_EQ(three.width, 2 * one.width);
   EXPECT_EQ(three.height, 2 * one.height);
   EXPECT_GT(dark_pixels(one), 1000);
   EXPECT_EQ(dark_pixels(three), 3 * dark_pixels(one));
-  EXPECT_EQ(contact_sheet(held.scene, {held.grasp}, options).rgb, one.rgb);
+  EXPECT_EQ(contact_sheet(held.scene, {held.grasp}, 2, size).rgb, one.rgb);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ int tinted(const Image& image, int from_x, int to_x, std::size_t channel) {
 
 TEST(RobotPicture, ShowsThePosturesAndTheWorkspace) {
   const Robot hand = find_robot("parallel_jaw");
-  const PostureSurvey survey = survey_postures(hand, {.postures = 200});
+  const PostureSurvey survey = survey_postures(hand, 200);
   const std::vector<NamedPosture> postures = telling_postures(hand);
   ASSERT_EQ(postures.size(), 1U);
   EXPECT_EQ(postures.front().name, "open");

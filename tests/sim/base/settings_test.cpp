@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "sim/base/named_enum.h"
 #include "sim/base/require_settings.h"
 
 namespace prehend {

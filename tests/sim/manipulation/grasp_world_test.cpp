@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/object_mass.h"
 #include "sim/shape/basic_shapes.h"

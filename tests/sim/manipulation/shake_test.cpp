@@ -5,6 +5,8 @@
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"
+#include "sim/motion/step_world.h"
+#include "sim/scene/compiled_scene.h"
 #include "sim/scene/make_scene.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/trial/candidate.h"

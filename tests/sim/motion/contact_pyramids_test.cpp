@@ -52,7 +52,7 @@ TEST(ContactPyramids, ManyEdgesAreACone) {
   for (int trial = 0; trial < 12; ++trial) {
     const ContactProblem problem = test::random_pile(random);
     for (const int edges : {8, 32}) {
-      const ContactSolution solution = solve_with_pyramids(problem, {.edges = edges});
+      const ContactSolution solution = solve_with_pyramids(problem, edges);
       ASSERT_EQ(solution.outcome, ContactOutcome::solved) << trial << " " << solution.violation;
       EXPECT_LT(solution.violation, 1e-9);
       // A sliding contact is off the direction of its slip by at most half the angle of a side.

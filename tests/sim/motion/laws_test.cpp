@@ -10,6 +10,7 @@
 #include "sim/base/random.h"
 #include "sim/motion/energy.h"
 #include "sim/motion/island.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/motion/world.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/support/sample_worlds.h"
@@ -208,7 +209,7 @@ TEST(Laws, ViscousFrictionSlowsAJoint) {
     arm.drives.push_back({.dof = d, .holds_rate = true});
   }
   arm.rate[last] = 1.0;
-  const double inertia = model->dynamics.mass_matrix(joints_of(arm))(last, last);
+  const double inertia = model->dynamics->mass_matrix(joints_of(arm))(last, last);
   for (int i = 0; i < 20; ++i) ASSERT_EQ(step_world(world).outcome, StepOutcome::moved);
   EXPECT_NEAR(arm.rate[last], std::pow(1.0 + 2.5e-3 * 0.02 / inertia, -20), 1e-6);
 }

@@ -73,7 +73,7 @@ TEST(Lemke, WhatIsNotNegativeNeedsNoPivot) {
 
 TEST(Lemke, PivotsAreLimited) {
   const MatrixXd M = MatrixXd::Identity(5, 5);
-  const LcpSolution found = solve_lcp(M, VectorXd::LinSpaced(5, -5.0, -1.0), {.max_pivots = 2});
+  const LcpSolution found = solve_lcp(M, VectorXd::LinSpaced(5, -5.0, -1.0), 2);
   EXPECT_EQ(found.outcome, LcpOutcome::too_long);
   EXPECT_EQ(found.pivots, 2);
 }

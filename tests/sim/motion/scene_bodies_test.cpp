@@ -5,6 +5,7 @@
 #include "sim/base/input_error.h"
 #include "sim/motion/require_world.h"
 #include "sim/motion/step_world.h"
+#include "sim/scene/scene.h"
 #include "sim/shape/basic_shapes.h"
 
 namespace prehend {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/motion/require_world.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/motion/step_world.h"
 #include "sim/motion/world.h"
 #include "sim/robot/files/robot_file.h"
@@ -136,7 +137,7 @@ TEST(WorldRobot, ADoublePendulumSwingsAsItShould) {
   for (const double step : {2e-3, 1e-3, 5e-4}) {
     World world = world_with_robot(double_pendulum(), {start[0], start[1]});
     run_all(world, 1.0, step);
-    const Eigen::VectorXd exact = swung_double(world.robots[0].model->dynamics, start, 1.0);
+    const Eigen::VectorXd exact = swung_double(*world.robots[0].model->dynamics, start, 1.0);
     const double error = (world.robots[0].x - exact).norm();
     if (last > 0.0) {
       EXPECT_NEAR(last / error, 2.0, 0.2);  // of first order

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "sim/quality/support.h"
 #include "tests/sim/quality/known_sets.h"
 #include "tests/support/grasp_families.h"
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "sim/quality/wrench_space.h"
 #include "tests/support/grasp_families.h"
 
 namespace prehend::test {
@@ -34,7 +35,7 @@ TEST(RobustEpsilon, OfAMarginalGraspIsASmallProbability) {
   const RobustEpsilon robust = robust_epsilon(contacts, {}, {}, noise);
   EXPECT_LT(robust.force_closure, 0.9);
   EXPECT_EQ(robust.percentile_5, 0.0);
-  EXPECT_EQ(robust_epsilon(ring_grasp(2, 0.5), {}).force_closure, 0.0);  // flat, however moved
+  EXPECT_EQ(robust_epsilon(ring_grasp(2, 0.5), {}, {}).force_closure, 0.0);  // flat, however moved
 }
 
 // Epsilon of an octahedron is about proportional to its friction: so is its spread.

@@ -14,6 +14,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/shape/proximity.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {

@@ -8,6 +8,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/random.h"
+#include "sim/scene/reach/motion_check.h"
 #include "tests/support/block_on_table.h"
 #include "tests/support/library_scenes.h"
 #include "tests/support/scenes.h"

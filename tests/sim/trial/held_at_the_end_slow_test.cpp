@@ -13,6 +13,8 @@
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/payload_margin.h"
 #include "sim/trial/perturbed_trials.h"
+#include "sim/trial/run_trial.h"
+#include "sim/trial/uncertainty.h"
 #include "tests/support/published_grasps.h"
 #include "tests/support/scenes.h"
 #include "tests/support/shared_data.h"

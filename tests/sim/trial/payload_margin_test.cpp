@@ -9,6 +9,7 @@
 
 #include "sim/base/gravity.h"
 #include "sim/base/random.h"
+#include "sim/quality/forces.h"
 #include "sim/shape/object_generator.h"
 #include "sim/trial/candidate.h"
 #include "sim/trial/grasp_contacts.h"

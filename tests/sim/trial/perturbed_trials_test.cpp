@@ -9,6 +9,8 @@
 #include "sim/base/gravity.h"
 #include "sim/scene/object_mass.h"
 #include "sim/trial/payload_margin.h"
+#include "sim/trial/run_trial.h"
+#include "sim/trial/uncertainty.h"
 #include "tests/support/scenes.h"
 
 namespace prehend {

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/quality/epsilon.h"
+#include "sim/quality/wrench.h"
 #include "sim/trial/candidate.h"
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/run_trial.h"
@@ -33,11 +35,14 @@ class Nearby : public testing::Test {
   }
 };
 
-TEST_F(Nearby, IsEpsilonAloneWithoutAnyChange) {
+// What is varied begins at the grasp as the trial found it.
+TEST_F(Nearby, BeginsAtTheEpsilonOfTheContacts) {
   ASSERT_EQ(held().outcome, Outcome::stable);
-  const Interval range = epsilon_nearby(scene(), held(), {}, {0.0, 0.0, 0.0});
-  EXPECT_EQ(range.lower, held().epsilon.lower);
-  EXPECT_EQ(range.upper, held().epsilon.lower);
+  const TrialOptions options;
+  const auto contacts = grasp_contacts(scene(), held().X_OH, held().joints, options);
+  const Wrenches wrenches =
+      contact_wrenches(contacts_of(contacts), scene().wrench_frame, options.cone_edges);
+  EXPECT_EQ(epsilon_l1(wrenches).lower, held().epsilon.lower);
 }
 
 // Flat fingers close to the same small gap on both sides, far from the threshold.
@@ -48,8 +53,8 @@ TEST_F(Nearby, IsNarrowWhereNoContactIsNearTheThreshold) {
   EXPECT_GT(range.lower, 0.9 * held().epsilon.lower);
 }
 
-// With the threshold at the largest gap of all, a slightly smaller one loses that contact, and with
-// hard contacts of one finger alone nothing is held.
+// With the threshold at the largest gap of all, a tenth less loses that contact, and with hard
+// contacts of one finger alone nothing is held. A tenth less of a larger threshold loses none.
 TEST_F(Nearby, ReachesZeroWhereTheThresholdIsTheGap) {
   TrialOptions options;
   options.soft_fingers = false;
@@ -58,8 +63,9 @@ TEST_F(Nearby, ReachesZeroWhereTheThresholdIsTheGap) {
     largest = std::max(largest, contact.gap);
   }
   options.contact.threshold = 1.01 * largest;
-  EXPECT_EQ(epsilon_nearby(scene(), held(), options, {0.0, 0.0, 0.9}).lower, 0.0);
-  EXPECT_GT(epsilon_nearby(scene(), held(), options, {0.0, 0.0, 0.0}).lower, 0.0);
+  EXPECT_EQ(epsilon_nearby(scene(), held(), options).lower, 0.0);
+  options.contact.threshold = 1.2 * largest;
+  EXPECT_GT(epsilon_nearby(scene(), held(), options).lower, 0.0);
 }
 
 }  // namespace

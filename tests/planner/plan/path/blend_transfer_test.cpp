@@ -7,6 +7,7 @@
 #include "planner/plan/path/motion_lines.h"
 #include "sim/base/index.h"
 #include "sim/base/random.h"
+#include "sim/scene/reach/motion_check.h"
 #include "tests/support/block_on_table.h"
 
 namespace prehend {

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/plan/plan_result.h"
 #include "planner/results/datasets/set_scene.h"
+#include "sim/scene/compiled_scene.h"
 #include "tests/planner/results/datasets/sample_sets.h"
 #include "tests/support/refusal_of.h"
 

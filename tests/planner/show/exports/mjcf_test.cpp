@@ -6,7 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/plan/plan_result.h"
 #include "planner/show/exports/export_files.h"
+#include "planner/show/exports/export_formats.h"
 #include "sim/motion/placed_contact.h"
 #include "sim/robot/files/joint_tree.h"
 #include "sim/robot/files/mjcf_file.h"
@@ -107,12 +109,12 @@ INSTANTIATE_TEST_SUITE_P(Library, MjcfOfHand,
                          [](const auto& of) { return std::string(of.param); });
 
 TEST(Mjcf, DrivesAndCouplingsAreThoseOfTheHand) {
-  const HandDrives jaw = hand_drives(find_robot("parallel_jaw"), {.force = 7.0});
+  const HandDrives jaw = hand_drives(find_robot("parallel_jaw"));
   ASSERT_EQ(jaw.drives.size(), 2U);
   EXPECT_TRUE(jaw.couplings.empty());
   for (const HandDrive& drive : jaw.drives) {
-    EXPECT_EQ(drive.effort, 7.0);
-    EXPECT_EQ(drive.closing, -7.0);
+    EXPECT_EQ(drive.effort, 20.0);
+    EXPECT_EQ(drive.closing, -20.0);
   }
   const HandDrives franka = hand_drives(find_robot("franka_hand"));
   ASSERT_EQ(franka.drives.size(), 2U);
@@ -139,8 +141,8 @@ TEST(Mjcf, ClutchesAreDryFrictionBetweenJoints) {
   const CompiledScene scene = test::compiled(find_robot("barrett"), make_box({0.03, 0.04, 0.05}));
   const Robot& hand = scene.scene.hand;
   MjcfOptions options;
-  options.drives.clutches = make_robot_model(hand).clutches;
-  const HandDrives drives = hand_drives(hand, options.drives);
+  options.clutches = make_robot_model(hand).clutches;
+  const HandDrives drives = hand_drives(hand, options.clutches);
   EXPECT_EQ(drives.couplings.size(), 1U);  // the spread
   ASSERT_EQ(drives.clutches.size(), 3U);
   for (const HandClutch& clutch : drives.clutches) {

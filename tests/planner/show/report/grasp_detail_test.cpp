@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/results/contacts_file.h"
 #include "planner/show/report/contacts_report.h"
 #include "sim/quality/wrench_hull.h"
+#include "sim/quality/wrench_space.h"
 #include "tests/support/grasp_families.h"
 
 namespace prehend {

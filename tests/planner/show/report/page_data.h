@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "planner/show/report/report_html.h"
+#include "planner/show/report/report.h"
 
 namespace prehend::test {
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/plan/plan.h"
+#include "planner/results/grasps_file.h"
 #include "planner/show/report/plan_report.h"
 #include "tests/planner/show/report/page_data.h"
 #include "tests/support/block_on_table.h"
@@ -20,7 +21,7 @@ using test::held_cube;
 using test::HeldCube;
 
 // Without what takes long to find out.
-const PlanReportOptions kBrief{.most_detailed = 0};
+constexpr std::size_t kBrief = 0;  // grasps in detail
 
 PlanOptions few_candidates() {
   PlanOptions options;
@@ -72,15 +73,16 @@ TEST(PlanReport, CancelledBeforehandThrows) {
   const PlanResult result = planned(scene);
   RunContext context;
   context.cancellation.request();
-  EXPECT_THROW(plan_report(scene, result, {}, {}, context), Cancelled);
+  EXPECT_THROW(plan_report(scene, result, {}, kMostDetailed, context), Cancelled);
 }
 
 TEST(PlanReport, IsTheSameOnOneAndTwoThreads) {
   const CompiledScene scene = held_cube().scene;
   const PlanResult result = planned(scene);
   ASSERT_GE(result.grasps.size(), 4U);
-  const std::string one = report_html(plan_report(scene, result, {}, {}, {.threads = 1}));
-  EXPECT_EQ(one, report_html(plan_report(scene, result, {}, {}, {.threads = 2})));
+  const std::string one =
+      report_html(plan_report(scene, result, {}, kMostDetailed, {.threads = 1}));
+  EXPECT_EQ(one, report_html(plan_report(scene, result, {}, kMostDetailed, {.threads = 2})));
   const nlohmann::json data = data_of(one);
   expect_counted(result, data);
   ASSERT_EQ(data["grasps"].size(), result.grasps.size());

@@ -10,6 +10,8 @@
 #include "sim/base/index.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/trial/candidate.h"
+#include "sim/trial/trial.h"
 #include "tests/planner/show/report/unpack.h"
 #include "tests/support/library_scenes.h"
 #include "tests/support/trees.h"

@@ -9,6 +9,7 @@
 #include "sim/motion/control/run_controlled.h"
 #include "sim/motion/control/time_path.h"
 #include "sim/motion/control/wrist_impedance.h"
+#include "sim/motion/robot_dynamics.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/support/refusal_of.h"
 
@@ -145,7 +146,7 @@ TEST_F(Arm, AWristOnSpringsGivesWayByForceOverStiffness) {
   EXPECT_EQ(run_controlled(world, {{0, unaware}}, options).outcome, ControlOutcome::finished);
   const WorldRobot& robot = world.robots[0];
   EXPECT_LT(robot.rate.norm(), 1e-5);
-  const RobotDynamics& dynamics = model_of(world).dynamics;
+  const RobotDynamics& dynamics = *model_of(world).dynamics;
   const JointVector none = JointVector::Zero(6);
   RobotSurroundings around;
   around.gravity_B = world.gravity - known;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/motion/robot_dynamics.h"
 #include "sim/motion/step_world.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/support/refusal_of.h"
@@ -65,7 +66,7 @@ TEST(StatedGains, AnArmHoldsItsPostureByThem) {
   RobotSurroundings around;
   around.gravity_B = world.gravity;
   const Eigen::VectorXd weight =
-      model.dynamics.bias(joints_of(arm), Eigen::VectorXd::Zero(6), around);
+      model.dynamics->bias(joints_of(arm), Eigen::VectorXd::Zero(6), around);
   const Eigen::VectorXd sag = wanted - arm.x;
   EXPECT_GT(sag.cwiseAbs().maxCoeff(), 1e-4);
   EXPECT_LT((gains.stiffness.cwiseProduct(sag) - weight).norm(), 1e-6 * weight.norm());

@@ -47,7 +47,7 @@ Robot planar_arm(double elbow_limit) {
 }
 
 TEST(PostureSurvey, OfAPlanarArmFillsTheRing) {
-  const PostureSurvey survey = survey_postures(planar_arm(std::numbers::pi), {.postures = 4000});
+  const PostureSurvey survey = survey_postures(planar_arm(std::numbers::pi), 4000);
   EXPECT_EQ(survey.colliding, 0);
   ASSERT_EQ(survey.tips.size(), 1U);
   const TipWorkspace& tip = survey.tips.front();
@@ -83,7 +83,7 @@ TEST(PostureSurvey, CountsPosturesThatCollide) {
   }
   arm.links.front().mesh = ring;
   arm.exempt_pairs = {{0, 1}};
-  const PostureSurvey survey = survey_postures(arm, {.postures = 1000});
+  const PostureSurvey survey = survey_postures(arm, 1000);
   ASSERT_EQ(survey.pairs.size(), 1U);
   EXPECT_EQ(survey.pairs.front().first, 0);
   EXPECT_EQ(survey.pairs.front().second, 2);
@@ -96,7 +96,7 @@ TEST(PostureSurvey, CountsPosturesThatCollide) {
 
 TEST(PostureSurvey, TipsOfAHandAreThoseOfItsFingers) {
   const Robot hand = find_robot("barrett");
-  const PostureSurvey survey = survey_postures(hand, {.postures = 200});
+  const PostureSurvey survey = survey_postures(hand, 200);
   ASSERT_EQ(survey.tips.size(), 3U);
   for (const TipWorkspace& tip : survey.tips) {
     EXPECT_GT(tip.farthest, 0.05) << tip.name;
@@ -106,14 +106,13 @@ TEST(PostureSurvey, TipsOfAHandAreThoseOfItsFingers) {
 
 TEST(PostureSurvey, IsTheSameForTheSameSeed) {
   const Robot hand = find_robot("dlr");
-  const SurveyOptions options{.postures = 100, .seed = 7};
-  const PostureSurvey first = survey_postures(hand, options);
-  const PostureSurvey again = survey_postures(hand, options);
+  const PostureSurvey first = survey_postures(hand, 100, 7);
+  const PostureSurvey again = survey_postures(hand, 100, 7);
   EXPECT_EQ(first.colliding, again.colliding);
   for (std::size_t t = 0; t < first.tips.size(); ++t) {
     EXPECT_EQ(first.tips[t].points, again.tips[t].points);
   }
-  const PostureSurvey other = survey_postures(hand, {.postures = 100, .seed = 8});
+  const PostureSurvey other = survey_postures(hand, 100, 8);
   EXPECT_NE(first.tips.front().points, other.tips.front().points);
 }
 
@@ -121,13 +120,13 @@ TEST(PostureSurvey, WhatHasNoLimitsIsDrawnFromOneTurn) {
   Robot arm = planar_arm(1.0);
   arm.dofs.front().lower = -std::numeric_limits<double>::infinity();
   arm.dofs.front().upper = std::numeric_limits<double>::infinity();
-  const TipWorkspace tip = survey_postures(arm, {.postures = 500}).tips.front();
+  const TipWorkspace tip = survey_postures(arm, 500).tips.front();
   EXPECT_GT(tip.box.upper.x(), 0.45);
   EXPECT_LT(tip.box.lower.x(), -0.45);
 }
 
 TEST(PostureSurvey, RefusesNoPostures) {
-  EXPECT_THROW(survey_postures(planar_arm(1.0), {.postures = 0}), InputError);
+  EXPECT_THROW(survey_postures(planar_arm(1.0), 0), InputError);
 }
 
 }  // namespace

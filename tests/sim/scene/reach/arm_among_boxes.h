@@ -13,6 +13,7 @@
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/reach/motion_check.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend::test {
 

@@ -1,4 +1,4 @@
-#include "sim/motion/contact_memory.h"
+#include "sim/motion/contact_search.h"
 
 #include <algorithm>
 
@@ -16,9 +16,9 @@ HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
 
 // The nearest contact first, then again and again the one that a body which tilts on those chosen
 // meets first: far from them, and with little more of a gap than the nearest. On an even face that
-// is the one farthest from all. `found` are sorted by gap.
-std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const Pose& X_BA,
-                                const ContactSearchOptions& options) {
+// is the one farthest from all. `found` are sorted by gap, the chosen are at most kMost.
+std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const Pose& X_BA) {
+  constexpr std::size_t kMost = 8;
   constexpr double kEven = 2e-5;  // gaps that differ by less count as equal [m]
   // Farther away, distance counts less: what stands on two places tilts about the line between
   // them, and meets next what is beside that line.
@@ -29,14 +29,14 @@ std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const 
   if (contacts.empty()) return chosen;
   std::vector<double> distance(contacts.size(), std::numeric_limits<double>::infinity());
   std::size_t next = 0;
-  while (static_cast<int>(chosen.size()) < options.most) {
+  while (chosen.size() < kMost) {
     chosen.push_back(contacts[next]);
     double best = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      distance[i] = std::min(distance[i], difference(contacts[i], chosen.back(), options.arm));
+      distance[i] = std::min(distance[i], difference(contacts[i], chosen.back()));
       const double lever = distance[i] / (1.0 + distance[i] / kFar);
       const double reached = lever / (found[i].gap - found.front().gap + kEven);
-      if (distance[i] < options.apart || reached <= best) continue;
+      if (distance[i] < kContactsApart || reached <= best) continue;
       best = reached;
       next = i;
     }
@@ -46,14 +46,13 @@ std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const 
 }
 
 // Each old impulse goes to the new contact that differs least from where it acted, if any is near.
-void take_over(const std::vector<HeldContact>& before, double arm,
-               std::vector<HeldContact>& contacts) {
+void take_over(const std::vector<HeldContact>& before, std::vector<HeldContact>& contacts) {
   constexpr double kNear = 5e-3;  // [m]
   for (const HeldContact& old : before) {
     HeldContact* nearest = nullptr;
     double least = kNear;
     for (HeldContact& contact : contacts) {
-      const double d = difference(contact, old, arm);
+      const double d = difference(contact, old);
       if (d >= least) continue;
       least = d;
       nearest = &contact;
@@ -66,8 +65,8 @@ void take_over(const std::vector<HeldContact>& before, double arm,
 
 }  // namespace
 
-double difference(const HeldContact& a, const HeldContact& b, double arm) {
-  return (a.p_A - b.p_A).norm() + arm * (a.normal_A - b.normal_A).norm();
+double difference(const HeldContact& a, const HeldContact& b) {
+  return (a.p_A - b.p_A).norm() + kContactArm * (a.normal_A - b.normal_A).norm();
 }
 
 void stick_here(const Pose& X_AB, HeldContact& contact) {
@@ -76,8 +75,7 @@ void stick_here(const Pose& X_AB, HeldContact& contact) {
 }
 
 void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB, double range,
-                     const ContactSearchOptions& options, ContactWorkspace& workspace,
-                     PairMemory& memory) {
+                     ContactWorkspace& workspace, PairMemory& memory) {
   ContactOptions contact_options;
   contact_options.threshold = range;
   // Corners of a face that is not parallel are contacts as well: it may turn onto them in the step.
@@ -86,8 +84,8 @@ void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose&
   find_contact_points(a, b, X_AB, contact_options, workspace, found);
   std::stable_sort(found.begin(), found.end(),
                    [](const SurfaceContact& p, const SurfaceContact& q) { return p.gap < q.gap; });
-  std::vector<HeldContact> chosen = spread(found, X_AB.inverse(), options);
-  take_over(memory.contacts, options.arm, chosen);
+  std::vector<HeldContact> chosen = spread(found, X_AB.inverse());
+  take_over(memory.contacts, chosen);
   memory.contacts = std::move(chosen);
   memory.X_AB = X_AB;
   memory.at_least = range;

@@ -1,0 +1,30 @@
+// grasp_contacts in memory that is used again and again.
+#pragma once
+
+#include <vector>
+
+#include "sim/robot/robot.h"
+#include "sim/shape/contact/contact_region.h"
+#include "sim/shape/contact/soft_patch.h"
+#include "sim/trial/grasp_contacts.h"
+
+namespace prehend {
+
+// Buffers of grasp_contacts, to allocate less; one for each thread.
+struct GraspContactsWorkspace {
+  RobotPoses poses;
+  RegionWorkspace regions;
+  std::vector<SurfaceContact> touching;  // of one link
+  SoftPatchWorkspace soft;
+  std::vector<SoftPatch> patches;  // of one link
+};
+
+// As grasp_contacts of grasp_contacts.h; `contacts` is replaced.
+void grasp_contacts(const CompiledScene& scene, const Pose& X_OH, const std::vector<double>& joints,
+                    const TrialOptions& options, GraspContactsWorkspace& workspace,
+                    std::vector<GraspContact>& contacts);
+
+// As contacts_of of grasp_contacts.h; `points` is replaced.
+void contacts_of(const std::vector<GraspContact>& contacts, std::vector<Contact>& points);
+
+}  // namespace prehend
