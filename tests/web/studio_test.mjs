@@ -321,12 +321,14 @@ test('what fails once, or is asked for before there is a session, blocks nothing
       const reported = [];
       window.reportError = (error) => reported.push(error.message);
       const done = [];
+      // The page's scripts are one function, so that its class is reached through an instance.
+      const {live, grasp} = window.studio;
+      const Coalescer = grasp.judge.constructor;
       const coalescer = new Coalescer(async (name) => {
         if (name === 'bad') throw new Error('not this one');
         done.push(name);
       });
       await Promise.all([coalescer.ask('bad'), coalescer.ask('good')]);
-      const {live, grasp} = window.studio;
       const {state} = live;
       live.state = null;
       await grasp.judge.ask();

@@ -277,7 +277,7 @@ TEST(PlanReport, AGraspWithoutAPathIsCountedAsSuch) {
   options.rank.top = 1000;
   options.paths.emplace();
   options.paths->alternatives = 1;
-  options.paths->transfer.max_iterations = 0;
+  options.paths->transfer.max_iterations = 1;
   const PlanResult result = plan(scene, options);
   EXPECT_GT(count_in(result, Outcome::no_path), 0);
   EXPECT_GT(count_in(result, Outcome::unreachable), 0);
