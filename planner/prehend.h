@@ -21,7 +21,7 @@
 //   mass_properties.h     volume, centre of mass and inertia of what a mesh bounds
 //   mass_parts.h          the same of an object whose parts have densities of their own
 //   object_mass.h         where the mass of an object to grasp is, and who says so
-//   material.h            materials and the friction between them
+//   friction_table.h      materials and the friction between them
 //   robot.h               a robot, and of a hand what makes it one; where its links are
 //   robot_file.h          a hand or robot by name or file
 //   derive_hand.h         what makes a robot a hand, from its joints and shape
@@ -122,8 +122,8 @@
 #include "sim/robot/platform.h"
 #include "sim/robot/robot.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/scene/friction_table.h"
 #include "sim/scene/make_scene.h"
-#include "sim/scene/material.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/reach/cartesian_line.h"
 #include "sim/scene/reach/reach.h"

@@ -6,7 +6,7 @@ namespace prehend {
 namespace {
 
 // A round value of the radius of fingertips, with which the depth of a compliant material was
-// stated (material.h) [m].
+// stated (friction_table.h) [m].
 constexpr double kPadRadius = 0.03;
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 
 // What is assumed of a robot that does not say it.
 
-// Density of links whose mass is not known: solid plastic (material.h) [kg/m^3].
+// Density of links whose mass is not known: solid plastic (sim/base/material.h) [kg/m^3].
 constexpr double kDensity = 1050.0;
 // Force at its farthest link with which a degree of freedom closes that states no effort [N].
 constexpr double kTipForce = 15.0;

@@ -12,7 +12,7 @@
 #include "sim/motion/contact_memory.h"
 #include "sim/motion/rigid_motion.h"
 #include "sim/motion/robot_model.h"
-#include "sim/scene/material.h"
+#include "sim/scene/friction_table.h"
 
 namespace prehend {
 

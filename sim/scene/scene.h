@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/robot/platform.h"
-#include "sim/scene/material.h"
+#include "sim/scene/friction_table.h"
 #include "sim/shape/mass_parts.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/primitive.h"

@@ -1,4 +1,4 @@
-#include "sim/scene/material.h"
+#include "sim/scene/friction_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,7 @@ namespace prehend {
 namespace {
 
 // Arguments of `truth`.
-struct ValidateCommand {
+struct TruthCommand {
   std::filesystem::path file;
   bool volumes = true;   // the volume of each grasp is a score as well
   int resamples = 2000;  // of the bootstrap
@@ -24,7 +24,7 @@ struct ValidateCommand {
   CommonOptions common = {.out = "out/truth"};
 };
 
-void declare(CLI::App& command, ValidateCommand& options) {
+void declare(CLI::App& command, TruthCommand& options) {
   command
       .add_option("file", options.file, "file of executed grasps (docs/reference/truth-file.md)")
       ->required();
@@ -42,7 +42,7 @@ void declare(CLI::App& command, ValidateCommand& options) {
   command.add_flag("--no-report", options.common.no_report, "do without options.html");
 }
 
-CompareOptions truth_options(const ValidateCommand& command) {
+CompareOptions truth_options(const TruthCommand& command) {
   const PlanOptions accuracy = requested_accuracy(command.common.accuracy);
   CompareOptions options;
   options.evaluation.seed = command.common.seed;
@@ -56,13 +56,13 @@ CompareOptions truth_options(const ValidateCommand& command) {
 }
 
 // The parsed file, which takes several times the memory of the grasps, ends here.
-ExecutedGrasps read_asked(const ValidateCommand& command) {
+ExecutedGrasps read_asked(const TruthCommand& command) {
   ExecutedGrasps truth = read_executed_grasps(JsonFile(command.file));
   for (const ExecutedObject& object : truth.objects) print_notes(object.scene.scene);
   return truth;
 }
 
-int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
+int run_truth(const TruthCommand& command, Interrupts& interrupts) {
   require_writable(command.common.out);
   const CompareOptions options = truth_options(command);
   const ExecutedGrasps truth = read_asked(command);
@@ -97,7 +97,7 @@ int run_validate(const ValidateCommand& command, Interrupts& interrupts) {
 }  // namespace
 
 void add_validate(CLI::App& app, CommandRequest& request) {
-  add_command(app, request, kTruth.name, kTruth.summary, declare, run_validate);
+  add_command(app, request, kTruth.name, kTruth.summary, declare, run_truth);
 }
 
 }  // namespace prehend

@@ -1,5 +1,5 @@
 // The table of friction coefficients.
-#include "sim/scene/material.h"
+#include "sim/scene/friction_table.h"
 
 #include <limits>
 
