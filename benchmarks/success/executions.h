@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "planner/plan/plan_result.h"
-#include "sim/trial/uncertainty.h"
 #include "sim/trial/trial_options.h"
+#include "sim/trial/uncertainty.h"
 
 namespace prehend::bench {
 

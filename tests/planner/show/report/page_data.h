@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "planner/show/report/report_html.h"
 #include "planner/show/report/report.h"
+#include "planner/show/report/report_html.h"
 
 namespace prehend::test {
 
