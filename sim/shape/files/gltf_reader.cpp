@@ -94,7 +94,7 @@ Eigen::Affine3d transform_of(const Json& node) {
     X.affine() = Eigen::Map<const Eigen::Matrix4d>(columns.data()).topRows<3>();
     return X;
   }
-  const auto numbers = [&](const char* name, std::vector<double> otherwise) {
+  const auto numbers = [&](const char* name, const std::vector<double>& otherwise) {
     return node.contains(name) ? gltf_numbers(node, name, otherwise.size()) : otherwise;
   };
   const std::vector<double> translation = numbers("translation", {0.0, 0.0, 0.0});
