@@ -61,11 +61,13 @@ export class OpenStudio {
   }
 
   // Until the session has answered everything, all of it is drawn, and the grasp in hand is judged.
+  // A coarse picture does: the fine one follows after a pause of up to 3 seconds in which nothing
+  // moves.
   async settle() {
     await this.until(() => {
       const {live, stage, grasp, handling} = window.studio;
       return live.connection.waiting.size === 0 && !stage.sync.busy && !grasp.judge.busy &&
-          !handling.moves.busy && !handling.turns.busy && stage.canvas.dataset.drawn === 'fine';
+          !handling.moves.busy && !handling.turns.busy && stage.canvas.dataset.drawn !== 'stale';
     });
   }
 
