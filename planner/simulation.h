@@ -8,8 +8,8 @@
 //   simulate.h            a scene simulated and recorded
 //   simulation_file.h     its states as files
 //   simulation_report.h   its report
-//   shake.h               one grasp under a protocol, and what became of it
-//   test_procedure_file.h protocols from files and from the library
+//   shake.h               one grasp under a test procedure, and what became of it
+//   test_procedure_file.h test procedures from files and from the library
 // Bodies and robots
 //   world.h               bodies and robots that move
 //   step_world.h          moves them on, step by step
