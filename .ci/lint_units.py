@@ -4,7 +4,7 @@
 
 Prints what it finds; ends with 1 where it found something. A unit that passed is not looked at again
 before something changes that it depends on: its command, a file of the checkout that it includes,
-.clang-tidy, or a package that is installed. BUILD_FOLDER/passed has an empty file for each such state.
+.clang-tidy, lint_scope.cpp, or a package that is installed. BUILD_FOLDER/passed has an empty file for each such state.
 """
 import concurrent.futures
 import functools
@@ -13,6 +13,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
@@ -21,6 +22,8 @@ BUILD = pathlib.Path(sys.argv[1]).resolve()
 # What is joined of the library and of the benchmarks; tests are only compiled.
 UNITS = re.compile(re.escape(str(BUILD)) + "/(CMakeFiles|benchmarks)/")
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+SCOPE_SOURCE = HOME / ".ci/lint_scope.cpp"
+SCOPE = BUILD / "lint_scope.so"
 NOISE = re.compile(r"^\d+ warnings? generated\.?$|^$")
 
 
@@ -54,14 +57,21 @@ def state_of(unit, command, surroundings):
 def surroundings():
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True).stdout
     packages = pathlib.Path("/var/lib/dpkg/status")
-    parts = [version, (HOME / ".clang-tidy").read_bytes(), packages.read_bytes() if packages.exists() else b""]
+    parts = [version, (HOME / ".clang-tidy").read_bytes(), SCOPE_SOURCE.read_bytes(), packages.read_bytes() if packages.exists() else b""]
     return hashlib.sha256(b"\0".join(parts)).digest()
+
+
+def build_scope():
+    """The module of lint_scope.cpp, with the headers that belong to this clang-tidy."""
+    headers = pathlib.Path(shutil.which("clang-tidy")).resolve().parent.parent / "include"
+    subprocess.run(["clang++", "-std=c++17", "-fno-rtti", "-fPIC", "-shared", f"-isystem{headers}",
+                    str(SCOPE_SOURCE), "-o", str(SCOPE)], check=True)
 
 
 def check(unit):
     """What clang-tidy says of a unit; empty where it passes."""
-    run = subprocess.run(["clang-tidy", "-quiet", "-p", str(BUILD), str(unit)], check=False, text=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    run = subprocess.run(["clang-tidy", "-quiet", f"-load={SCOPE}", "-p", str(BUILD), str(unit)], check=False,
+                         text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     lines = [line for line in run.stdout.splitlines() if not NOISE.match(line)]
     if run.returncode != 0 and not lines:
         lines = [f"{unit}: clang-tidy ended with {run.returncode}"]
@@ -79,6 +89,8 @@ def main():
     # The largest first, so that nothing long is left for one processor at the end.
     waiting.sort(key=lambda unit: sum(file.stat().st_size for file in files_of(unit)), reverse=True)
     print(f"clang-tidy: {len(waiting)} of {len(states)} units, the others passed before", file=sys.stderr)
+    if waiting:
+        build_scope()
     found = False
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         for unit, findings in zip(waiting, pool.map(check, waiting)):

@@ -78,9 +78,8 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   const double size = bounds(scene.object.mesh).size().maxCoeff();
   if (size < kSmallestObject) {
     throw InputError({scene.name, "object",
-                      formatted("%.3g mm large%s: too small for contacts, which are found within "
-                                "0.1 mm",
-                                1000.0 * size, unit_hint(scene.object).c_str()),
+                      formatted("%.3g mm large%s: too small to find contacts on", 1000.0 * size,
+                                unit_hint(scene.object).c_str()),
                       scene.object.name});
   }
   CompiledScene compiled{.scene = scene};
