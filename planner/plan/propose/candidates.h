@@ -40,7 +40,7 @@ struct ProposedGrasp {
   // Which way it is (ProposalSequence), the value of each of its freedoms and the level of detail
   // at which these values first occur.
   int way = 0;
-  std::vector<double> choices;
+  std::vector<double> choices = {};
   int level = 0;
 };
 

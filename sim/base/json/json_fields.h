@@ -26,7 +26,7 @@ namespace prehend {
 inline nlohmann::ordered_json value_to_json(const Vector3& value) { return vector_to_json(value); }
 inline nlohmann::ordered_json value_to_json(const Pose& value) { return pose_to_json(value); }
 template <NamedEnum Enum>
-nlohmann::ordered_json value_to_json(Enum value) {
+nlohmann::ordered_json value_to_json(const Enum& value) {
   return name_of(value);
 }
 template <typename T>
