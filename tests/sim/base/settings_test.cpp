@@ -38,9 +38,9 @@ struct HorseOptions {
   static constexpr AboutSettings kAbout{"HorseOptions", "How a horse goes."};
   int legs = 4;
   Gait gait = Gait::walk;
-  HoofOptions front;
-  HoofOptions rear;
-  std::optional<HoofOptions> spare;
+  HoofOptions front = {};
+  HoofOptions rear = {};
+  std::optional<HoofOptions> spare = {};
   int seed = 1;
 };
 
