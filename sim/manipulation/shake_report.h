@@ -55,7 +55,7 @@ struct ShakeTestReport {
   std::string name;  // of the test; "prepare" before all tests
   ShakeOutcome outcome = ShakeOutcome::survived;
   double failed_at = 0.0;  // since the test began [s]; of no meaning where it survived
-  std::vector<PhaseReport> phases;
+  std::vector<PhaseReport> phases = {};
   std::optional<FirstSlip> first_slip = {};
   // What its growing pulls reached before it failed; none without such a phase [m/s^2].
   std::optional<double> largest_pull = {};
