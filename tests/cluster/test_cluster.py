@@ -67,11 +67,12 @@ class Batch(unittest.TestCase):
     def queue(self):
         return self.run_prehend("queue", "-o", self.out)
 
-    def shard_processes(self):
-        """The processes of the program that are at a shard of this batch."""
+    def shard_processes(self, node=None):
+        """The processes of the program that are at a shard of this batch, on all nodes or on one."""
         out = os.fsencode(self.out)
-        return [pid for pid, words, _ in one_machine_slurm.processes()
-                if out in words and b"--shard" in words]
+        return [pid for pid, words, environment in one_machine_slurm.processes()
+                if out in words and b"--shard" in words
+                and (node is None or f"SLURMD_NODENAME={node}".encode() in environment)]
 
     def expect_merged_as_without_a_cluster(self):
         alone = self.folder / "alone"
@@ -97,7 +98,7 @@ class SlurmTest(Batch):
         def runs_there():
             tasks = self.slurm.tasks()
             self.assertTrue(tasks, f"all has ended: {self.queue()}")
-            return self.shard_processes() and any(row[1:3] == ["RUNNING", node] for row in tasks)
+            return self.shard_processes(node) and any(row[1:3] == ["RUNNING", node] for row in tasks)
 
         wait_until(runs_there, f"a task runs on {node}")
 
@@ -122,13 +123,23 @@ class SlurmTest(Batch):
         self.assertRegex(self.queue(), r"has ended: 8 completed of 8 shards; merge completed\n$")
         self.expect_merged_as_without_a_cluster()
 
+    def signal_until_one_starts_again(self):
+        """Returns the task that does. One that is signalled may just have come to its end."""
+        while True:
+            self.wait_for_task_on("n1")
+            try:
+                task = self.slurm.signal_task("n1", signal.SIGUSR1)
+            except LookupError:
+                continue
+            restarts = wait_until(lambda: {row[0]: row[3] for row in self.slurm.tasks()}.get(task, -1),
+                                  "the task starts again or ends")
+            if restarts > 0:
+                return task
+
     def test_time_that_ends(self):
         """What Slurm sends before the time limit, which is minutes away at least, is sent here by hand."""
         self.submit_to_slurm()
-        self.wait_for_task_on("n1")
-        task = self.slurm.signal_task("n1", signal.SIGUSR1)
-        wait_until(lambda: any(row[0] == task and row[3] == 1 for row in self.slurm.tasks()),
-                   "the task starts again")
+        task = self.signal_until_one_starts_again()
         self.wait_for_end()
         self.assertIn("time limit is near", (self.out / "log" / f"{task}.txt").read_text())
         self.expect_merged_as_without_a_cluster()
