@@ -12,8 +12,7 @@ namespace {
 
 using clang::ast_matchers::MatchFinder;
 
-// Asked first, when only the unit as a whole was matched: what is below it is then taken from the
-// scope.
+// The unit as a whole is matched before what it contains, and clang takes that from the scope.
 class OwnSources : public clang::tidy::ClangTidyCheck {
  public:
   using ClangTidyCheck::ClangTidyCheck;

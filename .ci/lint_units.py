@@ -4,7 +4,8 @@
 
 Prints what it finds; ends with 1 where it found something. A unit that passed is not looked at again
 before something changes that it depends on: its command, a file of the checkout that it includes,
-.clang-tidy, lint_scope.cpp, or a package that is installed. BUILD_FOLDER/passed has an empty file for each such state.
+.clang-tidy, lint_scope.cpp, or a package that is installed. BUILD_FOLDER/passed has an empty file for
+each such state.
 """
 import concurrent.futures
 import functools
@@ -57,7 +58,7 @@ def state_of(unit, command, surroundings):
 def surroundings():
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True).stdout
     packages = pathlib.Path("/var/lib/dpkg/status")
-    parts = [version, (HOME / ".clang-tidy").read_bytes(), SCOPE_SOURCE.read_bytes(), packages.read_bytes() if packages.exists() else b""]
+    parts = [version, *(file.read_bytes() for file in (HOME / ".clang-tidy", SCOPE_SOURCE, packages) if file.exists())]
     return hashlib.sha256(b"\0".join(parts)).digest()
 
 

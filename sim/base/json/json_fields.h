@@ -25,6 +25,8 @@ namespace prehend {
 // field when the type does not fit.
 inline nlohmann::ordered_json value_to_json(const Vector3& value) { return vector_to_json(value); }
 inline nlohmann::ordered_json value_to_json(const Pose& value) { return pose_to_json(value); }
+// Takes a reference as the template for all types does: gcc finds one that takes a value ambiguous
+// with it.
 template <NamedEnum Enum>
 nlohmann::ordered_json value_to_json(const Enum& value) {
   return name_of(value);
