@@ -14,9 +14,53 @@ HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
   return {.p_A = contact.position, .p_B = X_BA * on_b, .normal_A = contact.normal};
 }
 
+// Whether a rigid body keeps contact i open where it keeps the others open: their normals are
+// alike, they surround it, and its gap is not smaller than the one between theirs. Such a contact
+// would bear weight at random: a vertex inside of a face is one, and a disc that rests on it spins
+// for ever. So forces act at the corners of a face, as in contact_region.h.
+//
+// It is not if some plane over the tangent plane lies below the gaps of all others and above that
+// of i: all slopes of such planes are a convex polygon, cut out by one half-plane a contact.
+bool is_implied(const std::vector<SurfaceContact>& found, const std::vector<bool>& left_out,
+                std::size_t i) {
+  constexpr double kAlike = 1e-3;    // normals [rad]
+  constexpr double kLower = 1e-6;    // gaps that are smaller by less than this are not [m]
+  constexpr double kSteepest = 0.1;  // with kLower: corners that stand out by 10 um count
+  const Vector3 along = found[i].normal.unitOrthogonal();
+  const Vector3 across = found[i].normal.cross(along);
+  using Point2 = Eigen::Vector2d;
+  std::vector<Point2> slopes = {{-kSteepest, -kSteepest},
+                                {kSteepest, -kSteepest},
+                                {kSteepest, kSteepest},
+                                {-kSteepest, kSteepest}};
+  std::vector<Point2> kept;
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    if (k == i || left_out[k]) continue;
+    if ((found[k].normal - found[i].normal).norm() > kAlike) continue;
+    const Vector3 way = found[k].position - found[i].position;
+    const Point2 d(way.dot(along), way.dot(across));
+    const double most = found[k].gap - found[i].gap - kLower;
+    kept.clear();
+    for (std::size_t c = 0; c < slopes.size(); ++c) {
+      const Point2& from = slopes[c];
+      const Point2& to = slopes[(c + 1) % slopes.size()];
+      const double inside = most - d.dot(from);
+      const double inside_next = most - d.dot(to);
+      if (inside >= 0.0) kept.push_back(from);
+      if ((inside > 0.0 && inside_next < 0.0) || (inside < 0.0 && inside_next > 0.0)) {
+        kept.push_back(from + inside / (inside - inside_next) * (to - from));
+      }
+    }
+    if (kept.empty()) return true;
+    slopes.swap(kept);
+  }
+  return false;
+}
+
 // The nearest contact first, then again and again the one that a body which tilts on those chosen
 // meets first: far from them, and with little more of a gap than the nearest. On an even face that
-// is the one farthest from all. `found` are sorted by gap, the chosen are at most kMost.
+// is the one farthest from all. Those that others imply are left out. `found` are sorted by gap,
+// the chosen are at most kMost.
 std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const Pose& X_BA) {
   constexpr std::size_t kMost = 8;
   constexpr double kEven = 2e-5;  // gaps that differ by less count as equal [m]
@@ -28,12 +72,20 @@ std::vector<HeldContact> spread(const std::vector<SurfaceContact>& found, const 
   std::vector<HeldContact> chosen;
   if (contacts.empty()) return chosen;
   std::vector<double> distance(contacts.size(), std::numeric_limits<double>::infinity());
+  std::vector<bool> left_out(contacts.size(), false);
   std::size_t next = 0;
   while (chosen.size() < kMost) {
-    chosen.push_back(contacts[next]);
+    const bool is_chosen = !is_implied(found, left_out, next);
+    if (is_chosen) chosen.push_back(contacts[next]);
+    left_out[next] = !is_chosen;
+    if (chosen.empty()) {
+      ++next;
+      continue;
+    }
     double best = 0.0;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
-      distance[i] = std::min(distance[i], difference(contacts[i], chosen.back()));
+      if (left_out[i]) continue;
+      if (is_chosen) distance[i] = std::min(distance[i], difference(contacts[i], chosen.back()));
       const double lever = distance[i] / (1.0 + distance[i] / kFar);
       const double reached = lever / (found[i].gap - found.front().gap + kEven);
       if (distance[i] < kContactsApart || reached <= best) continue;

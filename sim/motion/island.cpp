@@ -6,9 +6,8 @@
 #include "sim/base/disjoint_sets.h"
 #include "sim/base/index.h"
 #include "sim/motion/joint_conditions.h"
-#include "sim/motion/joint_springs.h"
 #include "sim/motion/placed_contact.h"
-#include "sim/motion/robot_dynamics.h"
+#include "sim/motion/robot_kick.h"
 #include "sim/motion/solve_contacts.h"
 
 namespace prehend {
@@ -26,12 +25,18 @@ class IslandStep {
       : world_(world), solids_(solids), island_(island), time_(time), options_(options) {}
 
   IslandMotion run() {
-    for (const int mover : island_.movers) add_mover(mover);
-    for (const std::size_t p : island_.pairs) add_pair(world_.memory.pairs[p]);
-    const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
-                                      [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
-    if (!has_warm) warm_ = {};
-    motion_.solution = solve_contacts(problem_, {}, warm_);
+    build(had_impulses() ? time_ : 0.5 * time_);
+    motion_.is_free = kick_ < time_ && asks_for_nothing();
+    if (motion_.is_free) {
+      motion_.solution.velocity = problem_.free;
+      motion_.solution.impulses.assign(problem_.contacts.size(), Eigen::Vector4d::Zero());
+    } else {
+      if (kick_ < time_) build(time_);
+      const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
+                                        [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
+      if (!has_warm) warm_ = {};
+      motion_.solution = solve_contacts(problem_, {}, warm_);
+    }
     report();
     return std::move(motion_);
   }
@@ -39,13 +44,57 @@ class IslandStep {
  private:
   bool is_body(int mover) const { return index(mover) < world_.bodies.size(); }
 
+  // What acts on the island, forces for a time `kick` before it moves.
+  void build(double kick) {
+    kick_ = kick;
+    problem_ = {};
+    warm_ = {};
+    places_.clear();
+    motion_ = {};
+    for (const int mover : island_.movers) add_mover(mover);
+    for (const std::size_t p : island_.pairs) add_pair(world_.memory.pairs[p]);
+  }
+
+  // Whether contacts or joints acted in the last step, and are expected to do so in this one.
+  bool had_impulses() const {
+    const bool in_contacts =
+        std::any_of(island_.pairs.begin(), island_.pairs.end(), [&](std::size_t p) {
+          const std::vector<HeldContact>& contacts = world_.memory.pairs[p].contacts;
+          return std::any_of(contacts.begin(), contacts.end(),
+                             [](const HeldContact& held) { return !held.impulse.isZero(0.0); });
+        });
+    return in_contacts || std::any_of(island_.movers.begin(), island_.movers.end(), [&](int mover) {
+             if (is_body(mover)) return false;
+             const std::vector<double>& impulses = robot_at(mover).joint_impulses;
+             return std::any_of(impulses.begin(), impulses.end(),
+                                [](double impulse) { return impulse != 0.0; });
+           });
+  }
+
+  // Whether all conditions hold without an impulse.
+  bool asks_for_nothing() const {
+    return std::all_of(
+        problem_.contacts.begin(), problem_.contacts.end(), [&](const ContactCondition& condition) {
+          if (condition.lower < 0.0) return false;  // friction in joints, drives
+          double opening = condition.offset[0] + condition.correction[0];
+          for (const JacobianBlock& block : condition.blocks) {
+            opening += block.rows.row(0).dot(problem_.free.segment(block.first, block.rows.cols()));
+          }
+          return opening >= 0.0;
+        });
+  }
+
+  const WorldRobot& robot_at(int mover) const {
+    return world_.robots[index(mover) - world_.bodies.size()];
+  }
+
   void add_mover(int mover) {
     const auto first = static_cast<int>(problem_.free.size());
     motion_.first.push_back(first);
     if (is_body(mover)) {
       add_body(world_.bodies[index(mover)], first);
     } else {
-      add_robot(world_.robots[index(mover) - world_.bodies.size()], first);
+      add_robot(robot_at(mover), first);
     }
   }
 
@@ -64,53 +113,23 @@ class IslandStep {
     problem_.masses.push_back({first, std::move(mass)});
     Vector6 free;
     Vector3 momentum = inertia * body.motion.angular;
-    if (!body.torque_W.isZero(0.0)) momentum += time_ * body.torque_W;
+    if (!body.torque_W.isZero(0.0)) momentum += kick_ * body.torque_W;
     free.head<3>() = free_angular_velocity(body.inertial, body.motion.X_WB, momentum, time_);
     free.tail<3>() =
-        body.motion.linear + time_ * (world_.gravity + body.force_W / body.inertial.mass);
+        body.motion.linear + kick_ * (world_.gravity + body.force_W / body.inertial.mass);
     add_velocities(spatial(body.motion.angular, body.motion.linear), free);
   }
 
-  // Viscous friction acts at the end of the step, so that it never turns a motion round.
   void add_robot(const WorldRobot& robot, int first) {
-    const RobotModel& model = *robot.model;
-    const Eigen::VectorXd q = joints_of(robot);
-    const Eigen::MatrixXd& C = model.joints_of;
-    Eigen::MatrixXd mass = C.transpose() * model.dynamics->mass_matrix(q) * C;
-    mass.diagonal() += model.drive_inertia;
-    Eigen::VectorXd push = Eigen::VectorXd::Zero(mass.cols());
-    if (!robot.is_balanced)
-      push -= C.transpose() * model.dynamics->bias(q, C * robot.rate, around(robot));
-    if (robot.effort.size() > 0) push.head(model.dofs()) += robot.effort;
-    Eigen::VectorXd momentum = mass * robot.rate + time_ * push;
-    if (!robot.is_balanced) add_springs(model, q, time_, mass, momentum);
-    for (std::size_t j = 0; j < model.robot.joints.size(); ++j) {
-      const double viscous = model.robot.joints[j].friction.viscous;
-      if (viscous == 0.0) continue;
-      const auto row = C.row(static_cast<Index>(j));
-      mass += time_ * viscous * row.transpose() * row;
-    }
-    add_velocities(robot.rate, mass.llt().solve(momentum));
-    problem_.masses.push_back({first, std::move(mass)});
+    RobotKick kick = kicked(robot, world_.gravity, time_, kick_);
+    add_velocities(robot.rate, kick.mass.llt().solve(kick.momentum));
+    problem_.masses.push_back({first, std::move(kick.mass)});
     for (JointCondition& joint : joint_conditions(robot, first, time_)) {
       const bool is_known = robot.joint_impulses.size() == joint_places(robot);
       warm_.impulses.push_back(Eigen::Vector4d::Zero());
       if (is_known) warm_.impulses.back()[0] = time_ * robot.joint_impulses[joint.place];
       problem_.contacts.push_back(std::move(joint.condition));
     }
-  }
-
-  RobotSurroundings around(const WorldRobot& robot) const {
-    const Matrix3 R_BW = robot.X_WB.linear().transpose();
-    RobotSurroundings around;
-    around.gravity_B = R_BW * world_.gravity;
-    around.base_velocity = spatial(R_BW * robot.base_angular, R_BW * robot.base_linear);
-    // The spatial acceleration of B's origin: what changes of its velocity besides the turn.
-    const Vector3 angular = (robot.base_angular - robot.last_base_angular) / time_;
-    const Vector3 linear = (robot.base_linear - robot.last_base_linear) / time_ -
-                           robot.base_angular.cross(robot.base_linear);
-    around.base_acceleration = spatial(R_BW * angular, R_BW * linear);
-    return around;
   }
 
   int first_of(int mover) const {
@@ -221,6 +240,7 @@ class IslandStep {
   const Solids& solids_;
   const Island& island_;
   double time_;
+  double kick_ = 0.0;  // for how long forces act before it moves [s]
   const StepOptions& options_;
   ContactProblem problem_;
   WarmStart warm_;

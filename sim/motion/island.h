@@ -23,6 +23,10 @@ struct IslandMotion {
   ContactSolution solution;
   std::vector<int> first;  // of each mover: where its velocities begin in the solution
   std::vector<WorldContact> contacts;
+  // Only forces act. They have acted for half of the step, and act for the other half once it has
+  // moved, which makes such motions exact to second order. Where contacts or joints act as well,
+  // the velocities stay those at which their laws hold.
+  bool is_free = false;
 };
 
 // The velocities at the end of a step of `time`. Impulses that contacts and joints had are where

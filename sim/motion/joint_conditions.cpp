@@ -32,6 +32,21 @@ ContactCondition drive_condition(const WorldRobot& robot, const Drive& drive, in
   return condition;
 }
 
+Index first_joint(const Clutch& clutch) { return static_cast<Index>(clutch.joints.front()); }
+
+// Whether a gear keeps the joints of a clutch from being pushed back: unless a drive moves them
+// against the direction in which it locks.
+bool is_locked(const WorldRobot& robot, const Clutch& clutch) {
+  if (!(clutch.gear_effort > 0.0)) return false;
+  const double ratio = robot.model->robot.joints[index(clutch.joints.front())].ratio;
+  return std::none_of(robot.drives.begin(), robot.drives.end(), [&](const Drive& drive) {
+    if (drive.dof != clutch.dof) return false;
+    double way = drive.target_rate;
+    if (!drive.holds_rate && drive.stiffness > 0.0) way = drive.target - robot.x[drive.dof];
+    return way * ratio * clutch.locks < 0.0;
+  });
+}
+
 class JointConditions {
  public:
   JointConditions(const WorldRobot& robot, int first, double time)
@@ -47,13 +62,10 @@ class JointConditions {
       const int slip = static_cast<int>(model_.dofs()) + static_cast<int>(c);
       add_dry({unit_row(first_ + slip)}, model_.clutches[c].effort);
     }
-    for (const Clutch& clutch : model_.clutches) {
-      if (clutch.locks != 0.0 && !opens(clutch)) {
-        add({.blocks = {row_of(clutch.joints.front(), clutch.locks)}});
-      }
-      ++place_;
-    }
     const Eigen::VectorXd q = joints_of(robot_);
+    for (std::size_t c = 0; c < model_.clutches.size(); ++c, ++place_) {
+      if (is_locked(robot_, model_.clutches[c])) add_gear(model_.clutches[c], stop_of(c, q), q);
+    }
     const Eigen::VectorXd v = model_.joints_of * robot_.rate;
     for (std::size_t j = 0; j < model_.robot.joints.size(); ++j) {
       const Joint& joint = model_.robot.joints[j];
@@ -73,15 +85,20 @@ class JointConditions {
     return {first_, sign * model_.joints_of.row(joint)};
   }
 
-  // Whether a drive moves the joints of a clutch against the direction in which it locks.
-  bool opens(const Clutch& clutch) const {
-    const double ratio = model_.robot.joints[index(clutch.joints.front())].ratio;
-    return std::any_of(robot_.drives.begin(), robot_.drives.end(), [&](const Drive& drive) {
-      if (drive.dof != clutch.dof) return false;
-      double way = drive.target_rate;
-      if (!drive.holds_rate && drive.stiffness > 0.0) way = drive.target - robot_.x[drive.dof];
-      return way * ratio * clutch.locks < 0.0;
-    });
+  double stop_of(std::size_t clutch, const Eigen::VectorXd& q) const {
+    return robot_.gear_stops.empty() ? q[first_joint(model_.clutches[clutch])]
+                                     : robot_.gear_stops[clutch];
+  }
+
+  // A spring that only resists being pushed back from where it stands. It acts as it is at the end
+  // of the step: impulse = time stiffness (way back - time rate).
+  void add_gear(const Clutch& clutch, double stop, const Eigen::VectorXd& q) {
+    const Index joint = first_joint(clutch);
+    ContactCondition condition{.blocks = {row_of(joint, clutch.locks)}};
+    condition.compliance = 1.0 / (time_ * time_ * clutch.gear_stiffness);
+    condition.offset[0] = -clutch.locks * (stop - q[joint]) / time_;
+    condition.upper = time_ * clutch.gear_effort;
+    add(std::move(condition));
   }
 
   void add(ContactCondition condition) { conditions_.push_back({std::move(condition), place_}); }
@@ -116,6 +133,23 @@ class JointConditions {
 
 std::vector<JointCondition> joint_conditions(const WorldRobot& robot, int first, double time) {
   return JointConditions(robot, first, time).all();
+}
+
+std::vector<double> gear_stops(const WorldRobot& before, const WorldRobot& after) {
+  const std::vector<Clutch>& clutches = before.model->clutches;
+  const Eigen::VectorXd q_before = joints_of(before);
+  const Eigen::VectorXd q = joints_of(after);
+  std::vector<double> stops;
+  for (std::size_t c = 0; c < clutches.size(); ++c) {
+    const Clutch& clutch = clutches[c];
+    const Index joint = first_joint(clutch);
+    const double from = before.gear_stops.empty() ? q_before[joint] : before.gear_stops[c];
+    const double most =
+        is_locked(before, clutch) ? clutch.gear_effort / clutch.gear_stiffness : 0.0;
+    const double way_back = std::clamp(clutch.locks * (from - q[joint]), 0.0, most);
+    stops.push_back(q[joint] + clutch.locks * way_back);
+  }
+  return stops;
 }
 
 std::size_t joint_places(const WorldRobot& robot) {

@@ -19,6 +19,11 @@ struct JointCondition {
 // to be reached in the step are left out.
 std::vector<JointCondition> joint_conditions(const WorldRobot& robot, int first, double time);
 
+// Where the gears of the robot's clutches stand after a step, which began with `before`: they
+// follow their joints as these close, and where the drive opens or more than they bear pushes them
+// back.
+std::vector<double> gear_stops(const WorldRobot& before, const WorldRobot& after);
+
 // How many places joint_impulses has.
 std::size_t joint_places(const WorldRobot& robot);
 

@@ -21,6 +21,11 @@ constexpr double kTipForce = 15.0;
 // Part of the effort of a degree of freedom that each breakaway clutch bears that does not say: as
 // in the Barrett hand, 0.5 of 2.5 N m. Fingers that share a drive share its effort evenly.
 constexpr double kClutchPart = 0.2;
+// What a finger with a breakaway clutch holds at rest, over what its drive presses with: the usual
+// figures of the Barrett hand are 20 N at the tip at rest and 15 N in motion. And by how much its
+// gear gives way until it bears all it can, as the small play of gears and cables does [rad or m].
+constexpr double kHolds = 4.0 / 3.0;
+constexpr double kGearGive = 0.01;
 // Inertia of a drive with clutches, as a part of the inertia of its joints at value 0.
 constexpr double kDriveInertia = 0.1;
 
@@ -175,8 +180,12 @@ RobotModel make_robot_model(Robot robot) {
                                        [&](const Clutch& c) { return c.dof == clutch.dof; });
     const double part =
         dof.coupling == Coupling::by_finger ? 1.0 / static_cast<double>(fingers) : kClutchPart;
-    clutch.effort =
-        dof.breakaway_effort > 0.0 ? dof.breakaway_effort : part * model.effort[clutch.dof];
+    const double drive = model.effort[clutch.dof];
+    clutch.effort = dof.breakaway_effort > 0.0 ? dof.breakaway_effort : part * drive;
+    if (clutch.locks == 0.0) continue;
+    const double ratio = std::abs(model.robot.joints[index(clutch.joints.front())].ratio);
+    clutch.gear_effort = std::max(kHolds * drive - clutch.effort, 0.0) / ratio;
+    clutch.gear_stiffness = clutch.gear_effort / kGearGive;
   }
   set_coordinates(model);
   set_drive_inertias(model);

@@ -24,6 +24,10 @@ struct Clutch {
   // Direction of the joints that close (1 or -1) where a gear behind the clutch keeps them from
   // being pushed back unless their drive opens, as the worm gears of breakaway fingers do; else 0.
   double locks = 0.0;
+  // What the gear bears besides the clutch, of the first joint, and how it gives way: without that,
+  // gear and contact could press on each other with any force [N m or N, N m/rad or N/m].
+  double gear_effort = 0.0;
+  double gear_stiffness = 0.0;
 };
 
 // Immutable once made, so that worlds and their copies share it.
@@ -52,7 +56,8 @@ struct RobotModel {
 // Throws InputError that names the joint or link for a robot that is no tree, has a joint that
 // moves no mass, an unknown material, a link without triangles or with an inertia that no body has.
 // What the robot does not say is assumed: links of solid plastic, drives that press with 15 N at
-// the farthest link, breakaway clutches that bear a fifth of their drive's effort.
+// the farthest link, breakaway clutches that bear a fifth of their drive's effort, and gears behind
+// them with which a finger holds a third more than its drive presses.
 RobotModel make_robot_model(Robot robot);
 
 // The coordinates at given values of the degrees of freedom and joints, which differ from those of

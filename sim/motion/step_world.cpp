@@ -10,6 +10,7 @@
 #include "sim/motion/island.h"
 #include "sim/motion/joint_conditions.h"
 #include "sim/motion/near_pairs.h"
+#include "sim/motion/robot_kick.h"
 #include "sim/motion/solids.h"
 #include "sim/motion/spatial.h"
 
@@ -58,6 +59,14 @@ void move_body(const Eigen::Ref<const Vector6>& velocity, double time, WorldBody
   body.motion.X_WB = carried(body.inertial, body.motion, time);
   const Matrix3 inertia_after = inertia_in_world(body.inertial, body.motion.X_WB);
   body.motion.angular = inertia_after.ldlt().solve(momentum);
+}
+
+// What forces and weight do to the velocities of a body within a time.
+void push_body(const Vector3& gravity_W, double time, WorldBody& body) {
+  body.motion.linear += time * (gravity_W + body.force_W / body.inertial.mass);
+  if (body.torque_W.isZero(0.0)) return;
+  const Matrix3 inertia = inertia_in_world(body.inertial, body.motion.X_WB);
+  body.motion.angular += inertia.ldlt().solve(time * body.torque_W);
 }
 
 void move_base(double time, WorldRobot& robot) {
@@ -146,13 +155,17 @@ class WorldStep {
         const std::size_t mover = index(islands_[k].movers[m]);
         const Eigen::VectorXd& velocity = motions_[k].solution.velocity;
         const int first = motions_[k].first[m];
+        const bool is_free = motions_[k].is_free;
         if (mover < world_.bodies.size()) {
-          move_body(velocity.segment<6>(first), result_.time, world_.bodies[mover]);
+          WorldBody& body = world_.bodies[mover];
+          move_body(velocity.segment<6>(first), result_.time, body);
+          if (is_free) push_body(world_.gravity, 0.5 * result_.time, body);
         } else {
           WorldRobot& robot = world_.robots[mover - world_.bodies.size()];
           robot.rate = velocity.segment(first, robot.rate.size());
           robot.x += result_.time * robot.rate;
           move_base(result_.time, robot);
+          if (is_free) robot.rate = rates_after(robot, world_.gravity, result_.time);
         }
       }
     }
@@ -203,7 +216,7 @@ class WorldStep {
   }
 
   StepResult finished(const Solids& after) {
-    world_.contacts.clear();
+    world_.contacts = resting_contacts();
     for (std::size_t k = 0; k < islands_.size(); ++k)
       keep_contacts(islands_[k], after, motions_[k]);
     for (std::size_t k = 0; k < islands_.size(); ++k) keep_joints(islands_[k], motions_[k]);
@@ -214,6 +227,26 @@ class WorldStep {
     }
     world_.last_step = result_.time;
     return result_;
+  }
+
+  // The contacts of islands that rest: they press as they did when these fell asleep.
+  std::vector<WorldContact> resting_contacts() const {
+    std::vector<bool> moved(static_cast<std::size_t>(solids_.movers()), false);
+    for (const Island& island : islands_) {
+      for (const int mover : island.movers) moved[index(mover)] = true;
+    }
+    const auto rests = [&](const SolidId& id) {
+      const int mover = solids_.at(id).mover;
+      return mover < 0 || !moved[index(mover)];
+    };
+    std::vector<WorldContact> contacts;
+    for (const WorldContact& contact : world_.contacts) {
+      if (!rests(contact.a) || !rests(contact.b)) continue;
+      contacts.push_back(contact);
+      contacts.back().impulse_W *= result_.time / world_.last_step;
+      contacts.back().spin_impulse *= result_.time / world_.last_step;
+    }
+    return contacts;
   }
 
   // The conditions of an island are those of the joints of its robots, then the contacts of its
@@ -244,6 +277,7 @@ class WorldStep {
       WorldRobot earlier = robot;
       earlier.x = before_.robots[mover - world_.bodies.size()].x;
       earlier.rate = before_.robots[mover - world_.bodies.size()].rate;
+      robot.gear_stops = gear_stops(earlier, robot);
       robot.joint_impulses.assign(joint_places(robot), 0.0);
       for (const JointCondition& joint : joint_conditions(earlier, motion.first[m], result_.time)) {
         robot.joint_impulses[joint.place] = motion.solution.impulses[condition++][0] / result_.time;

@@ -76,10 +76,11 @@ struct WorldRobot {
   // Efforts that hold the robot against gravity, the springs of its joints and the motion of its
   // own links act on it, as a good controller's feed-forward would.
   bool is_balanced = false;
-  // The last step's, of the base and of the impulses in joints: only steps use them.
+  // The last step's, of the base, of the impulses in joints and of gears: only steps use them.
   Vector3 last_base_angular = Vector3::Zero();
   Vector3 last_base_linear = Vector3::Zero();
   std::vector<double> joint_impulses = {};
+  std::vector<double> gear_stops = {};  // of each clutch (joint_conditions.h); empty: at the joints
 };
 
 // A robot at the values of its degrees of freedom (and joints, see coordinates_at), at rest.

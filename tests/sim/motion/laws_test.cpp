@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/index.h"
 #include "sim/base/random.h"
 #include "sim/motion/energy.h"
 #include "sim/motion/island.h"
@@ -77,6 +78,92 @@ TEST(Laws, SoftContactsResistSpin) {
   EXPECT_GT(10.0 - ball.motion.angular.z(), 0.5);
 }
 
+// A disc of 24 sides, its lower face triangulated in one of several ways.
+TriangleMesh disc(double radius, double height, int kind) {
+  constexpr int kSides = 24;
+  const auto on_rim = [](int k) { return k % kSides; };
+  TriangleMesh mesh;
+  for (const double z : {-0.5 * height, 0.5 * height}) {
+    for (int k = 0; k < kSides; ++k) {
+      const double angle = 2.0 * std::acos(-1.0) * k / kSides;
+      mesh.vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+    }
+  }
+  for (int k = 0; k < kSides; ++k) {
+    mesh.triangles.push_back({on_rim(k), on_rim(k + 1), kSides + on_rim(k + 1)});
+    mesh.triangles.push_back({on_rim(k), kSides + on_rim(k + 1), kSides + on_rim(k)});
+  }
+  for (int k = 1; k + 1 < kSides; ++k)
+    mesh.triangles.push_back({kSides, kSides + k, kSides + k + 1});
+  if (kind == 0) {  // from a vertex of the rim
+    for (int k = 1; k + 1 < kSides; ++k) mesh.triangles.push_back({0, k + 1, k});
+    return mesh;
+  }
+  // Around a vertex inside, in the middle or beside it, or around a ring of them.
+  const auto middle = static_cast<int>(mesh.vertices.size());
+  mesh.vertices.emplace_back(kind == 2 ? 0.4 * radius : 0.0, 0.0, -0.5 * height);
+  if (kind < 3) {
+    for (int k = 0; k < kSides; ++k) mesh.triangles.push_back({middle, on_rim(k + 1), on_rim(k)});
+    return mesh;
+  }
+  for (int k = 0; k < kSides; ++k) {
+    mesh.vertices.push_back(0.5 * (mesh.vertices[index(k)] + mesh.vertices[index(middle)]));
+  }
+  for (int k = 0; k < kSides; ++k) {
+    const int here = middle + 1 + k;
+    const int next = middle + 1 + on_rim(k + 1);
+    mesh.triangles.push_back({middle, next, here});
+    mesh.triangles.push_back({here, next, on_rim(k + 1)});
+    mesh.triangles.push_back({here, on_rim(k + 1), on_rim(k)});
+  }
+  return mesh;
+}
+
+// A disc that spins on a floor stops after R w / (2 mu g) where its rim bears the weight, and after
+// half as long again where it presses evenly: whatever the triangles of its face.
+TEST(Laws, ADiscStopsByItsFriction) {
+  constexpr double kRadius = 0.05;
+  constexpr double kSpin = 16.7;  // [rad/s]
+  for (int kind = 0; kind < 4; ++kind) {
+    const TriangleMesh mesh = disc(kRadius, 0.02, kind);
+    World world = on_plate({test::body_of("disc", mesh, 0.4, {0.0, 0.0, 0.01005})}, 0.5);
+    ASSERT_EQ(test::run(world, 0.05), StepOutcome::moved);
+    world.bodies[1].motion.angular = {0.0, 0.0, kSpin};
+    double time = 0.0;
+    while (world.bodies[1].motion.angular.norm() > 1e-6 && time < 1.0) {
+      time += step_world(world, {.step = 5e-4}).time;
+    }
+    const double rim = kRadius * kSpin / (2.0 * 0.5 * kG);
+    EXPECT_GE(time, 0.99 * rim) << kind;
+    EXPECT_LE(time, 1.5 * rim) << kind;
+    RecordProperty(std::to_string(kind), std::to_string(time));
+  }
+}
+
+// A plate between two round pads, its weight 20 mm beside them: friction of 10 N bears 1 N, and
+// that of the rims bears seven times the moment. One pad stands still, the other one is so heavy
+// that it does not move in the time, and floats.
+TEST(Laws, RoundPadsKeepAPlateLevel) {
+  constexpr double kPress = 10.0;  // [N]
+  constexpr double kHeavy = 1e5;   // [kg]
+  for (int kind = 0; kind < 4; ++kind) {
+    std::vector<WorldBody> bodies = {box("plate", {0.2, 0.01, 0.05}, 0.1, Vector3::Zero())};
+    for (const double side : {-1.0, 1.0}) {
+      const Matrix3 turned =
+          Eigen::AngleAxisd(-side * 0.5 * std::acos(-1.0), Vector3::UnitX()).toRotationMatrix();
+      bodies.push_back(test::body_of("pad", disc(0.015, 0.02, kind), kHeavy, Vector3::Zero()));
+      bodies.back().motion.X_WB = pose_from(turned, Vector3(-0.02, side * 0.01505, 0.0));
+    }
+    World world = world_with(std::move(bodies), 0.5);
+    world.bodies[1].is_fixed = true;
+    world.bodies[2].force_W = Vector3(0.0, -kPress, kHeavy * kG);
+    ASSERT_EQ(test::run(world, 1.0), StepOutcome::moved);
+    const Pose& X_WB = world.bodies[0].motion.X_WB;
+    EXPECT_LT(Eigen::AngleAxisd(X_WB.linear()).angle(), 0.01) << kind;
+    EXPECT_LT(X_WB.translation().norm(), 1e-3) << kind;
+  }
+}
+
 // Dzhanibekov's body through 1e5 steps of the world.
 TEST(Laws, AFreeBodyKeepsMomentumAndEnergyAndTurnsOver) {
   World world = world_with({box("book", {0.2, 0.12, 0.03}, 1.0, Vector3::Zero())}, 0.5);
@@ -139,7 +226,18 @@ TEST(Laws, WhatStandsOnAnUnevenBottomComesToRest) {
   }
 }
 
-// Bodies that do not touch are solved apart; what rests sleeps until it is hit.
+// The force on a body from another, upwards [N].
+double force_up(const World& world, int on, int from) {
+  double impulse = 0.0;
+  for (const WorldContact& contact : world.contacts) {
+    if (contact.a.index == on && contact.b.index == from) impulse += contact.impulse_W.z();
+    if (contact.b.index == on && contact.a.index == from) impulse -= contact.impulse_W.z();
+  }
+  return impulse / world.last_step;
+}
+
+// Bodies that do not touch are solved apart; what rests sleeps until it is hit, and bears meanwhile
+// what it bore.
 TEST(Laws, IslandsAreApartAndSleepUntilTheyAreHit) {
   World world = on_plate({box("low", {0.1, 0.1, 0.1}, 1.0, {0.0, 0.0, 0.05005}),
                           box("high", {0.1, 0.1, 0.1}, 1.0, {0.0, 0.0, 0.1501}),
@@ -157,8 +255,10 @@ TEST(Laws, IslandsAreApartAndSleepUntilTheyAreHit) {
   EXPECT_TRUE(world.bodies[3].asleep);
   EXPECT_FALSE(world.bodies[4].asleep);
   const Pose before = world.bodies[1].motion.X_WB;
-  EXPECT_EQ(step_world(world).newton_steps, 0);
+  EXPECT_EQ(step_world(world, {.step = 1e-3}).newton_steps, 0);
   EXPECT_EQ(world.bodies[1].motion.X_WB.matrix(), before.matrix());
+  EXPECT_NEAR(force_up(world, 1, 0), 2.0 * kG, 1e-3);
+  EXPECT_NEAR(force_up(world, 2, 1), kG, 1e-3);
   // It lands on the one alone, which wakes; the others sleep on.
   double woke = -1.0;
   for (double time = 0.6; time < 1.0; time += step_world(world).time) {
