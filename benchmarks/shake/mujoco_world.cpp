@@ -416,4 +416,20 @@ double drift_as_loaded(const std::string& mjcf, double seconds) {
   return (Vector3(p[0], p[1], p[2]) - before).norm();
 }
 
+double joint_drift(const std::string& mjcf, const std::string& keyframe, double seconds) {
+  const MujocoWorld::Data::Model model(load_model(mjcf));
+  const MujocoWorld::Data::State state(mj_makeData(model.get()));
+  const int key = mj_name2id(model.get(), mjOBJ_KEY, keyframe.c_str());
+  mj_resetDataKeyframe(model.get(), state.get(), key);
+  while (state->time < seconds) mj_step(model.get(), state.get());
+  double most = 0.0;
+  for (int j = 0; j < model->njnt; ++j) {
+    if (model->jnt_type[j] == mjJNT_FREE) continue;
+    const int at = model->jnt_qposadr[j];
+    const mjtNum start = model->key_qpos[key * model->nq + at];
+    most = std::max(most, std::abs(state->qpos[at] - start));
+  }
+  return most;
+}
+
 }  // namespace prehend::bench

@@ -80,4 +80,8 @@ class MujocoWorld {
 // the hand held by its weld [m]. Throws InputError for a model that MuJoCo refuses.
 double drift_as_loaded(const std::string& mjcf, double seconds);
 
+// How far a joint of the hand moves at most when the model is stepped for so long from a keyframe
+// with its controls [rad or m]. Throws as drift_as_loaded.
+double joint_drift(const std::string& mjcf, const std::string& keyframe, double seconds);
+
 }  // namespace prehend::bench

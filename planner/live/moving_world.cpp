@@ -30,12 +30,6 @@ void require_range(const char* field, double value, double least, double most) {
        .value = std::to_string(value)});
 }
 
-bool slides(const Robot& robot, std::size_t dof) {
-  return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) {
-    return index(joint.dof) == dof && joint.type == JointType::prismatic;
-  });
-}
-
 double speed_of(const Robot& robot, std::size_t dof) {
   const DegreeOfFreedom& of = robot.dofs[dof];
   if (of.closing_velocity != 0.0) return std::abs(of.closing_velocity);
@@ -59,7 +53,7 @@ double moved_mass(const WorldBody& body, const Vector3& p_B) {
 MovingWorld::MovingWorld(const CompiledScene& scene, const Pose& X_WH, const HandPosture& posture,
                          const TimeOptions& options)
     : options_(options), world_(make_scene_world(scene, true)), drives_(posture.dofs.size()) {
-  require_range("step", options.step, kShortestStep, kLongestStep);
+  require_range("step", options.step, kShortestLiveStep, kLongestLiveStep);
   if (!options.gravity) world_.gravity.setZero();
   hand_ = add_hand(world_, scene, hand_model(scene), X_WH, posture.dofs, posture.joints);
   StepOptions step;

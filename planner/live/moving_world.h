@@ -13,11 +13,13 @@ namespace prehend {
 
 struct TimeOptions {
   bool gravity = true;
-  double step = 2.5e-3;  // longest step of the simulation, from kShortestStep to kLongestStep [s]
+  // Longest step of the simulation, from kShortestLiveStep to kLongestLiveStep [s].
+  double step = StepOptions{}.step;
 };
 
-inline constexpr double kShortestStep = 5e-4;  // s
-inline constexpr double kLongestStep = 2e-2;   // s
+// Within these a person can wait for an answer, and sees the hand move [s].
+inline constexpr double kShortestLiveStep = 5e-4;
+inline constexpr double kLongestLiveStep = 2e-2;
 // That one call may go on for, so that it ends soon [s].
 inline constexpr double kMostSeconds = 1.0;
 

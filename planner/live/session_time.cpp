@@ -1,10 +1,40 @@
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "planner/live/grasp_score.h"
 #include "planner/live/session.h"
 #include "sim/base/input_error.h"
 
 // What a session does with time.
 namespace prehend {
+namespace {
+
+// Surfaces of a moving world may cross by less than they are apart at rest, from where no motion of
+// the hand could start: then fingers open by as little as parts them.
+HandPosture parted(const CompiledScene& scene, const HandPosture& posture) {
+  const Robot& hand = scene.scene.hand;
+  for (const double part : {0.0, 1.0, 2.0, 4.0, 8.0}) {
+    HandPosture opened = posture;
+    for (std::size_t d = 0; d < hand.dofs.size(); ++d) {
+      const DegreeOfFreedom& dof = hand.dofs[d];
+      if (dof.closing_velocity == 0.0) continue;
+      const double way = -std::copysign(part * (slides(hand, d) ? 5e-5 : 1e-3),  // [m or rad]
+                                        dof.closing_velocity);
+      opened.dofs[d] = std::clamp(opened.dofs[d] + way, dof.lower, dof.upper);
+      for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+        const Joint& joint = hand.joints[j];
+        if (joint.dof != static_cast<int>(d)) continue;
+        opened.joints[j] =
+            std::clamp(opened.joints[j] + joint.ratio * way, joint.lower, joint.upper);
+      }
+    }
+    if (overlaps_of(scene, opened.X_OH, opened.joints).empty()) return opened;
+  }
+  return posture;
+}
+
+}  // namespace
 
 void Session::require_still() const {
   require(!is_moving(), {.field = "command",
@@ -44,8 +74,8 @@ void Session::stop_time(bool keep) {
     SessionState next = state_;
     BodyPlaces places = places_of(state_.world->scene());
     places.X_WO = moved.object().X_WB;
-    next.hand = moved.posture();
     next.world = with_bodies_at(state_.world, places);
+    next.hand = parted(next.world->compiled(), moved.posture());
     next.results.reset();
     next.outcome.reset();
     next.grasp.reset();

@@ -120,9 +120,6 @@ py::list contacts(WorldHandle& self) {
 py::tuple step(WorldHandle& self, double longest) {
   StepOptions options;
   options.step = longest;
-  require(longest > 0.0 && longest <= 0.1, {.field = "step",
-                                            .problem = "must be above 0 and at most 0.1 s",
-                                            .value = std::to_string(longest)});
   self.require_sound(options);
   StepResult result;
   {

@@ -10,6 +10,7 @@
 
 #include "sim/base/named_enum.h"
 #include "sim/base/pose.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 
@@ -89,7 +90,7 @@ struct ProcedureObject {
 struct TestProcedure {
   std::string name;
   std::string source;    // where its numbers come from
-  double step = 2.5e-3;  // > 0 [s]
+  double step = StepOptions{}.step;  // of the simulation [s]
   ProcedureObject object = {};
   std::optional<double> friction = {};  // coefficient between hand and object; else the scene's
   // Torque about the normal over the normal force, which any contact bears [m]; else the scene's.

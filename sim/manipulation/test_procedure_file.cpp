@@ -7,7 +7,6 @@ namespace prehend {
 namespace {
 
 constexpr double kLongestPhase = 1000.0;  // [s]
-constexpr double kLongestStep = 0.1;      // [s]
 
 DataLibrary library() { return {"protocols", ".json"}; }
 
@@ -99,9 +98,9 @@ TestProcedure read(const JsonFile& file) {
   fields.needs("name");
   fields("name", procedure.name);
   fields("source", procedure.source);
-  positive(fields, "step", procedure.step);
+  fields("step", procedure.step);
   if (fields.field().has("step")) {
-    fields.require("step", procedure.step <= kLongestStep, "must be at most 0.1 s");
+    fields.require("step", kSteps.contains(procedure.step), kSteps.words().c_str());
   }
   fields.object("object", [&](FieldReader& inner) { read_object(inner, procedure.object); });
   if (fields.allow("friction")) not_negative(fields, "friction", procedure.friction.emplace());

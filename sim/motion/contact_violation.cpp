@@ -14,13 +14,15 @@ using Eigen::VectorXd;
 double violation_of(const ContactCondition& condition, double inertia, const VectorXd& v,
                     const ConeVector& impulse) {
   ConeVector w = relative_velocity(condition, v);
+  // Steep cones are nearly half-spaces, from whose borders a velocity into the surface is not far.
+  const double closing = w.size() > 1 ? std::max(-w[0], 0.0) : 0.0;
   w[0] += condition.friction * slip_of(w) + condition.compliance * impulse[0];
   // Where a spring is softer than the inertia, it sets how large an impulse is.
   const double stiffness =
       condition.compliance > 0.0 ? std::min(inertia, 1.0 / condition.compliance) : inertia;
   const ConeVector projected =
       allowed_impulse(condition, ConeVector(impulse - stiffness * w)).point;
-  return (impulse - projected).norm() / stiffness;
+  return std::max(closing, (impulse - projected).norm() / stiffness);
 }
 
 // How far the velocities are from what the impulses give.

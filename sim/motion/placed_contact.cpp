@@ -1,5 +1,6 @@
 #include "sim/motion/placed_contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace prehend {
@@ -8,6 +9,10 @@ namespace {
 // A round value of the radius of fingertips, with which the depth of a compliant material was
 // stated (friction_table.h) [m].
 constexpr double kPadRadius = 0.03;
+// Contacts with more friction count as having this: they hold within three degrees of the surface.
+// The lift mu |w_t| of the law (contact_problem.h) hides a normal velocity behind a slip of 1/mu of
+// it, until rounding leaves nothing of either.
+constexpr double kMostFriction = 20.0;
 
 }  // namespace
 
@@ -32,7 +37,7 @@ PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b)
 double friction_of(const ContactLaws& laws, const HeldContact& contact, const Solid& a,
                    const Solid& b) {
   const FrictionTable& table = contact.slides && laws.kinetic ? *laws.kinetic : laws.friction;
-  return table.between(a.material, b.material);
+  return std::min(table.between(a.material, b.material), kMostFriction);
 }
 
 double arm_of(const ContactLaws& laws, const Solid& a, const Solid& b, double friction) {

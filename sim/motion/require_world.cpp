@@ -71,10 +71,9 @@ std::string name_of(const World& world, const SolidId& id) {
 }  // namespace
 
 void require_quantities(const World& world, const StepOptions& options) {
-  if (!(options.step > 0.0 && options.step <= 0.1)) {
-    throw InputError({.field = "step",
-                      .problem = "must be above 0 and at most 0.1 s",
-                      .value = std::to_string(options.step)});
+  if (!kSteps.contains(options.step)) {
+    throw InputError(
+        {.field = "step", .problem = kSteps.words(), .value = std::to_string(options.step)});
   }
   if (!world.gravity.allFinite()) {
     throw InputError({.field = "gravity", .problem = "must be finite"});

@@ -1,10 +1,16 @@
 // How a world is stepped through time.
 #pragma once
 
+#include "sim/base/range.h"
+
 namespace prehend {
 
+// Of StepOptions::step [s]. A second in shorter steps takes minutes; longer ones miss what a hand
+// does.
+inline constexpr Range kSteps{.lower = 1e-5, .upper = 0.1};
+
 struct StepOptions {
-  double step = 2.5e-3;  // longest step, > 0 and at most 0.1 [s]
+  double step = 2.5e-3;  // longest step, within kSteps [s]
   // What bodies at rest keep between them, of which steps may use up all [m].
   double rest_gap = 5e-5;
   // Surfaces may cross by this much where no contact was found that keeps them apart [m].

@@ -52,6 +52,12 @@ bool within_limits(const DegreeOfFreedom& dof, double value) {
   return value >= dof.lower - kRounding && value <= dof.upper + kRounding;
 }
 
+bool slides(const Robot& robot, std::size_t dof) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) {
+    return index(joint.dof) == dof && joint.type == JointType::prismatic;
+  });
+}
+
 std::vector<double> initial_dofs(const Robot& robot) {
   std::vector<double> values;
   for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);

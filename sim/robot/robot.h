@@ -158,6 +158,9 @@ struct Robot {
 // The initial value of every degree of freedom [rad or m].
 std::vector<double> initial_dofs(const Robot& robot);
 
+// Whether a degree of freedom moves joints along lines, and so is in m.
+bool slides(const Robot& robot, std::size_t dof);
+
 // The value of every joint, ratio * dof + offset, for one value per degree of freedom [rad or m].
 std::vector<double> joint_values(const Robot& robot, const std::vector<double>& dofs);
 // The same; `values` is resized to the number of joints.

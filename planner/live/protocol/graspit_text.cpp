@@ -209,13 +209,7 @@ class GraspitLine {
   }
 
   // One of a degree of freedom that slides in mm.
-  double unit_of(std::size_t dof) const {
-    const bool slides =
-        std::any_of(hand().joints.begin(), hand().joints.end(), [&](const Joint& joint) {
-          return index(joint.dof) == dof && joint.type == JointType::prismatic;
-        });
-    return slides ? kLength : 1.0;
-  }
+  double unit_of(std::size_t dof) const { return slides(hand(), dof) ? kLength : 1.0; }
 
   void say_dofs() {
     const std::vector<double> dofs =

@@ -191,7 +191,7 @@ def run_controlled(
         world: is moved.
         controllers: by robot (a WorldRobot, its number or name), or one for the world's only robot.
         seconds: how long, >= 0.
-        step: the longest, above 0 and at most 0.1 [s].
+        step: the longest, 1e-5 to 0.1 [s].
         stops: asked after each step with the time since the run began [s] and the world; the run ends
             where it says so.
         cancellation: to end it from another thread.

@@ -8,6 +8,7 @@
 
 #include "planner/show/exports/mjcf_drives.h"
 #include "planner/show/exports/mjcf_geoms.h"
+#include "sim/base/gravity.h"
 #include "sim/base/index.h"
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
@@ -50,8 +51,10 @@ class MjcfWriter {
   void write_contact();
   void write_equality();
   void write_keyframes();
+  std::vector<double> closing_efforts() const;
+  std::vector<double> bearing_efforts(const Pose& X_WH, const std::vector<double>& joints) const;
   void write_key(const std::string& name, const Pose& X_WH, const std::vector<double>& joints,
-                 double closing);
+                 const std::vector<double>& efforts);
   double friction(const std::string& material, Material other) const;
   double torsion(const std::string& material) const;
   double damping(std::size_t j) const;
@@ -323,9 +326,44 @@ void MjcfWriter::write_equality() {
   xml_.close();
 }
 
-// `closing`: 1 with the efforts that close the hand, -1 with those that open it.
+// Of the joints that have a drive which closes; 0 for the others.
+std::vector<double> MjcfWriter::closing_efforts() const {
+  std::vector<double> efforts(hand_.joints.size(), 0.0);
+  for (const HandDrive& drive : drives_.drives) efforts[index(drive.joint)] = drive.closing;
+  return efforts;
+}
+
+// Of the joints that have a drive: what bears the weight of all links that move with it, so that an
+// open hand stays as open as it is.
+std::vector<double> MjcfWriter::bearing_efforts(const Pose& X_WH,
+                                                const std::vector<double>& joints) const {
+  std::vector<Pose> X_HA;
+  joint_poses(hand_, joints, X_HA);
+  const Vector3 down_H = -X_WH.linear().transpose() * Vector3::UnitZ();
+  std::vector<double> efforts(hand_.joints.size(), 0.0);
+  for (const Link& link : hand_.links) {
+    const Inertial inertial = inertial_of_link(link);
+    const Vector3 weight_H = kStandardGravity * inertial.mass * down_H;
+    for (int j = link.joint; j >= 0; j = hand_.joints[index(j)].parent) {
+      const Pose X_HJ = X_HA[index(j)] * hand_.joints[index(j)].X_JA.inverse();
+      const Vector3 axis_H = X_HJ.linear() * hand_.joints[index(j)].axis;
+      const bool slides = hand_.joints[index(j)].type == JointType::prismatic;
+      const Vector3 arm_H = X_HA[index(link.joint)] * inertial.center_of_mass - X_HJ.translation();
+      efforts[index(j)] -= axis_H.dot(slides ? weight_H : Vector3(arm_H.cross(weight_H)));
+    }
+  }
+  const std::vector<double> own = efforts;
+  const auto add = [&](const HandCoupling& coupling) {
+    efforts[index(coupling.leader)] += coupling.ratio * own[index(coupling.joint)];
+  };
+  for (const HandCoupling& coupling : drives_.couplings) add(coupling);
+  for (const HandClutch& clutch : drives_.clutches) add(clutch.follows);
+  return efforts;
+}
+
+// `efforts` of the joints whose drives close; others are told where to be.
 void MjcfWriter::write_key(const std::string& name, const Pose& X_WH,
-                           const std::vector<double>& joints, double closing) {
+                           const std::vector<double>& joints, const std::vector<double>& efforts) {
   std::vector<double> qpos;
   const auto add_pose = [&](const Pose& pose) {
     const Eigen::Quaterniond q = quaternion_of(pose).normalized();
@@ -337,7 +375,7 @@ void MjcfWriter::write_key(const std::string& name, const Pose& X_WH,
   add_pose(scene_.scene.object.X_WO);
   std::vector<double> ctrl;
   for (const HandDrive& drive : drives_.drives) {
-    ctrl.push_back(drive.closing != 0.0 ? closing * drive.closing : joints[index(drive.joint)]);
+    ctrl.push_back((drive.closing != 0.0 ? efforts : joints)[index(drive.joint)]);
   }
   xml_.element("key", {{"name", name},
                        {"qpos", numbers_text(qpos)},
@@ -356,8 +394,8 @@ void MjcfWriter::write_keyframes() {
   const Vector3 approach_W = scene_.scene.object.X_WO.linear() * grasp_.approach_O;
   const Pose X_WP = translation(-grasp_.approach_distance * approach_W) * grasp_.X_WH;
   xml_.open("keyframe");
-  write_key("grasp", grasp_.X_WH, grasp_.closed_joints, 1.0);
-  write_key("pregrasp", X_WP, open, -1.0);
+  write_key("grasp", grasp_.X_WH, grasp_.closed_joints, closing_efforts());
+  write_key("pregrasp", X_WP, open, bearing_efforts(X_WP, open));
   xml_.close();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sim/base/settings.h"
+#include "sim/motion/step_options.h"
 
 namespace prehend {
 
@@ -14,7 +15,7 @@ struct DynamicGraspOptions {
   double close = 2.0;
   double lift = 0.05;
   double lift_time = 0.5;
-  double step = 2.5e-3;
+  double step = StepOptions{}.step;
 };
 
 template <SettingsOf<DynamicGraspOptions> Options, typename Visit>
@@ -31,7 +32,8 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("lift", lift, kAtLeast0, "m",
         "How far the closed hand rises, if the object stands on something; 0: not.");
   visit("lift_time", lift_time, kAbove0, "s", "Time in which it rises.");
-  visit("step", step, kAbove0, "s", "Of the simulation.");
+  visit("step", step, kSteps, "s",
+        "Of the simulation.");
 }
 
 }  // namespace prehend

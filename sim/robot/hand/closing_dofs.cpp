@@ -78,12 +78,6 @@ std::vector<std::size_t> bends_of(const Robot& robot, const HandParts& parts,
   return bends;
 }
 
-bool slides(const Robot& robot, std::size_t dof) {
-  return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const Joint& joint) {
-    return index(joint.dof) == dof && joint.type == JointType::prismatic;
-  });
-}
-
 double open_value(const Robot& robot, std::size_t dof, double velocity, std::size_t bends) {
   const DegreeOfFreedom& d = robot.dofs[dof];
   const double limit = velocity > 0.0 ? d.lower : d.upper;

@@ -199,6 +199,14 @@ TEST(MujocoWorld, AnExportedGraspHoldsAsSoonAsItIsLoaded) {
   EXPECT_LT(drift_as_loaded(held_by("franka_hand", 0.105).model, 1.0), 2e-4);
 }
 
+// Whoever steps a file from its pre-grasp finds the hand as open as it is there.
+TEST(MujocoShake, ThePregraspStaysOpen) {
+  for (const auto& [hand, palm] : {std::pair{"barrett", 0.12}, std::pair{"franka_hand", 0.105},
+                                   std::pair{"parallel_jaw", 0.05}}) {
+    EXPECT_LT(joint_drift(held_by(hand, palm).model, "pregrasp", 1.6), 5e-3) << hand;
+  }
+}
+
 TEST(MujocoWorld, RefusesWhatMujocoRefuses) {
   EXPECT_THROW(MujocoWorld("<mujoco><worldbody><geom size=\"-1\"/></worldbody></mujoco>"),
                InputError);

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/live/grasp_score.h"
 #include "planner/live/session.h"
 #include "sim/scene/scene_file.h"
 #include "tests/support/refusal_of.h"
@@ -48,17 +49,14 @@ std::vector<double> all_of(const MovingWorld& moving) {
   return all;
 }
 
-// Steps take velocities from their ends: after n of h, z = -g h^2 n (n + 1) / 2 exactly.
 TEST(MovingWorld, WhatIsFreeFalls) {
   Session session = session_of_ball();
   for (const double step : {5e-4, 2.5e-3, 1e-2}) {
     session.start_time({.step = step});
     const double from = session.time().object().X_WB.translation().z();
     EXPECT_EQ(session.moving().advance(0.2), StepOutcome::moved);
-    const double n = std::round(0.2 / step);
     const RigidMotion& motion = session.time().object();
-    EXPECT_NEAR(motion.X_WB.translation().z() - from, -9.81 * step * step * n * (n + 1.0) / 2.0,
-                1e-9);
+    EXPECT_NEAR(motion.X_WB.translation().z() - from, -0.5 * 9.81 * 0.2 * 0.2, 1e-9);
     EXPECT_NEAR(motion.linear.z(), -9.81 * 0.2, 1e-9);
     EXPECT_EQ(session.time().time(), 0.2);
     session.stop_time(false);
@@ -212,6 +210,27 @@ TEST(MovingWorld, WhatIsKeptIsOneStepOfUndo) {
   EXPECT_EQ(session.undo_count(), undos + 1);
   EXPECT_TRUE(session.undo());
   EXPECT_EQ(session.state().world->X_WO().matrix(), before.matrix());
+}
+
+// Surfaces of a moving world may cross by some hundredths of a millimetre; those that are kept do
+// not, whenever time ends.
+TEST(MovingWorld, WhatIsKeptOverlapsNothing) {
+  Session session;
+  session.set_scene(scene_of_hand("barrett"));
+  session.edit([](Scene& scene) {
+    set_object(scene, surface_of({.generate = "ball", .triangles = 800}, {}), {.name = "ball"});
+  });
+  session.approach(0.5);
+  for (int moment = 1; moment <= 12; ++moment) {
+    session.start_time({.gravity = false});
+    for (std::size_t d = 1; d < 4; ++d) session.moving().drive(d, {.effort = 5.0});
+    for (int i = 0; i < moment; ++i) session.moving().advance(0.1);
+    session.stop_time(true);
+    const SessionState& state = session.state();
+    EXPECT_TRUE(overlaps_of(state.world->compiled(), state.hand.X_OH, state.hand.joints).empty())
+        << moment;
+    session.undo();
+  }
 }
 
 // What time has moved is no longer the grasp that a plan has found, and the arm is looked at anew.

@@ -85,6 +85,25 @@ INSTANTIATE_TEST_SUITE_P(
                     Examined{test::WorldKind::bowl, "bowl", {3001, 3002, 3003, 3107, 3151}}),
     [](const auto& examined) { return std::string(examined.param.name); });
 
+// Masses of up to 1e9 kg and a friction of 1e6, with which bodies once went 29 mm deep.
+TEST(ExaminedExtremes, HeavyAndRoughBodiesDoNotPenetrate) {
+  for (const std::uint64_t seed : {7U, 10U}) {
+    SCOPED_TRACE(std::to_string(seed));
+    World world = std::move(test::RandomWorld(test::WorldKind::pile, seed).world());
+    Random random(seed);
+    for (WorldBody& body : world.bodies) {
+      const double factor = seed < 9 ? 1e9 : std::pow(1e9, random.uniform(0.0, 1.0));
+      body.inertial.mass *= factor;
+      body.inertial.inertia *= factor;
+    }
+    for (const Material a : kAll<Material>) {
+      for (const Material b : kAll<Material>) world.laws.friction.set(a, b, 1e6);
+    }
+    world.laws.kinetic.reset();
+    examine(std::move(world), 0.3);
+  }
+}
+
 // Hands that close on a body which flies at them. The seeds above 4 once failed: edges that slid
 // fast along the hand used up their gap, and then no contact was found between them.
 TEST(ExaminedHands, ClosingHandsDoNotPenetrate) {
