@@ -18,75 +18,15 @@ namespace {
 constexpr double kDensity = 1050.0;
 // Force at its farthest link with which a degree of freedom closes that states no effort [N].
 constexpr double kTipForce = 15.0;
-// Part of the effort of a degree of freedom that each breakaway clutch bears that does not say: as
-// in the Barrett hand, 0.5 of 2.5 N m. Fingers that share a drive share its effort evenly.
-constexpr double kClutchPart = 0.2;
-// What a finger with a breakaway clutch holds at rest, over what its drive presses with: the usual
-// figures of the Barrett hand are 20 N at the tip at rest and 15 N in motion. And by how much its
-// gear gives way until it bears all it can, as the small play of gears and cables does [rad or m].
-constexpr double kHolds = 4.0 / 3.0;
-constexpr double kGearGive = 0.01;
 // Inertia of a drive with clutches, as a part of the inertia of its joints at value 0.
 constexpr double kDriveInertia = 0.1;
 
 Eigen::Index row(int i) { return static_cast<Eigen::Index>(i); }
 
-// Whether joint k stands somewhere before joint j; none does before the base (j = -1).
-bool stands_before(const Robot& robot, int k, int j) {
-  if (j < 0) return false;
-  for (int p = robot.joints[index(j)].parent; p >= 0; p = robot.joints[index(p)].parent) {
-    if (p == k) return true;
-  }
-  return false;
-}
-
-// The first joint of the finger that joint j belongs to: the one farthest towards the base that the
-// same degree of freedom drives.
-int finger_of(const Robot& robot, int j) {
-  int first = j;
-  for (int p = robot.joints[index(j)].parent; p >= 0; p = robot.joints[index(p)].parent) {
-    if (robot.joints[index(p)].dof == robot.joints[index(j)].dof) first = p;
-  }
-  return first;
-}
-
-std::vector<int> joints_of_dof(const Robot& robot, int dof) {
-  std::vector<int> joints;
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    if (robot.joints[j].dof == dof) joints.push_back(static_cast<int>(j));
-  }
-  return joints;
-}
-
-// A finger that breaks away bends at its first joints no further while the last ones go on: the
-// last have no clutch, since nothing is left to go on behind them. Fingers that share a drive have
-// one clutch each.
-std::vector<Clutch> clutches_of(const Robot& robot) {
-  std::vector<Clutch> clutches;
-  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
-    const int dof = static_cast<int>(d);
-    const std::vector<int> joints = joints_of_dof(robot, dof);
-    if (robot.dofs[d].coupling == Coupling::breakaway) {
-      for (const int k : joints) {
-        const bool has_follower = std::any_of(joints.begin(), joints.end(),
-                                              [&](int j) { return stands_before(robot, k, j); });
-        if (!has_follower) continue;
-        const double closes = robot.joints[index(k)].ratio * robot.dofs[d].closing_velocity;
-        clutches.push_back({.dof = dof, .joints = {k}, .locks = closes < 0.0 ? -1.0 : 1.0});
-      }
-    }
-    if (robot.dofs[d].coupling == Coupling::by_finger) {
-      for (const int first : joints) {
-        if (finger_of(robot, first) != first) continue;
-        Clutch clutch{.dof = dof, .joints = {}};
-        for (const int j : joints) {
-          if (finger_of(robot, j) == first) clutch.joints.push_back(j);
-        }
-        clutches.push_back(std::move(clutch));
-      }
-    }
-  }
-  return clutches;
+// Whether joint j moves what follows joint `of`.
+bool moves(const Robot& robot, int j, int of) {
+  while (of > j) of = robot.joints[index(of)].parent;
+  return of == j;
 }
 
 // Most that a degree of freedom moves any point of its links per unit, at its initial posture [m],
@@ -95,12 +35,13 @@ double farthest_reach(const Robot& robot, int dof) {
   std::vector<Pose> X_BJ;
   joint_poses(robot, joint_values(robot, initial_dofs(robot)), X_BJ);
   double farthest = 0.0;
-  for (const int j : joints_of_dof(robot, dof)) {
+  for (int j = 0; j < static_cast<int>(robot.joints.size()); ++j) {
     const Joint& joint = robot.joints[index(j)];
+    if (joint.dof != dof) continue;
     if (joint.type == JointType::prismatic) return std::abs(joint.ratio);
     const Vector3 center = X_BJ[index(j)] * (joint.X_JA.inverse() * Vector3::Zero());
     for (const Link& link : robot.links) {
-      if (link.joint != j && !stands_before(robot, j, link.joint)) continue;
+      if (!moves(robot, j, link.joint)) continue;
       for (const Vector3& p : link.mesh.vertices) {
         const double distance = (X_BJ[index(link.joint)] * p - center).norm();
         farthest = std::max(farthest, std::abs(joint.ratio) * distance);
@@ -110,12 +51,8 @@ double farthest_reach(const Robot& robot, int dof) {
   return farthest;
 }
 
-// The effort of a degree of freedom is what its joints may bear at most, each through its ratio.
 Eigen::VectorXd efforts_of(const Robot& robot) {
-  Eigen::VectorXd efforts = Eigen::VectorXd::Zero(row(static_cast<int>(robot.dofs.size())));
-  for (const Joint& joint : robot.joints) {
-    efforts[joint.dof] += std::abs(joint.ratio) * joint.max_effort;
-  }
+  Eigen::VectorXd efforts = stated_efforts(robot);
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     double& effort = efforts[row(static_cast<int>(d))];
     if (effort == 0.0) effort = kTipForce * farthest_reach(robot, static_cast<int>(d));
@@ -173,20 +110,7 @@ RobotModel make_robot_model(Robot robot) {
   }
   model.self_pairs = checked_pairs(model.robot);
   model.effort = efforts_of(model.robot);
-  model.clutches = clutches_of(model.robot);
-  for (Clutch& clutch : model.clutches) {
-    const DegreeOfFreedom& dof = model.robot.dofs[index(clutch.dof)];
-    const auto fingers = std::count_if(model.clutches.begin(), model.clutches.end(),
-                                       [&](const Clutch& c) { return c.dof == clutch.dof; });
-    const double part =
-        dof.coupling == Coupling::by_finger ? 1.0 / static_cast<double>(fingers) : kClutchPart;
-    const double drive = model.effort[clutch.dof];
-    clutch.effort = dof.breakaway_effort > 0.0 ? dof.breakaway_effort : part * drive;
-    if (clutch.locks == 0.0) continue;
-    const double ratio = std::abs(model.robot.joints[index(clutch.joints.front())].ratio);
-    clutch.gear_effort = std::max(kHolds * drive - clutch.effort, 0.0) / ratio;
-    clutch.gear_stiffness = clutch.gear_effort / kGearGive;
-  }
+  model.clutches = clutches_of(model.robot, model.effort);
   set_coordinates(model);
   set_drive_inertias(model);
   return model;

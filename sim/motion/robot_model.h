@@ -8,27 +8,12 @@
 #include <Eigen/Core>
 
 #include "sim/base/material.h"
-#include "sim/robot/robot.h"
+#include "sim/motion/clutches.h"
 #include "sim/scene/collision_body.h"
 
 namespace prehend {
 
 class RobotDynamics;
-
-// A clutch between a degree of freedom and some of its joints (all of one finger, or a single
-// joint): they may slip against their drive where the clutch bears no more.
-struct Clutch {
-  int dof = 0;
-  std::vector<int> joints;
-  double effort = 0.0;  // up to which it holds, in units of the degree of freedom [N m or N]
-  // Direction of the joints that close (1 or -1) where a gear behind the clutch keeps them from
-  // being pushed back unless their drive opens, as the worm gears of breakaway fingers do; else 0.
-  double locks = 0.0;
-  // What the gear bears besides the clutch, of the first joint, and how it gives way: without that,
-  // gear and contact could press on each other with any force [N m or N, N m/rad or N/m].
-  double gear_effort = 0.0;
-  double gear_stiffness = 0.0;
-};
 
 // Immutable once made, so that worlds and their copies share it.
 //
@@ -56,8 +41,7 @@ struct RobotModel {
 // Throws InputError that names the joint or link for a robot that is no tree, has a joint that
 // moves no mass, an unknown material, a link without triangles or with an inertia that no body has.
 // What the robot does not say is assumed: links of solid plastic, drives that press with 15 N at
-// the farthest link, breakaway clutches that bear a fifth of their drive's effort, and gears behind
-// them with which a finger holds a third more than its drive presses.
+// the farthest link, and what clutches_of() assumes.
 RobotModel make_robot_model(Robot robot);
 
 // The coordinates at given values of the degrees of freedom and joints, which differ from those of

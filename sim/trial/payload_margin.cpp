@@ -8,6 +8,7 @@
 
 #include "sim/base/gravity.h"
 #include "sim/base/index.h"
+#include "sim/motion/clutches.h"
 #include "sim/quality/forces.h"
 #include "sim/quality/ranges.h"
 #include "sim/scene/compiled_scene.h"
@@ -35,6 +36,72 @@ std::vector<JointAxis> joint_axes(const Robot& hand, const std::vector<double>& 
     axes.push_back({X_HJ.linear() * joint.axis, X_HJ.translation()});
   }
   return axes;
+}
+
+// What the gear of a clutch bears, in units of its degree of freedom.
+double gear_of(const Robot& hand, const Clutch& clutch) {
+  return clutch.gear_effort * std::abs(hand.joints[index(clutch.joints.front())].ratio);
+}
+
+// Sums of joint torques that the drives of a hand bear, one column each.
+struct DriveLoads {
+  Eigen::MatrixXd of_joints;  // joints x loads: how much of each torque
+  Eigen::VectorXd limits;
+};
+
+// A degree of freedom bears the torques of its joints through their ratios. Those behind a clutch
+// reach it only as far as the clutch passes them on: what its gear bears does not, and where it
+// slips only its own effort does. With loads l of k clutches, gears g and clutches c, the drive
+// bears rest + sum of max(l - g, -c): for each choice of clutches one sum.
+DriveLoads drive_loads(const Robot& hand) {
+  const Eigen::VectorXd efforts = stated_efforts(hand);
+  const std::vector<Clutch> clutches = clutches_of(hand, efforts);
+  std::vector<Eigen::VectorXd> columns;
+  std::vector<double> limits;
+  const auto add = [&](const Eigen::VectorXd& column, double limit) {
+    columns.push_back(column);
+    limits.push_back(limit);
+  };
+  const auto part = [&](const auto& takes) -> Eigen::VectorXd {
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(std::ssize(hand.joints));
+    for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+      if (takes(static_cast<int>(j))) column[static_cast<Eigen::Index>(j)] = hand.joints[j].ratio;
+    }
+    return column;
+  };
+  for (int d = 0; d < static_cast<int>(hand.dofs.size()); ++d) {
+    std::vector<Clutch> own;
+    std::vector<Eigen::VectorXd> behind;  // each clutch
+    Eigen::VectorXd rest = part([&](int j) { return hand.joints[index(j)].dof == d; });
+    for (const Clutch& clutch : clutches) {
+      if (clutch.dof != d) continue;
+      own.push_back(clutch);
+      behind.push_back(part([&](int j) {
+        return std::find(clutch.joints.begin(), clutch.joints.end(), j) != clutch.joints.end();
+      }));
+      rest -= behind.back();
+    }
+    const bool is_known = efforts[d] > 0.0;
+    for (unsigned chosen = 0; chosen < 1U << own.size(); ++chosen) {
+      Eigen::VectorXd column = rest;
+      double limit = efforts[d];
+      for (std::size_t c = 0; c < own.size(); ++c) {
+        const bool passes = (chosen >> c & 1U) != 0;
+        if (passes) column += behind[c];
+        limit += passes ? gear_of(hand, own[c]) : own[c].effort;
+      }
+      if (!column.isZero(0.0)) add(column, is_known ? limit : kInfinite);
+    }
+    for (std::size_t c = 0; c < own.size(); ++c) {
+      if (is_known) add(behind[c], own[c].effort + gear_of(hand, own[c]));
+    }
+  }
+  DriveLoads loads{Eigen::MatrixXd(std::ssize(hand.joints), std::ssize(columns)),
+                   Eigen::Map<Eigen::VectorXd>(limits.data(), std::ssize(limits))};
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    loads.of_joints.col(static_cast<Eigen::Index>(k)) = columns[k];
+  }
+  return loads;
 }
 
 // The vertices of an icosahedron and the middles of its edges, on the unit sphere.
@@ -171,28 +238,23 @@ HandTorques hand_torques(const CompiledScene& scene, const Trial& trial) {
   const Robot& hand = scene.scene.hand;
   const std::vector<JointAxis> axes = joint_axes(hand, trial.joints);
   const Eigen::Index contacts = std::ssize(trial.contacts);
-  HandTorques torques;
-  torques.jacobian.setZero(3 * contacts, std::ssize(axes));
-  torques.spin.setZero(contacts, std::ssize(axes));
-  torques.limits.resize(std::ssize(axes));
-  for (Eigen::Index j = 0; j < std::ssize(axes); ++j) {
-    const double effort = hand.joints[index(j)].max_effort;
-    torques.limits[j] = effort > 0.0 ? effort : kInfinite;
-  }
+  Eigen::MatrixXd velocities = Eigen::MatrixXd::Zero(3 * contacts, std::ssize(axes));
+  Eigen::MatrixXd turning = Eigen::MatrixXd::Zero(contacts, std::ssize(axes));
   for (Eigen::Index i = 0; i < contacts; ++i) {
     const GraspContact& contact = trial.contacts[index(i)];
     for (int j = hand.links[index(contact.link)].joint; j >= 0; j = hand.joints[index(j)].parent) {
       const Vector3 axis_O = trial.X_OH.linear() * axes[index(j)].direction_H;
-      auto velocity = torques.jacobian.block<3, 1>(3 * i, j);
+      auto velocity = velocities.block<3, 1>(3 * i, j);
       if (hand.joints[index(j)].type == JointType::prismatic) {
         velocity = axis_O;
         continue;
       }
       velocity = axis_O.cross(contact.point.position - trial.X_OH * axes[index(j)].point_H);
-      torques.spin(i, j) = axis_O.dot(contact.point.normal);
+      turning(i, j) = axis_O.dot(contact.point.normal);
     }
   }
-  return torques;
+  const DriveLoads loads = drive_loads(hand);
+  return {velocities * loads.of_joints, loads.limits, turning * loads.of_joints};
 }
 
 PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,

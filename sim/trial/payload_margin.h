@@ -32,9 +32,10 @@ struct PayloadMargin {
   bool holds() const { return given.strength >= 1.0; }
 };
 
-// The velocity of each contact point and the turning about its normal for each joint of the hand
-// that moves the contact's link, and the largest efforts of the joints as limits; joints that state
-// none have no limit. X_OH, joints and contacts are those of the trial.
+// What contact forces do to the drives of the hand, and what these bear: sums of joint torques, one
+// for each degree of freedom and each way in which its clutches pass torques on (clutches.h), with
+// the velocity of each contact point and the turning about its normal. Degrees of freedom that
+// state no effort have no limit. X_OH, joints and contacts are those of the trial.
 HandTorques hand_torques(const CompiledScene& scene, const Trial& trial);
 
 // The burden of the object's weight on the grasp of `trial`. Without contacts nothing is balanced.

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "sim/motion/robot_model.h"
+#include "sim/motion/clutches.h"
 #include "sim/robot/robot.h"
 
 namespace prehend {

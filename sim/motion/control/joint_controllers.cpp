@@ -40,22 +40,24 @@ RobotSurroundings surroundings(const ControlState& state) {
   return around;
 }
 
-// The efforts of the degrees of freedom that give its coordinates the accelerations. Springs act in
-// a step as they are at its end.
+// The efforts of the degrees of freedom that give its coordinates the accelerations.
 Eigen::VectorXd efforts_for(const ControlState& state, const Eigen::VectorXd& rate,
                             const Eigen::VectorXd& acceleration) {
   const WorldRobot& robot = state.robot;
   const RobotModel& model = *robot.model;
   const Eigen::VectorXd q = joints_of(robot);
-  const Eigen::VectorXd next =
-      q + state.step * (model.joints_of * (rate + state.step * acceleration));
   const Eigen::VectorXd joints =
       model.dynamics->inverse(q, model.joints_of * rate, model.joints_of * acceleration,
                               surroundings(state)) -
-      spring_efforts(model.robot, next);
+      spring_efforts(model.robot, q);
   const Eigen::VectorXd efforts =
       model.joints_of.transpose() * joints + model.drive_inertia.cwiseProduct(acceleration);
   return efforts.head(model.dofs());
+}
+
+// Of a motion, to second order in the step.
+Eigen::VectorXd rate_of(const JointMotion& motion, double time, double step) {
+  return (motion(time + step) - motion(time - step)) / (2.0 * step);
 }
 
 }  // namespace
@@ -82,9 +84,8 @@ Controller pd_controller(const RobotModel& model, const PdGains& gains, JointMot
   require_gains(model, gains);
   return [gains, motion = std::move(motion)](const ControlState& state) -> Eigen::VectorXd {
     const Eigen::Index dofs = state.robot.model->dofs();
-    const Eigen::VectorXd wanted = motion(state.time);
-    const Eigen::VectorXd rate = (wanted - motion(state.time - state.step)) / state.step;
-    return gains.stiffness.cwiseProduct(wanted - state.robot.x.head(dofs)) +
+    const Eigen::VectorXd rate = rate_of(motion, state.time, state.step);
+    return gains.stiffness.cwiseProduct(motion(state.time) - state.robot.x.head(dofs)) +
            gains.damping.cwiseProduct(rate - state.robot.rate.head(dofs));
   };
 }
@@ -96,21 +97,25 @@ Controller gravity_compensation() {
   };
 }
 
-// A step takes the velocity v to v + a h and the value x to x + (v + a h) h. On the motion m, v is
-// therefore (m(t) - m(t - h)) / h, and a the second difference of m.
+// A step takes the velocity v to v + a h and the value x to x + v h + a h^2 / 2, so that a is what
+// the rate of the motion changes by in the step. The efforts act during all of it: they are those
+// that are needed in its middle.
 Controller computed_torque(JointMotion motion, double frequency) {
   const double omega = angular(frequency);
   return [omega, motion = std::move(motion)](const ControlState& state) -> Eigen::VectorXd {
     const WorldRobot& robot = state.robot;
     const Eigen::Index dofs = robot.model->dofs();
-    const Eigen::VectorXd here = motion(state.time);
-    const Eigen::VectorXd rate = (here - motion(state.time - state.step)) / state.step;
-    const Eigen::VectorXd next = (motion(state.time + state.step) - here) / state.step;
+    const Eigen::VectorXd rate = rate_of(motion, state.time, state.step);
+    const Eigen::VectorXd next = rate_of(motion, state.time + state.step, state.step);
     Eigen::VectorXd acceleration = Eigen::VectorXd::Zero(robot.x.size());
     acceleration.head(dofs) = (next - rate) / state.step +
                               2.0 * omega * (rate - robot.rate.head(dofs)) +
-                              omega * omega * (here - robot.x.head(dofs));
-    return efforts_for(state, robot.rate, acceleration);
+                              omega * omega * (motion(state.time) - robot.x.head(dofs));
+    WorldRobot middle = robot;
+    middle.rate += 0.5 * state.step * acceleration;
+    middle.x += 0.25 * state.step * (robot.rate + middle.rate);
+    return efforts_for({state.time, state.step, middle, state.gravity_W}, middle.rate,
+                       acceleration);
   };
 }
 

@@ -7,6 +7,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/clutches.h"
 #include "sim/motion/require_world.h"
 #include "sim/motion/step_world.h"
 
@@ -29,15 +30,11 @@ void require_run(const World& world, const std::vector<ControlledRobot>& robots,
   require_world(world, options.step);
 }
 
-// What the joints of each degree of freedom bear, at its own rate: infinity where none says.
-Eigen::VectorXd stated_efforts(const Robot& robot) {
-  Eigen::VectorXd most = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(robot.dofs.size()),
-                                                   std::numeric_limits<double>::infinity());
-  for (const Joint& joint : robot.joints) {
-    if (joint.max_effort <= 0.0) continue;
-    most[joint.dof] = std::min(most[joint.dof], joint.max_effort * std::abs(joint.ratio));
-  }
-  return most;
+// The efforts that degrees of freedom may have: any where none is stated.
+Eigen::VectorXd most_of(const Robot& robot) {
+  const Eigen::VectorXd stated = stated_efforts(robot);
+  const double any = std::numeric_limits<double>::infinity();
+  return (stated.array() > 0.0).select(stated, Eigen::VectorXd::Constant(stated.size(), any));
 }
 
 class Run {
@@ -45,7 +42,7 @@ class Run {
   Run(World& world, const std::vector<ControlledRobot>& robots, const ControlledRunOptions& options)
       : world_(world), robots_(robots), options_(options) {
     for (const ControlledRobot& controlled : robots) {
-      most_.push_back(stated_efforts(world.robots[index(controlled.robot)].model->robot));
+      most_.push_back(most_of(world.robots[index(controlled.robot)].model->robot));
     }
   }
 
