@@ -2,11 +2,64 @@
 
 #include <algorithm>
 
+#include <Eigen/Eigenvalues>
+
 #include "sim/base/index.h"
 #include "sim/shape/contact/triangle_overlap.h"
+#include "sim/shape/smooth_surface.h"
 
 namespace prehend {
 namespace {
+
+// The contact of the smooth surfaces that the meshes stand for (smooth_surface.h), from one of the
+// meshes. About it the gap is, u across the normal from there,
+//
+//   g + (t_a + t_b) . u + u . (C_a + C_b) u / 2
+//
+// with the tangential parts t of the outward normals and the curvatures C. It is least where these
+// balance, as far as the surfaces curve towards each other, and that is where they touch: a
+// cylinder rests on the line below its axis, whatever facets it has, and rolls.
+SurfaceContact smoothed(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
+                        const SurfaceContact& contact) {
+  constexpr double kFlat = 1e-2;  // curvatures below this move nothing [1/m]
+  const Vector3& n = contact.normal;
+  const Vector3 on_b = X_AB.inverse() * (contact.position - contact.gap * n);
+  SmoothPoint of_a = smooth_point(a, contact.triangles.a, contact.position, -n);
+  SmoothPoint of_b = smooth_point(b, contact.triangles.b, on_b, X_AB.linear().transpose() * n);
+  if (of_a.is_sharp && of_b.is_sharp) return contact;
+  of_b.normal = X_AB.linear() * of_b.normal;
+  of_b.curvature = X_AB.linear() * of_b.curvature * X_AB.linear().transpose();
+  const auto tangential = [&](const Vector3& v) -> Vector3 { return v - n.dot(v) * n; };
+  SurfaceContact result = contact;
+  if (of_a.is_sharp || of_b.is_sharp) {
+    // A corner or an edge on a surface.
+    result.normal = of_a.is_sharp ? of_b.normal : Vector3(-of_a.normal);
+    result.gap -= of_a.is_sharp ? of_b.height : of_a.height;
+    return result;
+  }
+  const Vector3 t_a = tangential(of_a.normal);
+  const Vector3 t = t_a + tangential(of_b.normal);
+  const Matrix3 across = Matrix3::Identity() - n * n.transpose();
+  const Matrix3 curvature = across * (of_a.curvature + of_b.curvature) * across;
+  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(curvature);
+  Vector3 way = Vector3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double along = principal.eigenvalues()[k];
+    const Vector3 axis = principal.eigenvectors().col(k);
+    if (along > kFlat) way -= t.dot(axis) / along * axis;
+  }
+  const double reach = std::max(of_a.reach, of_b.reach);
+  if (way.norm() > reach) way *= reach / way.norm();
+  const double lower = t.dot(way) + 0.5 * way.dot(curvature * way);
+  // What is farther from the meshes than they are from their surfaces is none of these.
+  if (lower < -2.0 * kMostSag) return contact;
+  const Vector3 turned = t_a + of_a.curvature * way;
+  const double height_a = -of_a.height + t_a.dot(way) + 0.5 * way.dot(of_a.curvature * way);
+  result.position += way + height_a * n;
+  result.normal = (n - tangential(turned)).normalized();
+  result.gap += lower - of_a.height - of_b.height;
+  return result;
+}
 
 HeldContact held(const SurfaceContact& contact, const Pose& X_BA) {
   // The normal of a surface contact points from b into a, and its position is on a.
@@ -134,6 +187,10 @@ void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose&
   contact_options.evenness = range;
   std::vector<SurfaceContact> found;
   find_contact_points(a, b, X_AB, contact_options, workspace, found);
+  memory.is_curved = a.smooth().is_curved || b.smooth().is_curved;
+  if (memory.is_curved) {
+    for (SurfaceContact& contact : found) contact = smoothed(a, b, X_AB, contact);
+  }
   std::stable_sort(found.begin(), found.end(),
                    [](const SurfaceContact& p, const SurfaceContact& q) { return p.gap < q.gap; });
   std::vector<HeldContact> chosen = spread(found, X_AB.inverse());

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/shape/box_tree.h"
 #include "sim/shape/convex_parts.h"
+#include "sim/shape/smooth_surface.h"
 #include "sim/shape/tree_walk.h"
 #include "sim/shape/triangle_distance.h"
 #include "sim/shape/winding_number.h"
@@ -30,6 +32,8 @@ struct ProximityMesh::Data {
   Vector3 ball_center = Vector3::Zero();
   double ball_radius = 0.0;
   std::vector<ConvexPoints> parts;
+  mutable std::once_flag smooth_once;
+  mutable SmoothSurface smooth;
 };
 
 namespace {
@@ -216,6 +220,11 @@ const TriangleMesh& ProximityMesh::mesh() const { return data_->mesh; }
 const Vector3& ProximityMesh::ball_center() const { return data_->ball_center; }
 double ProximityMesh::ball_radius() const { return data_->ball_radius; }
 const std::vector<ConvexPoints>& ProximityMesh::parts() const { return data_->parts; }
+
+const SmoothSurface& ProximityMesh::smooth() const {
+  std::call_once(data_->smooth_once, [&] { data_->smooth = smooth_surface(*this); });
+  return data_->smooth;
+}
 
 std::span<const int> ProximityMesh::triangles_at(int v) const {
   const int first = data_->first_triangle_at[index(v)];

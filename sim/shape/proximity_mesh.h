@@ -10,7 +10,8 @@
 
 namespace prehend {
 
-class ConvexPoints;  // separation.h
+class ConvexPoints;    // separation.h
+struct SmoothSurface;  // smooth_surface.h
 
 // A triangle mesh prepared for distance queries: with a bounding-volume hierarchy and other search
 // structures. Immutable, so threads may share it; copies share their data and are cheap.
@@ -29,6 +30,10 @@ class ProximityMesh {
   double ball_radius() const;
   // Convex sets whose union contains the surface (convex_parts.h), for quick separation tests.
   const std::vector<ConvexPoints>& parts() const;
+
+  // The smooth surface that the mesh stands for (smooth_surface.h), made when it is first
+  // asked for.
+  const SmoothSurface& smooth() const;
 
   // Internal data, for the functions of this folder.
   struct Data;

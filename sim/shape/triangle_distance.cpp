@@ -13,7 +13,6 @@
 namespace prehend {
 namespace {
 
-using Corners = std::array<Vector3, 3>;
 
 // The heights of three points over a plane.
 struct Heights {

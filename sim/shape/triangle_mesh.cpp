@@ -63,4 +63,10 @@ double max_distance(const TriangleMesh& mesh, const Vector3& point) {
   return std::sqrt(squared);
 }
 
+Corners corners_of(const TriangleMesh& mesh, int triangle) {
+  const Triangle& v = mesh.triangles[static_cast<std::size_t>(triangle)];
+  const auto vertex = [&](int k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
+  return {vertex(v[0]), vertex(v[1]), vertex(v[2])};
+}
+
 }  // namespace prehend

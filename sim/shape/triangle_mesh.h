@@ -34,6 +34,10 @@ struct Bounds {
 // Axis-aligned bounds of the vertices; lower > upper for a mesh without vertices.
 Bounds bounds(const TriangleMesh& mesh);
 
+// The corners of a triangle, in the frame of its mesh.
+using Corners = std::array<Vector3, 3>;
+Corners corners_of(const TriangleMesh& mesh, int triangle);
+
 // The normal of triangle `t` by the right-hand rule, with twice the area of the triangle as length
 // [m^2]. It points outward.
 Vector3 doubled_area_vector(const TriangleMesh& mesh, std::size_t t);

@@ -179,7 +179,7 @@ class PairContacts {
     if (!supports(object_, pair.a, on_object, -normal, slope)) return;
     if (!supports(link_, pair.b, X_LO_ * on_link, X_LO_.linear() * normal, slope)) return;
     if (gap > 3.0 * kOnFeature && is_behind_a_wall(on_object, on_link, normal)) return;
-    points_.push_back({on_object, normal, gap});
+    points_.push_back({on_object, normal, gap, pair});
   }
 
   // Behind a wall that is thinner than the threshold, its far side is within the threshold, too,

@@ -14,6 +14,7 @@ struct SurfaceContact {
   Vector3 position = Vector3::Zero();  // on the object's surface [m]
   Vector3 normal = Vector3::UnitZ();
   double gap = 0.0;  // between the surfaces along the normal [m]
+  TrianglePair triangles = {};  // one of the pairs that touch there: of the object, of the link
 };
 
 // A contact of a list by its height along a fixed direction (contact_copies.h).

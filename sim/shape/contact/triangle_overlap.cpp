@@ -2,12 +2,6 @@
 
 namespace prehend {
 
-Corners corners_of(const TriangleMesh& mesh, int triangle) {
-  const Triangle& v = mesh.triangles[static_cast<std::size_t>(triangle)];
-  const auto vertex = [&](int k) { return mesh.vertices[static_cast<std::size_t>(k)]; };
-  return {vertex(v[0]), vertex(v[1]), vertex(v[2])};
-}
-
 Corners moved(const Corners& corners, const Pose& X) {
   return {X * corners[0], X * corners[1], X * corners[2]};
 }

@@ -8,10 +8,6 @@
 
 namespace prehend {
 
-using Corners = std::array<Vector3, 3>;
-
-// The corners of a mesh's triangle, in the mesh's frame.
-Corners corners_of(const TriangleMesh& mesh, int triangle);
 // The corners with the pose X applied to each.
 Corners moved(const Corners& corners, const Pose& X);
 // The triangle's unit normal by the right-hand rule, outward for the triangles of a closed mesh. Of

@@ -7,6 +7,7 @@
 
 #include "sim/motion/energy.h"
 #include "sim/motion/world.h"
+#include "sim/shape/revolve.h"
 #include "tests/support/sample_worlds.h"
 
 namespace prehend {
@@ -26,6 +27,80 @@ TEST(ClosedForms, ASlidingSphereEndsUpRollingAtFiveSevenths) {
   ASSERT_EQ(test::run(world, 0.1), StepOutcome::moved);
   EXPECT_NEAR(motion.linear.x(), 5.0 / 7.0, 0.02);
   EXPECT_NEAR(0.05 * motion.angular.y(), motion.linear.x(), 0.02);
+}
+
+// What rolls down a slope accelerates with 2/3 (cylinder) or 5/7 (ball) of g sin(angle). Gravity
+// tilted by the angle stands for the slope.
+TEST(ClosedForms, CylindersAndBallsRollDownASlope) {
+  constexpr double kRadius = 0.03;
+  const double angle = std::acos(-1.0) / 18.0;
+  struct Case {
+    TriangleMesh mesh;
+    double part;
+  };
+  TriangleMesh lying = make_cylinder(kRadius, 0.06, 96);
+  for (Vector3& p : lying.vertices) p = Vector3(p.x(), -p.z(), p.y());
+  for (const Case& one : {Case{lying, 2.0 / 3.0}, Case{make_sphere(kRadius, 4), 5.0 / 7.0}}) {
+    World world = test::world_with(
+        {test::ground(), test::body_of("round", one.mesh, 0.5, {-1.0, 0.0, kRadius + 5e-5})}, 0.5);
+    world.gravity = test::kG * Vector3(std::sin(angle), 0.0, -std::cos(angle));
+    ASSERT_EQ(test::run(world, 1.0), StepOutcome::moved);
+    const double expected = one.part * test::kG * std::sin(angle);
+    EXPECT_NEAR(world.bodies[1].motion.linear.x(), expected, 0.01 * expected);
+    RecordProperty("rolled_" + std::to_string(one.mesh.vertices.size()),
+                   std::to_string(world.bodies[1].motion.linear.x() / expected));
+  }
+}
+
+// A ball that rolls in a bowl swings with the period 2 pi sqrt(7 (R - r) / (5 g)) about the bottom,
+// and keeps its amplitude.
+TEST(ClosedForms, ABallRollsInABowl) {
+  constexpr double kRadius = 0.02;
+  constexpr double kBowl = 0.1;
+  // Half a hollow ball, with walls of 10 mm.
+  std::vector<Eigen::Vector2d> profile;
+  constexpr int kParts = 60;
+  const double right = 0.5 * std::acos(-1.0);
+  for (int i = 0; i <= kParts; ++i) {
+    const double angle = right * i / kParts;
+    profile.emplace_back((kBowl + 0.01) * std::sin(angle), -(kBowl + 0.01) * std::cos(angle));
+  }
+  for (int i = kParts; i >= 0; --i) {
+    const double angle = right * i / kParts;
+    profile.emplace_back(kBowl * std::sin(angle), -kBowl * std::cos(angle));
+  }
+  WorldBody bowl = test::body_of("bowl", revolve(profile, 3e-3).mesh, 1.0, Vector3::Zero());
+  bowl.is_fixed = true;
+  const double start = 0.3;
+  const double way = kBowl - kRadius - 1e-4;
+  World world =
+      test::world_with({bowl, test::body_of("ball", make_sphere(kRadius, 4), 0.1,
+                                            {way * std::sin(start), 0.0, -way * std::cos(start)})},
+                       0.8);
+  double time = 0.0;
+  double farthest = 0.0;  // in the third second
+  std::vector<double> passes;
+  double last = start;
+  while (time < 3.0) {
+    const StepResult result = step_world(world);
+    ASSERT_EQ(result.outcome, StepOutcome::moved);
+    time += result.time;
+    const Vector3 at = world.bodies[1].motion.X_WB.translation();
+    const double angle = std::atan2(at.x(), -at.z());
+    if (last > 0.0 && angle <= 0.0) passes.push_back(time);
+    if (time > 2.0) farthest = std::max(farthest, angle);
+    last = angle;
+  }
+  ASSERT_GE(passes.size(), 3U);
+  const double period = (passes.back() - passes.front()) / static_cast<double>(passes.size() - 1);
+  // A pendulum at this amplitude is slower than a small one by 1 + a^2 / 16.
+  const double exact =
+      4.0 * right * std::sqrt(1.4 * (kBowl - kRadius) / test::kG) * (1.0 + start * start / 16.0);
+  EXPECT_NEAR(period, exact, 0.01 * exact);
+  EXPECT_GT(farthest, 0.95 * start);
+  EXPECT_LT(farthest, 1.01 * start);
+  RecordProperty("amplitude", std::to_string(farthest / start));
+  RecordProperty("period", std::to_string(period / exact));
 }
 
 // Five balls of which one arrives: the last one leaves with its velocity, the others stay, although
