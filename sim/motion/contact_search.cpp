@@ -187,8 +187,7 @@ void search_contacts(const ProximityMesh& a, const ProximityMesh& b, const Pose&
   contact_options.evenness = range;
   std::vector<SurfaceContact> found;
   find_contact_points(a, b, X_AB, contact_options, workspace, found);
-  memory.is_curved = a.smooth().is_curved || b.smooth().is_curved;
-  if (memory.is_curved) {
+  if (a.smooth().is_curved || b.smooth().is_curved) {
     for (SurfaceContact& contact : found) contact = smoothed(a, b, X_AB, contact);
   }
   std::stable_sort(found.begin(), found.end(),

@@ -13,9 +13,6 @@ namespace prehend {
 inline constexpr double kContactRange = 2e-4;
 // Contacts are searched again after points moved against each other by this [m].
 inline constexpr double kContactRefresh = 1e-4;
-// Those of curved surfaces sooner: the force of a contact that is left behind would drive or brake
-// what rolls.
-inline constexpr double kCurvedRefresh = 1e-5;
 // Contacts that differ by less than this count once: in place, and in normal times the arm [m].
 inline constexpr double kContactsApart = 1e-3;
 inline constexpr double kContactArm = 0.02;

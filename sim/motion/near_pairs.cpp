@@ -110,8 +110,7 @@ class PairSearch {
     const double moved = moved_since(pair, solids_);
     const bool is_fresh = pair.contacts.empty()
                               ? pair.at_least - moved > kContactRange + need
-                              : moved <= (pair.is_curved ? kCurvedRefresh : kContactRefresh) &&
-                                    pair.at_least - moved > need;
+                              : moved <= kContactRefresh && pair.at_least - moved > need;
     if (is_fresh) return time_;
     const double range = std::clamp(kContactRange + need, kContactRange, widest_range(a, b));
     const Pose X_AB = a.X_WS.inverse() * b.X_WS;

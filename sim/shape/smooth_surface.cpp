@@ -119,9 +119,19 @@ Matrix3 curvature_of(const Corners& c, const CornerNormals& n, const Vector3& no
          abd[2] * y * y.transpose();
 }
 
-bool is_on(const TriangleMesh& mesh, int t, const Vector3& p) {
+// Whether p, a point of triangle t, is on its edges or corners.
+bool is_on_border(const TriangleMesh& mesh, int t, const Vector3& p) {
   const Corners c = corners_of(mesh, t);
-  return !is_degenerate(mesh, index(t)) && (nearest_point_on(c, p) - p).norm() < kOnFeature;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3 way = c[(k + 1) % 3] - c[k];
+    if (way.cross(p - c[k]).norm() < kOnFeature * way.norm()) return true;
+  }
+  return false;
+}
+
+bool is_on(const TriangleMesh& mesh, int t, const Vector3& p) {
+  return !is_degenerate(mesh, index(t)) &&
+         (nearest_point_on(corners_of(mesh, t), p) - p).norm() < kOnFeature;
 }
 
 }  // namespace
@@ -181,9 +191,11 @@ SmoothPoint smooth_point(const ProximityMesh& proximity, int t, const Vector3& p
     if (is_hollow) best.height += kMostSag;
   };
   if (!is_degenerate(mesh, index(t))) look(t);
-  for (const int v : mesh.triangles[index(t)]) {
-    for (const int u : proximity.triangles_at(v)) {
-      if (u != t && is_on(mesh, u, p)) look(u);
+  if (is_on_border(mesh, t, p)) {
+    for (const int v : mesh.triangles[index(t)]) {
+      for (const int u : proximity.triangles_at(v)) {
+        if (u != t && is_on(mesh, u, p)) look(u);
+      }
     }
   }
   best.is_sharp = along < std::cos(kSharp);
