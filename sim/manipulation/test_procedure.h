@@ -89,7 +89,7 @@ struct ProcedureObject {
 
 struct TestProcedure {
   std::string name;
-  std::string source;    // where its numbers come from
+  std::string source;                // where its numbers come from
   double step = StepOptions{}.step;  // of the simulation [s]
   ProcedureObject object = {};
   std::optional<double> friction = {};  // coefficient between hand and object; else the scene's

@@ -22,7 +22,7 @@ struct SmoothSurface {
   bool is_curved = false;  // whether any triangle is
 };
 
-SmoothSurface smooth_surface(const ProximityMesh& mesh);
+SmoothSurface smooth_surface(const ProximityMesh& proximity);
 
 // The surface near a point of the mesh, to second order.
 struct SmoothPoint {
@@ -38,7 +38,7 @@ struct SmoothPoint {
 // facets stand out of it; there it is taken kMostSag higher, so that what lies on it does not cross
 // them. Source: quadratic triangles through corners with normals (Boubekeur and Alexa 2008, Phong
 // Tessellation, with a shape factor of 1/2, which is exact for arcs to second order).
-SmoothPoint smooth_point(const ProximityMesh& mesh, int t, const Vector3& p,
+SmoothPoint smooth_point(const ProximityMesh& proximity, int t, const Vector3& p,
                          const Vector3& outward);
 
 }  // namespace prehend

@@ -13,7 +13,6 @@
 namespace prehend {
 namespace {
 
-
 // The heights of three points over a plane.
 struct Heights {
   std::array<double, 3> over{};

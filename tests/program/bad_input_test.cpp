@@ -146,7 +146,8 @@ TEST(BadMotions, OneLineAndNothingWritten) {
   const std::string mass = R"(, "mass": 1, "center_of_mass": [0, 0, 0], "inertia": )";
   for (const BadMotion& bad : std::vector<BadMotion>{
            {"unknown field", shake, procedure_with(R"("wobble": 1)"), "wobble: unknown field"},
-           {"step of 10 s", shake, procedure_with(R"("step": 10)"), "step: must be at least 1e-05 and at most 0.1"},
+           {"step of 10 s", shake, procedure_with(R"("step": 10)"),
+            "step: must be at least 1e-05 and at most 0.1"},
            {"step of 0 s", shake, procedure_with(R"("step": 0)"), "step: must be at least 1e-05"},
            {"no mass", shake, procedure_with(R"("object": {"mass": 0})"), "object.mass"},
            {"negative mass", shake, procedure_with(R"("object": {"mass": -1})"), "object.mass"},

@@ -32,8 +32,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("lift", lift, kAtLeast0, "m",
         "How far the closed hand rises, if the object stands on something; 0: not.");
   visit("lift_time", lift_time, kAbove0, "s", "Time in which it rises.");
-  visit("step", step, kSteps, "s",
-        "Of the simulation.");
+  visit("step", step, kSteps, "s", "Of the simulation.");
 }
 
 }  // namespace prehend

@@ -13,7 +13,7 @@ namespace prehend {
 struct SurfaceContact {
   Vector3 position = Vector3::Zero();  // on the object's surface [m]
   Vector3 normal = Vector3::UnitZ();
-  double gap = 0.0;  // between the surfaces along the normal [m]
+  double gap = 0.0;             // between the surfaces along the normal [m]
   TrianglePair triangles = {};  // one of the pairs that touch there: of the object, of the link
 };
 
