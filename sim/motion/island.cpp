@@ -9,6 +9,7 @@
 #include "sim/motion/placed_contact.h"
 #include "sim/motion/robot_kick.h"
 #include "sim/motion/solve_contacts.h"
+#include "sim/motion/spatial.h"
 
 namespace prehend {
 namespace {

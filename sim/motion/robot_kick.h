@@ -10,8 +10,8 @@ namespace prehend {
 
 // mass * (rates of the coordinates) = momentum.
 struct RobotKick {
-  Eigen::MatrixXd mass;  // positive definite
-  Eigen::VectorXd momentum;
+  Eigen::MatrixXd mass = {};  // positive definite
+  Eigen::VectorXd momentum = {};
 };
 
 // The rates after weight, efforts, springs and friction acted for a time `kick`, as they are where
