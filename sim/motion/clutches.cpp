@@ -16,6 +16,7 @@ constexpr double kClutchPart = 0.2;
 // gear gives way until it bears all it can, as the small play of gears and cables does [rad or m].
 constexpr double kHolds = 4.0 / 3.0;
 constexpr double kGearGive = 0.01;
+
 // Whether joint k stands somewhere before joint j; none does before the base (j = -1).
 bool stands_before(const Robot& robot, int k, int j) {
   if (j < 0) return false;

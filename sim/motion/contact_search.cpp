@@ -18,7 +18,8 @@ namespace {
 //
 // with the tangential parts t of the outward normals and the curvatures C. It is least where these
 // balance, as far as the surfaces curve towards each other, and that is where they touch: a
-// cylinder rests on the line below its axis, whatever facets it has, and rolls.
+// cylinder rests on the line below its axis, whatever facets it has, and rolls. Across that, as at
+// the rim of a tilted can, the normal stays what it is.
 SurfaceContact smoothed(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_AB,
                         const SurfaceContact& contact) {
   constexpr double kFlat = 1e-2;  // curvatures below this move nothing [1/m]
@@ -26,7 +27,8 @@ SurfaceContact smoothed(const ProximityMesh& a, const ProximityMesh& b, const Po
   const Vector3 on_b = X_AB.inverse() * (contact.position - contact.gap * n);
   SmoothPoint of_a = smooth_point(a, contact.triangles.a, contact.position, -n);
   SmoothPoint of_b = smooth_point(b, contact.triangles.b, on_b, X_AB.linear().transpose() * n);
-  if (of_a.is_sharp && of_b.is_sharp) return contact;
+  const bool is_even = of_a.curvature.isZero(0.0) && of_b.curvature.isZero(0.0);
+  if (is_even || (of_a.is_sharp && of_b.is_sharp)) return contact;
   of_b.normal = X_AB.linear() * of_b.normal;
   of_b.curvature = X_AB.linear() * of_b.curvature * X_AB.linear().transpose();
   const auto tangential = [&](const Vector3& v) -> Vector3 { return v - n.dot(v) * n; };
@@ -43,17 +45,20 @@ SurfaceContact smoothed(const ProximityMesh& a, const ProximityMesh& b, const Po
   const Matrix3 curvature = across * (of_a.curvature + of_b.curvature) * across;
   const Eigen::SelfAdjointEigenSolver<Matrix3> principal(curvature);
   Vector3 way = Vector3::Zero();
+  Matrix3 balanced = Matrix3::Zero();  // projects on the directions along which they balance
   for (int k = 0; k < 3; ++k) {
     const double along = principal.eigenvalues()[k];
     const Vector3 axis = principal.eigenvectors().col(k);
-    if (along > kFlat) way -= t.dot(axis) / along * axis;
+    if (along <= kFlat) continue;
+    way -= t.dot(axis) / along * axis;
+    balanced += axis * axis.transpose();
   }
   const double reach = std::max(of_a.reach, of_b.reach);
   if (way.norm() > reach) way *= reach / way.norm();
   const double lower = t.dot(way) + 0.5 * way.dot(curvature * way);
   // What is farther from the meshes than they are from their surfaces is none of these.
   if (lower < -2.0 * kMostSag) return contact;
-  const Vector3 turned = t_a + of_a.curvature * way;
+  const Vector3 turned = balanced * (t_a + of_a.curvature * way);
   const double height_a = -of_a.height + t_a.dot(way) + 0.5 * way.dot(of_a.curvature * way);
   result.position += way + height_a * n;
   result.normal = (n - tangential(turned)).normalized();

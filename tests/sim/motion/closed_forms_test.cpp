@@ -52,6 +52,21 @@ TEST(ClosedForms, CylindersAndBallsRollDownASlope) {
   }
 }
 
+// Without friction a can that tips over on its rim is pushed straight up, and goes nowhere.
+TEST(ClosedForms, ACanTipsOverItsRim) {
+  constexpr double kTilt = 0.1;
+  const Matrix3 turned = Eigen::AngleAxisd(kTilt, Vector3::UnitY()).toRotationMatrix();
+  World world = test::world_with(
+      {test::ground(), test::body_of("can", make_cylinder(0.03, 0.1, 96), 0.3, Vector3::Zero())},
+      0.0);
+  RigidMotion& motion = world.bodies[1].motion;
+  const double low = (turned * Vector3(0.03, 0.0, -0.05)).z();
+  motion.X_WB = pose_from(turned, Vector3(0.0, 0.0, 5e-5 - low));
+  ASSERT_EQ(test::run(world, 0.02), StepOutcome::moved);
+  EXPECT_GT(motion.angular.norm(), 0.1);
+  EXPECT_LT(motion.linear.head<2>().norm(), 1e-6);
+}
+
 // A ball that rolls in a bowl swings with the period 2 pi sqrt(7 (R - r) / (5 g)) about the bottom,
 // and keeps its amplitude.
 TEST(ClosedForms, ABallRollsInABowl) {
