@@ -42,6 +42,10 @@ std::string held_text(const ScoredGrasp& grasp) {
                    1e3 * grasp.robustness->position_margin);
 }
 
+std::string free_words(const ScoredGrasp& grasp) {
+  return grasp.free ? free_text(*grasp.free) : "-";
+}
+
 // "5 of 6" tests survived, "-" of a grasp that was not shaken; a column only where there are any.
 // Of a protocol with growing pulls also the largest that was survived.
 std::string shake_text(const ScoredGrasp& grasp) {
@@ -60,8 +64,9 @@ struct OptionalColumn {
   bool (*has)(const ScoredGrasp&);
 };
 
-constexpr std::array<OptionalColumn, 3> kOptionalColumns = {
-    {{"lifts", success_text, is_disturbed},
+constexpr std::array<OptionalColumn, 4> kOptionalColumns = {
+    {{"free object", free_words, [](const ScoredGrasp& grasp) { return grasp.free.has_value(); }},
+     {"lifts", success_text, is_disturbed},
      {"held, spare", held_text, is_disturbed},
      {"shaken", shake_text, [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); }}}};
 

@@ -59,6 +59,15 @@ std::string moved_text(const Trial& trial) {
   return hand + (hand.empty() || object.empty() ? "" : "; ") + object;
 }
 
+std::string free_text(const Trial& free) {
+  const bool is_in_hand =
+      free.outcome == Outcome::stable || free.outcome == Outcome::not_force_closure;
+  if (!is_in_hand) return std::string(name_of(free.outcome));
+  const double epsilon = free.outcome == Outcome::stable ? free.epsilon.lower : 0.0;
+  const double moved = free.X_OC ? free.X_OC->translation().norm() : 0.0;
+  return formatted("epsilon %.4f, moved %.2g mm", epsilon, 1e3 * moved);
+}
+
 std::string collision_text(const CollisionNames& collision_of) {
   return collision_of.link.empty() ? "" : collision_of.link + " met " + collision_of.by;
 }

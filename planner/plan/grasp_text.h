@@ -34,6 +34,10 @@ std::string weakness_text(const Robustness& robustness);
 // where none is left.
 std::string moved_text(const Trial& trial);
 
+// How a grasp ends on an object that is free to move while the hand closes: "epsilon 0.2134, moved
+// 8 mm" there, or what became of it: "pushed_away".
+std::string free_text(const Trial& free);
+
 // Which link met what: "left_finger met the object"; of a trial, also how deep it was in it at the
 // start, where that was measured: "left_finger met the object, 3.1 mm deep". Empty without a
 // collision.

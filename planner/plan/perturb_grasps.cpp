@@ -19,23 +19,6 @@ namespace {
 
 using RankKey = std::tuple<double, double, double>;  // larger is better
 
-RankKey probability_key(const Robustness& robustness) {
-  return {robustness.probability(), robustness.position_margin, robustness.epsilon_mean};
-}
-
-RankKey success_key(const Robustness& robustness) {
-  return {success_probability(robustness), robustness.position_margin, robustness.epsilon_mean};
-}
-
-void rank_by(RankKey (*key)(const Robustness&), PlanResult& result) {
-  const auto key_of = [&](const ScoredGrasp& grasp) {
-    return grasp.robustness ? key(*grasp.robustness) : RankKey{-1.0, 0.0, 0.0};
-  };
-  std::stable_sort(
-      result.grasps.begin(), result.grasps.end(),
-      [&](const ScoredGrasp& a, const ScoredGrasp& b) { return key_of(a) > key_of(b); });
-}
-
 // Calls work(grasp, workspace) for all of them, in parallel; false if time ran out before the end.
 template <typename Work>
 bool for_each_grasp(std::vector<ScoredGrasp>& grasps, const RunContext& context, const Work& work) {
@@ -137,14 +120,20 @@ void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
                       const RunContext& context, PlanResult& result) {
   const Shortlist list(scene, options, uncertainty, seed, index(top), context);
   if (!list.fill(result.grasps)) result.status = cut_short(context);
-  by == RankBy::success ? rank_by_success(result) : rank_by_probability(result);
-  if (result.grasps.size() > index(top)) {
-    result.grasps.erase(result.grasps.begin() + top, result.grasps.end());
-  }
+  rank_by(by, result);
 }
 
-void rank_by_probability(PlanResult& result) { rank_by(probability_key, result); }
-
-void rank_by_success(PlanResult& result) { rank_by(success_key, result); }
+void rank_by(RankBy by, PlanResult& result) {
+  const auto key_of = [&](const ScoredGrasp& grasp) {
+    if (!grasp.robustness) return RankKey{-1.0, 0.0, 0.0};
+    const Robustness& robustness = *grasp.robustness;
+    const double first =
+        by == RankBy::success ? success_probability(robustness) : robustness.probability();
+    return RankKey{first, robustness.position_margin, robustness.epsilon_mean};
+  };
+  std::stable_sort(
+      result.grasps.begin(), result.grasps.end(),
+      [&](const ScoredGrasp& a, const ScoredGrasp& b) { return key_of(a) > key_of(b); });
+}
 
 }  // namespace prehend

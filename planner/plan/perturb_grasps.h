@@ -17,8 +17,8 @@ void perturb_grasps(const CompiledScene& scene, const TrialOptions& options,
                     const UncertaintyOptions& uncertainty, std::uint64_t seed,
                     const RunContext& context, PlanResult& result);
 
-// As perturb_grasps, of a result with more grasps than wanted: at most `top` are kept, the first by
-// `by`, in that order. The samples are tried in four parts. After each of them, grasps are dropped
+// As perturb_grasps, of a result with more grasps than the `top` that are wanted; they are put in
+// the order of `by`. The samples are tried in four parts. After each of them, grasps are dropped
 // that will hardly be among the first `top`: the interval of the share that held (held_interval)
 // lies below those of `top` others. Where time runs out none has a robustness, and those with the
 // larger epsilon come first.
@@ -26,12 +26,9 @@ void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
                       const UncertaintyOptions& uncertainty, std::uint64_t seed, RankBy by, int top,
                       const RunContext& context, PlanResult& result);
 
-// Puts grasps first that hold in more of their samples, of equal ones those with more to spare,
-// then those with the larger mean epsilon. Those that were not tried stay behind all others.
-void rank_by_probability(PlanResult& result);
-
-// Puts grasps first that lift the object more probably (success_probability), of equal ones those
-// with more to spare. Those that were not tried stay behind all others.
-void rank_by_success(PlanResult& result);
+// Puts grasps first that hold in more of their samples, or that lift the object more probably
+// (success_probability); of equal ones those with more to spare, then those with the larger mean
+// epsilon. Those that were not tried stay behind all others.
+void rank_by(RankBy by, PlanResult& result);
 
 }  // namespace prehend

@@ -11,6 +11,7 @@
 #include "planner/plan/cut_short.h"
 #include "planner/plan/find_advice.h"
 #include "planner/plan/find_paths.h"
+#include "planner/plan/free_grasps.h"
 #include "planner/plan/measure_grasps.h"
 #include "planner/plan/object_primitives.h"
 #include "planner/plan/perturb_grasps.h"
@@ -213,16 +214,20 @@ void record(const CompiledScene& scene, const Attempts& attempts, PlanResult& re
   }
 }
 
+// Whether the ranked grasps are closed again on an object that gives way: it has not given way yet.
+bool closes_freely(const PlanOptions& options) {
+  return options.free_closing && !options.trial.formation.dynamic;
+}
+
 // How many grasps are ranked. `goes_on`: whether the stages behind the ranking are wanted.
 int ranked_grasps(const PlanOptions& options, bool goes_on) {
-  if (options.rank.by != RankBy::epsilon) {
-    const double pool = options.rank.pool * static_cast<double>(options.rank.top);
-    return static_cast<int>(std::min(pool, 1e9));
-  }
   // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
   // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
-  if (options.paths && goes_on) return std::numeric_limits<int>::max();
-  return options.rank.top;
+  const bool by_epsilon = options.rank.by == RankBy::epsilon;
+  if (options.paths && goes_on && by_epsilon) return std::numeric_limits<int>::max();
+  if (by_epsilon && !closes_freely(options)) return options.rank.top;
+  const double pool = options.rank.pool * static_cast<double>(options.rank.top);
+  return static_cast<int>(std::min(pool, 1e9));
 }
 
 // The grasp of a trial, which it takes. Trial i is entry i of PlanResult::tried.
@@ -320,6 +325,14 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
     shortlist_grasps(scene, options.trial, options.uncertainty, options.seed, options.rank.by, top,
                      context, result);
     watch.lap(Stage::disturb);
+  }
+  if (closes_freely(options) && goes_on() && !result.grasps.empty()) {
+    free_grasps(scene, options, context, result);
+    if (!by_epsilon) rank_by(options.rank.by, result);
+    watch.lap(Stage::close);
+  }
+  if (!options.paths && result.grasps.size() > index(options.rank.top)) {
+    result.grasps.erase(result.grasps.begin() + options.rank.top, result.grasps.end());
   }
   add_count(PlanCount::ranked, result.grasps.size(), result);
   // A plan that was cancelled during the trials returns its ranked grasps without paths.

@@ -31,6 +31,7 @@ struct PlanOptions {
   // Refined grasps that gain less than 1 % of their epsilon are left out.
   RefineOptions refine;
   RankOptions rank;
+  bool free_closing = true;
   std::optional<GraspPathOptions> paths;
   bool robustness = false;
   UncertaintyOptions uncertainty;
@@ -42,8 +43,8 @@ struct PlanOptions {
 // where there are any.
 template <SettingsOf<PlanOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [seed, primitives, thin_parts, candidates, search, trial, refine, rank, paths, robustness,
-         uncertainty, volumes, sections] = options;
+  auto& [seed, primitives, thin_parts, candidates, search, trial, refine, rank, free_closing, paths,
+         robustness, uncertainty, volumes, sections] = options;
   visit("seed", seed, kAtLeast0, "",
         "Everything random in the plan derives from it: seeds in the options below are set from "
         "it, whatever they are.");
@@ -56,6 +57,9 @@ void for_each_setting(Options& options, const Visit& visit) {
         "How the best grasps of the search are improved, by at most two fifths of the trials that "
         "it made.");
   visit({"rank", ""}, rank, "Which grasps are returned.");
+  visit("free_closing", free_closing,
+        "Whether the best grasps are closed again on an object that is free to move: those that "
+        "lose it are left out, the others ranked by the epsilon where it ends.");
   visit.unlisted(
       "paths", paths,
       "Set: a path of the arm is planned for each grasp, and grasps without one are left "

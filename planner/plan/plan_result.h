@@ -51,6 +51,9 @@ struct ScoredGrasp {
   // Of a grasp with contacts, where it was asked for: how it fares on disturbed poses.
   std::optional<Robustness> robustness = {};
   std::optional<Refinement> refinement = {};
+  // The same grasp on an object that is free to move while the hand closes: X_OC says where that
+  // ends, contacts and epsilon are of there. Only of those that were asked (free_grasps).
+  std::optional<Trial> free = {};
   std::optional<ShakeReport> shake = {};  // filled in by shake_grasps
   LiftEnd lift = LiftEnd::not_asked;      // whether `path` goes on after the grasp, or why not
 };

@@ -12,8 +12,8 @@ namespace prehend {
 // What comes first among the grasps that are returned.
 enum class RankBy {
   epsilon,      // the larger one
-  probability,  // those that hold in more of the trials with errors (rank_by_probability)
-  success       // those that lift the object more probably (rank_by_success)
+  probability,  // those that hold in more of the trials with errors (perturb_grasps.h)
+  success       // those that lift the object more probably (success.h)
 };
 
 constexpr auto enum_names(RankBy /*of*/) {
@@ -42,8 +42,8 @@ void for_each_setting(Options& options, const Visit& visit) {
                  "What comes first; anything but epsilon takes the trials with errors "
                  "(PlanOptions.robustness).");
   visit("pool", pool, kAtLeast1, "",
-        "Where not by epsilon: so many times `top` grasps, the best by epsilon, are tried with "
-        "errors.");
+        "So many times `top` grasps, the best by epsilon, are closed on a free object at most, or "
+        "tried with errors where these rank them.");
   visit("same_distance", same_distance, kAtLeast0, "m",
         "Grasps whose hands differ by no more than this and `same_angle` are the same.");
   visit("same_angle", same_angle, kAtLeast0, "rad", "See `same_distance`.");

@@ -249,6 +249,15 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
     inner("gain", refinement.gain);
     inner("trials", refinement.trials);
   });
+  // How it ends on an object that is free to move; a grasp that is read has to be closed again.
+  fields.derived_part("free", grasp.free, [](auto& inner, auto& free) {
+    inner("outcome", free.outcome);
+    inner.derived("epsilon",
+                  [&] { return free.outcome == Outcome::stable ? free.epsilon.lower : 0.0; });
+    inner("X_object_hand", free.X_OH);
+    inner("X_object_moved", free.X_OC);
+    inner("joints", free.joints);
+  });
   // A grasp that is read has to be shaken again.
   fields.derived_part("shake", grasp.shake,
                       [](auto& inner, auto& shake) { shake_fields(inner, shake); });

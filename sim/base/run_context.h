@@ -53,6 +53,7 @@ enum class Stage {
   candidates,  // candidate grasps are generated
   trials,      // every candidate grasp is tried
   rank,        // stable grasps are sorted
+  close,       // the best grasps are closed again, on an object that gives way
   refine,      // the best grasps are improved by trials of grasps near them
   paths,       // arm paths to the best grasps are planned
   volumes,     // volumes and sections of the wrench hulls of the returned grasps
@@ -65,8 +66,8 @@ enum class Stage {
 // Name of a stage in files and progress lines: "load", "compile" and so on.
 constexpr auto enum_names(Stage /*of*/) {
   return std::to_array<std::string_view>({"load", "compile", "primitives", "candidates", "trials",
-                                          "rank", "refine", "paths", "volumes", "disturb", "shake",
-                                          "report", "picture"});
+                                          "rank", "close", "refine", "paths", "volumes", "disturb",
+                                          "shake", "report", "picture"});
 }
 
 // How far a stage is: `done` of `total` pieces of work (trials, paths).

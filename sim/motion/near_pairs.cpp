@@ -87,26 +87,11 @@ double widest_range(const Solid& a, const Solid& b) {
 // longest step.
 class PairSearch {
  public:
-  PairSearch(const Solids& solids, const World& world, double time, const StepOptions& options)
-      : solids_(solids), options_(options), time_(time) {
-    // What gravity and forces add to the speed.
-    double fastest_gain = world.gravity.norm();
-    for (const WorldBody& body : world.bodies) {
-      if (body.is_fixed) continue;
-      double gain = world.gravity.norm() + body.force_W.norm() / body.inertial.mass;
-      if (!body.torque_W.isZero(0.0)) {
-        const Matrix3 inertia_W = inertia_in_world(body.inertial, body.motion.X_WB);
-        gain += inertia_W.ldlt().solve(body.torque_W).norm() *
-                (body.shape.mesh.ball_radius() +
-                 (body.shape.mesh.ball_center() - body.inertial.center_of_mass).norm());
-      }
-      fastest_gain = std::max(fastest_gain, gain);
-    }
-    gain_ = 2.0 * time * fastest_gain;
-  }
+  PairSearch(const Solids& solids, double time, const StepOptions& options)
+      : solids_(solids), options_(options), time_(time) {}
 
   double look(const Solid& a, const Solid& b, double speed, PairMemory& pair) {
-    const double need = time_ * (speed + gain_);
+    const double need = time_ * speed;
     const double moved = moved_since(pair, solids_);
     const bool is_fresh = pair.contacts.empty()
                               ? pair.at_least - moved > kContactRange + need
@@ -125,10 +110,11 @@ class PairSearch {
       pair.at_least = std::min(gap.lower, far);
       if (pair.at_least > kContactRange + need) return time_;
       // To the middle of the range: the contact is there in the next step.
-      return (pair.at_least - 0.5 * kContactRange) / (speed + gain_);
+      return (pair.at_least - 0.5 * kContactRange) / speed;
     }
     touch(a.shape->mesh, b.shape->mesh, X_AB, gap, range, pair);
-    return need < range ? time_ : time_ * range / need;
+    // What comes from farther away within the step is found where surfaces cross (crossings.h).
+    return time_;
   }
 
  private:
@@ -189,7 +175,6 @@ class PairSearch {
   const Solids& solids_;
   const StepOptions& options_;
   double time_;
-  double gain_;
   ContactWorkspace workspace_;
 };
 
@@ -220,7 +205,7 @@ double find_near(const Solids& solids, const Solids* speeds, const World& world,
   double longest = time;
   std::vector<PairMemory> next;
   std::size_t known = 0;
-  PairSearch search(solids, world, time, options);
+  PairSearch search(solids, time, options);
   for (const auto& [i, j] : ball_pairs(speeds != nullptr ? *speeds : solids, world, time)) {
     const Solid& a = solids.all()[index(i)];
     const Solid& b = solids.all()[index(j)];

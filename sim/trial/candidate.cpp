@@ -5,11 +5,14 @@
 
 namespace prehend {
 
+const std::vector<double>& start_dofs(const Robot& hand, const Candidate& candidate) {
+  return candidate.preshape ? hand.hand->preshapes[index(*candidate.preshape)].dofs
+                            : candidate.dofs;
+}
+
 void start_joints(const Robot& hand, const Candidate& candidate, std::vector<double>& joints) {
-  if (candidate.preshape) {
-    joint_values(hand, hand.hand->preshapes[index(*candidate.preshape)].dofs, joints);
-  } else if (candidate.joints.empty()) {
-    joint_values(hand, candidate.dofs, joints);
+  if (candidate.preshape || candidate.joints.empty()) {
+    joint_values(hand, start_dofs(hand, candidate), joints);
   } else {
     joints = candidate.joints;
   }

@@ -23,6 +23,9 @@ struct Candidate {
   std::vector<double> joints;
 };
 
+// The values of all degrees of freedom before closing [rad or m].
+const std::vector<double>& start_dofs(const Robot& hand, const Candidate& candidate);
+
 // The values of all joints before closing [rad or m]: those of the candidate's preshape, those
 // given for every joint, or those that follow from its degrees of freedom. `joints` is replaced.
 void start_joints(const Robot& hand, const Candidate& candidate, std::vector<double>& joints);

@@ -31,9 +31,9 @@ bool failed(const DynamicGrasp& formation) {
 
 }  // namespace
 
-void close_dynamic(const CompiledScene& scene, const ClosingStart& start,
-                   const TrialOptions& options, GraspWorkspace& workspace, Trial& trial,
-                   const RunContext& context) {
+void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
+                   const ClosingStart& start, const TrialOptions& options,
+                   GraspWorkspace& workspace, Trial& trial, const RunContext& context) {
   const std::vector<double> joints =
       start.joints.empty() ? joint_values(scene.scene.hand, start.dofs) : start.joints;
   trial.contacts.clear();
@@ -45,8 +45,7 @@ void close_dynamic(const CompiledScene& scene, const ClosingStart& start,
   }
   const Pose& X_WO = scene.scene.object.X_WO;
   const DynamicGraspStart from{X_WO * start.X_OH, start.dofs, start.joints};
-  const DynamicGrasp formation =
-      form_dynamic_grasp(scene, hand_model(scene), from, options.formation, context);
+  const DynamicGrasp formation = form_dynamic_grasp(scene, hand, from, options.formation, context);
   trial.X_OC = X_WO.inverse() * formation.X_WO;
   trial.X_OH = formation.X_WO.inverse() * formation.X_WH;
   trial.dofs = formation.dofs;
@@ -60,6 +59,20 @@ void close_dynamic(const CompiledScene& scene, const ClosingStart& start,
     score_contacts(scene, options, workspace.scoring, trial);
     if (lost) trial.outcome = *lost;
   }
+}
+
+Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
+                    const Candidate& candidate, const Trial& trial, const TrialOptions& options,
+                    const RunContext& context) {
+  const double left = candidate.approach_distance - trial.travel;
+  ClosingStart start;
+  start.X_OH = translation(trial.overlap_shift - left * candidate.approach_O) * candidate.X_OH;
+  start.dofs = start_dofs(scene.scene.hand, candidate);
+  start.joints = candidate.joints;
+  Trial free = trial;
+  GraspWorkspace workspace;
+  close_dynamic(scene, hand, start, options, workspace, free, context);
+  return free;
 }
 
 }  // namespace prehend

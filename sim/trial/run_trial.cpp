@@ -77,12 +77,11 @@ class TrialRun {
         motion_{candidate.X_OH, candidate.approach_O, candidate.approach_distance},
         buffers_(buffers),
         start_(buffers.start) {
+    start_.dofs = start_dofs(scene.scene.hand, candidate);
     if (candidate.preshape) {
-      start_.dofs = scene.scene.hand.hand->preshapes[index(*candidate.preshape)].dofs;
       start_.joints.clear();
       start_.self_clearance = scene.preshape_gaps[index(*candidate.preshape)];
     } else {
-      start_.dofs = candidate.dofs;
       start_.joints = candidate.joints;
       start_.self_clearance.clear();
     }
@@ -250,7 +249,8 @@ class TrialRun {
       clearance = std::max(0.0, clearance - (buffers_.reached.travel - travel));
     }
     if (options_.formation.dynamic) {
-      close_dynamic(scene_, start_, options_, buffers_.grasping, trial, context_);
+      close_dynamic(scene_, hand_model(scene_), start_, options_, buffers_.grasping, trial,
+                    context_);
       return;
     }
     close_and_score(scene_, start_, options_, buffers_.grasping, trial, context_);

@@ -30,6 +30,7 @@ __all__ = [
     "ContactModel",
     "Contacts",
     "EpsilonStatus",
+    "FreeClosing",
     "Grasp",
     "Hint",
     "LiftEnd",
@@ -299,6 +300,27 @@ class Refinement(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
+class FreeClosing:
+    """How a grasp ends on an object that is free to move while the hand closes."""
+
+    outcome: Outcome
+    """What became of the object; stable or not_force_closure: it is in the hand."""
+    epsilon: float
+    """Where the object ends; 0 without force closure."""
+    X_OH: FloatArray = field(repr=False)
+    """(4, 4): pose of the hand's base in the frame of the object, where that ends."""
+    X_OC: FloatArray = field(repr=False)
+    """(4, 4): where the object ends, in the frame in which it stood."""
+    joints: FloatArray = field(repr=False)
+    """(J,): of the closed hand [rad or m]."""
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "FreeClosing":
+        fields["outcome"] = Outcome(fields["outcome"])
+        return _made(FreeClosing, fields)
+
+
+@dataclass(frozen=True, eq=False)
 class Grasp(Trial):
     """A trial as a plan returns it."""
 
@@ -312,6 +334,8 @@ class Grasp(Trial):
     """What its weight takes; None without contacts and where the volume was not computed."""
     robustness: Optional[Robustness] = field(repr=False)
     """How it fares with errors of the pose; None where that was not asked for."""
+    free: Optional[FreeClosing] = field(repr=False)
+    """How it ends on an object that is free to move; None where that was not asked for."""
     primitive: Optional[int]
     """Number of the primitive that it came from; None for a grasp that was given."""
     rule: str
@@ -333,6 +357,9 @@ class Grasp(Trial):
         robustness = fields["robustness"]
         if robustness is not None:
             fields["robustness"] = Robustness._of(robustness)
+        free = fields["free"]
+        if free is not None:
+            fields["free"] = FreeClosing._of(free)
         refinement = fields["refinement"]
         if refinement is not None:
             fields["refinement"] = Refinement(*refinement)

@@ -53,6 +53,10 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.preshape = preshape_name(scene, scored.candidate);
   grasp.collision_of = collision_text(scene, trial);
   grasp.moved = moved_text(trial);
+  if (scored.free) {
+    if (!grasp.moved.empty()) grasp.moved += "; ";
+    grasp.moved += "on an object that is free to move: " + free_text(*scored.free);
+  }
   grasp.primitive = scored.primitive.value_or(-1);
   grasp.shake = scored.shake;
   for (const GraspContact& contact : trial.contacts) {

@@ -8,6 +8,7 @@
 #include "sim/motion/dynamic_grasp/hand_drives.h"
 #include "sim/motion/dynamic_grasp/resting.h"
 #include "sim/motion/require_world.h"
+#include "sim/motion/solids.h"
 #include "sim/motion/step_world.h"
 #include "sim/scene/compiled_scene.h"
 
@@ -45,13 +46,30 @@ class DynamicGraspRun {
   double step(double longest) {
     context_.cancellation.check();
     StepOptions options;
-    options.step = std::min(options_.step, longest);
+    options.step = std::min(fitting_step(), longest);
     const StepResult result = step_world(world_, options);
     formation_.last = result.outcome;
     formation_.seconds += result.time;
     ++formation_.steps;
     watch_.look(world_, formation_.seconds);
     return result.time;
+  }
+
+  // The longest step in which no point of the hand, its base held still, or of the object moves by
+  // more than options.travel. Impacts and falls get the steps of any world.
+  double fitting_step() const {
+    const WorldRobot& robot = world_.robots[index(hand_.robot)];
+    const Solids solids(world_);
+    double fastest = 0.0;
+    for (const Solid& solid : solids.all()) {
+      if (!solid.moves) continue;
+      const ProximityMesh& mesh = solid.shape->mesh;
+      const Vector3 center = solid.velocity_at(solid.X_WS * mesh.ball_center());
+      fastest = std::max(
+          fastest, (center - robot.base_linear).norm() + solid.angular.norm() * mesh.ball_radius());
+    }
+    const double shortest = std::min(StepOptions{}.step, options_.step);
+    return std::clamp(options_.travel / fastest, shortest, options_.step);
   }
 
   bool is_lost() const {
@@ -81,7 +99,7 @@ class DynamicGraspRun {
   void lift() {
     const double start = robot().X_WB.translation().z();
     for (double time = 0.0; time < options_.lift_time - 1e-9;) {
-      const double next = std::min(options_.step, options_.lift_time - time);
+      const double next = std::min(fitting_step(), options_.lift_time - time);
       const double height =
           start + options_.lift * quintic_step((time + next) / options_.lift_time);
       robot().base_linear = {0.0, 0.0, (height - robot().X_WB.translation().z()) / next};

@@ -109,6 +109,13 @@ bool passes_through(const Vector3& a, const Vector3& b, const Corners& c) {
   return true;
 }
 
+// Mixes a number into a hash: a multiplication by the golden ratio (Knuth, The Art of Computer
+// Programming 3, section 6.4) spreads it, and the upper half is folded down.
+std::uint64_t mixed(std::uint64_t hash, std::int64_t number) {
+  hash = (hash ^ static_cast<std::uint64_t>(number)) * 0x9E3779B97F4A7C15U;
+  return hash ^ (hash >> 29);
+}
+
 // Collects the contacts of pairs of triangles, one of the object and one of the link.
 class PairContacts {
  public:
@@ -119,8 +126,8 @@ class PairContacts {
         X_OL_(X_OL),
         X_LO_(X_OL.inverse()),
         options_(options),
-        walls_(workspace.walls),
-        points_(workspace.points) {}
+        points_(workspace.points),
+        tried_(workspace.tried) {}
 
   void add(TrianglePair pair) {
     const Corners on_object = corners_of(object_.mesh(), pair.a);
@@ -175,25 +182,11 @@ class PairContacts {
   // Both points in O; `normal` from the link into the object.
   void add_if_supported(TrianglePair pair, const Vector3& on_object, const Vector3& on_link,
                         const Vector3& normal, double gap) {
+    if (!tried_.insert(on_object, normal, gap)) return;
     const double slope = options_.angular_tolerance;
     if (!supports(object_, pair.a, on_object, -normal, slope)) return;
     if (!supports(link_, pair.b, X_LO_ * on_link, X_LO_.linear() * normal, slope)) return;
-    if (gap > 3.0 * kOnFeature && is_behind_a_wall(on_object, on_link, normal)) return;
     points_.push_back({on_object, normal, gap, pair});
-  }
-
-  // Behind a wall that is thinner than the threshold, its far side is within the threshold, too,
-  // and so may be another wall. Nothing of the object lies between the link and a real contact.
-  bool is_behind_a_wall(const Vector3& on_object, const Vector3& on_link, const Vector3& normal) {
-    // So far before the contact that the triangles around it, whose borders are widened by
-    // kOnFeature, are not taken for a wall.
-    const Vector3 before = on_object - 3.0 * kOnFeature * normal;
-    const Vector3 border = Vector3::Constant(10.0 * kOnFeature);
-    find_triangles_in(
-        object_, {on_link.cwiseMin(before) - border, on_link.cwiseMax(before) + border}, walls_);
-    return std::any_of(walls_.begin(), walls_.end(), [&](int wall) {
-      return passes_through(on_link, before, corners_of(object_.mesh(), wall));
-    });
   }
 
   const ProximityMesh& object_;
@@ -201,8 +194,8 @@ class PairContacts {
   const Pose X_OL_;
   const Pose X_LO_;
   const ContactOptions& options_;
-  std::vector<int>& walls_;
   std::vector<SurfaceContact>& points_;
+  TriedPoints& tried_;
 };
 
 // Nearest first. Ties are decided by position, not by the order of the pairs.
@@ -212,18 +205,74 @@ bool nearer(const SurfaceContact& a, const SurfaceContact& b) {
                                       b.position.data() + 3);
 }
 
+// Behind a wall that is thinner than the threshold, its far side is within the threshold, too, and
+// so may be another wall. Nothing of the object lies between the link and a real contact.
+bool is_behind_a_wall(const ProximityMesh& object, const SurfaceContact& contact,
+                      std::vector<int>& walls) {
+  if (contact.gap <= 3.0 * kOnFeature) return false;
+  const Vector3 on_link = contact.position - contact.gap * contact.normal;
+  // So far before the contact that the triangles around it, whose borders are widened by
+  // kOnFeature, are not taken for a wall.
+  const Vector3 before = contact.position - 3.0 * kOnFeature * contact.normal;
+  const Vector3 border = Vector3::Constant(10.0 * kOnFeature);
+  find_triangles_in(object, {on_link.cwiseMin(before) - border, on_link.cwiseMax(before) + border},
+                    walls);
+  return std::any_of(walls.begin(), walls.end(), [&](int wall) {
+    return passes_through(on_link, before, corners_of(object.mesh(), wall));
+  });
+}
+
 }  // namespace
+
+void TriedPoints::clear() {
+  points_.clear();
+  std::fill(places_.begin(), places_.end(), -1);
+}
+
+bool TriedPoints::insert(const Vector3& position, const Vector3& normal, double gap) {
+  // Points that differ by rounding only are one: lengths count in nanometres, normals in microns
+  // of a metre. Those on two sides of a border of this grid are both tried, which costs time only.
+  Point point;
+  for (int i = 0; i < 3; ++i) {
+    point.key[index(i)] = std::llround(1e9 * position[i]);
+    point.key[index(3 + i)] = std::llround(1e6 * normal[i]);
+  }
+  point.key[6] = std::llround(1e9 * gap);
+  for (const std::int64_t number : point.key) point.hash = mixed(point.hash, number);
+  if (2 * points_.size() >= places_.size()) grow();
+  int& place = place_of(point);
+  if (place >= 0) return false;
+  place = static_cast<int>(points_.size());
+  points_.push_back(point);
+  return true;
+}
+
+int& TriedPoints::place_of(const Point& point) {
+  const std::size_t mask = places_.size() - 1;
+  std::size_t at = point.hash & mask;
+  while (places_[at] >= 0 && points_[index(places_[at])].key != point.key) at = (at + 1) & mask;
+  return places_[at];
+}
+
+void TriedPoints::grow() {
+  places_.assign(std::max<std::size_t>(64, 4 * places_.size()), -1);
+  for (std::size_t i = 0; i < points_.size(); ++i) place_of(points_[i]) = static_cast<int>(i);
+}
 
 void find_contact_points(const ProximityMesh& object, const ProximityMesh& link, const Pose& X_OL,
                          const ContactOptions& options, ContactWorkspace& workspace,
                          std::vector<SurfaceContact>& points) {
   find_pairs_within(object, link, X_OL, options.threshold, workspace.pairs);
   workspace.points.clear();
+  workspace.tried.clear();
   PairContacts contacts(object, link, X_OL, options, workspace);
   for (const TrianglePair& pair : workspace.pairs) contacts.add(pair);
   // The nearest of several copies comes first and is the one that stays.
   std::sort(workspace.points.begin(), workspace.points.end(), nearer);
   first_copies(workspace.points, options, workspace.copies, points);
+  std::erase_if(points, [&](const SurfaceContact& contact) {
+    return is_behind_a_wall(object, contact, workspace.walls);
+  });
 }
 
 }  // namespace prehend

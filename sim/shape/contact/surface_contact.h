@@ -1,6 +1,8 @@
 // The points and normals at which a link touches an object.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "sim/shape/contact/contact_options.h"
@@ -28,11 +30,32 @@ struct ContactCopies {
   std::vector<std::size_t> place;  // of each contact of the list in by_height
 };
 
+// Points that have been tried as contacts: triangles that share a corner find it each, and the
+// tests of a point take much longer than to look for it here.
+class TriedPoints {
+ public:
+  void clear();
+  // Whether it was not there yet.
+  bool insert(const Vector3& position, const Vector3& normal, double gap);
+
+ private:
+  struct Point {
+    std::array<std::int64_t, 7> key = {};
+    std::uint64_t hash = 0;
+  };
+  int& place_of(const Point& point);  // where it is, or belongs
+  void grow();
+
+  std::vector<Point> points_;
+  std::vector<int> places_;  // a hash table with open addressing: index into points_, -1: none
+};
+
 // Buffers of find_contact_points, to allocate less; one for each thread.
 struct ContactWorkspace {
   std::vector<TrianglePair> pairs;
   std::vector<SurfaceContact> points;
   std::vector<int> walls;
+  TriedPoints tried;
   ContactCopies copies;
 };
 

@@ -20,6 +20,7 @@ PlanOptions ranked_by(RankBy by, double pool) {
   options.rank.top = 4;
   options.rank.by = by;
   options.rank.pool = pool;
+  options.free_closing = false;  // what a free object changes is another test's matter
   return options;
 }
 
@@ -32,7 +33,7 @@ TEST(Shortlist, IsTheTopOfThePool) {
   PlanResult pool = plan(scene, all);
   ASSERT_EQ(pool.grasps.size(), 16U);
   for (const RankBy by : {RankBy::probability, RankBy::success}) {
-    by == RankBy::success ? rank_by_success(pool) : rank_by_probability(pool);
+    rank_by(by, pool);
     const PlanResult list = plan(scene, ranked_by(by, 4.0));
     ASSERT_EQ(list.grasps.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
@@ -77,8 +78,8 @@ TEST(Shortlist, WithoutTimeIsThatOfEpsilon) {
   cancellation.request();
   shortlist_grasps(scene, {}, {}, 1, RankBy::success, 2, {1, cancellation}, result);
   EXPECT_EQ(result.status, PlanStatus::cancelled);
-  ASSERT_EQ(result.grasps.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
+  ASSERT_EQ(result.grasps.size(), tried.size());
+  for (std::size_t i = 0; i < tried.size(); ++i) {
     EXPECT_EQ(result.grasps[i].tried, tried[i]);
     EXPECT_FALSE(result.grasps[i].robustness.has_value());
   }
@@ -103,7 +104,7 @@ TEST(RankByProbability, PrefersWhatHoldsThenWhatHasMoreToSpareThenEpsilon) {
   result.grasps = {untried, grasp_with(12, 1e-3, 0.3), grasp_with(12, 5e-3, 0.3),
                    grasp_with(12, 1e-3, 0.4), grasp_with(13, 0.0, 0.1)};
   for (int i = 1; i < 5; ++i) result.grasps[static_cast<std::size_t>(i)].tried = i - 1;
-  rank_by_probability(result);
+  rank_by(RankBy::probability, result);
   std::vector<int> order;
   for (const ScoredGrasp& grasp : result.grasps) order.push_back(grasp.tried);
   EXPECT_EQ(order, std::vector<int>({3, 1, 2, 0, 4}));
@@ -122,7 +123,7 @@ TEST(RankBySuccess, PrefersWhatLiftsMoreProbablyThenWhatHasMoreToSpare) {
     grasp.robustness->outcomes[Outcome::stable] = 16;
     grasp.robustness->strength = i == 3 ? 8.0 : 2.0;
   }
-  rank_by_success(result);
+  rank_by(RankBy::success, result);
   std::vector<int> order;
   for (const ScoredGrasp& grasp : result.grasps) order.push_back(grasp.tried);
   EXPECT_EQ(order, std::vector<int>({2, 1, 0, 3}));

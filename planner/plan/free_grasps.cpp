@@ -1,0 +1,121 @@
+#include "planner/plan/free_grasps.h"
+
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+#include <utility>
+
+#include "planner/plan/cut_short.h"
+#include "sim/base/index.h"
+#include "sim/base/parallel/parallel.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/trial/close_dynamic.h"
+
+namespace prehend {
+namespace {
+
+class FreeClosing {
+ public:
+  FreeClosing(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+              PlanResult& result)
+      : scene_(scene),
+        options_(options),
+        context_(context),
+        result_(result),
+        hand_(hand_model(scene)),
+        progress_{Stage::close, 0, options.rank.top, 0} {}
+
+  // In groups of as many grasps as are still wanted: what is tried depends on the results of
+  // earlier groups only, never on the number of threads.
+  void run() {
+    std::vector<ScoredGrasp>& grasps = result_.grasps;
+    const std::size_t wanted = index(options_.rank.top);
+    const auto most = static_cast<std::size_t>(options_.rank.pool * options_.rank.top);
+    const std::size_t end = std::min(most, grasps.size());
+    std::size_t tried = 0;
+    if (context_.progress) context_.progress(progress_);
+    while (tried < end && kept(grasps, tried) < wanted && !is_over(context_)) {
+      const std::size_t count = std::min(wanted - kept(grasps, tried), end - tried);
+      for_each_in_parallel(count, context_.threads,
+                           [&](std::size_t i) { close(grasps[tried + i]); });
+      tried += count;
+    }
+    const bool all = std::all_of(grasps.begin(), grasps.begin() + difference(tried),
+                                 [](const ScoredGrasp& grasp) { return grasp.free.has_value(); });
+    if (!all || is_over(context_)) result_.status = cut_short(context_);
+    sort(tried);
+  }
+
+ private:
+  static std::ptrdiff_t difference(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
+
+  bool keeps(const ScoredGrasp& grasp) const {
+    return grasp.free && keeps_object(scene_, *grasp.free);
+  }
+
+  std::size_t kept(const std::vector<ScoredGrasp>& grasps, std::size_t tried) const {
+    return static_cast<std::size_t>(
+        std::count_if(grasps.begin(), grasps.begin() + difference(tried),
+                      [&](const ScoredGrasp& grasp) { return keeps(grasp); }));
+  }
+
+  void close(ScoredGrasp& grasp) {
+    if (is_over(context_)) return;
+    try {
+      grasp.free =
+          closed_freely(scene_, hand_, grasp.candidate, grasp.trial, options_.trial, context_);
+    } catch (const Cancelled&) {
+      return;
+    }
+    if (!context_.progress || !keeps(grasp)) return;
+    const std::lock_guard lock(progress_lock_);
+    ++progress_.done;
+    context_.progress(progress_);
+  }
+
+  void sort(std::size_t tried) {
+    std::vector<ScoredGrasp>& grasps = result_.grasps;
+    if (kept(grasps, tried) == 0) return;
+    const auto end = grasps.begin() + difference(tried);
+    const auto lost = std::stable_partition(
+        grasps.begin(), end, [&](const ScoredGrasp& grasp) { return !grasp.free || keeps(grasp); });
+    std::for_each(lost, end, [&](const ScoredGrasp& grasp) { count_as_lost(grasp); });
+    if (options_.rank.by == RankBy::epsilon) {
+      std::stable_sort(grasps.begin(), lost, [](const ScoredGrasp& a, const ScoredGrasp& b) {
+        return (a.free ? a.free->epsilon.lower : -1.0) > (b.free ? b.free->epsilon.lower : -1.0);
+      });
+    }
+    grasps.erase(lost, end);
+  }
+
+  // The trial was counted as stable. Each candidate is counted under one outcome only.
+  void count_as_lost(const ScoredGrasp& grasp) {
+    Tried& tried = result_.tried[index(grasp.tried)];
+    --result_.outcomes[tried.outcome];
+    tried.outcome = grasp.free->outcome;
+    ++result_.outcomes[tried.outcome];
+  }
+
+  const CompiledScene& scene_;
+  const PlanOptions& options_;
+  const RunContext& context_;
+  PlanResult& result_;
+  std::shared_ptr<const RobotModel> hand_;
+  std::mutex progress_lock_;
+  Progress progress_;
+};
+
+}  // namespace
+
+bool keeps_object(const CompiledScene& scene, const Trial& free) {
+  return free.outcome == Outcome::stable ||
+         (free.outcome == Outcome::not_force_closure && scene.has_obstacles());
+}
+
+void free_grasps(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+                 PlanResult& result) {
+  FreeClosing(scene, options, context, result).run();
+}
+
+}  // namespace prehend
