@@ -277,7 +277,7 @@ void MujocoWorld::start(const StartOptions& options) {
   double opened = 0.0;
   double least = std::numeric_limits<double>::infinity();
   const int steps = static_cast<int>(std::ceil(options.most_opened / kOpeningStep));
-  for (int k = 0; k <= steps && least > options.overlap; ++k) {
+  for (int k = 0; k <= steps && least > options.overlap && !options.open; ++k) {
     data_->put_joints(k * kOpeningStep);
     mj_fwdPosition(model, state);
     if (data_->overlap() < least) {
@@ -285,6 +285,7 @@ void MujocoWorld::start(const StartOptions& options) {
       opened = k * kOpeningStep;
     }
   }
+  if (options.open) opened = 1.0;
   data_->put_joints(opened);
   data_->start_opened = opened;
   data_->unlock();

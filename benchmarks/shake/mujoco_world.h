@@ -14,6 +14,7 @@ struct StartOptions {
   // at most by this part of the way to its preshape.
   double overlap = 2e-5;
   double most_opened = 0.25;
+  bool open = false;  // at its preshape instead
 };
 
 // A joint that a gear keeps from being pushed back while its drive closes it.

@@ -48,6 +48,7 @@ struct PlanCommand {
   bool uncertainty = false;                   // grasps are tried again on disturbed poses
   std::string rank = "epsilon";               // "shake", "probability", "success"
   bool dynamic = false;                       // hands close in time, on an object that gives way
+  bool still = false;                         // hands are judged on an object that stands still
   std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
   CommonOptions common;
 };
@@ -90,6 +91,8 @@ void declare(CLI::App& command, PlanCommand& options) {
       ->capture_default_str();
   add_uncertainty(command, options.uncertainty);
   add_dynamic(command, options.dynamic);
+  command.add_flag("--still", options.still,
+                   "judge by hands that close on an object that stands still, as in GraspIt!");
   add_packages(command, options.packages);
   add_common(command, options.common);
   add_accuracy(command, options.common);
@@ -118,6 +121,8 @@ void check_together(const PlanCommand& command) {
   if (command.rank == "probability" || command.rank == "success") {
     check_rank(command.uncertainty, "needs the trials of --uncertainty");
   }
+  require(!command.still || !command.dynamic,
+          {.field = "--still", .problem = "not together with --dynamic, where objects give way"});
   require(!command.path || !command.dynamic,
           {.field = "--path",
            .problem = "not together with --dynamic: paths are planned among objects that stand "
@@ -132,6 +137,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   options.seed = command.common.seed;
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
   if (command.dynamic) options.trial.formation.dynamic = true;
+  if (command.still) options.free_closing = false;
   options.rank.top = command.top;
   if (command.trials) options.search.trials = *command.trials;
   if (command.enough) options.search.enough = *command.enough;

@@ -225,7 +225,7 @@ int ranked_grasps(const PlanOptions& options, bool goes_on) {
   // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
   const bool by_epsilon = options.rank.by == RankBy::epsilon;
   if (options.paths && goes_on && by_epsilon) return std::numeric_limits<int>::max();
-  if (by_epsilon && !closes_freely(options)) return options.rank.top;
+  if (by_epsilon && !(goes_on && closes_freely(options))) return options.rank.top;
   const double pool = options.rank.pool * static_cast<double>(options.rank.top);
   return static_cast<int>(std::min(pool, 1e9));
 }

@@ -1,6 +1,10 @@
 #include "sim/trial/close_dynamic.h"
 
+#include <algorithm>
+
 #include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
+#include "sim/motion/step_options.h"
+#include "sim/shape/smooth_surface.h"
 
 namespace prehend {
 namespace {
@@ -27,6 +31,15 @@ std::optional<Outcome> lost_as(ObjectEnd end) {
 
 bool failed(const DynamicGrasp& formation) {
   return formation.last == StepOutcome::blocked || formation.last == StepOutcome::not_finite;
+}
+
+// Surfaces that rest on each other in a world keep a gap, and smooth ones are a little away from
+// their meshes: contacts at the end are within this of each other, too.
+TrialOptions judging(const TrialOptions& options) {
+  TrialOptions judging = options;
+  judging.contact.threshold =
+      std::max(options.contact.threshold, StepOptions{}.rest_gap + 2.0 * kMostSag);
+  return judging;
 }
 
 }  // namespace
@@ -56,7 +69,7 @@ void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const Robot
   } else if (lost && lost != Outcome::dropped) {
     trial.outcome = *lost;
   } else {
-    score_contacts(scene, options, workspace.scoring, trial);
+    score_contacts(scene, judging(options), workspace.scoring, trial);
     if (lost) trial.outcome = *lost;
   }
 }

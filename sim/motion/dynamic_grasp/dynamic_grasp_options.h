@@ -15,15 +15,16 @@ struct DynamicGraspOptions {
   double close = 2.0;
   double lift = 0.05;
   double lift_time = 0.5;
+  double hold = 2.0;
   // Steps of 2.5 ms lead the object to the same places within a millimetre or two, and take five
   // times as long (docs/reference/dynamics.md).
-  double step = 0.04;
+  double step = 0.1;
   double travel = 4e-3;
 };
 
 template <SettingsOf<DynamicGraspOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [dynamic, gravity, settle, close, lift, lift_time, step, travel] = options;
+  auto& [dynamic, gravity, settle, close, lift, lift_time, hold, step, travel] = options;
   visit("dynamic", dynamic,
         "Whether a trial's hand closes in time, which takes a hundred times longer; else the "
         "object stands still, as in the closing of a hand in GraspIt!.");
@@ -35,6 +36,8 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("lift", lift, kAtLeast0, "m",
         "How far the closed hand rises, if the object stands on something; 0: not.");
   visit("lift_time", lift_time, kAbove0, "s", "Time in which it rises.");
+  visit("hold", hold, kAtLeast0, "s",
+        "Longest time in which it is watched after that, until everything rests.");
   visit("step", step, kSteps, "s", "The longest of the simulation.");
   visit("travel", travel, kAbove0, "m",
         "Steps are shorter where points of the hand or the object would move farther than this in "

@@ -76,7 +76,19 @@ class DynamicGraspRun {
     // One finger may push it to another, out of touch with both: it is then on its way for less
     // than this [s].
     constexpr double kOnItsWay = 0.3;
-    return watch_.alone_for(formation_.seconds) > kOnItsWay;
+    return watch_.alone_for(formation_.seconds) > kOnItsWay && !fingers_are_coming();
+  }
+
+  // Whether a finger still closes without much in its way. It may be on its way to an object that
+  // the palm touched before.
+  bool fingers_are_coming() const {
+    constexpr double kFree = 0.5;  // of its closing velocity
+    const WorldRobot& robot = world_.robots[index(hand_.robot)];
+    for (int d = hand_.first_dof; d < hand_.first_dof + hand_.dofs; ++d) {
+      const double closing = robot.model->robot.dofs[index(d)].closing_velocity;
+      if (closing != 0.0 && robot.rate[d] / closing > kFree) return true;
+    }
+    return false;
   }
 
   // Until everything rests, the object is lost, or the time is over. False where a step failed.
@@ -108,7 +120,7 @@ class DynamicGraspRun {
       time += done;
     }
     robot().base_linear.setZero();
-    wait(options_.settle);
+    wait(options_.hold);
   }
 
   World world_;

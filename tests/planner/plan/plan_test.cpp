@@ -54,7 +54,7 @@ TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
   for (int count : result.outcomes.entries) total += count;
   EXPECT_EQ(total, 40);
   for (std::size_t i = 1; i < result.grasps.size(); ++i) {
-    EXPECT_GE(result.grasps[i - 1].trial.epsilon.lower, result.grasps[i].trial.epsilon.lower);
+    EXPECT_GE(result.grasps[i - 1].free->epsilon.lower, result.grasps[i].free->epsilon.lower);
   }
   for (const ScoredGrasp& grasp : result.grasps) {
     EXPECT_EQ(grasp.trial.outcome, Outcome::stable);

@@ -13,14 +13,14 @@ namespace {
 constexpr double kCube = 0.05;  // edge [m]
 
 // A cube in the middle of the world, on a table or floating; the parallel jaw comes from above.
-Scene cube_scene(bool on_table) {
+Scene cube_scene(bool on_table, double height = kCube) {
   Scene scene;
   scene.name = "cube";
-  scene.object = make_graspable("cube", make_box(Vector3::Constant(kCube)), Material::plastic, 0.2);
+  scene.object = make_graspable("cube", make_box({kCube, kCube, height}), Material::plastic, 0.2);
   scene.hand = find_robot("parallel_jaw");
   if (!on_table) return scene;
   StaticBody table{"table", make_box({0.6, 0.6, 0.02})};
-  table.X_WB = translation({0.0, 0.0, -0.5 * kCube - 0.0101});
+  table.X_WB = translation({0.0, 0.0, -0.5 * height - 0.0101});
   scene.obstacles = {table};
   return scene;
 }
@@ -42,9 +42,11 @@ std::vector<ObjectEventKind> kinds(const DynamicGrasp& formation) {
 
 TEST(FormGrasp, TheFirstPlateToArrivePushesTheCubeToTheMiddle) {
   const CompiledScene scene = compile(cube_scene(true));
+  DynamicGraspOptions options;
+  options.travel = 1e-3;
   for (const double aside : {-0.005, 0.0, 0.005}) {
     const DynamicGrasp formation =
-        form_dynamic_grasp(scene, hand_model(scene), from_above(scene, aside), {});
+        form_dynamic_grasp(scene, hand_model(scene), from_above(scene, aside), options);
     EXPECT_EQ(formation.end, ObjectEnd::held) << aside;
     // The plates press on each other without knowing where: the cube goes on by a little.
     EXPECT_NEAR(formation.X_WO.translation().x(), aside, 5e-4);
@@ -52,6 +54,47 @@ TEST(FormGrasp, TheFirstPlateToArrivePushesTheCubeToTheMiddle) {
     EXPECT_EQ(kinds(formation), (std::vector{ObjectEventKind::touched, ObjectEventKind::gripped,
                                              ObjectEventKind::lifted}));
     EXPECT_EQ(formation.last, StepOutcome::moved);
+  }
+}
+
+// The palm rests on the cube, and the plates need longer to come than an object may be out of touch
+// before it counts as lost.
+TEST(FormGrasp, WhatThePalmTouchesIsNotLostBeforeTheFingersCome) {
+  Scene slow = cube_scene(true, 3.0 * kCube);
+  for (DegreeOfFreedom& dof : slow.hand.dofs) dof.closing_velocity *= 0.2;
+  const CompiledScene scene = compile(std::move(slow));
+  const auto hand = hand_model(scene);
+  DynamicGraspStart start = from_above(scene, 0.0);
+  start.X_WH.translation().z() += 0.1;
+  DynamicGraspOptions glance;
+  glance.close = 1e-3;
+  glance.lift = 0.0;
+  for (const double by : {1e-3, 1e-5}) {
+    const auto lowered = [&] {
+      DynamicGraspStart lower = start;
+      lower.X_WH.translation().z() -= by;
+      return lower;
+    };
+    while (form_dynamic_grasp(scene, hand, lowered(), glance).last != StepOutcome::blocked) {
+      start = lowered();
+    }
+  }
+  const DynamicGrasp formation = form_dynamic_grasp(scene, hand, start, {});
+  EXPECT_EQ(formation.end, ObjectEnd::held);
+  ASSERT_FALSE(formation.events.empty());
+  EXPECT_EQ(formation.events.front().kind, ObjectEventKind::touched);
+  EXPECT_EQ(formation.events.front().link, "palm");
+}
+
+// Longer steps see the second plate later, by no more than they move in one.
+TEST(FormGrasp, LongerStepsEndAtTheSamePlaces) {
+  const CompiledScene scene = compile(cube_scene(true));
+  for (const double aside : {-0.005, 0.003, 0.005}) {
+    const DynamicGrasp formation =
+        form_dynamic_grasp(scene, hand_model(scene), from_above(scene, aside), {});
+    EXPECT_EQ(formation.end, ObjectEnd::held) << aside;
+    EXPECT_NEAR(formation.X_WO.translation().x(), aside, 0.5 * DynamicGraspOptions{}.travel);
+    EXPECT_LT(formation.steps, 100);
   }
 }
 
