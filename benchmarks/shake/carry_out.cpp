@@ -54,8 +54,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   return arguments;
 }
 
-// Close 2 s, up by 20 cm, +-2 cm at 1 Hz along two axes, 5 s at rest. The object fails when it falls
-// by 5 cm after it rose.
+// Close 2 s, up by 20 cm, +-2 cm at 1 Hz along two axes, 5 s at rest. The object fails when it
+// falls by 5 cm after it rose.
 TestProcedure carrying() {
   ProcedurePhase close{.kind = PhaseKind::close, .duration = 2.0};
   ProcedurePhase lift{.kind = PhaseKind::lift, .duration = 1.0, .height = 0.2};
@@ -96,7 +96,7 @@ class HandRun {
     options.search.trials = arguments_.trials;
     options.rank.top = arguments_.grasps;
     options.volumes = false;
-    options.free_closing = false;
+    options.free_closing = 0;
     const std::shared_ptr<const RobotModel> hand = hand_model(shaken.scene);
     int rank = 0;
     for (ScoredGrasp& grasp : plan(shaken.scene, options).grasps) {
@@ -126,8 +126,7 @@ class HandRun {
     tally.survived += survived ? 1 : 0;
     tally.agreed += survived == predicted ? 1 : 0;
     if (survived == predicted) return;
-    const ShakeTestResult& test =
-        result.tests.empty() ? result.prepare : result.tests.front();
+    const ShakeTestResult& test = result.tests.empty() ? result.prepare : result.tests.front();
     std::printf("  %-24s %-5s rank %d: here %s, in MuJoCo %s in phase %zu (moved %.1f mm)\n",
                 shaken.name.c_str(), of, grasp.rank,
                 grasp.grasp.free ? std::string(name_of(grasp.grasp.free->outcome)).c_str() : "-",

@@ -137,7 +137,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   options.seed = command.common.seed;
   if (command.common.hard_contacts) options.trial.soft_fingers = false;
   if (command.dynamic) options.trial.formation.dynamic = true;
-  if (command.still) options.free_closing = false;
+  if (command.still) options.free_closing = 0;
   options.rank.top = command.top;
   if (command.trials) options.search.trials = *command.trials;
   if (command.enough) options.search.enough = *command.enough;

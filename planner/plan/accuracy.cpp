@@ -14,6 +14,7 @@ PlanOptions draft_options() {
   options.trial.back_off_tries = 0;
   options.trial.settle.steps = 12;
   options.refine.trials = 0;
+  options.free_closing = 0;
   options.uncertainty.samples /= 4;
   options.volumes = false;
   return options;
@@ -27,6 +28,7 @@ PlanOptions fine_options() {
   options.trial.back_off_tries = 3;
   options.trial.cone_edges = 16;
   options.uncertainty.samples *= 4;
+  options.free_closing *= 2;
   options.refine.grasps = 8;
   options.refine.trials *= 4;
   return options;

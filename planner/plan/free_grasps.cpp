@@ -24,14 +24,15 @@ class FreeClosing {
         context_(context),
         result_(result),
         hand_(hand_model(scene)),
-        progress_{Stage::close, 0, options.rank.top, 0} {}
+        wanted_(std::min(options.free_closing, options.rank.top)),
+        progress_{Stage::close, 0, wanted_, 0} {}
 
   // In groups of as many grasps as are still wanted: what is tried depends on the results of
   // earlier groups only, never on the number of threads.
   void run() {
     std::vector<ScoredGrasp>& grasps = result_.grasps;
-    const std::size_t wanted = index(options_.rank.top);
-    const auto most = static_cast<std::size_t>(options_.rank.pool * options_.rank.top);
+    const std::size_t wanted = index(wanted_);
+    const auto most = static_cast<std::size_t>(options_.rank.pool * wanted_);
     const std::size_t end = std::min(most, grasps.size());
     std::size_t tried = 0;
     if (context_.progress) context_.progress(progress_);
@@ -102,6 +103,7 @@ class FreeClosing {
   const RunContext& context_;
   PlanResult& result_;
   std::shared_ptr<const RobotModel> hand_;
+  int wanted_;
   std::mutex progress_lock_;
   Progress progress_;
 };

@@ -216,7 +216,7 @@ void record(const CompiledScene& scene, const Attempts& attempts, PlanResult& re
 
 // Whether the ranked grasps are closed again on an object that gives way: it has not given way yet.
 bool closes_freely(const PlanOptions& options) {
-  return options.free_closing && !options.trial.formation.dynamic;
+  return options.free_closing > 0 && !options.trial.formation.dynamic;
 }
 
 // How many grasps are ranked. `goes_on`: whether the stages behind the ranking are wanted.

@@ -31,7 +31,7 @@ struct PlanOptions {
   // Refined grasps that gain less than 1 % of their epsilon are left out.
   RefineOptions refine;
   RankOptions rank;
-  bool free_closing = true;
+  int free_closing = 5;
   std::optional<GraspPathOptions> paths;
   bool robustness = false;
   UncertaintyOptions uncertainty;
@@ -57,9 +57,9 @@ void for_each_setting(Options& options, const Visit& visit) {
         "How the best grasps of the search are improved, by at most two fifths of the trials that "
         "it made.");
   visit({"rank", ""}, rank, "Which grasps are returned.");
-  visit("free_closing", free_closing,
-        "Whether the best grasps are closed again on an object that is free to move: those that "
-        "lose it are left out, the others ranked by the epsilon where it ends.");
+  visit("free_closing", free_closing, kAtLeast0, "",
+        "So many grasps come first that have been closed again on an object that is free to move, "
+        "by the epsilon where it ends; those that lose it are left out.");
   visit.unlisted(
       "paths", paths,
       "Set: a path of the arm is planned for each grasp, and grasps without one are left "

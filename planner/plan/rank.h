@@ -41,9 +41,10 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit.unlisted("by", by,
                  "What comes first; anything but epsilon takes the trials with errors "
                  "(PlanOptions.robustness).");
-  visit("pool", pool, kAtLeast1, "",
-        "So many times `top` grasps, the best by epsilon, are closed on a free object at most, or "
-        "tried with errors where these rank them.");
+  visit(
+      "pool", pool, kAtLeast1, "",
+      "At most so many times the grasps that are wanted are closed on a free object, or tried with "
+      "errors where these rank them.");
   visit("same_distance", same_distance, kAtLeast0, "m",
         "Grasps whose hands differ by no more than this and `same_angle` are the same.");
   visit("same_angle", same_angle, kAtLeast0, "rad", "See `same_distance`.");

@@ -36,7 +36,7 @@ class IslandStep {
       const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
                                         [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
       if (!has_warm) warm_ = {};
-      motion_.solution = solve_contacts(problem_, {}, warm_);
+      motion_.solution = solve_contacts(problem_, {.acceptable = options_.acceptable}, warm_);
     }
     report();
     return std::move(motion_);

@@ -54,6 +54,7 @@ ReportGrasp grasp_of(const CompiledScene& scene, const PlanResult& result,
   grasp.collision_of = collision_text(scene, trial);
   grasp.moved = moved_text(trial);
   if (scored.free) {
+    grasp.free_epsilon = scored.free->outcome == Outcome::stable ? scored.free->epsilon.lower : 0.0;
     if (!grasp.moved.empty()) grasp.moved += "; ";
     grasp.moved += "on an object that is free to move: " + free_text(*scored.free);
   }

@@ -39,8 +39,9 @@ struct ReportGrasp {
   std::string origin = {};        // origin_text(): the primitive and rule that it came from
   std::string preshape = {};      // preshape_name()
   std::string collision_of = {};  // which link collided with what; empty without a collision
-  std::string moved = {};         // moved_text(): what gave way until the grasp held
-  int primitive = -1;             // index into Report::primitives, -1: none
+  std::optional<double> free_epsilon = {};  // where a free object ends (ScoredGrasp::free)
+  std::string moved = {};                   // moved_text(): what gave way until the grasp held
+  int primitive = -1;                       // index into Report::primitives, -1: none
   std::vector<ReportContact> contacts;
   std::optional<GraspMotion> motion = {};  // empty without a hand
   std::optional<GraspDetail> detail = {};  // empty for grasps that are not analysed further

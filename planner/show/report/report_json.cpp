@@ -176,6 +176,7 @@ Json grasp_json(const ReportGrasp& grasp, std::size_t most_frames) {
   Json json{{"outcome", grasp.outcome},
             {"force_closure", grasp.force_closure},
             {"epsilon", {significant(grasp.epsilon.lower), significant(grasp.epsilon.upper)}},
+            {"free_epsilon", grasp.free_epsilon ? Json(significant(*grasp.free_epsilon)) : Json()},
             {"volume", grasp.volume ? interval_json(*grasp.volume) : Json()},
             {"origin", grasp.origin},
             {"preshape", grasp.preshape},

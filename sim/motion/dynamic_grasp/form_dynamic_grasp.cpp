@@ -45,7 +45,11 @@ class DynamicGraspRun {
   // One step of at most this time; what it took, 0 where it failed.
   double step(double longest) {
     context_.cancellation.check();
+    // What a hand does to an object does not hang on a thousandth of a force, which some steps of
+    // jammed contacts take a hundred times as long to find.
+    constexpr double kAcceptable = 1e-3;
     StepOptions options;
+    options.acceptable = kAcceptable;
     options.step = std::min(fitting_step(), longest);
     const StepResult result = step_world(world_, options);
     formation_.last = result.outcome;

@@ -96,7 +96,7 @@ TEST(CancelledPlan, RanksExactlyTheTrialsThatWereFinished) {
 
 TEST(CancelledPlan, OnTwoThreadsEveryCandidateIsTriedOrCountedAsUntested) {
   PlanOptions options = few_candidates(40);
-  options.free_closing = false;  // a later stage, which changes outcomes
+  options.free_closing = 0;  // a later stage, which changes outcomes
   const PlanResult all = plan(mug(), options);
   const PlanResult some = plan(mug(), options, cancelled_after(Stage::trials, 10, 2));
   EXPECT_EQ(some.status, PlanStatus::cancelled);

@@ -50,12 +50,12 @@ TEST(FreeGrasps, AreTheSameOnAnyNumberOfThreads) {
 TEST(FreeGrasps, LeaveOutWhatLosesTheObject) {
   const CompiledScene scene = test::compiled_library_scene("mug_on_table");
   PlanOptions options = few_trials();
-  options.free_closing = false;
+  options.free_closing = 0;
   options.search.trials = 400;
   options.rank.top = 24;
   PlanResult result = plan(scene, options);
   const PlanResult before = result;
-  options.rank.top = 12;
+  options.free_closing = 12;
   options.rank.pool = 2.0;
   free_grasps(scene, options, {}, result);
   const std::size_t lost = before.grasps.size() - result.grasps.size();
@@ -70,7 +70,7 @@ TEST(FreeGrasps, LeaveOutWhatLosesTheObject) {
 TEST(FreeGrasps, StayAsTheyAreWhenCancelled) {
   const CompiledScene scene = test::compiled_library_scene("mug");
   PlanOptions options = few_trials();
-  options.free_closing = false;
+  options.free_closing = 0;
   PlanResult result = plan(scene, options);
   const PlanResult before = result;
   Cancellation cancellation;

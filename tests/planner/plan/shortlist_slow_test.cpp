@@ -20,7 +20,7 @@ PlanOptions ranked_by(RankBy by, double pool) {
   options.rank.top = 4;
   options.rank.by = by;
   options.rank.pool = pool;
-  options.free_closing = false;  // what a free object changes is another test's matter
+  options.free_closing = 0;  // what a free object changes is another test's matter
   return options;
 }
 

@@ -19,7 +19,7 @@ ScoredGrasp best_from_the_side(const Scene& scene) {
   PlanOptions options;
   options.rank.top = 300;
   options.volumes = false;
-  options.free_closing = false;  // in the paper the mug stands still
+  options.free_closing = 0;  // in the paper the mug stands still
   for (const ScoredGrasp& grasp : plan(compile(scene), options).grasps) {
     if (grasp.rule.starts_with("cylinder side")) return grasp;
   }

@@ -5,7 +5,7 @@ class GraspList {
     const shown = data.grasps.length;
     const all = data.grasps_in_all;
     const sorted = data.grasps.every(
-        (grasp, i) => i === 0 || grasp.epsilon[0] <= data.grasps[i - 1].epsilon[0]);
+        (grasp, i) => i === 0 || !isBetter(grasp, data.grasps[i - 1]));
     fill(
         'grasps-title',
         shown === 0     ? 'No grasp holds' :
