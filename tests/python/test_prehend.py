@@ -84,7 +84,16 @@ class Mug(unittest.TestCase):
         self.assertEqual(result.tried.poses.shape, (FEW, 4, 4))
         self.assertEqual(sum(result.outcomes.values()), FEW)
         self.assertEqual(result.status, "complete")
-        self.assertTrue(np.all(np.diff(result.epsilon) <= 0.0))
+        # Those come first that were closed on a free object, by the epsilon where it ends.
+        free = [grasp.free for grasp in result if grasp.free is not None]
+        self.assertEqual([grasp.free for grasp in result][: len(free)], free)
+        self.assertGreater(len(free), 0)
+        self.assertTrue(np.all(np.diff([one.epsilon for one in free]) <= 0.0))
+        self.assertTrue(np.all(np.diff(result.epsilon[len(free) :]) <= 0.0))
+        for one in free:
+            self.assertIn(one.outcome, ("stable", "not_force_closure"))
+            self.assertEqual((one.X_OH.shape, one.X_OC.shape), ((4, 4), (4, 4)))
+            self.assertEqual(one.joints.shape, (len(hand.joints),))
 
     def test_poses_are_those_of_the_grasps_file(self):
         grasps = json.loads(files.grasps_json(self.result))["grasps"]

@@ -54,6 +54,7 @@ class Stage(str, enum.Enum):
     candidates = "candidates"
     trials = "trials"
     rank = "rank"
+    close = "close"
     refine = "refine"
     paths = "paths"
     volumes = "volumes"
