@@ -12,11 +12,10 @@ struct RobotModel;
 
 // As close_and_score, by simulation (form_dynamic_grasp): the object has its weight, its support
 // and its friction, and the hand (a hand_model of the scene) presses with its efforts. Sets X_OC
-// besides. A hand that overlaps
-// something before it closes is hand_blocked; one whose links overlap each other is not_simulated.
-// Where the object is not in the hand at the end, the outcome says what became of it, and there are
-// no contacts. Contacts and quality of one that the hand drops while it rises are those of before.
-// Throws Cancelled.
+// besides. A hand that overlaps something before it closes is hand_blocked; one whose links overlap
+// each other is not_simulated. Where the object is not in the hand at the end, the outcome says
+// what became of it, and there are no contacts. Contacts and quality of one that the hand drops
+// while it rises are those of before. Throws Cancelled.
 void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                    const ClosingStart& start, const TrialOptions& options,
                    GraspWorkspace& workspace, Trial& trial, const RunContext& context = {});
