@@ -20,6 +20,13 @@ inline bool same_pose(const Pose& a, const Pose& b, const RankOptions& options) 
          angle <= 0.999999 * options.same_angle;
 }
 
+// Grasps closed on a free object come first, by the epsilon where that ended; then the others.
+inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other) {
+  if (grasp.free.has_value() != other.free.has_value()) return grasp.free.has_value();
+  return grasp.free ? grasp.free->epsilon.lower > other.free->epsilon.lower
+                    : grasp.trial.epsilon.lower > other.trial.epsilon.lower;
+}
+
 inline void judge_order(const PlanResult& result, const PlanOptions& options,
                         std::vector<Fault>& faults) {
   if (result.grasps.size() > static_cast<std::size_t>(options.rank.top)) {
@@ -33,11 +40,10 @@ inline void judge_order(const PlanResult& result, const PlanOptions& options,
       faults.push_back({"rank", name + " has no volume"});
     }
     for (std::size_t k = 0; k < i; ++k) {
-      const Trial& better = result.grasps[k].trial;
-      if (trial.epsilon.lower > better.epsilon.lower) {
+      if (is_better(result.grasps[i], result.grasps[k])) {
         faults.push_back({"rank", name + " is better than grasp " + std::to_string(k)});
       }
-      if (same_pose(better.X_OH, trial.X_OH, options.rank)) {
+      if (same_pose(result.grasps[k].trial.X_OH, trial.X_OH, options.rank)) {
         faults.push_back({"rank", name + " is the same as grasp " + std::to_string(k)});
       }
     }

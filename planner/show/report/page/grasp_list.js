@@ -4,8 +4,7 @@ class GraspList {
   constructor(thumbnails) {
     const shown = data.grasps.length;
     const all = data.grasps_in_all;
-    const sorted = data.grasps.every(
-        (grasp, i) => i === 0 || !isBetter(grasp, data.grasps[i - 1]));
+    const sorted = data.grasps.every((grasp, i) => i === 0 || !isBetter(grasp, data.grasps[i - 1]));
     fill(
         'grasps-title',
         shown === 0     ? 'No grasp holds' :
