@@ -1,10 +1,13 @@
 #include "benchmarks/success/executions.h"
 
 #include <memory>
+#include <utility>
 
 #include "sim/base/parallel/parallel.h"
 #include "sim/manipulation/shake.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/close_dynamic.h"
 #include "sim/trial/perturbed_trials.h"
 #include "sim/trial/run_trial.h"
 
@@ -47,18 +50,38 @@ double friction_of(const Trial& trial) {
   return sum / static_cast<double>(trial.contacts.size());
 }
 
-bool lifts(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
-           const ScoredGrasp& grasp, const TrialOptions& options,
+// The scene as it is for one disturbance, with its hand.
+struct Disturbed {
+  CompiledScene scene;
+  std::shared_ptr<const RobotModel> hand;
+};
+
+Disturbed disturbed(const CompiledScene& scene, const Perturbation& perturbation) {
+  Scene changed = scene.scene;
+  changed.object.center_of_mass += perturbation.center_of_mass_O;
+  for (const Material a : kAll<Material>) {
+    for (const Material b : kAll<Material>) {
+      changed.friction.set(a, b, perturbation.friction * scene.scene.friction.between(a, b));
+    }
+  }
+  CompiledScene compiled = compile(std::move(changed));
+  std::shared_ptr<const RobotModel> hand = hand_model(compiled);
+  return {std::move(compiled), std::move(hand)};
+}
+
+bool lifts(const Disturbed& now, const ScoredGrasp& grasp, const TrialOptions& options,
            const Perturbation& perturbation) {
   TrialOptions once = options;
   once.back_off_tries = 0;
   TrialWorkspace workspace;
   Trial trial;
-  run_hand_trial(scene, replayed_approach(grasp.candidate, grasp.trial, perturbation.X_OC), once,
-                 workspace, trial, {});
-  if (trial.contacts.empty()) return false;
-  const TestProcedure procedure = lift_and_shake(friction_of(trial) * perturbation.friction);
-  return shake_grasp(scene, hand, posture_of(trial), procedure).holds();
+  const Candidate motion = replayed_approach(grasp.candidate, grasp.trial, perturbation.X_OC);
+  run_hand_trial(now.scene, motion, once, workspace, trial, {});
+  if (is_blocked(trial.outcome)) return false;
+  const Trial free = closed_freely(now.scene, now.hand, motion, trial, once);
+  if (!keeps_object(now.scene, free)) return false;
+  const TestProcedure procedure = lift_and_shake(friction_of(free));
+  return shake_grasp(now.scene, now.hand, posture_of(free), procedure).holds();
 }
 
 }  // namespace
@@ -68,14 +91,10 @@ std::vector<Executions> execute_grasps(const CompiledScene& scene, const TrialOp
                                        const PlanResult& result) {
   std::vector<Executions> executions(result.grasps.size());
   for (const Perturbation& perturbation : perturbations) {
-    CompiledScene heavier = scene;
-    heavier.scene.object.center_of_mass += perturbation.center_of_mass_O;
-    const std::shared_ptr<const RobotModel> hand = hand_model(heavier);
+    const Disturbed now = disturbed(scene, perturbation);
     for_each_in_parallel(result.grasps.size(), 0, [&](std::size_t i) {
-      const ScoredGrasp& grasp = result.grasps[i];
-      if (grasp.trial.contacts.empty()) return;
       ++executions[i].tried;
-      executions[i].lifted += lifts(heavier, hand, grasp, options, perturbation) ? 1 : 0;
+      executions[i].lifted += lifts(now, result.grasps[i], options, perturbation) ? 1 : 0;
     });
   }
   return executions;

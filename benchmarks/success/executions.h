@@ -17,10 +17,11 @@ struct Executions {
   int lifted = 0;
 };
 
-// Carries out each grasp of the result whose hand has closed, once for each disturbance: the hand
-// repeats its motion against the disturbed object (replayed_approach), and what it holds then is
-// lifted and swung with its weight, with the disturbed friction and centre of mass. A hand that
-// does not close on the object has not lifted it. In the order of the grasps; in parallel.
+// Carries out each grasp of the result once for each disturbance: the hand repeats its approach
+// to the disturbed object (replayed_approach) and closes, while that is free to move
+// (closed_freely) and has the disturbed friction and centre of mass. What it holds then is lifted
+// and swung with its weight, away from what the object stood on. A hand that is blocked or loses
+// the object has not lifted it. In the order of the grasps; in parallel.
 std::vector<Executions> execute_grasps(const CompiledScene& scene, const TrialOptions& options,
                                        const std::vector<Perturbation>& perturbations,
                                        const PlanResult& result);

@@ -12,7 +12,10 @@ namespace prehend::bench {
 namespace {
 
 constexpr std::string_view kColumns =
-    "object,hand,errors,mass,executions,lifted,closed,held,epsilon,strength";
+    "object,hand,support,outcome,errors,mass,executions,lifted,closed,held,epsilon,strength,kept,"
+    "free_epsilon,free_strength,moved";
+
+constexpr std::size_t kCells = 16;
 
 // First derivative of the log-likelihood along one coefficient, and its expected second one.
 struct Slope {
@@ -60,12 +63,22 @@ ExecutedGrasp row_of(const std::string& line, const std::filesystem::path& file)
   std::vector<std::string> cells;
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  if (cells.size() != 10) {
-    throw InputError(
-        {.file = file.string(), .problem = "has a row without 10 cells", .value = line});
+  cells.resize(std::max(cells.size(), kCells));
+  if (cells.size() != kCells) {
+    throw InputError({.file = file.string(),
+                      .problem = "has a row with more cells than columns",
+                      .value = line});
   }
   const auto at = [&](std::size_t i) { return number(cells[i], file); };
-  return {cells[0], static_cast<int>(at(4)), static_cast<int>(at(5)), {at(6), at(7), at(8), at(9)}};
+  ExecutedGrasp grasp{cells[0],
+                      cells[1],
+                      cells[2],
+                      cells[3],
+                      static_cast<int>(at(6)),
+                      static_cast<int>(at(7)),
+                      {at(8), at(9), at(10), at(11)}};
+  if (!cells[12].empty()) grasp.facts.free = FreeEnd{at(12) > 0.0, at(13), at(14), at(15)};
+  return grasp;
 }
 
 }  // namespace
@@ -100,6 +113,11 @@ SuccessModel fit_success(std::span<const ExecutedGrasp> grasps) {
     if (largest < 1e-9) break;
   }
   return model;
+}
+
+std::vector<ExecutedGrasp> without_free(std::vector<ExecutedGrasp> grasps) {
+  for (ExecutedGrasp& grasp : grasps) grasp.facts.free.reset();
+  return grasps;
 }
 
 std::vector<double> predict_held_out(const std::vector<ExecutedGrasp>& grasps) {

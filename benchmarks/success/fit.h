@@ -15,6 +15,9 @@ namespace prehend::bench {
 // lifted its object.
 struct ExecutedGrasp {
   std::string object;
+  std::string hand;
+  std::string support;  // "table", or "none" of an object that floats
+  std::string outcome;  // of the trial without errors
   int executions = 0;
   int lifted = 0;
   SuccessFacts facts;
@@ -27,6 +30,9 @@ std::vector<ExecutedGrasp> read_executed_grasps(const std::filesystem::path& fil
 // coordinate after the other (McCullagh and Nelder 1989, section 2.5), until none changes by more
 // than 1e-9.
 SuccessModel fit_success(std::span<const ExecutedGrasp> grasps);
+
+// As fit_success, without what is known of a free object.
+std::vector<ExecutedGrasp> without_free(std::vector<ExecutedGrasp> grasps);
 
 // The predictions for the grasps of each object by the model of those of all other objects.
 std::vector<double> predict_held_out(const std::vector<ExecutedGrasp>& grasps);

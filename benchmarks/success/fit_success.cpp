@@ -6,7 +6,9 @@
 // object are predicted by the model of all other objects; and how well it predicts those of OTHER.
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "benchmarks/success/fit.h"
@@ -27,21 +29,51 @@ void print_check(const char* of, const std::vector<ExecutedGrasp>& grasps,
   }
 }
 
-void run(const std::string& file, const std::string& other) {
-  const std::vector<ExecutedGrasp> grasps = read_executed_grasps(file);
+// The same of each hand, of each kind of support, and of what was blocked or missed.
+void print_parts(const std::vector<ExecutedGrasp>& grasps, const std::vector<double>& predictions) {
+  std::map<std::string, std::pair<std::vector<ExecutedGrasp>, std::vector<double>>> parts;
+  for (std::size_t i = 0; i < grasps.size(); ++i) {
+    const ExecutedGrasp& grasp = grasps[i];
+    for (const std::string& part : {grasp.hand, grasp.hand + ", " + grasp.support,
+                                    "support: " + grasp.support, "alone: " + grasp.outcome}) {
+      parts[part].first.push_back(grasp);
+      parts[part].second.push_back(predictions[i]);
+    }
+  }
+  for (const auto& [name, part] : parts) {
+    const SuccessCheck check = check_predictions(part.first, part.second);
+    std::printf("  %-28s %5zu grasps, AUC %.3f, calibration error %.3f\n", name.c_str(),
+                part.first.size(), check.auc, check.calibration.expected_error);
+  }
+}
+
+void print_model(const std::vector<ExecutedGrasp>& grasps,
+                 const std::vector<ExecutedGrasp>& others) {
   const SuccessModel model = fit_success(grasps);
   std::printf("intercept %.6g\n", model.intercept);
   for (std::size_t i = 0; i < model.weights.size(); ++i) {
     std::printf("%s %.6g\n", std::string(kSuccessFeatures[i]).c_str(), model.weights[i]);
   }
-  print_check("objects held out", grasps, predict_held_out(grasps));
-  if (other.empty()) return;
-  const std::vector<ExecutedGrasp> others = read_executed_grasps(other);
+  const std::vector<double> held_out = predict_held_out(grasps);
+  print_check("objects held out", grasps, held_out);
+  print_parts(grasps, held_out);
+  if (others.empty()) return;
   std::vector<double> predictions;
   for (const ExecutedGrasp& grasp : others) {
     predictions.push_back(success_probability(grasp.facts, model));
   }
   print_check("other objects", others, predictions);
+  print_parts(others, predictions);
+}
+
+void run(const std::string& file, const std::string& other) {
+  const std::vector<ExecutedGrasp> grasps = read_executed_grasps(file);
+  std::vector<ExecutedGrasp> others;
+  if (!other.empty()) others = read_executed_grasps(other);
+  std::printf("== where a free object is known\n");
+  print_model(grasps, others);
+  std::printf("== where it is not\n");
+  print_model(without_free(grasps), without_free(others));
 }
 
 }  // namespace

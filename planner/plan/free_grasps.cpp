@@ -1,6 +1,7 @@
 #include "planner/plan/free_grasps.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <mutex>
 #include <utility>
@@ -24,7 +25,8 @@ class FreeClosing {
         context_(context),
         result_(result),
         hand_(hand_model(scene)),
-        wanted_(std::min(options.free_closing, options.rank.top)),
+        wanted_(options.robustness ? options.rank.top
+                                   : std::min(options.free_closing, options.rank.top)),
         progress_{Stage::close, 0, wanted_, 0} {}
 
   // In groups of as many grasps as are still wanted: what is tried depends on the results of
@@ -110,14 +112,26 @@ class FreeClosing {
 
 }  // namespace
 
-bool keeps_object(const CompiledScene& scene, const Trial& free) {
-  return free.outcome == Outcome::stable ||
-         (free.outcome == Outcome::not_force_closure && scene.has_obstacles());
-}
-
 void free_grasps(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
                  PlanResult& result) {
   FreeClosing(scene, options, context, result).run();
+}
+
+void close_freely(const CompiledScene& scene, const TrialOptions& options,
+                  const RunContext& context, PlanResult& result) {
+  const std::shared_ptr<const RobotModel> hand = hand_model(scene);
+  std::atomic<bool> all = true;
+  for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
+    ScoredGrasp& grasp = result.grasps[i];
+    if (grasp.trial.contacts.empty()) return;
+    try {
+      if (is_over(context)) throw Cancelled();
+      grasp.free = closed_freely(scene, hand, grasp.candidate, grasp.trial, options, context);
+    } catch (const Cancelled&) {
+      all = false;
+    }
+  });
+  if (!all) result.status = cut_short(context);
 }
 
 }  // namespace prehend

@@ -8,17 +8,18 @@ namespace prehend {
 
 struct CompiledScene;
 
-// Whether the object is in the hand at the end of a trial whose hand closed in time, as far as that
-// can be told: without something to rise from, only force closure tells.
-bool keeps_object(const CompiledScene& scene, const Trial& free);
-
 // Fills in ScoredGrasp::free of the grasps, in their order, until options.free_closing of them (at
-// most options.rank.top) keep the object, or options.rank.pool times as many have been tried. Those
-// that lose it are left out and counted under the outcome of that trial, unless all that were tried
-// do. The others come first, by the epsilon where the object ended if they are ranked by epsilon;
-// then those not tried. The same on any number of threads. Does not throw Cancelled: what was not
-// tried by then has none.
+// most options.rank.top; that many with options.robustness, of which success depends) keep the
+// object, or options.rank.pool times as many have been tried. Those that lose it are left out and
+// counted under the outcome of that trial, unless all that were tried do. The others come first, by
+// the epsilon where the object ended if they are ranked by epsilon; then those not tried. The same
+// on any number of threads. Does not throw Cancelled: what was not tried by then has none.
 void free_grasps(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
                  PlanResult& result);
+
+// Fills in ScoredGrasp::free of all grasps in which the hand has closed on the object, and changes
+// nothing else but the status where time runs out.
+void close_freely(const CompiledScene& scene, const TrialOptions& options,
+                  const RunContext& context, PlanResult& result);
 
 }  // namespace prehend

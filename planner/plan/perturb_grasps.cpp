@@ -12,6 +12,7 @@
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 #include "sim/base/random.h"
+#include "sim/trial/close_dynamic.h"
 #include "sim/trial/success.h"
 
 namespace prehend {
@@ -34,6 +35,13 @@ bool for_each_grasp(std::vector<ScoredGrasp>& grasps, const RunContext& context,
     }
   });
   return all;
+}
+
+// Whether the hand gets to where it is to close, or only the object is in its way: that may be
+// elsewhere.
+bool reaches(Outcome outcome) {
+  return outcome != Outcome::unreachable && outcome != Outcome::arm_blocked &&
+         outcome != Outcome::no_path;
 }
 
 // The grasps that stay while the samples are tried, in parts.
@@ -108,7 +116,7 @@ void perturb_grasps(const CompiledScene& scene, const TrialOptions& options,
                     const RunContext& context, PlanResult& result) {
   const std::vector<Perturbation> all = perturbations(scene, uncertainty, derived_seed(seed));
   const auto disturb = [&](ScoredGrasp& grasp, TrialWorkspace& workspace) {
-    if (grasp.trial.contacts.empty()) return;
+    if (!reaches(grasp.trial.outcome)) return;
     grasp.robustness =
         try_perturbed(scene, grasp.candidate, grasp.trial, options, all, workspace, context);
   };
@@ -121,6 +129,19 @@ void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
   const Shortlist list(scene, options, uncertainty, seed, index(top), context);
   if (!list.fill(result.grasps)) result.status = cut_short(context);
   rank_by(by, result);
+}
+
+void add_free_ends(const CompiledScene& scene, const TrialOptions& options,
+                   const RunContext& context, PlanResult& result) {
+  for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
+    ScoredGrasp& grasp = result.grasps[i];
+    if (!grasp.robustness || grasp.robustness->free) return;
+    if (options.formation.dynamic) {
+      grasp.robustness->free = free_end(scene, grasp.trial);
+    } else if (grasp.free) {
+      grasp.robustness->free = free_end(scene, *grasp.free);
+    }
+  });
 }
 
 void rank_by(RankBy by, PlanResult& result) {

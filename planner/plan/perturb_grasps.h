@@ -9,7 +9,8 @@ namespace prehend {
 
 struct CompiledScene;
 
-// Fills in ScoredGrasp::robustness of the grasps in which the hand has closed on the object. The
+// Fills in ScoredGrasp::robustness of the grasps, also of those whose hand is blocked, or misses
+// the object, where that is thought to be; not of those that the arm cannot carry out. The
 // disturbances are the same for all of them, so that differences between grasps are not by chance.
 // The same result on any number of threads. Does not throw Cancelled: grasps that were not tried
 // when the context was cancelled or its time was over have none, and the result's status says so.
@@ -25,6 +26,11 @@ void perturb_grasps(const CompiledScene& scene, const TrialOptions& options,
 void shortlist_grasps(const CompiledScene& scene, const TrialOptions& options,
                       const UncertaintyOptions& uncertainty, std::uint64_t seed, RankBy by, int top,
                       const RunContext& context, PlanResult& result);
+
+// Enters how the grasps ended on a free object (ScoredGrasp::free, or the trial itself where hands
+// close in time) into their robustness, where they have both.
+void add_free_ends(const CompiledScene& scene, const TrialOptions& options,
+                   const RunContext& context, PlanResult& result);
 
 // Puts grasps first that hold in more of their samples, or that lift the object more probably
 // (success_probability); of equal ones those with more to spare, then those with the larger mean

@@ -328,6 +328,7 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
   }
   if (closes_freely(options) && goes_on() && !result.grasps.empty()) {
     free_grasps(scene, options, context, result);
+    add_free_ends(scene, options.trial, context, result);
     if (!by_epsilon) rank_by(options.rank.by, result);
     watch.lap(Stage::close);
   }
@@ -346,6 +347,7 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
   }
   if (goes_on() && options.robustness && by_epsilon) {
     perturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
+    add_free_ends(scene, options.trial, context, result);
     watch.lap(Stage::disturb);
   }
   WantedMeasures wanted{.sections = options.sections};
@@ -401,6 +403,9 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   if (options.robustness && result.status == PlanStatus::complete) {
     perturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
     watch.lap(Stage::disturb);
+    if (!options.trial.formation.dynamic) close_freely(scene, options.trial, context, result);
+    add_free_ends(scene, options.trial, context, result);
+    watch.lap(Stage::close);
   }
   measure_grasps(scene, options.trial, {options.volumes, options.sections}, context, result);
   watch.lap(Stage::volumes);

@@ -55,8 +55,9 @@ void bind_fields(py::module_& core) {
                  seconds);
   PREHEND_FIELDS(LoadCase, down_O, sum_of_normals, largest_normal, strength);
   PREHEND_FIELDS(PayloadMargin, given, worst);
+  PREHEND_FIELDS(FreeEnd, kept, epsilon, strength, moved);
   PREHEND_FIELDS(Robustness, samples, held, epsilon_mean, epsilon_low, epsilons, outcomes, strength,
-                 position_margin, weakest_O, weakest_end);
+                 free, position_margin, weakest_O, weakest_end);
   PREHEND_FIELDS(Refinement, parent, gain, trials);
   PREHEND_FIELDS(ScoredGrasp, trial, candidate, volume, primitive, rule, path, sections, tried,
                  epsilon_nearby, holding, robustness, refinement, free, shake, lift);

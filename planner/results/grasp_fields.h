@@ -177,6 +177,12 @@ void robustness_fields(auto& fields, auto& robustness) {
   fields("spare", robustness.position_margin);
   fields("weakest", robustness.weakest_O);
   fields("weakest_outcome", robustness.weakest_end);
+  fields.derived_part("free", robustness.free, [](auto& inner, auto& free) {
+    inner("kept", free.kept);
+    inner("epsilon", free.epsilon);
+    inner.unbounded("strength", free.strength);
+    inner("moved", free.moved);
+  });
 }
 
 // What was measured of the grasp. Weight and robustness are not read: they are computed again.

@@ -7,6 +7,23 @@
 
 namespace prehend {
 
+namespace {
+
+// Of gears that are pushed back, until they slip.
+double gear_energy(const WorldRobot& robot) {
+  if (robot.gear_stops.empty()) return 0.0;
+  const Eigen::VectorXd q = joints_of(robot);
+  double sum = 0.0;
+  for (std::size_t c = 0; c < robot.model->clutches.size(); ++c) {
+    const Clutch& clutch = robot.model->clutches[c];
+    const double back = clutch.locks * (robot.gear_stops[c] - q[clutch.joints.front()]);
+    sum += 0.5 * clutch.gear_stiffness * back * back;
+  }
+  return sum;
+}
+
+}  // namespace
+
 double energy_of(const World& world) {
   double sum = 0.0;
   for (const WorldBody& body : world.bodies) {
@@ -18,7 +35,7 @@ double energy_of(const World& world) {
     const RobotModel& model = *robot.model;
     sum += model.dynamics->kinetic_energy(joints_of(robot), model.joints_of * robot.rate) +
            0.5 * robot.rate.dot(model.drive_inertia.cwiseProduct(robot.rate)) +
-           spring_energy(model.robot, joints_of(robot));
+           spring_energy(model.robot, joints_of(robot)) + gear_energy(robot);
     const RobotState state = state_of(robot);
     for (const Link& link : model.robot.links) {
       if (link.joint < 0) continue;

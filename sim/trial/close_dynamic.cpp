@@ -5,6 +5,7 @@
 #include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 #include "sim/motion/step_options.h"
 #include "sim/shape/smooth_surface.h"
+#include "sim/trial/payload_margin.h"
 
 namespace prehend {
 namespace {
@@ -86,6 +87,24 @@ Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const Robo
   GraspWorkspace workspace;
   close_dynamic(scene, hand, start, options, workspace, free, context);
   return free;
+}
+
+bool keeps_object(const CompiledScene& scene, const Trial& free) {
+  return free.outcome == Outcome::stable ||
+         (free.outcome == Outcome::not_force_closure && scene.has_obstacles());
+}
+
+std::optional<FreeEnd> free_end(const CompiledScene& scene, const Trial& free) {
+  if (!free.X_OC || free.outcome == Outcome::not_simulated) return std::nullopt;
+  FreeEnd end;
+  end.kept = keeps_object(scene, free);
+  if (end.kept) {
+    end.epsilon = free.epsilon.lower;
+    end.strength = weight_strength(scene, free);
+  }
+  const Vector3& center_O = scene.wrench_frame.torque_origin;
+  end.moved = (*free.X_OC * center_O - center_O).norm();
+  return end;
 }
 
 }  // namespace prehend

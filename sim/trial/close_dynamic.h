@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "sim/trial/candidate.h"
 #include "sim/trial/close_and_score.h"
+#include "sim/trial/robustness.h"
 
 namespace prehend {
 
@@ -26,5 +28,12 @@ void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const Robot
 Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                     const Candidate& candidate, const Trial& trial, const TrialOptions& options,
                     const RunContext& context = {});
+
+// Whether the object is in the hand at the end of a trial whose hand closed in time, as far as that
+// can be told: without something to rise from, only force closure tells.
+bool keeps_object(const CompiledScene& scene, const Trial& free);
+
+// How such a trial ended; nothing where the hand could not begin, or the simulation failed.
+std::optional<FreeEnd> free_end(const CompiledScene& scene, const Trial& free);
 
 }  // namespace prehend

@@ -104,17 +104,22 @@ DriveLoads drive_loads(const Robot& hand) {
   return loads;
 }
 
-// The vertices of an icosahedron and the middles of its edges, on the unit sphere.
-std::vector<Vector3> attitudes() {
+// An attitude on the unit sphere: a vertex of an icosahedron, or the middle of an edge.
+struct Attitude {
+  Vector3 down_O;
+  std::array<int, 2> ends{-1, -1};  // of the edge, among the attitudes before
+};
+
+std::vector<Attitude> attitudes() {
   const double golden = 0.5 * (1.0 + std::sqrt(5.0));
-  std::vector<Vector3> all;
+  std::vector<Attitude> all;
   for (const double a : {-1.0, 1.0}) {
     for (const double b : {-golden, golden}) {
       for (int turn = 0; turn < 3; ++turn) {
         Vector3 corner = Vector3::Zero();
         corner[(turn + 1) % 3] = a;
         corner[(turn + 2) % 3] = b;
-        all.push_back(corner.normalized());
+        all.push_back({corner.normalized()});
       }
     }
   }
@@ -122,7 +127,10 @@ std::vector<Vector3> attitudes() {
   // Neighbours are 63 degrees apart, others at least 116.
   for (std::size_t i = 0; i < corners; ++i) {
     for (std::size_t j = i + 1; j < corners; ++j) {
-      if (all[i].dot(all[j]) > 0.0) all.push_back((all[i] + all[j]).normalized());
+      const Vector3& a = all[i].down_O;
+      const Vector3& b = all[j].down_O;
+      if (a.dot(b) <= 0.0) continue;
+      all.push_back({(a + b).normalized(), {static_cast<int>(i), static_cast<int>(j)}});
     }
   }
   return all;
@@ -260,14 +268,24 @@ HandTorques hand_torques(const CompiledScene& scene, const Trial& trial) {
 PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,
                              const RunContext& context) {
   const Weighed weighed(scene, trial);
+  const std::vector<Attitude> all = attitudes();
+  std::vector<double> sums;  // of the vertices
   Vector3 worst_O = Vector3::Zero();
   double largest = -1.0;
-  for (const Vector3& down_O : attitudes()) {
+  for (const Attitude& attitude : all) {
     context.cancellation.check();
-    const double sum = weighed.least_sum(down_O);
+    const auto& [from, to] = attitude.ends;
+    // Sums of forces for both ends of an edge balance the sum of both weights: the middle needs no
+    // more. Most middles cannot be the worst by that, and are not computed.
+    if (from >= 0) {
+      const double length = (all[index(from)].down_O + all[index(to)].down_O).norm();
+      if (sums[index(from)] + sums[index(to)] <= length * largest) continue;
+    }
+    const double sum = weighed.least_sum(attitude.down_O);
+    if (from < 0) sums.push_back(sum);
     if (sum <= largest) continue;
     largest = sum;
-    worst_O = down_O;
+    worst_O = attitude.down_O;
     if (std::isinf(sum)) break;
   }
   return {weighed.load_case(given_down(scene)), weighed.load_case(worst_O)};

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/quality/share_interval.h"
 #include "sim/quality/wrench_space.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/close_dynamic.h"
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/payload_margin.h"
 #include "sim/trial/run_trial.h"
@@ -31,16 +33,11 @@ class DisturbedTrials {
     options_.back_off_tries = 0;
   }
 
-  const Trial& run(const Pose& X_OC) {
-    run_hand_trial(scene_, replayed_approach(candidate_, first_, X_OC), options_, workspace_,
-                   trial_, context_);
-    return trial_;
-  }
-
   bool holds(const Perturbation& perturbation) {
-    const Trial& trial = run(perturbation.X_OC);
-    return !trial.contacts.empty() &&
-           can_lift(scene_, trial, perturbation.friction, perturbation.center_of_mass_O);
+    motion_ = replayed_approach(candidate_, first_, perturbation.X_OC);
+    run_hand_trial(scene_, motion_, options_, workspace_, trial_, context_);
+    return !trial_.contacts.empty() &&
+           can_lift(scene_, trial_, perturbation.friction, perturbation.center_of_mass_O);
   }
 
   // With friction as disturbed.
@@ -49,6 +46,15 @@ class DisturbedTrials {
     std::vector<Contact> contacts = contacts_of(trial_.contacts);
     for (Contact& contact : contacts) contact.friction *= friction;
     return grasp_epsilon(contacts, scene_.wrench_frame, {.edges = options_.cone_edges}).lower;
+  }
+
+  bool closed() const { return !trial_.contacts.empty(); }
+  double strength() const { return weight_strength(scene_, trial_); }
+
+  std::optional<FreeEnd> free() const {
+    if (options_.formation.dynamic) return free_end(scene_, trial_);
+    return free_end(scene_,
+                    closed_freely(scene_, hand_model(scene_), motion_, trial_, options_, context_));
   }
 
   // The last of kMarginSteps up to which the object may be off in this direction, of those up to
@@ -74,6 +80,7 @@ class DisturbedTrials {
   TrialOptions options_;
   TrialWorkspace& workspace_;
   const RunContext& context_;
+  Candidate motion_;
   Trial trial_;
 };
 
@@ -93,16 +100,21 @@ void find_spare(DisturbedTrials& trials, Robustness& robustness) {
   }
 }
 
+bool has_closed(const Robustness& robustness) {
+  return robustness.outcomes[Outcome::stable] + robustness.outcomes[Outcome::not_force_closure] > 0;
+}
+
 }  // namespace
 
 Candidate replayed_approach(const Candidate& candidate, const Trial& trial, const Pose& X_OC) {
   Candidate again = candidate;
   const double end = trial.back_offs > 0 ? trial.travel : candidate.approach_distance;
   const double left = candidate.approach_distance - end;
+  const double repeated = end - std::max(0.0, trial.travel - kRepeatedApproach);
   const Pose X_CO = X_OC.inverse();
   again.X_OH = X_CO * translation(-left * candidate.approach_O) * candidate.X_OH;
   again.approach_O = X_CO.linear() * candidate.approach_O;
-  again.approach_distance = end - std::max(0.0, trial.travel - kRepeatedApproach);
+  again.approach_distance = candidate.approach_distance > 0.0 ? repeated : kOwnApproach;
   return again;
 }
 
@@ -112,9 +124,15 @@ void add_samples(const CompiledScene& scene, const Candidate& candidate, const T
                  const TrialOptions& options, std::span<const Perturbation> perturbations,
                  TrialWorkspace& workspace, const RunContext& context, Robustness& robustness) {
   DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
+  bool stands_for = trial.contacts.empty() && !has_closed(robustness);
   for (const Perturbation& perturbation : perturbations) {
     context.cancellation.check();
     robustness.held += trials.holds(perturbation) ? 1 : 0;
+    if (stands_for && trials.closed()) {
+      robustness.strength = trials.strength();
+      robustness.free = trials.free();
+      stands_for = false;
+    }
     ++robustness.outcomes[trials.outcome()];
     robustness.epsilons.push_back(trials.epsilon(perturbation.friction));
   }
@@ -130,6 +148,7 @@ void add_samples(const CompiledScene& scene, const Candidate& candidate, const T
 void add_spare(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                const TrialOptions& options, TrialWorkspace& workspace, const RunContext& context,
                Robustness& robustness) {
+  if (trial.contacts.empty()) return;
   robustness.strength = weight_strength(scene, trial);
   if (robustness.samples == 0) return;
   DisturbedTrials trials(scene, candidate, trial, options, workspace, context);

@@ -26,15 +26,19 @@ inline constexpr std::array<double, 5> kMarginSteps = {0.0, 1e-3, 2.5e-3, 5e-3, 
 // (Wilson 1927).
 Interval held_interval(int held, int samples);
 
+// How far a hand comes along its line where the grasp states no approach [m].
+inline constexpr double kOwnApproach = 0.1;
+
 // The last part of the motion that led from `candidate` to `trial`, as it was commanded, against an
 // object that is at X_OC instead: what the hand did besides, stopping at what it touched and giving
-// way, it will do again. A hand that had backed off is sent to where it ended. In the frame C.
+// way, it will do again. A hand that had backed off is sent to where it ended, and one without an
+// approach comes kOwnApproach along approach_O. In the frame C.
 Candidate replayed_approach(const Candidate& candidate, const Trial& trial, const Pose& X_OC);
 
 // Repeats the motion of `trial`, which `candidate` led to (repeated), for each disturbance: the
 // hand comes along the same line, stops where it touches the object, at the latest at the end of
 // that line, and closes. It does not back off, and an arm is not asked: it would do the same
-// motion. `trial` must have closed (contacts). Throws Cancelled.
+// motion. `trial` may have been blocked, or have missed. Throws Cancelled.
 Robustness try_perturbed(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
                          const TrialOptions& options,
                          const std::vector<Perturbation>& perturbations, TrialWorkspace& workspace,

@@ -1,6 +1,7 @@
 // What trials of a grasp on disturbed poses showed (perturbed_trials.h).
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sim/base/named_enum.h"
@@ -8,6 +9,14 @@
 #include "sim/trial/outcome.h"
 
 namespace prehend {
+
+// How a hand that closed on an object that is free to move (closed_freely) ended.
+struct FreeEnd {
+  bool kept = false;      // the object is in the hand (keeps_object)
+  double epsilon = 0.0;   // where the object ended
+  double strength = 0.0;  // there: how many times the weight the drives hold (weight_strength)
+  double moved = 0.0;     // how far its centre of mass moved [m]
+};
 
 // What disturbed trials of one grasp showed.
 struct Robustness {
@@ -21,8 +30,11 @@ struct Robustness {
   double epsilon_low = 0.0;
   std::vector<double> epsilons;      // of the samples, in their order
   EnumArray<Outcome, int> outcomes;  // of the samples
-  // How many times the weight the drives hold without errors (weight_strength).
+  // How many times the weight the drives hold (weight_strength), and what becomes of an object that
+  // is free to move. Both without errors; where the hand does not close on the object then, of the
+  // first sample in which it does.
   double strength = 0.0;
+  std::optional<FreeEnd> free;  // empty: not tried
   // How far the object may be off, alone, along each axis of the hand's base, both ways, before the
   // hand no longer holds it: at least this far [m], of the distances kMarginSteps. The direction is
   // that in which the object is off, object's frame.

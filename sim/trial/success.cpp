@@ -7,6 +7,12 @@ namespace {
 
 int count_of(const Robustness& robustness, Outcome outcome) { return robustness.outcomes[outcome]; }
 
+double of_epsilon(double epsilon) { return epsilon / (epsilon + 0.1); }
+
+double of_strength(double strength) {
+  return std::isinf(strength) ? 1.0 : strength / (strength + 10.0);
+}
+
 }  // namespace
 
 SuccessFacts success_facts(const Robustness& robustness) {
@@ -14,18 +20,27 @@ SuccessFacts success_facts(const Robustness& robustness) {
   const int closed =
       count_of(robustness, Outcome::stable) + count_of(robustness, Outcome::not_force_closure);
   return {static_cast<double>(closed) / robustness.samples, robustness.probability(),
-          robustness.epsilon_mean, robustness.strength};
+          robustness.epsilon_mean, robustness.strength, robustness.free};
 }
 
 SuccessFeatures success_features(const SuccessFacts& facts) {
-  const double strength =
-      std::isinf(facts.strength) ? 1.0 : facts.strength / (facts.strength + 10.0);
-  return {facts.held * facts.held, facts.epsilon / (facts.epsilon + 0.1), strength};
+  SuccessFeatures features = {facts.held * facts.held, of_epsilon(facts.epsilon),
+                              of_strength(facts.strength)};
+  if (!facts.free || !facts.free->kept) return features;
+  features[3] = 1.0;
+  features[4] = of_epsilon(facts.free->epsilon);
+  features[5] = of_strength(facts.free->strength);
+  features[6] = std::exp(-facts.free->moved / 0.03);
+  return features;
 }
 
 // As printed by fit_success for benchmarks/success/success.csv.
-SuccessModel shipped_success_model() {
-  return {.intercept = -0.496201, .weights = {1.11845, 2.35319, 1.03214}};
+SuccessModel shipped_success_model(bool free_is_known) {
+  if (free_is_known) {
+    return {.intercept = -1.88532,
+            .weights = {0.821289, 0.175062, 0, 1.07263, 2.92003, 0.189505, 0.914333}};
+  }
+  return {.intercept = -0.374443, .weights = {1.19083, 0.345302, 0.989028}};
 }
 
 double success_probability(const SuccessFacts& facts, const SuccessModel& model) {
@@ -36,7 +51,8 @@ double success_probability(const SuccessFacts& facts, const SuccessModel& model)
 }
 
 double success_probability(const Robustness& robustness) {
-  return success_probability(success_facts(robustness), shipped_success_model());
+  return success_probability(success_facts(robustness),
+                             shipped_success_model(robustness.free.has_value()));
 }
 
 }  // namespace prehend

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "sim/trial/perturbed_trials.h"
@@ -15,14 +16,18 @@ struct SuccessFacts {
   double held = 0.0;      // share of them in which it holds the weight
   double epsilon = 0.0;   // mean of their lower bounds of epsilon
   double strength = 0.0;  // times the weight that the drives hold, undisturbed
+  std::optional<FreeEnd> free = {};  // what becomes of an object that is free to move
 };
 SuccessFacts success_facts(const Robustness& robustness);
 
-inline constexpr std::array<std::string_view, 3> kSuccessFeatures = {"held", "epsilon", "strength"};
+inline constexpr std::array<std::string_view, 7> kSuccessFeatures = {
+    "held", "epsilon", "strength", "kept", "free_epsilon", "free_strength", "stayed"};
 using SuccessFeatures = std::array<double, kSuccessFeatures.size()>;
 
 // The facts but `closed` as numbers from 0 to 1, each of which grows with its fact: the square of
-// the share held, e / (e + 0.1) of epsilon e, and s / (s + 10) of the strength s.
+// the share held, e / (e + 0.1) of an epsilon e, s / (s + 10) of a strength s, and exp(-d / 30 mm)
+// of the distance d by which an object moved that was kept. 0 where it is not known what becomes of
+// a free object.
 SuccessFeatures success_features(const SuccessFacts& facts);
 
 // A hand that does not close on the object lifts nothing; one that does lifts it with the
@@ -33,7 +38,8 @@ struct SuccessModel {
   double intercept = 0.0;
   SuccessFeatures weights{};
 };
-SuccessModel shipped_success_model();
+// Where it is known what becomes of a free object, and where it is not.
+SuccessModel shipped_success_model(bool free_is_known);
 
 double success_probability(const SuccessFacts& facts, const SuccessModel& model);
 double success_probability(const Robustness& robustness);

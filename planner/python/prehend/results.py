@@ -31,6 +31,7 @@ __all__ = [
     "Contacts",
     "EpsilonStatus",
     "FreeClosing",
+    "FreeEnd",
     "Grasp",
     "Hint",
     "LiftEnd",
@@ -251,6 +252,19 @@ class PayloadMargin:
         return self.given.strength >= 1.0
 
 
+class FreeEnd(NamedTuple):
+    """How a hand that closed on an object that is free to move ended."""
+
+    kept: bool
+    """Whether the object is in the hand."""
+    epsilon: float
+    """Where the object ended; 0 where it is lost."""
+    strength: float
+    """So many times the weight the drives hold there; 0 where it is lost."""
+    moved: float
+    """How far the object's centre of mass moved [m]."""
+
+
 @dataclass(frozen=True, eq=False)
 class Robustness:
     """How a grasp fares with errors of pose, friction and centre of mass (UncertaintyOptions)."""
@@ -274,7 +288,10 @@ class Robustness:
     weakest_outcome: Outcome = field(repr=False)
     """How a trial ends that is farther off that way; stable: the drives do not hold the weight."""
     strength: float
-    """So many times the weight the drives hold without errors."""
+    """So many times the weight the drives hold without errors; of a hand that is blocked or misses
+    the object then, in the first trial in which it closes."""
+    free: Optional[FreeEnd]
+    """How it ends there on an object that is free to move; None where that was not tried."""
     success: float
     """Probability that it lifts the object, as of grasps that were carried out in simulation."""
 
@@ -287,6 +304,9 @@ class Robustness:
     def _of(fields: Dict[str, Any]) -> "Robustness":
         fields["outcomes"] = _by_outcome(fields["outcomes"])
         fields["weakest_outcome"] = Outcome(fields["weakest_outcome"])
+        free = fields["free"]
+        if free is not None:
+            fields["free"] = FreeEnd(**free)
         return _made(Robustness, fields)
 
 

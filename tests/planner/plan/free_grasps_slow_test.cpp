@@ -3,6 +3,7 @@
 
 #include "planner/plan/free_grasps.h"
 #include "planner/plan/plan.h"
+#include "sim/trial/close_dynamic.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {

@@ -5,6 +5,7 @@
 
 #include "planner/plan/accuracy.h"
 #include "planner/plan/plan.h"
+#include "sim/trial/close_dynamic.h"
 #include "tests/support/library_scenes.h"
 
 namespace prehend {
@@ -57,6 +58,39 @@ TEST(DisturbGrasps, OfAnEvaluationAreMadeToo) {
   ASSERT_EQ(again.grasps.size(), 1U);
   EXPECT_EQ(again.grasps.front().robustness.value().held,
             result.grasps.front().robustness.value().held);
+}
+
+// An evaluation closes each grasp on a free object, too, and says what that came to.
+TEST(DisturbGrasps, OfAnEvaluationKnowWhatBecomesOfAFreeObject) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  const PlanResult result = planned(scene, 2, false);
+  EvaluateOptions options;
+  options.robustness = true;
+  options.uncertainty.samples = 2;
+  options.volumes = 0;
+  const PlanResult again = evaluate(scene, {result.grasps.front().candidate}, options);
+  const ScoredGrasp& grasp = again.grasps.front();
+  ASSERT_TRUE(grasp.free);
+  const FreeEnd& end = grasp.robustness.value().free.value();
+  EXPECT_EQ(end.kept, keeps_object(scene, *grasp.free));
+  EXPECT_EQ(end.epsilon, end.kept ? grasp.free->epsilon.lower : 0.0);
+  EXPECT_GT(end.moved, 0.0);
+}
+
+// The palm is inside the mug: it may be elsewhere, so its errors are tried.
+TEST(DisturbGrasps, OfABlockedGraspAreMadeToo) {
+  const CompiledScene scene = test::compiled_library_scene("mug");
+  Candidate candidate = planned(scene, 2, false).grasps.front().candidate;
+  candidate.X_OH = translation(0.03 * candidate.approach_O) * candidate.X_OH;
+  candidate.approach_distance = 0.0;
+  EvaluateOptions options;
+  options.robustness = true;
+  options.uncertainty.samples = 6;
+  options.volumes = 0;
+  const PlanResult result = evaluate(scene, {candidate}, options);
+  ASSERT_EQ(result.grasps.front().trial.outcome, Outcome::hand_blocked);
+  EXPECT_FALSE(result.grasps.front().free);
+  EXPECT_EQ(result.grasps.front().robustness.value().samples, 6);
 }
 
 }  // namespace

@@ -11,9 +11,11 @@
 namespace prehend {
 namespace {
 
+enum class FreeObject { known, unknown };
+
 // How probably the grasps of the mug's plan lift it, all at once.
 std::vector<double> successes(const Scene& scene, const std::vector<Candidate>& grasps,
-                              double errors = 1.0) {
+                              FreeObject free, double errors = 1.0) {
   EvaluateOptions options;
   options.robustness = true;
   UncertaintyOptions& with = options.uncertainty;
@@ -24,7 +26,9 @@ std::vector<double> successes(const Scene& scene, const std::vector<Candidate>& 
   options.volumes = 0;
   std::vector<double> all(grasps.size());
   for (const ScoredGrasp& grasp : evaluate(compile(scene), grasps, options).grasps) {
-    all[static_cast<std::size_t>(grasp.tried)] = success_probability(grasp.robustness.value());
+    Robustness robustness = grasp.robustness.value();
+    if (free == FreeObject::unknown) robustness.free.reset();
+    all[static_cast<std::size_t>(grasp.tried)] = success_probability(robustness);
   }
   return all;
 }
@@ -49,29 +53,38 @@ void expect_none_larger(const std::vector<double>& less, const std::vector<doubl
   for (std::size_t i = 0; i < less.size(); ++i) EXPECT_LE(less[i], more[i]) << "grasp " << i;
 }
 
-// The motions of this hand depend neither on friction nor on its efforts, so each of its samples
-// can only get worse.
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+// The motions of this hand depend neither on friction nor on its efforts while the object stands
+// still, so each of its samples can only get worse. A free object moves otherwise where friction is
+// less, and may end in a better grasp: most do not.
 TEST(Success, IsNeverHigherForLessFrictionOrLessForce) {
   const CompiledScene mug = test::compiled_library_scene("mug");
   const std::vector<Candidate> grasps = grasps_of_mug(mug);
   ASSERT_GE(grasps.size(), 3U);
-  std::vector<double> before = successes(mug.scene, grasps);
+  const double all = sum_of(successes(mug.scene, grasps, FreeObject::known));
+  std::vector<double> before = successes(mug.scene, grasps, FreeObject::unknown);
   for (const double part : {0.7, 0.4, 0.1}) {
     Scene slippery = mug.scene;
     slippery.friction = scaled_friction(mug.scene.friction, part);
-    const std::vector<double> now = successes(slippery, grasps);
+    const std::vector<double> now = successes(slippery, grasps, FreeObject::unknown);
     expect_none_larger(now, before);
     before = now;
   }
-  before = successes(mug.scene, grasps);
+  Scene slippery = mug.scene;
+  slippery.friction = scaled_friction(mug.scene.friction, 0.1);
+  EXPECT_LT(sum_of(successes(slippery, grasps, FreeObject::known)), 0.9 * all);
+  before = successes(mug.scene, grasps, FreeObject::unknown);
   for (const double part : {0.3, 0.05, 0.01}) {
     Scene weak = mug.scene;
     for (Joint& joint : weak.hand.joints) joint.max_effort *= part;
-    const std::vector<double> now = successes(weak, grasps);
+    const std::vector<double> now = successes(weak, grasps, FreeObject::unknown);
     expect_none_larger(now, before);
     before = now;
   }
-  EXPECT_LT(before.front(), successes(mug.scene, grasps).front());
+  EXPECT_LT(before.front(), successes(mug.scene, grasps, FreeObject::unknown).front());
 }
 
 // Of one grasp an error may turn a miss into a hit; of all of them together it does not.
@@ -80,8 +93,7 @@ TEST(Success, IsLowerInTheMeanForLargerErrors) {
   const std::vector<Candidate> grasps = grasps_of_mug(mug);
   double before = 1.0 * static_cast<double>(grasps.size());
   for (const double errors : {0.25, 1.0, 2.0}) {
-    const std::vector<double> now = successes(mug.scene, grasps, errors);
-    const double sum = std::accumulate(now.begin(), now.end(), 0.0);
+    const double sum = sum_of(successes(mug.scene, grasps, FreeObject::known, errors));
     EXPECT_LT(sum, before) << errors;
     before = sum;
   }

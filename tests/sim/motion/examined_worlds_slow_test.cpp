@@ -1,6 +1,5 @@
 // Worlds made up at random, each step of which is judged by code that shares nothing with what made
 // it.
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -8,64 +7,28 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/motion/step_world.h"
 #include "sim/robot/files/robot_file.h"
-#include "tests/support/judge_world.h"
+#include "tests/support/examine_world.h"
 #include "tests/support/random_world.h"
 
 namespace prehend {
 namespace {
 
-constexpr double kDeepest = 1e-4;  // [m]
-// On the way between two states, at evenly spaced moments of bodies that turn evenly.
-constexpr double kDeepestBetween = 1e-4;
-// Growth of the energy in a step, of what there was: turns of free bodies swing by a little.
-constexpr double kGrowth = 1e-3;
-
-// Runs the world and judges every step, and moments between that are 2 mm apart on fast ways.
 void examine(World world, double seconds) {
   require_world(world);
-  const test::WorldJudge judge(world);
-  test::Placement before = test::WorldJudge::placement(world);
-  const double start = test::energy_of_bodies(world);
-  double energy = start;
-  for (double time = 0.0; time < seconds;) {
-    const StepResult result = step_world(world);
-    ASSERT_GT(result.time, 0.0) << name_of(result.outcome) << " at " << time;
-    time += result.time;
-    const test::Placement after = test::WorldJudge::placement(world);
-    double farthest = 0.0;
-    for (std::size_t i = 0; i < after.size(); ++i) {
-      farthest = std::max(farthest, (after[i].translation() - before[i].translation()).norm());
-    }
-    const int looks = std::clamp(static_cast<int>(farthest / 2e-3), 1, 50);
-    for (int look = 1; look <= looks; ++look) {
-      const bool ends = look == looks;
-      const test::Penetration found =
-          judge.deepest(ends ? after : test::between(before, after, double(look) / looks));
-      ASSERT_LE(found.depth, ends ? kDeepest : kDeepestBetween)
-          << found.a << " and " << found.b << " at " << time;
-    }
-    const double now = test::energy_of_bodies(world);
-    if (world.robots.empty()) {
-      ASSERT_LE(now - energy, kGrowth * std::abs(start)) << "at " << time;
-    }
-    ASSERT_TRUE(std::isfinite(now));
-    energy = now;
-    before = after;
-  }
+  EXPECT_EQ(test::examine(world, seconds).fault, "");
 }
 
-struct Examined {
+struct Kind {
   test::WorldKind kind;
   const char* name;
   std::vector<std::uint64_t> seeds;
 };
 
 // NOLINTNEXTLINE(readability-identifier-naming): GoogleTest asks for this name
-void PrintTo(const Examined& examined, std::ostream* stream) { *stream << examined.name; }
+void PrintTo(const Kind& examined, std::ostream* stream) { *stream << examined.name; }
 
-class ExaminedWorlds : public ::testing::TestWithParam<Examined> {};
+class ExaminedWorlds : public ::testing::TestWithParam<Kind> {};
 
 TEST_P(ExaminedWorlds, NothingPenetratesNorGainsEnergy) {
   for (const std::uint64_t seed : GetParam().seeds) {
@@ -79,10 +42,10 @@ TEST_P(ExaminedWorlds, NothingPenetratesNorGainsEnergy) {
 // fast.
 INSTANTIATE_TEST_SUITE_P(
     All, ExaminedWorlds,
-    testing::Values(Examined{test::WorldKind::pile, "pile", {1, 2, 120, 134, 116, 148}},
-                    Examined{test::WorldKind::thrown, "thrown", {1001, 1002, 1101, 1102, 1109}},
-                    Examined{test::WorldKind::plates, "plates", {2001, 2002, 2003, 2138, 2159}},
-                    Examined{test::WorldKind::bowl, "bowl", {3001, 3002, 3003, 3107, 3151}}),
+    testing::Values(Kind{test::WorldKind::pile, "pile", {1, 2, 120, 134, 116, 148}},
+                    Kind{test::WorldKind::thrown, "thrown", {1001, 1002, 1101, 1102, 1109}},
+                    Kind{test::WorldKind::plates, "plates", {2001, 2002, 2003, 2138, 2159}},
+                    Kind{test::WorldKind::bowl, "bowl", {3001, 3002, 3003, 3107, 3151}}),
     [](const auto& examined) { return std::string(examined.param.name); });
 
 // Masses of up to 1e9 kg and a friction of 1e6, with which bodies once went 29 mm deep.
