@@ -63,11 +63,10 @@ ExecutedGrasp row_of(const std::string& line, const std::filesystem::path& file)
   std::vector<std::string> cells;
   std::istringstream stream(line);
   for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
-  cells.resize(std::max(cells.size(), kCells));
+  if (line.ends_with(',')) cells.emplace_back();  // getline leaves out an empty last cell
   if (cells.size() != kCells) {
-    throw InputError({.file = file.string(),
-                      .problem = "has a row with more cells than columns",
-                      .value = line});
+    throw InputError(
+        {.file = file.string(), .problem = "has a row without 16 cells", .value = line});
   }
   const auto at = [&](std::size_t i) { return number(cells[i], file); };
   ExecutedGrasp grasp{cells[0],

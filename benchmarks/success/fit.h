@@ -31,7 +31,7 @@ std::vector<ExecutedGrasp> read_executed_grasps(const std::filesystem::path& fil
 // than 1e-9.
 SuccessModel fit_success(std::span<const ExecutedGrasp> grasps);
 
-// As fit_success, without what is known of a free object.
+// The same grasps without what is known of a free object.
 std::vector<ExecutedGrasp> without_free(std::vector<ExecutedGrasp> grasps);
 
 // The predictions for the grasps of each object by the model of those of all other objects.

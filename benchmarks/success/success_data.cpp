@@ -6,8 +6,8 @@
 // For each of N objects (40) and each hand of the library, or one of them: two of the best grasps
 // of a plan, each also moved by up to 2 cm and turned by up to 30 degrees, evaluated with errors of
 // half, one and two times the default, and carried out four times with other errors of that size.
-// Every other object stands on a table, the others float. Every third moved grasp states no
-// approach. With --meshes, the objects are the OBJ files of a folder.
+// The object stands on a table for half of them, and floats for the others. The second moved grasp
+// states no approach. With --meshes, the objects are the OBJ files of a folder.
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -15,6 +15,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,7 +36,8 @@
 namespace prehend::bench {
 namespace {
 
-constexpr double kBreaks = 0.02;  // rad
+constexpr double kBreaks = 0.02;       // rad
+constexpr double kPalmAhead = 0.0764;  // of our base, along z of the frame of the data [m]
 constexpr std::array kFingers = {"finger_1", "finger_2", "thumb"};
 
 struct RealGrasp {
@@ -57,7 +59,7 @@ Pose hand_of(const nlohmann::json& matrix) {
   Matrix3 turned = Matrix3::Identity();
   turned(0, 0) = -1.0;
   turned(1, 1) = -1.0;
-  return X_OD * pose_from(turned, {0.0, 0.0, 0.0764});
+  return X_OD * pose_from(turned, {0.0, 0.0, kPalmAhead});
 }
 
 std::string our_link(const std::string& link) {
@@ -137,7 +139,8 @@ void add(const RealGrasp& real, const Ended& ended, Figures& figures) {
   for (std::size_t f = 0; f < 3; ++f) {
     if (!touches(real.links, f) || !touches(ended.links, f)) continue;
     for (std::size_t k = 0; k < 2; ++k) {
-      const double error = (real.joints.at(f).at(k) - ended.joints.at(f).at(k)) * 57.29577951308232;
+      const double error =
+          (real.joints.at(f).at(k) - ended.joints.at(f).at(k)) * 180.0 / std::numbers::pi;
       figures.errors.at(k).push_back(std::abs(error));
       figures.early.at(k).push_back(error);
     }

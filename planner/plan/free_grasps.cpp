@@ -16,6 +16,18 @@
 namespace prehend {
 namespace {
 
+// Fills in ScoredGrasp::free; false where time ran out before.
+bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
+           const TrialOptions& options, const RunContext& context, ScoredGrasp& grasp) {
+  if (is_over(context)) return false;
+  try {
+    grasp.free = closed_freely(scene, hand, grasp.candidate, grasp.trial, options, context);
+  } catch (const Cancelled&) {
+    return false;
+  }
+  return true;
+}
+
 class FreeClosing {
  public:
   FreeClosing(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
@@ -41,7 +53,7 @@ class FreeClosing {
     while (tried < end && kept(grasps, tried) < wanted && !is_over(context_)) {
       const std::size_t count = std::min(wanted - kept(grasps, tried), end - tried);
       for_each_in_parallel(count, context_.threads,
-                           [&](std::size_t i) { close(grasps[tried + i]); });
+                           [&](std::size_t i) { try_one(grasps[tried + i]); });
       tried += count;
     }
     const bool all = std::all_of(grasps.begin(), grasps.begin() + difference(tried),
@@ -63,14 +75,8 @@ class FreeClosing {
                       [&](const ScoredGrasp& grasp) { return keeps(grasp); }));
   }
 
-  void close(ScoredGrasp& grasp) {
-    if (is_over(context_)) return;
-    try {
-      grasp.free =
-          closed_freely(scene_, hand_, grasp.candidate, grasp.trial, options_.trial, context_);
-    } catch (const Cancelled&) {
-      return;
-    }
+  void try_one(ScoredGrasp& grasp) {
+    if (!close(scene_, hand_, options_.trial, context_, grasp)) return;
     if (!context_.progress || !keeps(grasp)) return;
     const std::lock_guard lock(progress_lock_);
     ++progress_.done;
@@ -124,12 +130,7 @@ void close_freely(const CompiledScene& scene, const TrialOptions& options,
   for_each_in_parallel(result.grasps.size(), context.threads, [&](std::size_t i) {
     ScoredGrasp& grasp = result.grasps[i];
     if (grasp.trial.contacts.empty()) return;
-    try {
-      if (is_over(context)) throw Cancelled();
-      grasp.free = closed_freely(scene, hand, grasp.candidate, grasp.trial, options, context);
-    } catch (const Cancelled&) {
-      all = false;
-    }
+    if (!close(scene, hand, options, context, grasp)) all = false;
   });
   if (!all) result.status = cut_short(context);
 }

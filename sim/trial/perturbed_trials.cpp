@@ -100,10 +100,6 @@ void find_spare(DisturbedTrials& trials, Robustness& robustness) {
   }
 }
 
-bool has_closed(const Robustness& robustness) {
-  return robustness.outcomes[Outcome::stable] + robustness.outcomes[Outcome::not_force_closure] > 0;
-}
-
 }  // namespace
 
 Candidate replayed_approach(const Candidate& candidate, const Trial& trial, const Pose& X_OC) {
@@ -124,7 +120,7 @@ void add_samples(const CompiledScene& scene, const Candidate& candidate, const T
                  const TrialOptions& options, std::span<const Perturbation> perturbations,
                  TrialWorkspace& workspace, const RunContext& context, Robustness& robustness) {
   DisturbedTrials trials(scene, candidate, trial, options, workspace, context);
-  bool stands_for = trial.contacts.empty() && !has_closed(robustness);
+  bool stands_for = trial.contacts.empty() && robustness.closed() == 0;
   for (const Perturbation& perturbation : perturbations) {
     context.cancellation.check();
     robustness.held += trials.holds(perturbation) ? 1 : 0;

@@ -45,6 +45,8 @@ struct Robustness {
   // kMarginSteps.
   Outcome weakest_end = Outcome::stable;
 
+  // In so many of the samples the hand closed on the object.
+  int closed() const { return outcomes[Outcome::stable] + outcomes[Outcome::not_force_closure]; }
   // Share of the samples that held.
   double probability() const { return samples > 0 ? static_cast<double>(held) / samples : 0.0; }
 };

@@ -5,8 +5,6 @@
 namespace prehend {
 namespace {
 
-int count_of(const Robustness& robustness, Outcome outcome) { return robustness.outcomes[outcome]; }
-
 double of_epsilon(double epsilon) { return epsilon / (epsilon + 0.1); }
 
 double of_strength(double strength) {
@@ -17,9 +15,7 @@ double of_strength(double strength) {
 
 SuccessFacts success_facts(const Robustness& robustness) {
   if (robustness.samples == 0) return {};
-  const int closed =
-      count_of(robustness, Outcome::stable) + count_of(robustness, Outcome::not_force_closure);
-  return {static_cast<double>(closed) / robustness.samples, robustness.probability(),
+  return {static_cast<double>(robustness.closed()) / robustness.samples, robustness.probability(),
           robustness.epsilon_mean, robustness.strength, robustness.free};
 }
 

@@ -102,9 +102,16 @@ TEST(FitSuccess, OtherFilesAreRefused) {
   EXPECT_THROW(read_executed_grasps(testing::TempDir() + "none.csv"), InputError);
   std::ofstream(file) << "object,hand\nmug,barrett\n";
   EXPECT_THROW(read_executed_grasps(file), InputError);
-  std::ofstream(file) << "object,hand,support,outcome,errors,mass,executions,lifted,closed,held,"
-                         "epsilon,strength,kept,free_epsilon,free_strength,moved\nmug,1,2\n";
-  EXPECT_THROW(read_executed_grasps(file), InputError);
+  const std::string columns =
+      "object,hand,support,outcome,errors,mass,executions,lifted,closed,held,epsilon,strength,kept,"
+      "free_epsilon,free_strength,moved\n";
+  const std::string row = "mug,barrett,none,stable,1,0.3,4,2,1,1,0.1,3";
+  std::ofstream(file) << columns << row << ",,,,\n";
+  EXPECT_FALSE(read_executed_grasps(file).at(0).facts.free);
+  for (const std::string& wrong : {std::string("mug,1,2"), row, row + ",1,0.1", row + ",,,,,"}) {
+    std::ofstream(file) << columns << wrong << "\n";
+    EXPECT_THROW(read_executed_grasps(file), InputError) << wrong;
+  }
 }
 
 }  // namespace

@@ -19,6 +19,14 @@ PlanResult planned(const CompiledScene& scene, int threads, bool robustness) {
   return plan(scene, options, {threads});
 }
 
+ScoredGrasp evaluated(const CompiledScene& scene, const Candidate& candidate) {
+  EvaluateOptions options;
+  options.robustness = true;
+  options.uncertainty.samples = 6;
+  options.volumes = 0;
+  return evaluate(scene, {candidate}, options).grasps.at(0);
+}
+
 TEST(DisturbGrasps, AreTheSameOnAnyNumberOfThreads) {
   const CompiledScene scene = test::compiled_library_scene("mug");
   const PlanResult one = planned(scene, 1, true);
@@ -50,26 +58,15 @@ TEST(DisturbGrasps, AreNotMadeUnlessAskedFor) {
 TEST(DisturbGrasps, OfAnEvaluationAreMadeToo) {
   const CompiledScene scene = test::compiled_library_scene("mug");
   const PlanResult result = planned(scene, 2, true);
-  EvaluateOptions options;
-  options.robustness = true;
-  options.uncertainty.samples = 6;
-  options.volumes = 0;
-  const PlanResult again = evaluate(scene, {result.grasps.front().candidate}, options);
-  ASSERT_EQ(again.grasps.size(), 1U);
-  EXPECT_EQ(again.grasps.front().robustness.value().held,
-            result.grasps.front().robustness.value().held);
+  const ScoredGrasp again = evaluated(scene, result.grasps.front().candidate);
+  EXPECT_EQ(again.robustness.value().held, result.grasps.front().robustness.value().held);
 }
 
 // An evaluation closes each grasp on a free object, too, and says what that came to.
 TEST(DisturbGrasps, OfAnEvaluationKnowWhatBecomesOfAFreeObject) {
   const CompiledScene scene = test::compiled_library_scene("mug");
   const PlanResult result = planned(scene, 2, false);
-  EvaluateOptions options;
-  options.robustness = true;
-  options.uncertainty.samples = 2;
-  options.volumes = 0;
-  const PlanResult again = evaluate(scene, {result.grasps.front().candidate}, options);
-  const ScoredGrasp& grasp = again.grasps.front();
+  const ScoredGrasp grasp = evaluated(scene, result.grasps.front().candidate);
   ASSERT_TRUE(grasp.free);
   const FreeEnd& end = grasp.robustness.value().free.value();
   EXPECT_EQ(end.kept, keeps_object(scene, *grasp.free));
@@ -83,14 +80,10 @@ TEST(DisturbGrasps, OfABlockedGraspAreMadeToo) {
   Candidate candidate = planned(scene, 2, false).grasps.front().candidate;
   candidate.X_OH = translation(0.03 * candidate.approach_O) * candidate.X_OH;
   candidate.approach_distance = 0.0;
-  EvaluateOptions options;
-  options.robustness = true;
-  options.uncertainty.samples = 6;
-  options.volumes = 0;
-  const PlanResult result = evaluate(scene, {candidate}, options);
-  ASSERT_EQ(result.grasps.front().trial.outcome, Outcome::hand_blocked);
-  EXPECT_FALSE(result.grasps.front().free);
-  EXPECT_EQ(result.grasps.front().robustness.value().samples, 6);
+  const ScoredGrasp grasp = evaluated(scene, candidate);
+  ASSERT_EQ(grasp.trial.outcome, Outcome::hand_blocked);
+  EXPECT_FALSE(grasp.free);
+  EXPECT_EQ(grasp.robustness.value().samples, 6);
 }
 
 }  // namespace
