@@ -110,7 +110,8 @@ Candidate replayed_approach(const Candidate& candidate, const Trial& trial, cons
   const Pose X_CO = X_OC.inverse();
   again.X_OH = X_CO * translation(-left * candidate.approach_O) * candidate.X_OH;
   again.approach_O = X_CO.linear() * candidate.approach_O;
-  again.approach_distance = candidate.approach_distance > 0.0 ? repeated : kOwnApproach;
+  const bool comes = candidate.approach_distance > 0.0 || !is_blocked(trial.outcome);
+  again.approach_distance = comes ? repeated : kOwnApproach;
   return again;
 }
 

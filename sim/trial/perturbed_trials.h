@@ -26,13 +26,15 @@ inline constexpr std::array<double, 5> kMarginSteps = {0.0, 1e-3, 2.5e-3, 5e-3, 
 // (Wilson 1927).
 Interval held_interval(int held, int samples);
 
-// How far a hand comes along its line where the grasp states no approach [m].
+// How far a hand comes along its line that is blocked where it is to close, without an approach
+// [m].
 inline constexpr double kOwnApproach = 0.1;
 
 // The last part of the motion that led from `candidate` to `trial`, as it was commanded, against an
 // object that is at X_OC instead: what the hand did besides, stopping at what it touched and giving
-// way, it will do again. A hand that had backed off is sent to where it ended, and one without an
-// approach comes kOwnApproach along approach_O. In the frame C.
+// way, it will do again. A hand that had backed off is sent to where it ended. One that was put to
+// where it closes, without an approach, is put there again; if it was blocked there, it comes
+// kOwnApproach along approach_O. In the frame C.
 Candidate replayed_approach(const Candidate& candidate, const Trial& trial, const Pose& X_OC);
 
 // Repeats the motion of `trial`, which `candidate` led to (repeated), for each disturbance: the

@@ -207,6 +207,24 @@ TEST(TryDisturbed, WhatTheObjectBlocksMayHoldWithErrors) {
   EXPECT_EQ(robustness.position_margin, 0.0);
 }
 
+// Put between the plates without an approach, a block is missed by a hand that is blocked: it does
+// not stop above it and close there instead.
+TEST(TryDisturbed, WhatIsPutToItsPlaceIsPutThereAgain) {
+  const CompiledScene scene = block_scene(0.0776, 0.03);
+  Tried tried = grasp_from_above(scene);
+  tried.candidate.approach_distance = 0.0;
+  tried.trial = run_trial(scene, tried.candidate);
+  ASSERT_EQ(tried.trial.outcome, Outcome::stable);
+  UncertaintyOptions options = kNone;
+  options.samples = 64;
+  options.across = 1e-2;
+  const Robustness robustness = robustness_of(scene, tried, options);
+  EXPECT_EQ(robustness.closed() + robustness.outcomes[Outcome::hand_blocked] +
+                robustness.outcomes[Outcome::no_contact],
+            64);
+  EXPECT_GT(robustness.outcomes[Outcome::hand_blocked], 32);
+}
+
 // Larger errors of the pose do not hold more often, nor do more slippery or heavier objects.
 TEST(TryDisturbed, LargerErrorsHoldLess) {
   const CompiledScene scene = block_scene(0.0696, 0.03);
