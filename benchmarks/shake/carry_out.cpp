@@ -17,6 +17,7 @@
 #include "planner/plan/free_grasps.h"
 #include "planner/plan/plan.h"
 #include "sim/base/input_error.h"
+#include "sim/motion/dynamic_grasp/closing.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/trial/close_dynamic.h"
@@ -54,10 +55,10 @@ Arguments read_arguments(const std::vector<std::string>& words) {
   return arguments;
 }
 
-// Close 2 s, up by 20 cm, +-2 cm at 1 Hz along two axes, 5 s at rest. The object fails when it
-// falls by 5 cm after it rose.
-TestProcedure carrying() {
-  ProcedurePhase close{.kind = PhaseKind::close, .duration = 2.0};
+// Close 2 s a stage, up by 20 cm, +-2 cm at 1 Hz along two axes, 5 s at rest. The object fails when
+// it falls by 5 cm after it rose.
+TestProcedure carrying(const Closing& closing) {
+  ProcedurePhase close{.kind = PhaseKind::close, .duration = 2.0 * (1 + closing.stages())};
   ProcedurePhase lift{.kind = PhaseKind::lift, .duration = 1.0, .height = 0.2};
   lift.fails.least_rise = 0.15;
   ProcedurePhase swing{.kind = PhaseKind::swing,
@@ -119,7 +120,9 @@ class HandRun {
     MujocoRun run;
     run.clutches = true;
     run.start.open = true;
-    const ShakeResult result = in_mujoco(shaken, grasp, carrying(), run);
+    const Robot& hand = shaken.scene.scene.hand;
+    const Closing closing(hand, strategy_of(hand, grasp.grasp.candidate));
+    const ShakeResult result = in_mujoco(shaken, grasp, carrying(closing), run);
     const bool survived = result.tests.size() == 1 && result.tests.front().survived();
     const bool predicted = grasp.grasp.free && keeps_object(shaken.scene, *grasp.grasp.free);
     ++tally.grasps;
@@ -127,8 +130,10 @@ class HandRun {
     tally.agreed += survived == predicted ? 1 : 0;
     if (survived == predicted) return;
     const ShakeTestResult& test = result.tests.empty() ? result.prepare : result.tests.front();
-    std::printf("  %-24s %-5s rank %d: here %s, in MuJoCo %s in phase %zu (moved %.1f mm)\n",
+    std::printf("  %-24s %-5s rank %d%s%s: here %s, in MuJoCo %s in phase %zu (moved %.1f mm)\n",
                 shaken.name.c_str(), of, grasp.rank,
+                strategy_of(hand, grasp.grasp.candidate).name.empty() ? "" : ", ",
+                strategy_of(hand, grasp.grasp.candidate).name.c_str(),
                 grasp.grasp.free ? std::string(name_of(grasp.grasp.free->outcome)).c_str() : "-",
                 std::string(name_of(test.phases.back().failure)).c_str(), test.phases.size(),
                 1e3 * test.phases.front().measure.moved);

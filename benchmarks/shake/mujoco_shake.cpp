@@ -5,6 +5,7 @@
 
 #include "benchmarks/shake/mujoco_world.h"
 #include "sim/manipulation/base_motion.h"
+#include "sim/motion/dynamic_grasp/closing.h"
 #include "sim/shape/mass_properties.h"
 
 namespace prehend::bench {
@@ -24,6 +25,8 @@ class ShakeRun {
  private:
   bool run_phases(const std::vector<ProcedurePhase>& phases, ShakeTestResult& result);
   PhaseResult run_phase(const ProcedurePhase& phase);
+  ClosingState closing_state() const;
+  void drive(const Closing& closing);
   void measure(const Pose& X_HO, const Vector3& p_H, double z, PhaseMeasure& measure) const;
   Matrix3 axes_of(ProcedureFrame frame) const;
   double object_mass() const;
@@ -66,8 +69,39 @@ void ShakeRun::measure(const Pose& X_HO, const Vector3& p_H, double z,
   measure.deepest = std::max(measure.deepest, world_.overlap());
 }
 
+ClosingState ShakeRun::closing_state() const {
+  const Robot& hand = subject_.hand;
+  ClosingState state{std::vector<bool>(hand.dofs.size(), false),
+                     std::vector<double>(hand.dofs.size(), 0.0)};
+  for (const Link& link : hand.links) {
+    if (!world_.presses(link.name)) continue;
+    for (const int joint : joints_to(hand, link.joint)) {
+      state.touches[static_cast<std::size_t>(hand.joints[static_cast<std::size_t>(joint)].dof)] =
+          true;
+    }
+  }
+  for (const Joint& joint : hand.joints) {
+    double& rate = state.rates[static_cast<std::size_t>(joint.dof)];
+    const double own = world_.joint_rate(joint.name) / joint.ratio;
+    if (std::abs(own) > std::abs(rate)) rate = own;
+  }
+  return state;
+}
+
+void ShakeRun::drive(const Closing& closing) {
+  for (const Joint& joint : subject_.hand.joints) {
+    const auto dof = static_cast<std::size_t>(joint.dof);
+    if (subject_.hand.dofs[dof].closing_velocity == 0.0) continue;
+    world_.set_effort(joint.name, closing.effort(dof));
+  }
+}
+
 PhaseResult ShakeRun::run_phase(const ProcedurePhase& phase) {
-  if (phase.kind == PhaseKind::close) world_.close();
+  Closing closing(subject_.hand, subject_.strategy);
+  if (phase.kind == PhaseKind::close) {
+    world_.close();
+    drive(closing);
+  }
   if (phase.kind == PhaseKind::open) world_.open();
   const Matrix3 R = axes_of(phase.frame);
   world_.set_gravity(phase.gravity ? Vector3(R * *phase.gravity) : procedure_.gravity);
@@ -88,6 +122,10 @@ PhaseResult ShakeRun::run_phase(const ProcedurePhase& phase) {
     world_.set_pull((phase.pull_grows ? k * h / phase.duration : 1.0) * pull_W);
     world_.step_to(base_pose(phase, start, k * h));
     steps_ += 1.0;
+    if (phase.kind == PhaseKind::close && !closing.is_full()) {
+      closing.look(closing_state(), h);
+      drive(closing);
+    }
     measure(X_HO, p_H, z, result.measure);
     resting = world_.object_speed() < kRestSpeed ? resting + 1 : 0;
     if (phase.kind == PhaseKind::settle && resting * h > kRestTime) break;
@@ -130,6 +168,7 @@ ShakeSubject subject_of(const CompiledScene& scene) {
   const Hand& hand = *scene.scene.hand.hand;
   subject.R_HG << hand.closing, hand.approach.cross(hand.closing), hand.approach;
   subject.volume = mass_properties(scene.scene.object.mesh).volume;
+  subject.hand = scene.scene.hand;
   subject.longest_edge = bounds(scene.scene.object.mesh).size().maxCoeff();
   return subject;
 }

@@ -16,6 +16,8 @@ struct ShakeSubject {
   double volume = 0.0;                 // of the object [m^3]
   double longest_edge = 0.0;           // of the object's bounds [m]
   std::vector<JointLock> locks = {};   // of the hand
+  Robot hand = {};
+  ClosingStrategy strategy = {};
 };
 
 ShakeSubject subject_of(const CompiledScene& scene);

@@ -82,6 +82,7 @@ struct MujocoWorld::Data {
   std::vector<double> start_joints;  // qpos
   double start_opened = 0.0;
   std::vector<Lock> locks;
+  std::vector<double> efforts;  // of each joint, the part of its largest
   Pose X_WH = Pose::Identity();
   Twist velocity;
   Pose kept_X_WH = Pose::Identity();
@@ -91,6 +92,8 @@ struct MujocoWorld::Data {
   int qpos_of(int body) const { return model->jnt_qposadr[model->body_jntadr[body]]; }
   int dof_of(int body) const { return model->jnt_dofadr[model->body_jntadr[body]]; }
   void find_bodies();
+  int joint(const std::string& name) const;
+  bool presses(int contact) const;
   void make_base_heavy() const;
   bool of_hand(int geom) const { return root_of(geom) == base; }
   int root_of(int geom) const { return model->body_rootid[model->geom_bodyid[geom]]; }
@@ -136,6 +139,12 @@ void MujocoWorld::Data::make_base_heavy() const {
   }
   const std::array<mjtNum, 4> unturned = {1.0, 0.0, 0.0, 0.0};
   std::copy(unturned.begin(), unturned.end(), model->body_iquat + 4 * base);
+}
+
+int MujocoWorld::Data::joint(const std::string& name) const {
+  const int joint = mj_name2id(model.get(), mjOBJ_JOINT, name.c_str());
+  if (joint < 0) throw InputError({.problem = "no joint of this name", .value = name});
+  return joint;
 }
 
 bool MujocoWorld::Data::hand_meets_object(const mjContact& contact) const {
@@ -186,7 +195,8 @@ void MujocoWorld::Data::drive_joints() const {
   const mjtNum* open = model->key_qpos + pregrasp_key * model->nq;
   for (int a = 0; a < model->nu; ++a) {
     const bool motor = model->actuator_biastype[a] == mjBIAS_NONE;
-    state->ctrl[a] = motor && drive == Drive::still ? 0.0 : closing[a];
+    const double part = efforts[static_cast<std::size_t>(model->actuator_trnid[2 * a])];
+    state->ctrl[a] = motor && drive == Drive::still ? 0.0 : (motor ? part : 1.0) * closing[a];
     if (!motor || drive != Drive::opening) continue;
     const int q = model->jnt_qposadr[model->actuator_trnid[2 * a]];
     const bool there = (open[q] - state->qpos[q]) * opening[a] <= 0.0;
@@ -220,6 +230,7 @@ MujocoWorld::MujocoWorld(const std::string& mjcf) : data_(std::make_unique<Data>
   data_->kept = Data::State(mj_makeData(data_->model.get()));
   data_->find_bodies();
   data_->make_base_heavy();
+  data_->efforts.assign(static_cast<std::size_t>(data_->model->njnt), 1.0);
 }
 
 MujocoWorld::~MujocoWorld() = default;
@@ -256,8 +267,7 @@ void MujocoWorld::set_torsion(double torsion) {
 void MujocoWorld::set_locks(const std::vector<JointLock>& locks) {
   const mjModel* model = data_->model.get();
   for (const JointLock& lock : locks) {
-    const int joint = mj_name2id(model, mjOBJ_JOINT, lock.joint.c_str());
-    if (joint < 0) throw InputError({.problem = "no joint of this name", .value = lock.joint});
+    const int joint = data_->joint(lock.joint);
     const mjtNum* range = model->jnt_range + 2 * joint;
     data_->locks.push_back({joint, lock.closing, {range[0], range[1]}});
     // A gear is stiffer than MuJoCo's limits are unless they are told so.
@@ -297,6 +307,11 @@ void MujocoWorld::start(const StartOptions& options) {
 }
 
 void MujocoWorld::close() { data_->drive = Data::Drive::closing; }
+
+void MujocoWorld::set_effort(const std::string& joint, double part) {
+  data_->efforts[static_cast<std::size_t>(data_->joint(joint))] = part;
+}
+
 void MujocoWorld::open() {
   data_->drive = Data::Drive::opening;
   data_->unlock();
@@ -318,11 +333,12 @@ void MujocoWorld::step_to(const Pose& X_WH) {
   const double h = model->opt.timestep;
   const Data::Twist next = Data::twist_between(data_->X_WH, X_WH, h);
   data_->put_base(data_->X_WH, data_->velocity);
-  if (data_->drive == Data::Drive::still) {
-    for (int j = 0; j < model->njnt; ++j) {
-      if (model->jnt_type[j] == mjJNT_FREE) continue;
-      const auto q = static_cast<std::size_t>(model->jnt_qposadr[j]);
-      state->qpos[q] = data_->start_joints[q];
+  for (int j = 0; j < model->njnt; ++j) {
+    if (model->jnt_type[j] == mjJNT_FREE) continue;
+    const auto q = static_cast<std::size_t>(model->jnt_qposadr[j]);
+    const bool still = data_->drive == Data::Drive::still;
+    if (still) state->qpos[q] = data_->start_joints[q];
+    if (still || data_->efforts[static_cast<std::size_t>(j)] == 0.0) {
       state->qvel[model->jnt_dofadr[j]] = 0.0;
     }
   }
@@ -360,16 +376,35 @@ double MujocoWorld::object_speed() const {
   return linear.norm() + 0.1 * angular.norm();
 }
 
+bool MujocoWorld::Data::presses(int contact) const {
+  std::array<mjtNum, 6> force{};
+  mj_contactForce(model.get(), state.get(), contact, force.data());
+  return force[0] > 0.0;
+}
+
 bool MujocoWorld::in_contact() const {
-  const mjModel* model = data_->model.get();
   const mjData* state = data_->state.get();
   for (int c = 0; c < state->ncon; ++c) {
-    if (!data_->hand_meets_object(state->contact[c])) continue;
-    std::array<mjtNum, 6> force{};
-    mj_contactForce(model, state, c, force.data());
-    if (force[0] > 0.0) return true;
+    if (data_->hand_meets_object(state->contact[c]) && data_->presses(c)) return true;
   }
   return false;
+}
+
+bool MujocoWorld::presses(const std::string& link) const {
+  const mjModel* model = data_->model.get();
+  const mjData* state = data_->state.get();
+  const int body = mj_name2id(model, mjOBJ_BODY, link.c_str());
+  for (int c = 0; c < state->ncon; ++c) {
+    const mjContact& contact = state->contact[c];
+    const bool of_link =
+        model->geom_bodyid[contact.geom1] == body || model->geom_bodyid[contact.geom2] == body;
+    if (of_link && data_->hand_meets_object(contact) && data_->presses(c)) return true;
+  }
+  return false;
+}
+
+double MujocoWorld::joint_rate(const std::string& joint) const {
+  return data_->state->qvel[data_->model->jnt_dofadr[data_->joint(joint)]];
 }
 
 double MujocoWorld::overlap() const { return data_->overlap(); }

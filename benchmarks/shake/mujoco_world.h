@@ -47,6 +47,8 @@ class MujocoWorld {
   void start(const StartOptions& options = {});
   // Every drive works with all its effort to close the hand, or to hold its value.
   void close();
+  // From then on a joint's drive works with this part of its effort; 0: the joint stays.
+  void set_effort(const std::string& joint, double part);
   // The drives open the hand to its preshape.
   void open();
   void set_gravity(const Vector3& gravity_W);  // m/s^2
@@ -56,12 +58,14 @@ class MujocoWorld {
   // One step, at the end of which the base is at X_WH.
   void step_to(const Pose& X_WH);
 
-  Pose base() const;               // of the hand, in the world
-  Pose object() const;             // in the world
-  Vector3 center_of_mass() const;  // of the object, in the world
-  double object_speed() const;     // of its centre of mass [m/s]
-  bool in_contact() const;         // a link pressed on the object in the last step
-  double overlap() const;          // the deepest of hand and object in the last step [m]
+  Pose base() const;                            // of the hand, in the world
+  Pose object() const;                          // in the world
+  Vector3 center_of_mass() const;               // of the object, in the world
+  double object_speed() const;                  // of its centre of mass [m/s]
+  bool in_contact() const;                      // a link pressed on the object in the last step
+  bool presses(const std::string& link) const;  // this one did
+  double joint_rate(const std::string& joint) const;  // rad/s or m/s
+  double overlap() const;    // the deepest of hand and object in the last step [m]
   double opened() const;     // part of the way to the preshape by which start() opened the hand
   bool is_unstable() const;  // since start()
   Pose body(const std::string& name) const;  // in the world, after start() and before steps

@@ -119,6 +119,7 @@ ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
     subject.locks = locks_of(hand);
   }
   const ExportGrasp exported = export_of(shaken.scene, grasp.grasp, grasp.rank);
+  subject.strategy = exported.strategy;
   return shake_in_mujoco(mjcf_text(shaken.scene, shaken.shapes, exported, options), procedure,
                          subject, run.start);
 }

@@ -110,6 +110,9 @@ void print_hand(const InspectedRobot& inspected) {
                 inspected.derived ? " (derived)" : "");
     aperture = std::max(aperture, preshape.max_width);
   }
+  for (const ClosingStrategy& strategy : hand.strategies) {
+    std::printf("  strategy %s\n", strategy.name.c_str());
+  }
   std::printf("  aperture %.0f mm\n", kMillimetres * aperture);
 }
 

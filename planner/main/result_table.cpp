@@ -106,12 +106,11 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
     const ScoredGrasp& grasp = result.grasps[i];
     const std::string volume = volume_text(grasp);
     const std::string weight = weight_text(grasp);
-    const std::string preshape = preshape_name(scene, grasp.candidate);
     text +=
         formatted("%4zu  %8.4f  %9s  %9s  %8zu  %-17s  %-16s  %s%s\n", i + 1,
                   grasp.trial.epsilon.lower, volume.c_str(), weight.c_str(),
                   grasp.trial.contacts.size(), std::string(name_of(grasp.trial.outcome)).c_str(),
-                  preshape.empty() ? "-" : preshape.c_str(), optional.rows[i].c_str(),
+                  opening_text(scene, grasp.candidate).c_str(), optional.rows[i].c_str(),
                   origin_text(grasp, result).c_str());
   }
   return text;

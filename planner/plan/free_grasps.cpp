@@ -28,6 +28,28 @@ bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& 
   return true;
 }
 
+// Whether the object ends in force closure. What is only carried, by what it lies on or hangs from,
+// is easily lost.
+bool is_firm(const ScoredGrasp& grasp) {
+  return grasp.free && grasp.free->outcome == Outcome::stable;
+}
+
+// The same; unless the object is held firmly, by the first other strategy of the hand that does so.
+bool close_somehow(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
+                   const TrialOptions& options, const RunContext& context, ScoredGrasp& grasp) {
+  if (!close(scene, hand, options, context, grasp)) return false;
+  if (is_firm(grasp) || grasp.candidate.strategy) return true;
+  ScoredGrasp other = grasp;
+  for (std::size_t k = 0; k < scene.scene.hand.hand->strategies.size(); ++k) {
+    other.candidate.strategy = static_cast<int>(k);
+    if (!close(scene, hand, options, context, other)) return true;
+    if (!is_firm(other)) continue;
+    grasp = std::move(other);
+    break;
+  }
+  return true;
+}
+
 class FreeClosing {
  public:
   FreeClosing(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
@@ -50,8 +72,8 @@ class FreeClosing {
     const std::size_t end = std::min(most, grasps.size());
     std::size_t tried = 0;
     if (context_.progress) context_.progress(progress_);
-    while (tried < end && kept(grasps, tried) < wanted && !is_over(context_)) {
-      const std::size_t count = std::min(wanted - kept(grasps, tried), end - tried);
+    while (tried < end && firm(grasps, tried) < wanted && !is_over(context_)) {
+      const std::size_t count = std::min(wanted - firm(grasps, tried), end - tried);
       for_each_in_parallel(count, context_.threads,
                            [&](std::size_t i) { try_one(grasps[tried + i]); });
       tried += count;
@@ -69,15 +91,14 @@ class FreeClosing {
     return grasp.free && keeps_object(scene_, *grasp.free);
   }
 
-  std::size_t kept(const std::vector<ScoredGrasp>& grasps, std::size_t tried) const {
+  static std::size_t firm(const std::vector<ScoredGrasp>& grasps, std::size_t tried) {
     return static_cast<std::size_t>(
-        std::count_if(grasps.begin(), grasps.begin() + difference(tried),
-                      [&](const ScoredGrasp& grasp) { return keeps(grasp); }));
+        std::count_if(grasps.begin(), grasps.begin() + difference(tried), is_firm));
   }
 
   void try_one(ScoredGrasp& grasp) {
-    if (!close(scene_, hand_, options_.trial, context_, grasp)) return;
-    if (!context_.progress || !keeps(grasp)) return;
+    if (!close_somehow(scene_, hand_, options_.trial, context_, grasp)) return;
+    if (!context_.progress || !is_firm(grasp)) return;
     const std::lock_guard lock(progress_lock_);
     ++progress_.done;
     context_.progress(progress_);
@@ -85,8 +106,9 @@ class FreeClosing {
 
   void sort(std::size_t tried) {
     std::vector<ScoredGrasp>& grasps = result_.grasps;
-    if (kept(grasps, tried) == 0) return;
     const auto end = grasps.begin() + difference(tried);
+    const auto keeps_it = [&](const ScoredGrasp& grasp) { return keeps(grasp); };
+    if (std::none_of(grasps.begin(), end, keeps_it)) return;
     const auto lost = std::stable_partition(
         grasps.begin(), end, [&](const ScoredGrasp& grasp) { return !grasp.free || keeps(grasp); });
     std::for_each(lost, end, [&](const ScoredGrasp& grasp) { count_as_lost(grasp); });

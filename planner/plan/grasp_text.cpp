@@ -23,6 +23,12 @@ std::string preshape_name(const CompiledScene& scene, const Candidate& candidate
   return scene.scene.hand.hand->preshapes[static_cast<std::size_t>(*candidate.preshape)].name;
 }
 
+std::string opening_text(const CompiledScene& scene, const Candidate& candidate) {
+  const std::string preshape = preshape_name(scene, candidate);
+  const std::string closing = strategy_of(scene.scene.hand, candidate).name;
+  return (preshape.empty() ? "-" : preshape) + (closing.empty() ? "" : ", " + closing);
+}
+
 std::string load_factor_text(const LoadCase& load_case) {
   return std::isinf(load_case.strength) ? "any" : formatted("%.2g", load_case.strength);
 }

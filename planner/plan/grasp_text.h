@@ -21,6 +21,10 @@ std::string origin_text(const ScoredGrasp& grasp, const PlanResult& result);
 // Name of the preshape with which the hand approached; empty for a candidate without one.
 std::string preshape_name(const CompiledScene& scene, const Candidate& candidate);
 
+// The same for people, with the strategy by which the hand closes unless it closes all at once:
+// "spread_0, gentle"; "-" for neither.
+std::string opening_text(const CompiledScene& scene, const Candidate& candidate);
+
 // How many times the object's weight the hand holds: "3.2", "any" where the weight loads no drive
 // whose effort is known, "0" where no forces balance it.
 std::string load_factor_text(const LoadCase& load_case);

@@ -46,7 +46,7 @@ void bind_fields(py::module_& core) {
   py::dict fields;
   PREHEND_FIELDS(SurfaceDistances, median, percentile_95, largest);
   PREHEND_FIELDS(Decomposition, primitives, share, explained, tolerance, distances, distances_of);
-  PREHEND_FIELDS(Candidate, X_OH, approach_O, approach_distance, preshape, dofs, joints);
+  PREHEND_FIELDS(Candidate, X_OH, approach_O, approach_distance, preshape, dofs, joints, strategy);
   PREHEND_FIELDS(ProposedGrasp, candidate, primitive, rule, width, stand_off, way, choices, level);
   PREHEND_FIELDS(Proposals, grasps, smallest_width, largest_opening);
   PREHEND_FIELDS(GraspContact, link, point, gap);

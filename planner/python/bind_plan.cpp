@@ -49,7 +49,9 @@ std::vector<Candidate> candidates_from(const CompiledScene& scene, const py::lis
             ? index(*candidate.preshape) < hand.hand->preshapes.size()
             : candidate.dofs.size() == hand.dofs.size() &&
                   (candidate.joints.empty() || candidate.joints.size() == hand.joints.size());
-    if (!sound) throw std::invalid_argument("candidate: not of this hand");
+    const bool closes =
+        !candidate.strategy || index(*candidate.strategy) < hand.hand->strategies.size();
+    if (!sound || !closes) throw std::invalid_argument("candidate: not of this hand");
   }
   return candidates;
 }

@@ -38,6 +38,13 @@ py::list preshapes(const Robot& robot) {
   return list;
 }
 
+std::vector<std::string> strategies(const Robot& robot) {
+  std::vector<std::string> names;
+  if (!robot.hand) return names;
+  for (const ClosingStrategy& strategy : robot.hand->strategies) names.push_back(strategy.name);
+  return names;
+}
+
 // Values of joints or degrees of freedom. Python has checked their number with the name of the
 // argument; the functions below would read beyond the end.
 std::vector<double> sized(const Doubles& values, std::size_t size) {
@@ -128,6 +135,7 @@ py::class_<Robot> bind_robot_class(py::module_& core) {
 void bind_robot(py::module_& core) {
   bind_robot_class(core)
       .def_property_readonly("_preshapes", &preshapes)
+      .def_property_readonly("_strategies", &strategies)
       .def_property_readonly(
           "_approach",
           [](const Robot& self) {

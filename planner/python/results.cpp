@@ -225,6 +225,7 @@ py::dict candidate_dict(const CompiledScene& scene, const Candidate& candidate) 
   fields["joints"] = !candidate.preshape && !candidate.joints.empty()
                          ? py::object(to_array(candidate.joints))
                          : py::none();
+  fields["strategy"] = name_or_none(strategy_of(scene.scene.hand, candidate).name);
   return fields;
 }
 
@@ -236,6 +237,7 @@ Candidate candidate_from(const py::dict& fields) {
   candidate.preshape = fields["preshape"].cast<std::optional<int>>();
   candidate.dofs = numbers_of(fields["dofs"].cast<Doubles>());
   candidate.joints = numbers_of(fields["joints"].cast<Doubles>());
+  candidate.strategy = fields["strategy"].cast<std::optional<int>>();
   return candidate;
 }
 

@@ -33,7 +33,7 @@ pybind11::dict candidate_dict(const CompiledScene& scene, const Candidate& candi
 
 // The inverse of primitive_dict. Throws InputError for an unknown shape.
 Primitive primitive_from(const pybind11::dict& fields);
-// The inverse of candidate_dict, but for the preshape: its number, or None.
+// The inverse of candidate_dict, but for preshape and strategy: their numbers, or None.
 Candidate candidate_from(const pybind11::dict& fields);
 
 }  // namespace prehend::python

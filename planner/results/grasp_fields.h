@@ -39,11 +39,10 @@ inline ValueNames<LinkId> link_names(const CompiledScene& scene) {
   return names;
 }
 
-inline ValueNames<int> preshape_names(const Hand& hand) {
+// Of the preshapes or the closing strategies of a hand.
+ValueNames<int> names_of(const auto& of_hand) {
   ValueNames<int> names;
-  for (const Preshape& preshape : hand.preshapes) {
-    names.emplace_back(preshape.name, static_cast<int>(names.size()));
-  }
+  for (const auto& one : of_hand) names.emplace_back(one.name, static_cast<int>(names.size()));
   return names;
 }
 
@@ -133,7 +132,8 @@ void posture_fields(auto& fields, auto& grasp, const Robot& hand) {
     read_posture(fields, grasp, hand);
   } else {
     const Candidate& candidate = grasp.candidate;
-    fields.named_or_null("preshape", candidate.preshape, preshape_names(*hand.hand));
+    fields.named_or_null("preshape", candidate.preshape, names_of(hand.hand->preshapes));
+    fields.named_or_null("strategy", candidate.strategy, names_of(hand.hand->strategies));
     const bool by_dofs = !candidate.preshape && candidate.joints.empty();
     fields("start_dofs", by_dofs ? std::optional(candidate.dofs) : std::nullopt);
     fields("dofs", grasp.trial.dofs);

@@ -60,7 +60,7 @@ void read_posture(FieldReader& fields, ScoredGrasp& grasp, const Robot& hand) {
   if (fields.allow("joints")) trial.joints = read_joints(field["joints"], hand);
   if (fields.allow("start_dofs")) candidate.dofs = read_dofs(field["start_dofs"], hand);
   if (has_preshape) {
-    fields.named("preshape", candidate.preshape.emplace(), preshape_names(*hand.hand));
+    fields.named("preshape", candidate.preshape.emplace(), names_of(hand.hand->preshapes));
   } else if (!candidate.dofs.empty()) {
     if (trial.dofs.empty()) trial.dofs = candidate.dofs;
   } else if (!trial.joints.empty()) {
@@ -70,6 +70,9 @@ void read_posture(FieldReader& fields, ScoredGrasp& grasp, const Robot& hand) {
     candidate.dofs = trial.dofs;
   } else {
     field.fail("needs a preshape, dofs or joints");
+  }
+  if (fields.allow("strategy") && !field["strategy"].is_null()) {
+    fields.named("strategy", candidate.strategy.emplace(), names_of(hand.hand->strategies));
   }
   // What is missing of the final posture: the fingers are where they start.
   if (trial.dofs.empty()) {

@@ -19,6 +19,7 @@ struct GraspPosture {
   std::vector<double> joints;  // of the hand [rad or m]; empty: as the degrees of freedom say
   // Where the object is by then, in the frame in which it stood (Trial::X_OC).
   Pose X_OC = Pose::Identity();
+  ClosingStrategy strategy = {};  // of an open hand
 };
 GraspPosture posture_of(const Trial& trial);
 

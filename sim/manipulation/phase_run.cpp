@@ -58,7 +58,8 @@ PhaseRun::PhaseRun(World world, const PhaseSetting& setting, const StepOptions& 
       options_(options),
       context_(context),
       effort_(effort),
-      mover_(world_, setting.hand) {
+      mover_(world_, setting.hand),
+      closing_(setting.scene.scene.hand, setting.strategy) {
   options_.step = setting.procedure.step;
 }
 
@@ -94,8 +95,13 @@ void PhaseRun::begin(const ProcedurePhase& phase) {
   const double edge = bounds(setting_.scene.scene.object.mesh).size().maxCoeff();
   height_ = std::max(phase.height, phase.height_in_edges * edge);
   if (phase.kind == PhaseKind::close) {
-    set_hand_drives(closing_drives(*robot().model, setting_.hand), setting_.hand, robot());
+    closing_ = Closing(setting_.scene.scene.hand, setting_.strategy);
+    close_hand();
   }
+}
+
+void PhaseRun::close_hand() {
+  set_hand_drives(closing_drives(*robot().model, setting_.hand, closing_), setting_.hand, robot());
 }
 
 void PhaseRun::run_phase(const ProcedurePhase& phase) {
@@ -120,7 +126,13 @@ void PhaseRun::run_phase(const ProcedurePhase& phase) {
     if (setting_.watcher) setting_.watcher(time_, world_);
     if (fails_on_the_way(phase.fails)) return;
     if (phase.pull_grows) report_.largest_pull = share * pull_W_.norm();
-    if (resting.look(world_, setting_.hand, done) && may_end_early) break;
+    const bool rests = resting.look(world_, setting_.hand, done);
+    if (phase.kind == PhaseKind::close && !closing_.is_full()) {
+      closing_.look(closing_state(world_, setting_.hand, setting_.scene.scene.hand), done);
+      close_hand();
+    } else if (rests && may_end_early) {
+      break;
+    }
   }
   mover_.stop(world_);
   end(phase);

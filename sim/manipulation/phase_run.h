@@ -9,6 +9,7 @@
 #include "sim/manipulation/move_hand.h"
 #include "sim/manipulation/shake_report.h"
 #include "sim/manipulation/test_procedure.h"
+#include "sim/motion/dynamic_grasp/closing.h"
 #include "sim/motion/dynamic_grasp/resting.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/motion/step_options.h"
@@ -25,6 +26,7 @@ struct PhaseSetting {
   Pose X_WO = Pose::Identity();  // of the object and of the hand's base in the grasp, for axes that
   Pose X_WH = Pose::Identity();  // are given in them
   std::vector<double> open;      // degrees of freedom of the hand where it is open
+  ClosingStrategy strategy = {};
   // Called after each step, with the time since the first phase began; may be empty.
   std::function<void(double time, const World& world)> watcher = {};
 };
@@ -49,6 +51,7 @@ class PhaseRun {
   WorldRobot& robot();
   WorldBody& object();
   void begin(const ProcedurePhase& phase);
+  void close_hand();
   void run_phase(const ProcedurePhase& phase);
   bool move_hand(const ProcedurePhase& phase, double time, double step);
   double advance(double step);
@@ -63,6 +66,7 @@ class PhaseRun {
   const RunContext& context_;
   SimulationEffort& effort_;
   HandMover mover_;
+  Closing closing_;
   ShakeTestReport report_;
   double time_ = 0.0;  // since the test began
   double height_ = 0.0;

@@ -22,7 +22,8 @@ ShakeReport shake_grasp(const CompiledScene& scene, const std::shared_ptr<const 
                              .hand = start.hand,
                              .X_WO = X_WO,
                              .X_WH = hand_pose(world, start.hand),
-                             .open = widest_posture(*scene.scene.hand.hand, grasp.dofs)};
+                             .open = widest_posture(*scene.scene.hand.hand, grasp.dofs),
+                             .strategy = grasp.strategy};
   if (!procedure.prepare.empty()) {
     PhaseRun prepare(std::move(world), setting, options, context, report.effort);
     report.tests.push_back(prepare.run("prepare", procedure.prepare));

@@ -53,7 +53,8 @@ std::vector<ProcedurePhase> approach_phases(double distance, double speed) {
 class SimulationRun {
  public:
   SimulationRun(const CompiledScene& scene, const TestProcedure& procedure,
-                const SimulateOptions& options, GraspWorld made, const RunContext& context)
+                const SimulateOptions& options, GraspWorld made, const ClosingStrategy& strategy,
+                const RunContext& context)
       : options_(options),
         context_(context),
         recorder_(options.every),
@@ -64,7 +65,8 @@ class SimulationRun {
                  .hand = made.hand,
                  .X_WO = world_.bodies[index(kObjectBody)].motion.X_WB,
                  .X_WH = hand_pose(world_, made.hand),
-                 .open = widest_posture(*scene.scene.hand.hand, hand_dofs(world_, made.hand))} {
+                 .open = widest_posture(*scene.scene.hand.hand, hand_dofs(world_, made.hand)),
+                 .strategy = strategy} {
     setting_.watcher = [this](double time, const World& world) {
       watch_.look(world, before_ + time);
       recorder_.look(world, before_ + time);
@@ -131,6 +133,7 @@ SimulationStart start_of(const CompiledScene& scene, const Candidate& candidate,
   if (candidate.preshape) {
     start.hand.dofs = scene.scene.hand.hand->preshapes[index(*candidate.preshape)].dofs;
   }
+  start.hand.strategy = strategy_of(scene.scene.hand, candidate);
   if (!scene.arm || trial.arm_line.empty()) return start;
   start.platform_dofs = trial.arm_line.front();
   std::copy(start.hand.dofs.begin(), start.hand.dofs.end(),
@@ -155,7 +158,7 @@ Simulation simulate(const CompiledScene& scene, const SimulationStart& start,
   StepOptions step = options.step;
   step.step = procedure.step;
   require_world(made.world, step);
-  SimulationRun run(scene, procedure, options, std::move(made), context);
+  SimulationRun run(scene, procedure, options, std::move(made), start.hand.strategy, context);
   if (run.run("approach", approach_phases(start.approach, options.approach_speed)) &&
       run.run("prepare", procedure.prepare)) {
     run.run(test.name, test.phases);

@@ -127,6 +127,16 @@ struct Preshape {
   double depth = 0.0;  // from Hand::origin along the approach axis to where the fingers meet [m]
 };
 
+// A way to close a hand other than all of it at once with its largest efforts: first some of it, or
+// all gently, and at the end all of it with its largest efforts (closing.h).
+struct ClosingStrategy {
+  std::string name;
+  std::vector<int> first =
+      {};               // degrees of freedom that close before the others; none: all at once
+  bool waits = false;   // what touches the object stays where it is until all else has come to it
+  double effort = 1.0;  // until then, part of the largest efforts, above 0, at most 1
+};
+
 // What makes a robot a hand. Without preshapes the rest may be known nevertheless, and is derived
 // before planning with the hand (sim/robot/hand/derive_hand.h).
 struct Hand {
@@ -138,6 +148,7 @@ struct Hand {
   // The point of the palm that is aimed at the object, base frame [m].
   Vector3 origin = Vector3::Zero();
   std::vector<Preshape> preshapes;
+  std::vector<ClosingStrategy> strategies = {};  // to be tried where closing all at once fails
 };
 
 // An arm, a hand, a mobile base, or several of them joined into one (platform.h).

@@ -18,4 +18,8 @@ void start_joints(const Robot& hand, const Candidate& candidate, std::vector<dou
   }
 }
 
+ClosingStrategy strategy_of(const Robot& hand, const Candidate& candidate) {
+  return candidate.strategy ? hand.hand->strategies[index(*candidate.strategy)] : ClosingStrategy{};
+}
+
 }  // namespace prehend

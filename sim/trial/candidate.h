@@ -8,6 +8,7 @@
 
 namespace prehend {
 
+struct ClosingStrategy;
 struct Robot;
 
 // A grasp to try: where the hand goes, from which direction, and with which opening it starts.
@@ -21,6 +22,9 @@ struct Candidate {
   std::vector<double> dofs;
   // With `dofs`, the start values of the joints [rad or m]; empty: joint_values of `dofs`.
   std::vector<double> joints;
+  // Index into Hand::strategies, by which the hand closes on an object that gives way; none: all at
+  // once.
+  std::optional<int> strategy = std::nullopt;
 };
 
 // The values of all degrees of freedom before closing [rad or m].
@@ -29,5 +33,8 @@ const std::vector<double>& start_dofs(const Robot& hand, const Candidate& candid
 // The values of all joints before closing [rad or m]: those of the candidate's preshape, those
 // given for every joint, or those that follow from its degrees of freedom. `joints` is replaced.
 void start_joints(const Robot& hand, const Candidate& candidate, std::vector<double>& joints);
+
+// How the hand closes on an object that gives way.
+ClosingStrategy strategy_of(const Robot& hand, const Candidate& candidate);
 
 }  // namespace prehend

@@ -78,6 +78,7 @@ class TrialRun {
         buffers_(buffers),
         start_(buffers.start) {
     start_.dofs = start_dofs(scene.scene.hand, candidate);
+    start_.strategy = strategy_of(scene.scene.hand, candidate);
     if (candidate.preshape) {
       start_.joints.clear();
       start_.self_clearance = scene.preshape_gaps[index(*candidate.preshape)];

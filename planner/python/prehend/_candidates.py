@@ -28,6 +28,16 @@ def _preshape_number(hand: "_core.Robot", name: Optional[str]) -> int:
     return names.index(name)
 
 
+def _strategy_number(hand: "_core.Robot", name: Optional[str]) -> Optional[int]:
+    if name is None:
+        return None
+    if name not in hand._strategies:
+        known = ", ".join(hand._strategies)
+        problem = f"not one of {known}" if known else "the hand has no strategies"
+        raise InputError(problem, field="strategy", value=name)
+    return hand._strategies.index(name)
+
+
 def _inside_limits(hand: "_core.Robot", values: ArrayLike) -> FloatArray:
     dofs = as_finite(values, "dofs", (len(hand.dofs),))
     limits = hand.dof_limits
@@ -69,6 +79,7 @@ def candidate_fields(hand: "_core.Robot", candidate: Candidate) -> Dict[str, Any
         "joints": as_finite(
             joints, "joints", (0 if candidate.joints is None else len(hand.joints),)
         ),
+        "strategy": _strategy_number(hand, candidate.strategy),
     }
 
 

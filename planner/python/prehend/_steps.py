@@ -133,6 +133,11 @@ class Candidate:
     """(D,): values of the hand's degrees of freedom [rad or m]."""
     joints: Optional[FloatArray] = None
     """(J,): of its joints, where they are not as the degrees of freedom say [rad or m]."""
+    strategy: Optional[str] = None
+    """Name of a strategy of the hand, by which it closes on an object that gives way.
+
+    None: all at once.
+    """
 
 
 class ProposedGrasp(NamedTuple):

@@ -25,6 +25,7 @@ ExportGrasp export_of(const CompiledScene& scene, const ScoredGrasp& grasp, int 
   exported.X_OH = trial.X_OH;
   exported.X_WH = scene.scene.object.X_WO * hand_in_scene(trial);
   exported.preshape = preshape_name(scene, grasp.candidate);
+  exported.strategy = strategy_of(scene.scene.hand, grasp.candidate);
   exported.dofs = trial.dofs;
   // The joints with which the hand started: of the preshape, or as given with the candidate.
   exported.pregrasp_joints = approach_line(scene, grasp.candidate, trial).hand_joints;

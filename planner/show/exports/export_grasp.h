@@ -7,6 +7,7 @@
 
 #include "sim/base/pose.h"
 #include "sim/motion/control/trajectory.h"
+#include "sim/robot/robot.h"
 
 namespace prehend {
 
@@ -28,6 +29,7 @@ struct ExportGrasp {
   Pose X_OH = Pose::Identity();         // the hand's base in the object's frame
   Pose X_WH = Pose::Identity();         // and in the world's
   std::string preshape;                 // empty: none
+  ClosingStrategy strategy;             // how the hand closes
   std::vector<double> dofs;             // of the closed hand, in the order of hand_dofs [rad or m]
   std::vector<double> pregrasp_joints;  // in the order of hand_joints [rad or m]
   std::vector<double> closed_joints;

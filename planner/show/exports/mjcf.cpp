@@ -12,6 +12,7 @@
 #include "sim/base/index.h"
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
+#include "sim/motion/dynamic_grasp/closing.h"
 #include "sim/motion/placed_contact.h"
 
 namespace prehend {
@@ -53,6 +54,8 @@ class MjcfWriter {
   void write_keyframes();
   std::vector<double> closing_efforts() const;
   std::vector<double> bearing_efforts(const Pose& X_WH, const std::vector<double>& joints) const;
+  std::vector<double> efforts_of_stage(const Closing& closing, int stage,
+                                       std::vector<double> bearing) const;
   void write_key(const std::string& name, const Pose& X_WH, const std::vector<double>& joints,
                  const std::vector<double>& efforts);
   double friction(const std::string& material, Material other) const;
@@ -361,6 +364,16 @@ std::vector<double> MjcfWriter::bearing_efforts(const Pose& X_WH,
   return efforts;
 }
 
+// Of a stage before everything closes with its largest effort: what waits bears its weight.
+std::vector<double> MjcfWriter::efforts_of_stage(const Closing& closing, int stage,
+                                                 std::vector<double> bearing) const {
+  for (const HandDrive& drive : drives_.drives) {
+    const double part = closing.effort_in(stage, index(hand_.joints[index(drive.joint)].dof));
+    if (part > 0.0) bearing[index(drive.joint)] = part * drive.closing;
+  }
+  return bearing;
+}
+
 // `efforts` of the joints whose drives close; others are told where to be.
 void MjcfWriter::write_key(const std::string& name, const Pose& X_WH,
                            const std::vector<double>& joints, const std::vector<double>& efforts) {
@@ -396,6 +409,11 @@ void MjcfWriter::write_keyframes() {
   xml_.open("keyframe");
   write_key("grasp", grasp_.X_WH, grasp_.closed_joints, closing_efforts());
   write_key("pregrasp", X_WP, open, bearing_efforts(X_WP, open));
+  const Closing closing(hand_, grasp_.strategy);
+  for (int stage = 0; stage < closing.stages(); ++stage) {
+    write_key("closing_" + std::to_string(stage + 1), grasp_.X_WH, open,
+              efforts_of_stage(closing, stage, bearing_efforts(grasp_.X_WH, open)));
+  }
   xml_.close();
 }
 

@@ -32,7 +32,8 @@ void for_each_setting(Options& options, const Visit& visit) {
         "Where the scene has obstacles to stand on; else there is none.");
   visit("settle", settle, kAtLeast0, "s",
         "Longest time in which the object comes to rest at first.");
-  visit("close", close, kAbove0, "s", "Longest time in which the hand closes.");
+  visit("close", close, kAbove0, "s",
+        "Longest time in which the hand closes, or ends a stage of its strategy.");
   visit("lift", lift, kAtLeast0, "m",
         "How far the closed hand rises, if the object stands on something; 0: not.");
   visit("lift_time", lift_time, kAbove0, "s", "Time in which it rises.");

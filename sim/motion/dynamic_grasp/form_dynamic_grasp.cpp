@@ -1,6 +1,7 @@
 #include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
@@ -17,10 +18,13 @@ namespace {
 
 class DynamicGraspRun {
  public:
-  DynamicGraspRun(World world, const WorldHand& hand, const DynamicGraspOptions& options,
+  DynamicGraspRun(World world, const WorldHand& hand, const Robot& as_hand,
+                  const ClosingStrategy& closing, const DynamicGraspOptions& options,
                   const RunContext& context)
       : world_(std::move(world)),
         hand_(hand),
+        as_hand_(as_hand),
+        closing_(as_hand, closing),
         options_(options),
         context_(context),
         watch_(world_, hand) {}
@@ -96,20 +100,29 @@ class DynamicGraspRun {
   }
 
   // Until everything rests, the object is lost, or the time is over. False where a step failed.
-  bool wait(double seconds) {
+  // `after` each step, with the time that it took.
+  bool wait(double seconds, const std::function<void(double)>& after = {}) {
     Resting resting;
     for (double time = 0.0; time < seconds - 1e-9;) {
       const double done = step(seconds - time);
       if (done == 0.0) return false;
       time += done;
       if (resting.look(world_, hand_, done) || is_lost()) break;
+      if (after) after(done);
     }
     return true;
   }
 
+  void drive() { set_hand_drives(closing_drives(*robot().model, hand_, closing_), hand_, robot()); }
+
   bool close() {
-    set_hand_drives(closing_drives(*robot().model, hand_), hand_, robot());
-    return wait(options_.close) && !is_lost();
+    drive();
+    const bool moved = wait((1 + closing_.stages()) * options_.close, [&](double done) {
+      if (closing_.is_full()) return;
+      closing_.look(closing_state(world_, hand_, as_hand_), done);
+      drive();
+    });
+    return moved && !is_lost();
   }
 
   void lift() {
@@ -129,6 +142,8 @@ class DynamicGraspRun {
 
   World world_;
   const WorldHand& hand_;
+  const Robot& as_hand_;
+  Closing closing_;
   const DynamicGraspOptions& options_;
   const RunContext& context_;
   ObjectWatch watch_;
@@ -157,7 +172,9 @@ DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
     formation.last = StepOutcome::blocked;
     return formation;
   }
-  return DynamicGraspRun(std::move(world), place, options, context).run();
+  return DynamicGraspRun(std::move(world), place, scene.scene.hand, start.strategy, options,
+                         context)
+      .run();
 }
 
 }  // namespace prehend

@@ -9,6 +9,7 @@
 #include "sim/motion/dynamic_grasp/dynamic_grasp_options.h"
 #include "sim/motion/dynamic_grasp/object_watch.h"
 #include "sim/motion/step_outcome.h"
+#include "sim/robot/robot.h"
 
 namespace prehend {
 
@@ -19,6 +20,7 @@ struct DynamicGraspStart {
   Pose X_WH = Pose::Identity();
   std::vector<double> dofs;    // of the hand [rad or m]
   std::vector<double> joints;  // empty: as the degrees of freedom say
+  ClosingStrategy strategy = {};
 };
 
 // How the grasp has formed.

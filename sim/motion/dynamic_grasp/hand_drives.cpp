@@ -23,6 +23,19 @@ std::vector<Drive> closing_drives(const RobotModel& model, const WorldHand& hand
   return drives;
 }
 
+std::vector<Drive> closing_drives(const RobotModel& model, const WorldHand& hand,
+                                  const Closing& closing) {
+  std::vector<Drive> drives = closing_drives(model, hand);
+  for (Drive& drive : drives) {
+    const double part = closing.effort(index(drive.dof - hand.first_dof));
+    if (part == 0.0)
+      drive.target_rate = 0.0;
+    else
+      drive.max_effort *= part;
+  }
+  return drives;
+}
+
 std::vector<Drive> opening_drives(const RobotModel& model, const WorldHand& hand,
                                   const Eigen::VectorXd& now, const std::vector<double>& open) {
   constexpr double kSlowing = 0.02;  // before the end, so that it is not overshot [s]

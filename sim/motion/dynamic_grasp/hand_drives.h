@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "sim/motion/dynamic_grasp/closing.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 
 namespace prehend {
@@ -14,6 +15,10 @@ std::vector<Drive> holding_drives(const RobotModel& model, const WorldHand& hand
 // Drives that close every degree of freedom with a closing velocity until it presses with its
 // largest effort, and hold the others where they are.
 std::vector<Drive> closing_drives(const RobotModel& model, const WorldHand& hand);
+
+// Drives that do what `closing` says next.
+std::vector<Drive> closing_drives(const RobotModel& model, const WorldHand& hand,
+                                  const Closing& closing);
 
 // Drives that take the hand to a posture (`open`, its degrees of freedom) at its closing
 // velocities, and hold it there. `now`: coordinates of the robot.

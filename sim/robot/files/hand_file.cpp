@@ -49,6 +49,42 @@ Preshape read_preshape(const JsonField& field, const FileUnits& units, const Rob
   return preshape;
 }
 
+ClosingStrategy read_strategy(const JsonField& field, const Robot& robot) {
+  field.allow_only({"name", "first", "waits", "effort"});
+  ClosingStrategy strategy;
+  strategy.name = field["name"].text();
+  if (field.has("first")) {
+    for (const JsonField& item : field["first"].items()) {
+      const std::size_t d = find_dof(item, item.text(), robot);
+      if (robot.dofs[d].closing_velocity == 0.0) item.fail("has no closing velocity");
+      strategy.first.push_back(static_cast<int>(d));
+    }
+  }
+  if (field.has("waits")) strategy.waits = field["waits"].boolean();
+  strategy.effort = field.number_or("effort", strategy.effort);
+  if (!(strategy.effort > 0.0 && strategy.effort <= 1.0)) {
+    field["effort"].fail("must be above 0 and at most 1");
+  }
+  if (strategy.first.empty() && !strategy.waits && strategy.effort == 1.0) {
+    field.fail("closes all at once, as every hand does: needs first, waits or effort");
+  }
+  return strategy;
+}
+
+// A list of what has names, no two of them the same.
+template <typename T>
+std::vector<T> read_named(const JsonField& list, auto read) {
+  std::vector<T> named;
+  for (const JsonField& item : list.items()) {
+    T one = read(item);
+    for (const T& other : named) {
+      if (other.name == one.name) item["name"].fail("name used twice");
+    }
+    named.push_back(std::move(one));
+  }
+  return named;
+}
+
 }  // namespace
 
 double value_unit(const Robot& robot, std::size_t dof, const FileUnits& units) {
@@ -60,11 +96,15 @@ double value_unit(const Robot& robot, std::size_t dof, const FileUnits& units) {
 }
 
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot) {
-  field.allow_only({"approach", "closing", "origin", "preshapes"});
+  field.allow_only({"approach", "closing", "origin", "preshapes", "strategies"});
   Hand hand;
   hand.approach = field["approach"].direction();
   hand.origin = field["origin"].vector3() * units.length;
   hand.closing = Vector3::Zero();
+  if (field.has("strategies")) {
+    hand.strategies = read_named<ClosingStrategy>(
+        field["strategies"], [&](const JsonField& item) { return read_strategy(item, robot); });
+  }
   if (!field.has("preshapes") && !field.has("closing")) return hand;
   const JsonField closing = field["closing"];
   hand.closing = closing.direction();
@@ -73,13 +113,8 @@ Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robo
   }
   if (!field.has("preshapes")) return hand;
   const JsonField preshapes = field["preshapes"];
-  for (const JsonField& item : preshapes.items()) {
-    Preshape preshape = read_preshape(item, units, robot);
-    for (const Preshape& other : hand.preshapes) {
-      if (other.name == preshape.name) item["name"].fail("name used twice");
-    }
-    hand.preshapes.push_back(std::move(preshape));
-  }
+  hand.preshapes = read_named<Preshape>(
+      preshapes, [&](const JsonField& item) { return read_preshape(item, units, robot); });
   if (hand.preshapes.empty()) preshapes.fail("a hand needs at least one preshape");
   return hand;
 }

@@ -115,6 +115,14 @@ Json exempt_json(const Robot& robot) {
   return pairs;
 }
 
+Json strategy_json(const Robot& robot, const ClosingStrategy& strategy) {
+  Json json{{"name", strategy.name}};
+  for (const int dof : strategy.first) json["first"].push_back(robot.dofs[index(dof)].name);
+  if (strategy.waits) json["waits"] = true;
+  if (strategy.effort < 1.0) json["effort"] = strategy.effort;
+  return json;
+}
+
 }  // namespace
 
 Json motion_json(const DegreeOfFreedom& dof) {
@@ -148,6 +156,9 @@ Json hand_json(const Robot& robot) {
                                  {"dofs", dofs},
                                  {"width", {preshape.min_width, preshape.max_width}},
                                  {"depth", preshape.depth}});
+  }
+  for (const ClosingStrategy& strategy : hand.strategies) {
+    json["strategies"].push_back(strategy_json(robot, strategy));
   }
   return json;
 }

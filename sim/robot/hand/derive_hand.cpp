@@ -183,8 +183,14 @@ Robot with_derived_hand(Robot robot, const StatedHand& stated) {
   SelfCollision collision(robot);
   exempt_always_colliding(closing, best, collision, robot);
   const HandAxes axes = find_hand_axes(robot, parts, closing, best, stated, collision);
-  Hand hand{
-      .approach = axes.approach, .closing = axes.closing, .origin = axes.origin, .preshapes = {}};
+  // A fifth of the effort moves what an ordinary finger is to move, and pushes an object that the
+  // others do not hold yet a fifth as hard.
+  constexpr double kGentle = 0.2;
+  Hand hand{.approach = axes.approach,
+            .closing = axes.closing,
+            .origin = axes.origin,
+            .preshapes = {},
+            .strategies = {{.name = "gentle", .effort = kGentle}}};
   const PreshapeMeasure measure(robot, parts, closing, hand, collision);
   const auto add = [&](const std::string& name, const Opposition& opening, double part) {
     if (hand.preshapes.size() >= kMostPreshapes) return;

@@ -3,6 +3,7 @@
 
 #include "planner/plan/free_grasps.h"
 #include "planner/plan/plan.h"
+#include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/trial/close_dynamic.h"
 #include "tests/support/library_scenes.h"
 
@@ -66,6 +67,31 @@ TEST(FreeGrasps, LeaveOutWhatLosesTheObject) {
   for (const ScoredGrasp& grasp : result.grasps) {
     if (grasp.free) EXPECT_TRUE(keeps_object(scene, *grasp.free));
   }
+}
+
+// Some of these are kept by another strategy of the hand, and only by that.
+TEST(FreeGrasps, CloseByAnotherStrategyWhereAllAtOnceLosesTheObject) {
+  const CompiledScene scene = test::compiled_library_scene("mug_on_table");
+  PlanOptions options = few_trials();
+  options.free_closing = 0;
+  options.search.trials = 400;
+  options.rank.top = 24;
+  PlanResult result = plan(scene, options);
+  options.free_closing = 12;
+  options.rank.pool = 2.0;
+  free_grasps(scene, options, {}, result);
+  const auto hand = hand_model(scene);
+  int others = 0;
+  for (const ScoredGrasp& grasp : result.grasps) {
+    if (!grasp.candidate.strategy) continue;
+    ++others;
+    ASSERT_TRUE(grasp.free && keeps_object(scene, *grasp.free));
+    Candidate at_once = grasp.candidate;
+    at_once.strategy.reset();
+    const Trial lost = closed_freely(scene, hand, at_once, grasp.trial, options.trial);
+    EXPECT_FALSE(keeps_object(scene, lost));
+  }
+  EXPECT_GT(others, 0);
 }
 
 TEST(FreeGrasps, StayAsTheyAreWhenCancelled) {

@@ -80,6 +80,15 @@ inline void expect_same_hand(const Robot& a, const Robot& b) {
     EXPECT_EQ(one.max_width, other.max_width) << one.name;
     EXPECT_EQ(one.depth, other.depth) << one.name;
   }
+  ASSERT_EQ(a.hand->strategies.size(), b.hand->strategies.size());
+  for (std::size_t s = 0; s < a.hand->strategies.size(); ++s) {
+    const ClosingStrategy& one = a.hand->strategies[s];
+    const ClosingStrategy& other = b.hand->strategies[s];
+    EXPECT_EQ(one.name, other.name);
+    EXPECT_EQ(one.first, other.first) << one.name;
+    EXPECT_EQ(one.waits, other.waits) << one.name;
+    EXPECT_EQ(one.effort, other.effort) << one.name;
+  }
 }
 
 // All but the notes.
