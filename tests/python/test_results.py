@@ -87,6 +87,16 @@ class Notebook(unittest.TestCase):
         self.assertEqual(rows["outcome"], "no_contact")
         self.assertEqual(rows["what it means"], prehend.Outcome.no_contact.__doc__)
 
+    def test_a_candidate_says_by_which_strategy_the_hand_closes(self):
+        grasp = self.result[0]
+        asked = prehend.Candidate(grasp.X_OH, preshape=grasp.preshape, strategy="gentle")
+        trial = planning.run_trial(self.result.scene, asked)
+        self.assertEqual(trial.candidate.strategy, "gentle")
+        self.assertIsNone(grasp.candidate.strategy)
+        unknown = prehend.Candidate(grasp.X_OH, preshape=grasp.preshape, strategy="rough")
+        with self.assertRaisesRegex(prehend.InputError, "strategy.*not one of gentle, thumb_first"):
+            planning.run_trial(self.result.scene, unknown)
+
     def test_a_plan_without_a_grasp_shows_the_outcomes(self):
         ring = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]) * 1.0
         faces = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1]]

@@ -54,6 +54,7 @@ ScoredGrasp some_grasp(const CompiledScene& scene) {
   hard.point = {{-0.01, 0.02, 0.03}, -Vector3::UnitX(), 0.5};
   grasp.trial.contacts = {contact, hard};
   grasp.candidate.preshape = 1;
+  grasp.candidate.strategy = 1;
   grasp.candidate.approach_O = Vector3(0.6, 0.0, 0.8);
   grasp.candidate.approach_distance = 0.2;
   grasp.volume = 0.0625;
@@ -276,6 +277,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "grasps[0].contacts[1].model: must be one of frictionless, point, soft_finger"},
         Mistake{"Outcome", "/grasps/0/outcome", R"("Stable")",
                 "grasps[0].outcome: must be one of stable, not_force_closure, no_contact"},
+        Mistake{"Strategy", "/grasps/0/strategy", R"("rough")",
+                "grasps[0].strategy: must be one of gentle, thumb_first"},
         Mistake{"Preshape", "/grasps/0/preshape", R"("spread")",
                 "grasps[0].preshape: must be one of spread_0, "},
         Mistake{"Normal", "/grasps/0/contacts/1/normal", "[0, 0, 2]",

@@ -1,8 +1,11 @@
 #include "planner/show/exports/mjcf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -107,6 +110,44 @@ INSTANTIATE_TEST_SUITE_P(Library, MjcfOfHand,
                          testing::Values("barrett", "franka_hand", "parallel_jaw", "robotiq_2f85",
                                          "robotiq_3f", "shadow_like", "allegro"),
                          [](const auto& of) { return std::string(of.param); });
+
+// The numbers of `ctrl` in the keyframe of this name.
+std::vector<double> efforts_of(const std::string& text, const std::string& key) {
+  const std::size_t begin = text.find("<key name=\"" + key + "\"");
+  if (begin == std::string::npos) return {};
+  const std::string ctrl = "ctrl=\"";
+  const std::size_t first = text.find(ctrl, begin) + ctrl.size();
+  std::istringstream numbers(text.substr(first, text.find('"', first) - first));
+  return {std::istream_iterator<double>(numbers), {}};
+}
+
+// In each stage what closes works with its part of its effort, and what waits bears its weight.
+TEST(Mjcf, AStrategyIsAKeyframeForEachStage) {
+  const CompiledScene scene = test::compiled(find_robot("barrett"), make_box({0.03, 0.04, 0.05}));
+  const MjcfShapes shapes = mjcf_shapes(scene, kCoarse);
+  ExportGrasp grasp = half_closed(scene);
+  EXPECT_TRUE(efforts_of(mjcf_text(scene, shapes, grasp), "closing_1").empty());
+  grasp.strategy = {.name = "thumb_first", .first = {3}, .effort = 0.5};
+  const std::string text = mjcf_text(scene, shapes, grasp);
+  const std::vector<double> closed = efforts_of(text, "grasp");
+  const std::vector<double> first = efforts_of(text, "closing_1");
+  const std::vector<double> second = efforts_of(text, "closing_2");
+  EXPECT_TRUE(efforts_of(text, "closing_3").empty());
+  const HandDrives drives = hand_drives(scene.scene.hand);
+  ASSERT_EQ(closed.size(), drives.drives.size());
+  ASSERT_EQ(first.size(), closed.size());
+  ASSERT_EQ(second.size(), closed.size());
+  for (std::size_t d = 0; d < closed.size(); ++d) {
+    const HandDrive& drive = drives.drives[d];
+    if (drive.closing == 0.0) continue;
+    const int dof = scene.scene.hand.joints[static_cast<std::size_t>(drive.joint)].dof;
+    EXPECT_NEAR(second[d], 0.5 * closed[d], 1e-9);
+    if (dof == 3)
+      EXPECT_NEAR(first[d], 0.5 * closed[d], 1e-9);
+    else
+      EXPECT_LT(std::abs(first[d]), 0.1 * closed[d]);
+  }
+}
 
 TEST(Mjcf, DrivesAndCouplingsAreThoseOfTheHand) {
   const HandDrives jaw = hand_drives(find_robot("parallel_jaw"));
