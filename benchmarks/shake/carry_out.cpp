@@ -1,12 +1,13 @@
 // Whether grasps are what they promise where the object is free on a table, in MuJoCo's opinion:
 //
-//   carry_out [--grasps N] [--trials N] [--hand NAME]... OBJECT...
+//   carry_out [--grasps N] [--trials N] [--hand NAME]... [--list] OBJECT...
 //
 // An object is a mesh file or a generated object ("bowl"); it stands on a table. The hand begins at
 // the grasp, open, closes with the efforts of the exported file, rises by 20 cm, shakes mildly and
 // holds for 5 s. For each hand: of the best grasps of plans how many survive; and of the best
 // grasps by the epsilon of an object that stands still, how many survive, and for how many of them
-// closing on a free object (free_grasps) says the same. Each disagreement has a line.
+// closing on a free object (free_grasps) says the same. Each disagreement has a line; with --list
+// each grasp of plans.
 #include <cstdio>
 #include <exception>
 #include <string>
@@ -28,6 +29,7 @@ namespace {
 struct Arguments {
   int grasps = 5;
   int trials = 800;
+  bool list = false;
   std::vector<std::string> hands;
   std::vector<std::string> objects;
 };
@@ -43,6 +45,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       arguments.grasps = std::stoi(value());
     else if (words[i] == "--trials")
       arguments.trials = std::stoi(value());
+    else if (words[i] == "--list")
+      arguments.list = true;
     else if (words[i] == "--hand")
       arguments.hands.push_back(value());
     else
@@ -115,8 +119,8 @@ class HandRun {
   }
 
  private:
-  static void count(const ShakeCase& shaken, const ShakenGrasp& grasp, const char* of,
-                    Tally& tally) {
+  void count(const ShakeCase& shaken, const ShakenGrasp& grasp, const char* of,
+             Tally& tally) const {
     MujocoRun run;
     run.clutches = true;
     run.start.open = true;
@@ -128,15 +132,21 @@ class HandRun {
     ++tally.grasps;
     tally.survived += survived ? 1 : 0;
     tally.agreed += survived == predicted ? 1 : 0;
-    if (survived == predicted) return;
+    if (survived == predicted && !(arguments_.list && &tally == &free_)) return;
     const ShakeTestResult& test = result.tests.empty() ? result.prepare : result.tests.front();
-    std::printf("  %-24s %-5s rank %d%s%s: here %s, in MuJoCo %s in phase %zu (moved %.1f mm)\n",
-                shaken.name.c_str(), of, grasp.rank,
-                strategy_of(hand, grasp.grasp.candidate).name.empty() ? "" : ", ",
-                strategy_of(hand, grasp.grasp.candidate).name.c_str(),
-                grasp.grasp.free ? std::string(name_of(grasp.grasp.free->outcome)).c_str() : "-",
-                std::string(name_of(test.phases.back().failure)).c_str(), test.phases.size(),
-                1e3 * test.phases.front().measure.moved);
+    const std::optional<FreeEnd> end =
+        grasp.grasp.free ? free_end(shaken.scene, *grasp.grasp.free) : std::nullopt;
+    const std::string strategy = strategy_of(hand, grasp.grasp.candidate).name;
+    std::printf(
+        "  %-24s %-5s rank %d%s%s: here %s, epsilon %.3f, moved %.1f mm; in MuJoCo %s in phase "
+        "%zu, "
+        "moved %.1f mm\n",
+        shaken.name.c_str(), of, grasp.rank, strategy.empty() ? "" : ", ", strategy.c_str(),
+        grasp.grasp.free ? std::string(name_of(grasp.grasp.free->outcome)).c_str() : "-",
+        end ? end->epsilon : 0.0, end ? 1e3 * end->moved : 0.0,
+        std::string(name_of(test.phases.back().failure)).c_str(), test.phases.size(),
+        1e3 * test.phases.front().measure.moved);
+    std::fflush(stdout);
   }
 
   std::string hand_;

@@ -96,7 +96,8 @@ class CaseRun {
   void plan_and_judge() {
     const std::optional<PlanResult> result = planned();
     if (!result) return;
-    append_faults(test::judge_plan(*result, made_.options), "plan");
+    append_faults(test::judge_plan(*result, made_.options, scene_->wrench_frame.torque_origin),
+                  "plan");
     around_.emplace(made_.known.scene);
     for (std::size_t i = 0; i < result->grasps.size(); ++i) {
       if (interrupted_()) return;

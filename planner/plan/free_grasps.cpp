@@ -28,22 +28,26 @@ bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& 
   return true;
 }
 
-// Whether the object ends in force closure. What is only carried, by what it lies on or hangs from,
-// is easily lost.
-bool is_firm(const ScoredGrasp& grasp) {
-  return grasp.free && grasp.free->outcome == Outcome::stable;
+// Whether the object ends in force closure, near to where it stood. What is only carried, by what
+// it lies on or hangs from, is easily lost, and where an object ends that was pushed farther than a
+// finger is wide depends on what nobody knows so well (docs/how-to/benchmarks.md).
+bool is_firm(const CompiledScene& scene, const ScoredGrasp& grasp) {
+  constexpr double kFar = 0.02;  // m
+  if (!grasp.free || grasp.free->outcome != Outcome::stable) return false;
+  const std::optional<FreeEnd> end = free_end(scene, *grasp.free);
+  return end && end->moved < kFar;
 }
 
 // The same; unless the object is held firmly, by the first other strategy of the hand that does so.
 bool close_somehow(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                    const TrialOptions& options, const RunContext& context, ScoredGrasp& grasp) {
   if (!close(scene, hand, options, context, grasp)) return false;
-  if (is_firm(grasp) || grasp.candidate.strategy) return true;
+  if (is_firm(scene, grasp) || grasp.candidate.strategy) return true;
   ScoredGrasp other = grasp;
   for (std::size_t k = 0; k < scene.scene.hand.hand->strategies.size(); ++k) {
     other.candidate.strategy = static_cast<int>(k);
     if (!close(scene, hand, options, context, other)) return true;
-    if (!is_firm(other)) continue;
+    if (!is_firm(scene, other)) continue;
     grasp = std::move(other);
     break;
   }
@@ -91,14 +95,15 @@ class FreeClosing {
     return grasp.free && keeps_object(scene_, *grasp.free);
   }
 
-  static std::size_t firm(const std::vector<ScoredGrasp>& grasps, std::size_t tried) {
+  std::size_t firm(const std::vector<ScoredGrasp>& grasps, std::size_t tried) const {
     return static_cast<std::size_t>(
-        std::count_if(grasps.begin(), grasps.begin() + difference(tried), is_firm));
+        std::count_if(grasps.begin(), grasps.begin() + difference(tried),
+                      [&](const ScoredGrasp& grasp) { return is_firm(scene_, grasp); }));
   }
 
   void try_one(ScoredGrasp& grasp) {
     if (!close_somehow(scene_, hand_, options_.trial, context_, grasp)) return;
-    if (!context_.progress || !is_firm(grasp)) return;
+    if (!context_.progress || !is_firm(scene_, grasp)) return;
     const std::lock_guard lock(progress_lock_);
     ++progress_.done;
     context_.progress(progress_);
@@ -113,8 +118,11 @@ class FreeClosing {
         grasps.begin(), end, [&](const ScoredGrasp& grasp) { return !grasp.free || keeps(grasp); });
     std::for_each(lost, end, [&](const ScoredGrasp& grasp) { count_as_lost(grasp); });
     if (options_.rank.by == RankBy::epsilon) {
-      std::stable_sort(grasps.begin(), lost, [](const ScoredGrasp& a, const ScoredGrasp& b) {
-        return (a.free ? a.free->epsilon.lower : -1.0) > (b.free ? b.free->epsilon.lower : -1.0);
+      const auto place = [&](const ScoredGrasp& grasp) {
+        return std::pair(is_firm(scene_, grasp), grasp.free ? grasp.free->epsilon.lower : -1.0);
+      };
+      std::stable_sort(grasps.begin(), lost, [&](const ScoredGrasp& a, const ScoredGrasp& b) {
+        return place(a) > place(b);
       });
     }
     grasps.erase(lost, end);

@@ -59,7 +59,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit({"rank", ""}, rank, "Which grasps are returned.");
   visit("free_closing", free_closing, kAtLeast0, "",
         "So many grasps (with robustness: all) come first that hold an object that is free to move "
-        "while they close, by the epsilon where it ends; those that lose it are left out.");
+        "firmly, by the epsilon where it ends; those that lose it are left out.");
   visit.unlisted(
       "paths", paths,
       "Set: a path of the arm is planned for each grasp, and grasps without one are left "

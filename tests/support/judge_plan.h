@@ -20,15 +20,22 @@ inline bool same_pose(const Pose& a, const Pose& b, const RankOptions& options) 
          angle <= 0.999999 * options.same_angle;
 }
 
-// Grasps closed on a free object come first, by the epsilon where that ended; then the others.
-inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other) {
-  if (grasp.free.has_value() != other.free.has_value()) return grasp.free.has_value();
+// Grasps that hold a free object in force closure, its point center_O moved by less than 20 mm,
+// come first, then the others that were closed on one, both by the epsilon where it ended; then the
+// rest.
+inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other, const Vector3& center_O) {
+  const auto place = [&](const ScoredGrasp& of) {
+    if (!of.free) return 2;
+    const bool near = of.free->X_OC && (*of.free->X_OC * center_O - center_O).norm() < 0.02;
+    return near && of.free->outcome == Outcome::stable ? 0 : 1;
+  };
+  if (place(grasp) != place(other)) return place(grasp) < place(other);
   return grasp.free ? grasp.free->epsilon.lower > other.free->epsilon.lower
                     : grasp.trial.epsilon.lower > other.trial.epsilon.lower;
 }
 
 inline void judge_order(const PlanResult& result, const PlanOptions& options,
-                        std::vector<Fault>& faults) {
+                        const Vector3& center_O, std::vector<Fault>& faults) {
   if (result.grasps.size() > static_cast<std::size_t>(options.rank.top)) {
     faults.push_back({"rank", "more grasps than were asked for"});
   }
@@ -40,7 +47,7 @@ inline void judge_order(const PlanResult& result, const PlanOptions& options,
       faults.push_back({"rank", name + " has no volume"});
     }
     for (std::size_t k = 0; k < i; ++k) {
-      if (is_better(result.grasps[i], result.grasps[k])) {
+      if (is_better(result.grasps[i], result.grasps[k], center_O)) {
         faults.push_back({"rank", name + " is better than grasp " + std::to_string(k)});
       }
       if (same_pose(result.grasps[k].trial.X_OH, trial.X_OH, options.rank)) {
@@ -82,9 +89,11 @@ inline void judge_counts(const PlanResult& result, const PlanOptions& options,
   }
 }
 
-inline std::vector<Fault> judge_plan(const PlanResult& result, const PlanOptions& options) {
+// `center_O`: the object's centre of mass.
+inline std::vector<Fault> judge_plan(const PlanResult& result, const PlanOptions& options,
+                                     const Vector3& center_O) {
   std::vector<Fault> faults;
-  judge_order(result, options, faults);
+  judge_order(result, options, center_O, faults);
   judge_counts(result, options, faults);
   return faults;
 }
