@@ -83,6 +83,7 @@ struct MujocoWorld::Data {
   double start_opened = 0.0;
   std::vector<Lock> locks;
   std::vector<double> efforts;  // of each joint, the part of its largest
+  std::vector<double> held;     // where each joint was when that became 0 [rad or m]
   Pose X_WH = Pose::Identity();
   Twist velocity;
   Pose kept_X_WH = Pose::Identity();
@@ -231,6 +232,7 @@ MujocoWorld::MujocoWorld(const std::string& mjcf) : data_(std::make_unique<Data>
   data_->find_bodies();
   data_->make_base_heavy();
   data_->efforts.assign(static_cast<std::size_t>(data_->model->njnt), 1.0);
+  data_->held.assign(data_->efforts.size(), 0.0);
 }
 
 MujocoWorld::~MujocoWorld() = default;
@@ -309,7 +311,12 @@ void MujocoWorld::start(const StartOptions& options) {
 void MujocoWorld::close() { data_->drive = Data::Drive::closing; }
 
 void MujocoWorld::set_effort(const std::string& joint, double part) {
-  data_->efforts[static_cast<std::size_t>(data_->joint(joint))] = part;
+  const int at = data_->joint(joint);
+  double& effort = data_->efforts[static_cast<std::size_t>(at)];
+  if (part == 0.0 && effort > 0.0) {
+    data_->held[static_cast<std::size_t>(at)] = data_->state->qpos[data_->model->jnt_qposadr[at]];
+  }
+  effort = part;
 }
 
 void MujocoWorld::open() {
@@ -336,11 +343,11 @@ void MujocoWorld::step_to(const Pose& X_WH) {
   for (int j = 0; j < model->njnt; ++j) {
     if (model->jnt_type[j] == mjJNT_FREE) continue;
     const auto q = static_cast<std::size_t>(model->jnt_qposadr[j]);
+    const auto of = static_cast<std::size_t>(j);
     const bool still = data_->drive == Data::Drive::still;
-    if (still) state->qpos[q] = data_->start_joints[q];
-    if (still || data_->efforts[static_cast<std::size_t>(j)] == 0.0) {
-      state->qvel[model->jnt_dofadr[j]] = 0.0;
-    }
+    if (!still && data_->efforts[of] > 0.0) continue;
+    state->qpos[q] = still ? data_->start_joints[q] : data_->held[of];
+    state->qvel[model->jnt_dofadr[j]] = 0.0;
   }
   data_->drive_joints();
   // What gives the base its next velocity: contacts are found with that, not with a base that

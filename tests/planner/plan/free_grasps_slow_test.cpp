@@ -69,8 +69,8 @@ TEST(FreeGrasps, LeaveOutWhatLosesTheObject) {
   }
 }
 
-// Some of these are kept by another strategy of the hand, and only by that.
-TEST(FreeGrasps, CloseByAnotherStrategyWhereAllAtOnceLosesTheObject) {
+// Some of these are held firmly by another strategy of the hand, and only by that.
+TEST(FreeGrasps, CloseByAnotherStrategyWhereAllAtOnceDoesNotHoldFirmly) {
   const CompiledScene scene = test::compiled_library_scene("mug_on_table");
   PlanOptions options = few_trials();
   options.free_closing = 0;
@@ -81,15 +81,18 @@ TEST(FreeGrasps, CloseByAnotherStrategyWhereAllAtOnceLosesTheObject) {
   options.rank.pool = 2.0;
   free_grasps(scene, options, {}, result);
   const auto hand = hand_model(scene);
+  const auto is_firm = [&](const Trial& free) {
+    return free.outcome == Outcome::stable && free_end(scene, free)->moved < 0.02;
+  };
   int others = 0;
   for (const ScoredGrasp& grasp : result.grasps) {
     if (!grasp.candidate.strategy) continue;
     ++others;
-    ASSERT_TRUE(grasp.free && keeps_object(scene, *grasp.free));
+    ASSERT_TRUE(grasp.free && is_firm(*grasp.free));
     Candidate at_once = grasp.candidate;
     at_once.strategy.reset();
     const Trial lost = closed_freely(scene, hand, at_once, grasp.trial, options.trial);
-    EXPECT_FALSE(keeps_object(scene, lost));
+    EXPECT_FALSE(is_firm(lost));
   }
   EXPECT_GT(others, 0);
 }
