@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kMillimetre = 1e-3;
 constexpr int kFingers = 3;
-// Distal links stand upright where 5 + q + 40 + q / 3 = 90 degrees.
-constexpr double kUpright = 33.75 * test::kDegree;
+// Distal links stand upright where 40 + q + q / 3 = 90 degrees.
+constexpr double kUpright = 37.5 * test::kDegree;
 
 class Barrett {
  public:
@@ -50,7 +50,7 @@ class Barrett {
   // The bend at which the tip is `radius` from the axis; reach falls all the way from upright.
   double bend_for(int finger, double radius) const {
     double open = kUpright;
-    double closed = 144.0 * test::kDegree;
+    double closed = 140.0 * test::kDegree;
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (open + closed);
       (reach(finger, middle) > radius ? open : closed) = middle;
