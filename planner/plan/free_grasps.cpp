@@ -33,9 +33,8 @@ bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& 
 // finger is wide depends on what nobody knows so well (docs/how-to/benchmarks.md).
 bool is_firm(const CompiledScene& scene, const ScoredGrasp& grasp) {
   constexpr double kFar = 0.02;  // m
-  if (!grasp.free || grasp.free->outcome != Outcome::stable) return false;
-  const std::optional<FreeEnd> end = free_end(scene, *grasp.free);
-  return end && end->moved < kFar;
+  return grasp.free && grasp.free->outcome == Outcome::stable &&
+         object_moved(scene, *grasp.free) < kFar;
 }
 
 // The same; unless the object is held firmly, by the first other strategy of the hand that does so.

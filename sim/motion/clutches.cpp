@@ -77,6 +77,18 @@ std::vector<Clutch> places_of_clutches(const Robot& robot) {
 
 }  // namespace
 
+Eigen::VectorXd joints_of_slip(const Robot& robot, const Clutch& clutch) {
+  Eigen::VectorXd column = Eigen::VectorXd::Zero(std::ssize(robot.joints));
+  for (const int k : clutch.joints) column[k] = robot.joints[index(k)].ratio;
+  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
+    const int across = robot.joints[j].across;
+    if (std::find(clutch.joints.begin(), clutch.joints.end(), across) == clutch.joints.end())
+      continue;
+    column[static_cast<Eigen::Index>(j)] -= robot.joints[index(across)].ratio;
+  }
+  return column;
+}
+
 Eigen::VectorXd stated_efforts(const Robot& robot) {
   Eigen::VectorXd efforts = Eigen::VectorXd::Zero(std::ssize(robot.dofs));
   for (const Joint& joint : robot.joints) {

@@ -24,6 +24,10 @@ struct Clutch {
   double gear_stiffness = 0.0;
 };
 
+// By how much each joint moves in a unit of the clutch's slip [-, or rad/m]: the joints of the
+// clutch by their ratios, and those whose drives pass them (Joint::across) back by the same.
+Eigen::VectorXd joints_of_slip(const Robot& robot, const Clutch& clutch);
+
 // The largest effort of each degree of freedom: what its joints may bear at most, each through its
 // ratio; 0 where none of them says [N m or N].
 Eigen::VectorXd stated_efforts(const Robot& robot);

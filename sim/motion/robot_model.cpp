@@ -81,10 +81,15 @@ void set_coordinates(RobotModel& model) {
   model.offset.resize(joints);
   for (Eigen::Index j = 0; j < joints; ++j) model.offset[j] = robot.joints[index(int(j))].offset;
   for (std::size_t c = 0; c < model.clutches.size(); ++c) {
-    for (const int j : model.clutches[c].joints) {
-      model.joints_of(j, dofs + static_cast<Eigen::Index>(c)) = robot.joints[index(j)].ratio;
-    }
+    model.joints_of.col(dofs + static_cast<Eigen::Index>(c)) =
+        joints_of_slip(robot, model.clutches[c]);
   }
+}
+
+bool has_clutch(const RobotModel& model, int joint) {
+  return std::any_of(model.clutches.begin(), model.clutches.end(), [&](const Clutch& clutch) {
+    return std::find(clutch.joints.begin(), clutch.joints.end(), joint) != clutch.joints.end();
+  });
 }
 
 // Only drives with clutches need an inertia of their own: where all their clutches slip, nothing
@@ -129,9 +134,8 @@ Eigen::VectorXd coordinates_at(const RobotModel& model, const std::vector<double
     const Eigen::Index column = row(static_cast<int>(d));
     const bool all_slip =
         std::all_of(model.robot.joints.begin(), model.robot.joints.end(), [&](const Joint& joint) {
-          if (joint.dof != static_cast<int>(d)) return true;
-          const auto j = static_cast<Eigen::Index>(&joint - model.robot.joints.data());
-          return !model.joints_of.row(j).tail(model.coordinates() - model.dofs()).isZero(0.0);
+          return joint.dof != static_cast<int>(d) ||
+                 has_clutch(model, static_cast<int>(&joint - model.robot.joints.data()));
         });
     if (!all_slip) continue;
     // Every joint has a clutch: the drive stands where it is said to be.

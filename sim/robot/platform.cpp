@@ -28,6 +28,7 @@ void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole)
     joint.name = named(joint.name);
     if (joint.parent < 0) joint.X_PJ = part.X_JR * joint.X_PJ;
     joint.parent = carried(joint.parent);
+    if (joint.across >= 0) joint.across = carried(joint.across);
     joint.dof += part.first_dof;
     joint.chain += first_chain;
     whole.joints.push_back(std::move(joint));

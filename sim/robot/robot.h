@@ -49,6 +49,10 @@ struct Joint {
   int dof = 0;         // the degree of freedom that drives it
   double ratio = 1.0;  // value = ratio * dof + offset
   double offset = 0.0;
+  // A joint before it, of the same degree of freedom, that its drive passes by cables or gears
+  // which begin before that joint; -1: none. What a clutch lets that one fall behind this one goes
+  // ahead.
+  int across = -1;
   int parent = -1;          // the joint before it towards the base, -1: none; parents stand first
   int chain = 0;            // the chain that it is part of
   double max_effort = 0.0;  // largest torque or force of its drive, 0: not said [N m or N]

@@ -95,6 +95,11 @@ bool keeps_object(const CompiledScene& scene, const Trial& free) {
          (free.outcome == Outcome::not_force_closure && scene.has_obstacles());
 }
 
+double object_moved(const CompiledScene& scene, const Trial& free) {
+  const Vector3& center_O = scene.wrench_frame.torque_origin;
+  return free.X_OC ? (*free.X_OC * center_O - center_O).norm() : 0.0;
+}
+
 std::optional<FreeEnd> free_end(const CompiledScene& scene, const Trial& free) {
   if (!free.X_OC || free.outcome == Outcome::not_simulated) return std::nullopt;
   FreeEnd end;
@@ -103,8 +108,7 @@ std::optional<FreeEnd> free_end(const CompiledScene& scene, const Trial& free) {
     end.epsilon = free.epsilon.lower;
     end.strength = weight_strength(scene, free);
   }
-  const Vector3& center_O = scene.wrench_frame.torque_origin;
-  end.moved = (*free.X_OC * center_O - center_O).norm();
+  end.moved = object_moved(scene, free);
   return end;
 }
 

@@ -33,6 +33,9 @@ Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const Robo
 // can be told: without something to rise from, only force closure tells.
 bool keeps_object(const CompiledScene& scene, const Trial& free);
 
+// How far the object's centre has moved in such a trial [m]; 0 where it did not begin.
+double object_moved(const CompiledScene& scene, const Trial& free);
+
 // How such a trial ended; nothing where the hand could not begin, or the simulation failed.
 std::optional<FreeEnd> free_end(const CompiledScene& scene, const Trial& free);
 

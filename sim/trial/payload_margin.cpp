@@ -62,23 +62,17 @@ DriveLoads drive_loads(const Robot& hand) {
     columns.push_back(column);
     limits.push_back(limit);
   };
-  const auto part = [&](const auto& takes) -> Eigen::VectorXd {
-    Eigen::VectorXd column = Eigen::VectorXd::Zero(std::ssize(hand.joints));
-    for (std::size_t j = 0; j < hand.joints.size(); ++j) {
-      if (takes(static_cast<int>(j))) column[static_cast<Eigen::Index>(j)] = hand.joints[j].ratio;
-    }
-    return column;
-  };
   for (int d = 0; d < static_cast<int>(hand.dofs.size()); ++d) {
     std::vector<Clutch> own;
     std::vector<Eigen::VectorXd> behind;  // each clutch
-    Eigen::VectorXd rest = part([&](int j) { return hand.joints[index(j)].dof == d; });
+    Eigen::VectorXd rest = Eigen::VectorXd::Zero(std::ssize(hand.joints));
+    for (std::size_t j = 0; j < hand.joints.size(); ++j) {
+      if (hand.joints[j].dof == d) rest[static_cast<Eigen::Index>(j)] = hand.joints[j].ratio;
+    }
     for (const Clutch& clutch : clutches) {
       if (clutch.dof != d) continue;
       own.push_back(clutch);
-      behind.push_back(part([&](int j) {
-        return std::find(clutch.joints.begin(), clutch.joints.end(), j) != clutch.joints.end();
-      }));
+      behind.push_back(joints_of_slip(hand, clutch));
       rest -= behind.back();
     }
     const bool is_known = efforts[d] > 0.0;

@@ -61,14 +61,22 @@ void add_breakaway(const Robot& hand, const std::vector<int>& joints,
     if (joint == leader) continue;
     const HandCoupling coupling{joint, leader, at.ratio / leads.ratio};
     if (const Clutch* clutch = clutch_of(clutches, joint)) {
-      found.clutches.push_back({coupling, clutch->effort / std::abs(at.ratio)});
+      // What the joint falls behind is its slip or, where the leader goes ahead by that, more.
+      const double behind =
+          leads.across == joint ? at.ratio * (leads.ratio + at.ratio) / leads.ratio : at.ratio;
+      found.clutches.push_back({coupling, clutch->effort / std::abs(behind)});
     } else {
       found.couplings.push_back(coupling);
     }
   }
-  effort = effort > 0.0 ? effort / std::abs(leads.ratio) : effort_without(hand, leader);
-  const double way = hand.dofs[index(leads.dof)].closing_velocity * leads.ratio;
-  found.drives.push_back({leader, effort, std::copysign(effort, way)});
+  const double velocity = hand.dofs[index(leads.dof)].closing_velocity;
+  // A drive that passes a joint turns what is behind both, by the sum of their angles.
+  const double passed = leads.across < 0 ? 0.0 : hand.joints[index(leads.across)].ratio;
+  const double ratio = leads.ratio + passed;
+  effort = effort > 0.0 ? effort / std::abs(ratio) : effort_without(hand, leader);
+  found.drives.push_back({leader, effort, std::copysign(effort, velocity * ratio)});
+  if (leads.across >= 0)
+    found.drives.push_back({leads.across, effort, std::copysign(effort, velocity * ratio)});
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct HandDrives {
 // The joints of a degree of freedom move together as they do from the grasp on: all of them where
 // their coupling is rigid or self-centering, else those of each finger (joints behind the same
 // first joint). Without clutches a joint that stopped before the others keeps its way behind them.
-// With them, its degree of freedom drives the first joint that has none. Each other joint whose
+// With them, its degree of freedom drives the first joint that has none, and the one that its drive
+// passes (Joint::across) as well. Each other joint whose
 // effort is stated has a drive; in a set of joints that move together without one, the first has a
 // drive, as strong as another of the same degree of freedom, else 20 N or 1 N m. `clutches`: those
 // of degrees of freedom that break away; those without one are as if they had none.

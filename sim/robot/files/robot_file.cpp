@@ -38,6 +38,7 @@ class RobotReader {
   void add_joint(const JsonField& field, int parent, const Pose& X_PC);
   void read_dof(const JsonField& field);
   void read_drive(const JsonField& field, int dof);
+  int read_across(const JsonField& field, int joint) const;
   void derive_limits(const JsonField& field, int dof);
   void read_chain_links(const JsonField& chain_field, const Chain& chain);
 
@@ -195,7 +196,7 @@ void RobotReader::read_dof(const JsonField& field) {
 }
 
 void RobotReader::read_drive(const JsonField& field, int dof) {
-  field.allow_only({"joint", "ratio", "offset"});
+  field.allow_only({"joint", "ratio", "offset", "across"});
   const JsonField name = field["joint"];
   const auto found = joint_index_.find(name.text());
   if (found == joint_index_.end()) name.fail("no joint of this name");
@@ -211,6 +212,21 @@ void RobotReader::read_drive(const JsonField& field, int dof) {
     field["ratio"].fail("must not be 0, the joint would never move");
   joint.offset = field.number_or("offset", 0.0) * unit_of(joint.type);
   joint.dof = dof;
+  if (field.has("across")) joint.across = read_across(field["across"], found->second);
+}
+
+// Drives are listed from the base on.
+int RobotReader::read_across(const JsonField& field, int joint) const {
+  const auto found = joint_index_.find(field.text());
+  if (found == joint_index_.end()) field.fail("no joint of this name");
+  for (int j = joint; j >= 0; j = robot_.joints[static_cast<std::size_t>(j)].parent) {
+    if (j == found->second && j != joint &&
+        robot_.joints[static_cast<std::size_t>(j)].dof ==
+            robot_.joints[static_cast<std::size_t>(joint)].dof) {
+      return j;
+    }
+  }
+  field.fail("must be a joint before this one, driven before it by the same degree of freedom");
 }
 
 // The values at which ratio * value + offset is inside the limits of every driven joint.

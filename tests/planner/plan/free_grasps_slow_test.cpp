@@ -82,7 +82,7 @@ TEST(FreeGrasps, CloseByAnotherStrategyWhereAllAtOnceDoesNotHoldFirmly) {
   free_grasps(scene, options, {}, result);
   const auto hand = hand_model(scene);
   const auto is_firm = [&](const Trial& free) {
-    return free.outcome == Outcome::stable && free_end(scene, free)->moved < 0.02;
+    return free.outcome == Outcome::stable && object_moved(scene, free) < 0.02;
   };
   int others = 0;
   for (const ScoredGrasp& grasp : result.grasps) {

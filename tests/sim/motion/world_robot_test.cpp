@@ -219,7 +219,9 @@ TEST(WorldRobot, DryFrictionHoldsAHangingRodBelowItsMoment) {
   }
 }
 
-// The clutches of the Barrett hand: a finger whose first joint is stopped goes on with its last.
+// The clutches of the Barrett hand: a finger whose first joint is stopped goes on with its last,
+// whose cables begin in the palm: 125 turns of the motor turn the first link once and the last one
+// 4/3 times as seen from the palm (Barrett, BH8-280 kinematics), whether the clutch slips or not.
 TEST(WorldRobot, AClutchLetsTheFingertipGoOn) {
   const Robot barrett = find_robot("barrett");
   const auto model = std::make_shared<const RobotModel>(make_robot_model(barrett));
@@ -238,9 +240,13 @@ TEST(WorldRobot, AClutchLetsTheFingertipGoOn) {
   run_all(world, 1.2, 2.5e-3);
   const Eigen::VectorXd q = joints_of(world.robots[0]);
   const WorldRobot& robot = world.robots[0];
-  EXPECT_LT(robot.x[6], -0.05);               // the clutch of the thumb has slipped
-  EXPECT_NEAR(q[7], robot.x[3] / 3.0, 1e-9);  // its last joint follows the drive
+  EXPECT_LT(robot.x[6], -0.05);                            // the clutch of the thumb has slipped
+  EXPECT_NEAR(q[6] + q[7], 4.0 / 3.0 * robot.x[3], 1e-9);  // its last link follows the drive
   EXPECT_NEAR(q[6], robot.x[3] + robot.x[6], 1e-9);
+  // Joints say where drive and clutch are.
+  const std::vector<double> joints(q.data(), q.data() + q.size());
+  const Eigen::VectorXd x = coordinates_at(*model, std::vector<double>(4, 0.0), joints);
+  EXPECT_LT((x - robot.x).norm(), 1e-9);
 }
 
 // A finger of two links whose first one can break away, 0.1 m each, that closes about y.

@@ -177,7 +177,9 @@ TEST(Mjcf, DrivesAndCouplingsAreThoseOfTheHand) {
 }
 
 // With clutches the drive of a finger is at its last joint, with the effort through that ratio, and
-// the first joint follows it up to the clutch's effort.
+// the first joint follows it up to the clutch's effort. Cables that pass the first joint press on
+// both alike: with values p and d, the motor is at 3 (p + d) / 4 and the clutch has slipped by (p -
+// 3 d) / 4.
 TEST(Mjcf, ClutchesAreDryFrictionBetweenJoints) {
   const CompiledScene scene = test::compiled(find_robot("barrett"), make_box({0.03, 0.04, 0.05}));
   const Robot& hand = scene.scene.hand;
@@ -188,12 +190,20 @@ TEST(Mjcf, ClutchesAreDryFrictionBetweenJoints) {
   ASSERT_EQ(drives.clutches.size(), 3U);
   for (const HandClutch& clutch : drives.clutches) {
     EXPECT_NEAR(clutch.follows.ratio, 3.0, 1e-12);
-    EXPECT_EQ(clutch.effort, 0.5);
+    EXPECT_NEAR(clutch.effort, 0.5 / 4.0, 1e-12);
   }
-  EXPECT_NEAR(drives.drives.back().effort, 15.0, 1e-9);  // 5 N m of the thumb
+  // 5 N m of the thumb.
+  const std::size_t last = drives.drives.size() - 1;
+  EXPECT_NEAR(drives.drives[last].effort, 3.75, 1e-9);
+  EXPECT_NEAR(drives.drives[last - 1].effort, 3.75, 1e-9);
+  Robot geared = hand;
+  for (Joint& joint : geared.joints) joint.across = -1;
+  const HandDrives without = hand_drives(geared, options.clutches);
+  EXPECT_NEAR(without.drives.back().effort, 15.0, 1e-9);
+  EXPECT_NEAR(without.clutches.front().effort, 0.5, 1e-12);
   const std::string text =
       mjcf_text(scene, mjcf_shapes(scene, kCoarse), half_closed(scene), options);
-  EXPECT_NE(text.find("<fixed name=\"thumb_proximal/clutch\" frictionloss=\"0.5\""),
+  EXPECT_NE(text.find("<fixed name=\"thumb_proximal/clutch\" frictionloss=\"0.125\""),
             std::string::npos);
 }
 

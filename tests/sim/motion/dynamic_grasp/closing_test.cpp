@@ -99,8 +99,9 @@ TEST(Closing, APatientOrGentleThumbDoesNotPushACubeAway) {
   };
   // Before all of them press.
   constexpr double kSeconds = 1.4;
-  EXPECT_GT(pushed({}, kSeconds), 2e-3);
-  EXPECT_LT(pushed({.name = "patient", .waits = true}, kSeconds), 1e-4);
+  EXPECT_GT(pushed({}, kSeconds), 1e-2);
+  // By no more than in the step in which it touches.
+  EXPECT_LT(pushed({.name = "patient", .waits = true}, kSeconds), 2e-3);
   EXPECT_LT(pushed({.name = "gentle", .effort = 0.18}, kSeconds), 1e-4);
 }
 

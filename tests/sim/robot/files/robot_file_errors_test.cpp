@@ -148,6 +148,8 @@ std::vector<BadField> bad_fields() {
        "hand.approach: must not be the zero vector ([0,0,0])"},
       {"ClosingAlongApproach", "/hand/closing", "[0, 1, 1]",
        "hand.closing: must be orthogonal to the approach axis ([0,1,1])"},
+      {"AcrossUnknownJoint", "/dofs/0/drives/0/across", R"("knee")",
+       R"(dofs[0].drives[0].across: no joint of this name ("knee"))"},
       {"StrategyOfUnknownDof", "/hand/strategies", R"([{"name": "a", "first": ["thumb"]}])",
        "hand.strategies[0].first[0]: no degree of freedom is called thumb (\"thumb\")"},
       {"StrategyWithoutEffort", "/hand/strategies", R"([{"name": "a", "effort": 0}])",
