@@ -33,10 +33,10 @@ SuccessFeatures success_features(const SuccessFacts& facts) {
 // As printed by fit_success for benchmarks/success/success.csv.
 SuccessModel shipped_success_model(bool free_is_known) {
   if (free_is_known) {
-    return {.intercept = -1.86913,
-            .weights = {0.806514, 0.152106, 0, 1.08378, 2.94844, 0.147475, 0.958975}};
+    return {.intercept = -1.8403,
+            .weights = {0.868722, 0, 0, 1.02672, 2.84339, 0.274476, 0.981121}};
   }
-  return {.intercept = -0.364177, .weights = {1.16874, 0.337759, 1.017}};
+  return {.intercept = -0.316485, .weights = {1.23469, 0.192986, 0.974153}};
 }
 
 double success_probability(const SuccessFacts& facts, const SuccessModel& model) {

@@ -12,6 +12,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/shape/object_generator.h"
+#include "sim/trial/close_dynamic.h"
 #include "sim/trial/grasp_contacts.h"
 #include "tests/support/refusal_of.h"
 
@@ -49,16 +50,22 @@ TEST(Plan, OneSeedGoesToAllThatIsRandom) {
 }
 
 TEST(Plan, OutcomesCountEveryTrialAndGraspsAreRanked) {
-  const PlanResult result = plan(default_scene(), few_candidates(), RunContext{.threads = 2});
+  const CompiledScene scene = default_scene();
+  const PlanResult result = plan(scene, few_candidates(), RunContext{.threads = 2});
   int total = 0;
   for (int count : result.outcomes.entries) total += count;
   EXPECT_EQ(total, 40);
   for (std::size_t i = 1; i < result.grasps.size(); ++i) {
     const ScoredGrasp& better = result.grasps[i - 1];
     const ScoredGrasp& grasp = result.grasps[i];
-    ASSERT_EQ(grasp.free.has_value(), static_cast<int>(i) < few_candidates().free_closing);
+    // At least as many as are wanted are closed on a free object, unless there are fewer.
+    ASSERT_TRUE(grasp.free || static_cast<int>(i) >= few_candidates().free_closing);
+    ASSERT_TRUE(better.free || !grasp.free);
     if (grasp.free) {
-      EXPECT_GE(better.free->epsilon.lower, grasp.free->epsilon.lower);
+      const bool firm = object_moved(scene, *grasp.free) < 0.02;
+      const bool better_firm = object_moved(scene, *better.free) < 0.02;
+      EXPECT_TRUE(better_firm || !firm);
+      if (firm == better_firm) EXPECT_GE(better.free->epsilon.lower, grasp.free->epsilon.lower);
     } else if (!better.free) {
       EXPECT_GE(better.trial.epsilon.lower, grasp.trial.epsilon.lower);
     }
