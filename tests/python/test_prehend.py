@@ -84,11 +84,12 @@ class Mug(unittest.TestCase):
         self.assertEqual(result.tried.poses.shape, (FEW, 4, 4))
         self.assertEqual(sum(result.outcomes.values()), FEW)
         self.assertEqual(result.status, "complete")
-        # Those come first that were closed on a free object, by the epsilon where it ends.
+        # Those come first that hold a free object firmly, then the others that were closed on one,
+        # both by the epsilon where it ends: it grows once at most.
         free = [grasp.free for grasp in result if grasp.free is not None]
         self.assertEqual([grasp.free for grasp in result][: len(free)], free)
         self.assertGreater(len(free), 0)
-        self.assertTrue(np.all(np.diff([one.epsilon for one in free]) <= 0.0))
+        self.assertLessEqual(np.sum(np.diff([one.epsilon for one in free]) > 0.0), 1)
         self.assertTrue(np.all(np.diff(result.epsilon[len(free) :]) <= 0.0))
         for one in free:
             self.assertIn(one.outcome, ("stable", "not_force_closure"))
