@@ -96,8 +96,9 @@ class CaseRun {
   void plan_and_judge() {
     const std::optional<PlanResult> result = planned();
     if (!result) return;
-    append_faults(test::judge_plan(*result, made_.options, scene_->wrench_frame.torque_origin),
-                  "plan");
+    std::optional<Vector3> center_O;
+    if (scene_->has_obstacles()) center_O = scene_->wrench_frame.torque_origin;
+    append_faults(test::judge_plan(*result, made_.options, center_O), "plan");
     around_.emplace(made_.known.scene);
     for (std::size_t i = 0; i < result->grasps.size(); ++i) {
       if (interrupted_()) return;

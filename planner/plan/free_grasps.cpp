@@ -28,13 +28,13 @@ bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& 
   return true;
 }
 
-// Whether the object ends in force closure, near to where it stood. What is only carried, by what
-// it lies on or hangs from, is easily lost, and where an object ends that was pushed farther than a
-// finger is wide depends on what nobody knows so well (docs/how-to/benchmarks.md).
+// Whether the object ends in force closure and, where it stood on something, near to there. What is
+// only carried, by what it lies on or hangs from, is easily lost, and where an object ends that was
+// pushed farther than a finger is wide hangs on its friction with the support.
 bool is_firm(const CompiledScene& scene, const ScoredGrasp& grasp) {
   constexpr double kFar = 0.02;  // m
-  return grasp.free && grasp.free->outcome == Outcome::stable &&
-         object_moved(scene, *grasp.free) < kFar;
+  if (!grasp.free || grasp.free->outcome != Outcome::stable) return false;
+  return !scene.has_obstacles() || object_moved(scene, *grasp.free) < kFar;
 }
 
 // The same; unless the object is held firmly, by the first other strategy of the hand that does so.

@@ -9,7 +9,7 @@ namespace prehend {
 struct CompiledScene;
 
 // Fills in ScoredGrasp::free of the grasps, in their order, until options.free_closing of them hold
-// the object firmly, in force closure and less than 20 mm from where it stood (at most
+// the object firmly, in force closure and less than 20 mm from where it stood on something (at most
 // options.rank.top, and all of these where success is asked for, by options.robustness), or
 // options.rank.pool times as many have been tried. A hand that does not closes again by its
 // strategies, until one does (Candidate::strategy). Those that lose the object are left out and

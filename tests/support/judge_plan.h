@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,13 +21,15 @@ inline bool same_pose(const Pose& a, const Pose& b, const RankOptions& options) 
          angle <= 0.999999 * options.same_angle;
 }
 
-// Grasps that hold a free object in force closure, its point center_O moved by less than 20 mm,
-// come first, then the others that were closed on one, both by the epsilon where it ended; then the
-// rest.
-inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other, const Vector3& center_O) {
+// Grasps that hold a free object in force closure, its centre (if it stood on something) moved by
+// less than 20 mm, come first, then the others that were closed on one, both by the epsilon where
+// it ended; then the rest.
+inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other,
+                      const std::optional<Vector3>& center_O) {
   const auto place = [&](const ScoredGrasp& of) {
     if (!of.free) return 2;
-    const bool near = of.free->X_OC && (*of.free->X_OC * center_O - center_O).norm() < 0.02;
+    const bool near =
+        !center_O || (of.free->X_OC && (*of.free->X_OC * *center_O - *center_O).norm() < 0.02);
     return near && of.free->outcome == Outcome::stable ? 0 : 1;
   };
   if (place(grasp) != place(other)) return place(grasp) < place(other);
@@ -35,7 +38,7 @@ inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other, const 
 }
 
 inline void judge_order(const PlanResult& result, const PlanOptions& options,
-                        const Vector3& center_O, std::vector<Fault>& faults) {
+                        const std::optional<Vector3>& center_O, std::vector<Fault>& faults) {
   if (result.grasps.size() > static_cast<std::size_t>(options.rank.top)) {
     faults.push_back({"rank", "more grasps than were asked for"});
   }
@@ -89,9 +92,9 @@ inline void judge_counts(const PlanResult& result, const PlanOptions& options,
   }
 }
 
-// `center_O`: the object's centre of mass.
+// `center_O`: the centre of mass of an object that stands on something, else nothing.
 inline std::vector<Fault> judge_plan(const PlanResult& result, const PlanOptions& options,
-                                     const Vector3& center_O) {
+                                     const std::optional<Vector3>& center_O) {
   std::vector<Fault> faults;
   judge_order(result, options, center_O, faults);
   judge_counts(result, options, faults);

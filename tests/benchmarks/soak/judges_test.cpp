@@ -182,7 +182,7 @@ TEST_F(SpoiltGrasp, ForceClosureOfAFlatSetIsSeen) {
 class SpoiltPlan : public testing::Test {
  protected:
   std::vector<std::string> judged() const {
-    return kinds_of(test::judge_plan(result_, planned().options, Vector3::Zero()));
+    return kinds_of(test::judge_plan(result_, planned().options, std::nullopt));
   }
 
   using Kinds = std::vector<std::string>;
