@@ -138,9 +138,8 @@ class HandRun {
         grasp.grasp.free ? free_end(shaken.scene, *grasp.grasp.free) : std::nullopt;
     const std::string strategy = strategy_of(hand, grasp.grasp.candidate).name;
     std::printf(
-        "  %-24s %-5s rank %d%s%s: here %s, epsilon %.3f, moved %.1f mm; in MuJoCo %s in phase "
-        "%zu, "
-        "moved %.1f mm\n",
+        "  %-24s %-5s rank %d%s%s: here %s, epsilon %.3f, moved %.1f mm; "
+        "in MuJoCo %s in phase %zu, moved %.1f mm\n",
         shaken.name.c_str(), of, grasp.rank, strategy.empty() ? "" : ", ", strategy.c_str(),
         grasp.grasp.free ? std::string(name_of(grasp.grasp.free->outcome)).c_str() : "-",
         end ? end->epsilon : 0.0, end ? 1e3 * end->moved : 0.0,

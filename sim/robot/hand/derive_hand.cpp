@@ -221,7 +221,10 @@ Robot with_hand(Robot robot) {
   stated.approach = robot.hand->approach;
   stated.origin = robot.hand->origin;
   if (!robot.hand->closing.isZero()) stated.closing = robot.hand->closing;
-  return with_derived_hand(std::move(robot), stated);
+  const std::vector<ClosingStrategy> strategies = robot.hand->strategies;
+  Robot derived = with_derived_hand(std::move(robot), stated);
+  if (!strategies.empty()) derived.hand->strategies = strategies;
+  return derived;
 }
 
 }  // namespace prehend

@@ -147,5 +147,19 @@ TEST(DerivedHand, OfAnArmIsRefused) {
   }
 }
 
+// Strategies that a file states without preshapes stay; else there is a gentle one.
+TEST(DeriveHand, StatedStrategiesStay) {
+  Robot robot = find_robot("barrett");
+  const std::vector<ClosingStrategy> stated = robot.hand->strategies;
+  ASSERT_EQ(stated.size(), 2U);
+  robot.hand->preshapes.clear();
+  const Hand hand = *with_hand(robot).hand;
+  ASSERT_FALSE(hand.preshapes.empty());
+  ASSERT_EQ(hand.strategies.size(), 2U);
+  EXPECT_EQ(hand.strategies[1].name, stated[1].name);
+  robot.hand->strategies.clear();
+  EXPECT_EQ(with_hand(robot).hand->strategies.size(), 1U);
+}
+
 }  // namespace
 }  // namespace prehend
