@@ -162,6 +162,19 @@ ThinSpot smoothed(const Ordered& curve, double at, double window) {
   return mean;
 }
 
+// Between spots that lie far apart the curve stands still: places that are as good as the one
+// before tell nothing, and have no direction along the curve.
+void remove_repeated_places(SpotCurve& curve) {
+  const double apart = 1e-6 * curve.length;
+  std::vector<ThinSpot> places;
+  for (const ThinSpot& place : curve.places) {
+    if (places.empty() || (place.p - places.back().p).norm() > apart) places.push_back(place);
+  }
+  const bool ends_at_start = (places.front().p - places.back().p).norm() <= apart;
+  if (curve.closed && places.size() > 1 && ends_at_start) places.pop_back();
+  curve.places = std::move(places);
+}
+
 SpotCurve curve_through(const Spots& spots, double link) {
   constexpr double kWidestGap = 0.25 * std::numbers::pi;
   SpotCurve curve;
@@ -182,6 +195,7 @@ SpotCurve curve_through(const Spots& spots, double link) {
     curve.length += (curve.places[k].p - curve.places[k - 1].p).norm();
   }
   if (curve.closed) curve.length += (curve.places.front().p - curve.places.back().p).norm();
+  remove_repeated_places(curve);
   return curve;
 }
 
@@ -192,7 +206,7 @@ std::vector<SpotCurve> spot_curves(const std::vector<ThinSpot>& spots, double li
   std::vector<SpotCurve> curves;
   for (const Spots& group : connected(spots, link)) {
     SpotCurve curve = curve_through(group, link);
-    if (curve.length >= shortest) curves.push_back(std::move(curve));
+    if (curve.places.size() > 1 && curve.length >= shortest) curves.push_back(std::move(curve));
   }
   std::stable_sort(curves.begin(), curves.end(),
                    [](const SpotCurve& a, const SpotCurve& b) { return a.length > b.length; });

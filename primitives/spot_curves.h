@@ -7,7 +7,7 @@
 
 namespace prehend {
 
-// Places at equal steps along a curve through spots.
+// Places along a curve through spots, each at another point than the one before.
 struct SpotCurve {
   std::vector<ThinSpot> places;  // at least two; directions are continuous from one to the next
   double length = 0.0;           // [m]

@@ -1,18 +1,20 @@
 // Whether grasps are what they promise where the object is free on a table, in MuJoCo's opinion:
 //
-//   carry_out [--grasps N] [--trials N] [--hand NAME]... [--list] OBJECT...
+//   carry_out [--grasps N] [--trials N] [--hand NAME]... [--list] [--write FOLDER] OBJECT...
 //
 // An object is a mesh file or a generated object ("bowl"); it stands on a table. The hand begins at
 // the grasp, open, closes with the efforts of the exported file, rises by 20 cm, shakes mildly and
 // holds for 5 s. For each hand: of the best grasps of plans how many survive; and of the best
 // grasps by the epsilon of an object that stands still, how many survive, and for how many of them
 // closing on a free object (free_grasps) says the same. Each disagreement has a line; with --list
-// each grasp of plans.
+// each grasp of plans. --write: each grasp is also a file in that folder, which carry_out.mjs
+// carries out in the MuJoCo of Node.js.
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
 
+#include "benchmarks/shake/carry_file.h"
 #include "benchmarks/shake/mujoco_shake.h"
 #include "benchmarks/shake/opinions.h"
 #include "planner/plan/free_grasps.h"
@@ -30,6 +32,7 @@ struct Arguments {
   int grasps = 5;
   int trials = 800;
   bool list = false;
+  std::string write = {};  // a folder, "": none
   std::vector<std::string> hands;
   std::vector<std::string> objects;
 };
@@ -47,6 +50,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       arguments.trials = std::stoi(value());
     else if (words[i] == "--list")
       arguments.list = true;
+    else if (words[i] == "--write")
+      arguments.write = value();
     else if (words[i] == "--hand")
       arguments.hands.push_back(value());
     else
@@ -125,13 +130,25 @@ class HandRun {
     run.clutches = true;
     run.start.open = true;
     const Robot& hand = shaken.scene.scene.hand;
-    const Closing closing(hand, strategy_of(hand, grasp.grasp.candidate));
-    const ShakeResult result = in_mujoco(shaken, grasp, carrying(closing), run);
+    const TestProcedure procedure =
+        carrying(Closing(hand, strategy_of(hand, grasp.grasp.candidate)));
+    const MujocoCase model = mujoco_case(shaken, grasp, procedure, run);
+    const ShakeResult result = shake_in_mujoco(model.mjcf, procedure, model.subject, run.start);
     const bool survived = result.tests.size() == 1 && result.tests.front().survived();
     const bool predicted = grasp.grasp.free && keeps_object(shaken.scene, *grasp.grasp.free);
     ++tally.grasps;
     tally.survived += survived ? 1 : 0;
     tally.agreed += survived == predicted ? 1 : 0;
+    if (!arguments_.write.empty()) {
+      write_carry_file(arguments_.write,
+                       {.hand = hand_,
+                        .object = shaken.scene.scene.object.name,
+                        .of = of,
+                        .rank = grasp.rank,
+                        .predicted = predicted,
+                        .survived = survived},
+                       model, procedure);
+    }
     if (survived == predicted && !(arguments_.list && &tally == &free_)) return;
     const ShakeTestResult& test = result.tests.empty() ? result.prepare : result.tests.front();
     const std::optional<FreeEnd> end =

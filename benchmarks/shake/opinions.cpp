@@ -3,7 +3,6 @@
 #include <memory>
 #include <utility>
 
-#include "benchmarks/shake/mujoco_shake.h"
 #include "planner/show/exports/export_files.h"
 #include "planner/show/exports/export_formats.h"
 #include "sim/manipulation/shake.h"
@@ -106,8 +105,8 @@ ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp,
   return result;
 }
 
-ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
-                      const TestProcedure& procedure, const MujocoRun& run) {
+MujocoCase mujoco_case(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                       const TestProcedure& procedure, const MujocoRun& run) {
   const RobotModel hand = make_robot_model(shaken.scene.scene.hand);
   ShakeSubject subject = subject_of(shaken.scene);
   MjcfOptions options;
@@ -120,8 +119,13 @@ ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
   }
   const ExportGrasp exported = export_of(shaken.scene, grasp.grasp, grasp.rank);
   subject.strategy = exported.strategy;
-  return shake_in_mujoco(mjcf_text(shaken.scene, shaken.shapes, exported, options), procedure,
-                         subject, run.start);
+  return {mjcf_text(shaken.scene, shaken.shapes, exported, options), std::move(subject)};
+}
+
+ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                      const TestProcedure& procedure, const MujocoRun& run) {
+  const MujocoCase model = mujoco_case(shaken, grasp, procedure, run);
+  return shake_in_mujoco(model.mjcf, procedure, model.subject, run.start);
 }
 
 std::vector<Opinion> opinions() {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "benchmarks/shake/mujoco_world.h"
+#include "benchmarks/shake/mujoco_shake.h"
 #include "benchmarks/shake/shake_cases.h"
 #include "sim/manipulation/test_procedure.h"
 
@@ -33,6 +33,15 @@ ShakeResult in_prehend(const ShakeCase& shaken, const ShakenGrasp& grasp,
                        const TestProcedure& procedure, const OwnRun& run = {});
 ShakeResult in_mujoco(const ShakeCase& shaken, const ShakenGrasp& grasp,
                       const TestProcedure& procedure, const MujocoRun& run = {});
+
+// What in_mujoco steps.
+struct MujocoCase {
+  std::string mjcf;
+  ShakeSubject subject;
+};
+
+MujocoCase mujoco_case(const ShakeCase& shaken, const ShakenGrasp& grasp,
+                       const TestProcedure& procedure, const MujocoRun& run = {});
 
 struct Opinion {
   std::string name;

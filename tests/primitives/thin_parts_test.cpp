@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "primitives/spot_curves.h"
 #include "sim/base/random.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/proximity_mesh.h"
@@ -50,6 +51,20 @@ TriangleMesh torus(double ring, double tube) {
 
 std::vector<Primitive> thin_parts_of(const TriangleMesh& mesh, int threads = 1) {
   return find_thin_parts(ProximityMesh(mesh), {}, {}, {.threads = threads});
+}
+
+TEST(SpotCurves, HaveNoPointTwiceWhereSpotsAreFarApart) {
+  std::vector<ThinSpot> spots;
+  for (const double x : {0.0, 0.001, 0.002, 0.003, 0.004, 0.03, 0.06, 0.09}) {
+    spots.push_back({{x, 0.0, 0.0}, -Vector3::UnitZ(), Vector3::UnitY(), 0.003, 0.02});
+  }
+  const std::vector<SpotCurve> curves = spot_curves(spots, 0.04, 0.01);
+  ASSERT_EQ(curves.size(), 1U);
+  const std::vector<ThinSpot>& places = curves[0].places;
+  ASSERT_GE(places.size(), 4U);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    EXPECT_GT((places[i].p - places[i - 1].p).norm(), 1e-8) << i;
+  }
 }
 
 TEST(ThinParts, OfACupAreItsLip) {
