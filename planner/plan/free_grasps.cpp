@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <limits>
 #include <mutex>
 #include <utility>
 
@@ -16,12 +17,16 @@
 namespace prehend {
 namespace {
 
+constexpr double kFar = 0.02;  // m
+
 // Fills in ScoredGrasp::free; false where time ran out before.
 bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
-           const TrialOptions& options, const RunContext& context, ScoredGrasp& grasp) {
+           const TrialOptions& options, const RunContext& context, ScoredGrasp& grasp,
+           double farthest = std::numeric_limits<double>::infinity()) {
   if (is_over(context)) return false;
   try {
-    grasp.free = closed_freely(scene, hand, grasp.candidate, grasp.trial, options, context);
+    grasp.free =
+        closed_freely(scene, hand, grasp.candidate, grasp.trial, options, context, farthest);
   } catch (const Cancelled&) {
     return false;
   }
@@ -32,20 +37,22 @@ bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& 
 // only carried, by what it lies on or hangs from, is easily lost, and where an object ends that was
 // pushed farther than a finger is wide hangs on its friction with the support.
 bool is_firm(const CompiledScene& scene, const ScoredGrasp& grasp) {
-  constexpr double kFar = 0.02;  // m
   if (!grasp.free || grasp.free->outcome != Outcome::stable) return false;
   return !scene.has_obstacles() || object_moved(scene, *grasp.free) < kFar;
 }
 
-// The same; unless the object is held firmly, by the first other strategy of the hand that does so.
+// The same; unless the object is held firmly, by the first of these other strategies of the hand
+// that does so.
 bool close_somehow(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
-                   const TrialOptions& options, const RunContext& context, ScoredGrasp& grasp) {
+                   const std::vector<int>& strategies, const TrialOptions& options,
+                   const RunContext& context, ScoredGrasp& grasp) {
   if (!close(scene, hand, options, context, grasp)) return false;
   if (is_firm(scene, grasp) || grasp.candidate.strategy) return true;
+  const double farthest = scene.has_obstacles() ? kFar : std::numeric_limits<double>::infinity();
   ScoredGrasp other = grasp;
-  for (std::size_t k = 0; k < scene.scene.hand.hand->strategies.size(); ++k) {
-    other.candidate.strategy = static_cast<int>(k);
-    if (!close(scene, hand, options, context, other)) return true;
+  for (const int strategy : strategies) {
+    other.candidate.strategy = strategy;
+    if (!close(scene, hand, options, context, other, farthest)) return true;
     if (!is_firm(scene, other)) continue;
     grasp = std::move(other);
     break;
@@ -77,8 +84,9 @@ class FreeClosing {
     if (context_.progress) context_.progress(progress_);
     while (tried < end && firm(grasps, tried) < wanted && !is_over(context_)) {
       const std::size_t count = std::min(wanted - firm(grasps, tried), end - tried);
+      const std::vector<int> strategies = helpful_strategies(grasps, tried);
       for_each_in_parallel(count, context_.threads,
-                           [&](std::size_t i) { try_one(grasps[tried + i]); });
+                           [&](std::size_t i) { try_one(strategies, grasps[tried + i]); });
       tried += count;
     }
     const bool all = std::all_of(grasps.begin(), grasps.begin() + difference(tried),
@@ -100,8 +108,24 @@ class FreeClosing {
                       [&](const ScoredGrasp& grasp) { return is_firm(scene_, grasp); }));
   }
 
-  void try_one(ScoredGrasp& grasp) {
-    if (!close_somehow(scene_, hand_, options_.trial, context_, grasp)) return;
+  // All, until as many grasps as are wanted were not held firmly by any; then those that helped.
+  std::vector<int> helpful_strategies(const std::vector<ScoredGrasp>& grasps,
+                                      std::size_t tried) const {
+    const bool all = tried - firm(grasps, tried) < index(wanted_);
+    std::vector<int> strategies;
+    const auto count = static_cast<int>(scene_.scene.hand.hand->strategies.size());
+    for (int k = 0; k < count; ++k) {
+      const bool helped = std::any_of(
+          grasps.begin(), grasps.begin() + difference(tried), [&](const ScoredGrasp& grasp) {
+            return grasp.candidate.strategy == k && is_firm(scene_, grasp);
+          });
+      if (all || helped) strategies.push_back(k);
+    }
+    return strategies;
+  }
+
+  void try_one(const std::vector<int>& strategies, ScoredGrasp& grasp) {
+    if (!close_somehow(scene_, hand_, strategies, options_.trial, context_, grasp)) return;
     if (!context_.progress || !is_firm(scene_, grasp)) return;
     const std::lock_guard lock(progress_lock_);
     ++progress_.done;

@@ -58,7 +58,8 @@ void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const Robot
     return;
   }
   const Pose& X_WO = scene.scene.object.X_WO;
-  const DynamicGraspStart from{X_WO * start.X_OH, start.dofs, start.joints, start.strategy};
+  const DynamicGraspStart from{X_WO * start.X_OH, start.dofs, start.joints, start.strategy,
+                               start.farthest};
   const DynamicGrasp formation = form_dynamic_grasp(scene, hand, from, options.formation, context);
   trial.X_OC = X_WO.inverse() * formation.X_WO;
   trial.X_OH = formation.X_WO.inverse() * formation.X_WH;
@@ -77,13 +78,14 @@ void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const Robot
 
 Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                     const Candidate& candidate, const Trial& trial, const TrialOptions& options,
-                    const RunContext& context) {
+                    const RunContext& context, double farthest) {
   const double left = candidate.approach_distance - trial.travel;
   ClosingStart start;
   start.X_OH = translation(trial.overlap_shift - left * candidate.approach_O) * candidate.X_OH;
   start.dofs = start_dofs(scene.scene.hand, candidate);
   start.joints = candidate.joints;
   start.strategy = strategy_of(scene.scene.hand, candidate);
+  start.farthest = farthest;
   Trial free = trial;
   GraspWorkspace workspace;
   close_dynamic(scene, hand, start, options, workspace, free, context);

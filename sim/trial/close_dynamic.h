@@ -1,6 +1,7 @@
 // Closes the hand once in time, on an object that gives way, and judges the grasp that forms.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -27,7 +28,8 @@ void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const Robot
 // Cancelled.
 Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                     const Candidate& candidate, const Trial& trial, const TrialOptions& options,
-                    const RunContext& context = {});
+                    const RunContext& context = {},
+                    double farthest = std::numeric_limits<double>::infinity());
 
 // Whether the object is in the hand at the end of a trial whose hand closed in time, as far as that
 // can be told: without something to rise from, only force closure tells.

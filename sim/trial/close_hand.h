@@ -2,6 +2,7 @@
 // limit.
 #pragma once
 
+#include <limits>
 #include <variant>
 #include <vector>
 
@@ -31,7 +32,9 @@ struct ClosingStart {
   // Per joint [rad or m], where joints do not follow their degree of freedom (see ClosedHand).
   // Empty: each is ratio * dof + offset.
   std::vector<double> joints;
-  ClosingStrategy strategy = {};  // of a hand that closes in time (close_dynamic)
+  // Of a hand that closes in time (close_dynamic), as in DynamicGraspStart.
+  ClosingStrategy strategy = {};
+  double farthest = std::numeric_limits<double>::infinity();
   // Known lower bounds of gaps save the first queries. Per link, of its gap to the object, and per
   // entry of CompiledScene::self_pairs, of the gap between its links; empty: not known [m].
   std::vector<double> object_clearance;

@@ -18,25 +18,28 @@ namespace {
 
 class DynamicGraspRun {
  public:
-  DynamicGraspRun(World world, const WorldHand& hand, const Robot& as_hand,
-                  const ClosingStrategy& closing, const DynamicGraspOptions& options,
+  DynamicGraspRun(World world, const WorldHand& hand, const CompiledScene& scene,
+                  const DynamicGraspStart& start, const DynamicGraspOptions& options,
                   const RunContext& context)
       : world_(std::move(world)),
         hand_(hand),
-        as_hand_(as_hand),
-        closing_(as_hand, closing),
+        as_hand_(scene.scene.hand),
+        closing_(as_hand_, start.strategy),
+        center_O_(scene.wrench_frame.torque_origin),
+        farthest_(start.farthest),
         options_(options),
         context_(context),
         watch_(world_, hand) {}
 
   DynamicGrasp run() {
+    center_W_ = object_center();
     const bool closed = wait(options_.settle) && close();
     formation_.X_WO = world_.bodies[index(kObjectBody)].motion.X_WB;
     formation_.X_WH = hand_pose(world_, hand_);
     formation_.dofs = hand_dofs(world_, hand_);
     formation_.joints = hand_joints(world_, hand_);
     if (closed && stands_on_something()) lift();
-    formation_.end = watch_.end();
+    formation_.end = went_far_ ? ObjectEnd::pushed_away : watch_.end();
     formation_.events = watch_.events();
     return std::move(formation_);
   }
@@ -80,6 +83,10 @@ class DynamicGraspRun {
     return std::clamp(options_.travel / fastest, shortest, options_.step);
   }
 
+  Vector3 object_center() const {
+    return world_.bodies[index(kObjectBody)].motion.X_WB * center_O_;
+  }
+
   bool is_lost() const {
     // One finger may push it to another, out of touch with both: it is then on its way for less
     // than this [s].
@@ -108,6 +115,8 @@ class DynamicGraspRun {
       if (done == 0.0) return false;
       time += done;
       if (resting.look(world_, hand_, done) || is_lost()) break;
+      went_far_ = after && (object_center() - center_W_).norm() > farthest_;
+      if (went_far_) break;
       if (after) after(done);
     }
     return true;
@@ -122,7 +131,7 @@ class DynamicGraspRun {
       closing_.look(closing_state(world_, hand_, as_hand_), done);
       drive();
     });
-    return moved && !is_lost();
+    return moved && !is_lost() && !went_far_;
   }
 
   void lift() {
@@ -133,7 +142,7 @@ class DynamicGraspRun {
           start + options_.lift * quintic_step((time + next) / options_.lift_time);
       robot().base_linear = {0.0, 0.0, (height - robot().X_WB.translation().z()) / next};
       const double done = step(next);
-      if (done == 0.0) return;
+      if (done == 0.0 || is_lost()) return;
       time += done;
     }
     robot().base_linear.setZero();
@@ -144,6 +153,10 @@ class DynamicGraspRun {
   const WorldHand& hand_;
   const Robot& as_hand_;
   Closing closing_;
+  Vector3 center_O_;
+  Vector3 center_W_ = Vector3::Zero();  // at the start
+  double farthest_;
+  bool went_far_ = false;
   const DynamicGraspOptions& options_;
   const RunContext& context_;
   ObjectWatch watch_;
@@ -172,9 +185,7 @@ DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
     formation.last = StepOutcome::blocked;
     return formation;
   }
-  return DynamicGraspRun(std::move(world), place, scene.scene.hand, start.strategy, options,
-                         context)
-      .run();
+  return DynamicGraspRun(std::move(world), place, scene, start, options, context).run();
 }
 
 }  // namespace prehend

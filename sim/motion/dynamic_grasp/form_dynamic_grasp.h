@@ -2,6 +2,7 @@
 // hand closes with its efforts, and pushes, turns, holds or loses it.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct DynamicGraspStart {
   std::vector<double> dofs;    // of the hand [rad or m]
   std::vector<double> joints;  // empty: as the degrees of freedom say
   ClosingStrategy strategy = {};
+  // Of the object's centre (CompiledScene::wrench_frame) while the hand closes [m]: farther away it
+  // counts as pushed away, and the simulation ends.
+  double farthest = std::numeric_limits<double>::infinity();
 };
 
 // How the grasp has formed.

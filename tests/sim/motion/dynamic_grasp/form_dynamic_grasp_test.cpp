@@ -57,6 +57,22 @@ TEST(FormGrasp, TheFirstPlateToArrivePushesTheCubeToTheMiddle) {
   }
 }
 
+TEST(FormGrasp, EndsWhereTheObjectWouldGoTooFar) {
+  const CompiledScene scene = compile(cube_scene(true));
+  DynamicGraspStart start = from_above(scene, 0.005);
+  const DynamicGrasp held = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  start.farthest = 0.006;
+  const DynamicGrasp near = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  EXPECT_EQ(near.end, ObjectEnd::held);
+  EXPECT_EQ(near.X_WO.matrix(), held.X_WO.matrix());
+  start.farthest = 0.002;
+  const DynamicGrasp far = form_dynamic_grasp(scene, hand_model(scene), start, {});
+  EXPECT_EQ(far.end, ObjectEnd::pushed_away);
+  EXPECT_LT(far.seconds, held.seconds);
+  EXPECT_GT(far.X_WO.translation().x(), 0.002);
+  EXPECT_LT(far.X_WO.translation().x(), 0.005);
+}
+
 // The palm pushes the cube off a little, and the plates need longer to come than an object may be
 // out of touch before it counts as lost.
 TEST(FormGrasp, WhatThePalmTouchesIsNotLostBeforeTheFingersCome) {
