@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "benchmarks/success/fit.h"
+#include "sim/base/random.h"
 
 namespace prehend::bench {
 namespace {
@@ -29,6 +30,25 @@ void print_check(const char* of, const std::vector<ExecutedGrasp>& grasps,
   }
 }
 
+// The expected calibration error that right predictions would have of as many independent
+// executions, in the mean of some draws.
+double calibration_error_by_chance(std::vector<ExecutedGrasp> grasps,
+                                   const std::vector<double>& predictions) {
+  constexpr int kDraws = 20;
+  Random random(1);
+  double sum = 0.0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    for (std::size_t i = 0; i < grasps.size(); ++i) {
+      grasps[i].lifted = 0;
+      for (int k = 0; k < grasps[i].executions; ++k) {
+        grasps[i].lifted += random.uniform(0.0, 1.0) < predictions[i] ? 1 : 0;
+      }
+    }
+    sum += check_predictions(grasps, predictions).calibration.expected_error;
+  }
+  return sum / kDraws;
+}
+
 // The same of each hand, of each kind of support, and of what was blocked or missed.
 void print_parts(const std::vector<ExecutedGrasp>& grasps, const std::vector<double>& predictions) {
   std::map<std::string, std::pair<std::vector<ExecutedGrasp>, std::vector<double>>> parts;
@@ -42,8 +62,9 @@ void print_parts(const std::vector<ExecutedGrasp>& grasps, const std::vector<dou
   }
   for (const auto& [name, part] : parts) {
     const SuccessCheck check = check_predictions(part.first, part.second);
-    std::printf("  %-28s %5zu grasps, AUC %.3f, calibration error %.3f\n", name.c_str(),
-                part.first.size(), check.auc, check.calibration.expected_error);
+    std::printf("  %-28s %5zu grasps, AUC %.3f, calibration error %.3f (by chance %.3f)\n",
+                name.c_str(), part.first.size(), check.auc, check.calibration.expected_error,
+                calibration_error_by_chance(part.first, part.second));
   }
 }
 
