@@ -18,8 +18,8 @@ struct CarryName {
 
 // Writes FOLDER/HAND-OBJECT-OF-RANK.json: the name, the model, what closes the hand (Closing), and
 // for each phase of the procedure's only test where the base is, as an offset in the world from
-// where it began, after each step of the model [m]. Phases must not turn the base. Throws InputError
-// where the file can't be written.
+// where it began, after each step of the model [m]. Phases must not turn the base. Throws
+// InputError where the file can't be written.
 void write_carry_file(const std::string& folder, const CarryName& name, const MujocoCase& model,
                       const TestProcedure& procedure);
 
