@@ -8,6 +8,7 @@
 #include "planner/plan/learn/grasp_features.h"
 #include "planner/plan/object_primitives.h"
 #include "planner/plan/search_grasps.h"
+#include "sim/scene/named_mass.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/shape/files/mesh_file.h"
@@ -16,12 +17,18 @@
 namespace prehend {
 namespace {
 
-GraspableBody grasped_object(const Batch& batch, const BatchPart& part, const TriangleMesh& mesh) {
+GraspableBody grasped_object(const Batch& batch, const BatchPart& part, TriangleMesh mesh,
+                             const std::vector<MeshPart>& named) {
   const BatchObject& source = batch.objects[part.object];
-  TriangleMesh scaled = mesh;
-  for (Vector3& vertex : scaled.vertices) vertex *= batch.scales[part.scale];
-  GraspableBody object = make_graspable(source.name, std::move(scaled), batch.material);
-  if (batch.density) state_mass(object, {.density = batch.density});
+  const double scale = batch.scales[part.scale];
+  for (Vector3& vertex : mesh.vertices) vertex *= scale;
+  GraspableBody object = make_graspable(source.name, std::move(mesh), batch.material);
+  std::vector<std::string> notes;
+  if (batch.density) {
+    state_mass(object, {.density = batch.density});
+  } else {
+    spread_named_mass(object, scaled(named, scale), {}, notes);
+  }
   return object;
 }
 
@@ -116,7 +123,7 @@ const PartWorker::Mesh& PartWorker::mesh(const BatchObject& object, std::size_t 
   primitives_.reset();
   if (const auto* file = std::get_if<MeshFileSource>(&object.source)) {
     ObjectMesh read = load_object_mesh(file->path, {file->unit, file->repair});
-    mesh_ = Mesh{number, std::move(read.mesh), read.unit};
+    mesh_ = Mesh{number, std::move(read.mesh), read.unit, std::move(read.parts)};
   } else {
     const auto& generated = std::get<GeneratedSource>(object.source);
     mesh_ = Mesh{number, generate_object(generated.name, generated.triangles), "m"};
@@ -140,8 +147,8 @@ const std::vector<Primitive>& PartWorker::primitives(const CompiledScene& scene,
 }
 
 Scene PartWorker::scene(const Batch& batch, const BatchInputs& inputs, const BatchPart& part) {
-  GraspableBody object =
-      grasped_object(batch, part, mesh(batch.objects[part.object], part.object).mesh);
+  const Mesh& surface = mesh(batch.objects[part.object], part.object);
+  GraspableBody object = grasped_object(batch, part, surface.mesh, surface.parts);
   Scene scene = inputs.scene_of(part).scene;
   if (batch.scenes[part.scene].scene.empty()) {
     scene.object = std::move(object);

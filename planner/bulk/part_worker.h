@@ -11,6 +11,7 @@
 #include "planner/bulk/batch_part.h"
 #include "planner/results/datasets/grasp_set.h"
 #include "sim/base/run_context.h"
+#include "sim/shape/files/mesh_file.h"
 
 namespace prehend {
 
@@ -35,8 +36,9 @@ class PartWorker {
  private:
   struct Mesh {
     std::size_t object = 0;
-    TriangleMesh mesh;  // frame O, unscaled [m]
-    std::string unit;   // in which its file was read
+    TriangleMesh mesh;                 // frame O, unscaled [m]
+    std::string unit;                  // in which its file was read
+    std::vector<MeshPart> parts = {};  // that it names
   };
   struct Key {
     std::size_t object = 0;

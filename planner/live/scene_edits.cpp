@@ -10,6 +10,7 @@
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/named_mass.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_file.h"
@@ -62,7 +63,7 @@ BodySurface surface_of_file(const SurfaceOrder& order, const OpenFolders& folder
     return load_object_mesh(file, {order.unit, true});
   });
   return {std::move(read.mesh), MeshFileSource{file.string(), read.unit, true},
-          file.stem().string()};
+          file.stem().string(), std::move(read.parts)};
 }
 
 // The text is no file of anybody's, so that a scene file will have to list the triangles. They are
@@ -163,6 +164,7 @@ void set_object(Scene& scene, BodySurface surface, const BodyOrder& order) {
   scene.object = std::move(object);
   scene.primitives.clear();
   scene.notes.clear();
+  spread_named_mass(scene.object, surface.parts, order.mass, scene.notes);
   note_uniform_mass(scene);
 }
 

@@ -3,9 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "planner/live/open_folders.h"
 #include "sim/scene/scene.h"
+#include "sim/shape/files/mesh_file.h"
 
 namespace prehend {
 
@@ -26,7 +28,8 @@ struct SurfaceOrder {
 struct BodySurface {
   TriangleMesh mesh;
   ShapeSource source;
-  std::string name;  // a name to call it by, where nobody gives one
+  std::string name;                  // a name to call it by, where nobody gives one
+  std::vector<MeshPart> parts = {};  // that its file names
 };
 
 // Throws InputError that names the field of the order.

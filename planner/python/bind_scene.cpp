@@ -157,7 +157,7 @@ void bind_bodies(py::module_& core) {
           "mass_from",
           [](const GraspableBody& self) { return std::string(mass_basis_text(self.mass_basis)); },
           R"(What says where the mass is: "uniform density", which is a guess, "stated centre of mass"
-or "stated parts".)")
+"stated parts" or "named materials".)")
       .def_property_readonly(
           "inertia",
           [](const GraspableBody& self) { return to_array(Eigen::MatrixXd(self.inertia)); },

@@ -105,6 +105,8 @@ void read_mass(const JsonField& object, GraspableBody& body) {
 
 void add_mass(const GraspableBody& body, Json& json) {
   json["mass"] = body.mass;
+  // The mesh file says the rest again.
+  if (body.mass_basis == MassBasis::materials) return;
   if (body.stated_mass) {
     if (body.stated_mass->density) json["density"] = *body.stated_mass->density;
     for (const MassPart& part : body.stated_mass->parts) json["parts"].push_back(part_json(part));

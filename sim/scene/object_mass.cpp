@@ -13,8 +13,8 @@
 namespace prehend {
 
 std::string_view mass_basis_text(MassBasis basis) {
-  constexpr std::array<std::string_view, 3> kWords = {"uniform density", "stated centre of mass",
-                                                      "stated parts"};
+  constexpr std::array<std::string_view, 4> kWords = {"uniform density", "stated centre of mass",
+                                                      "stated parts", "named materials"};
   return kWords[static_cast<std::size_t>(basis)];
 }
 

@@ -75,6 +75,7 @@ ObjectMesh load_object_mesh(const std::filesystem::path& file, const ObjectMeshS
   LoadedMesh loaded = source.unit.empty()
                           ? read_in_likely_unit(file, object)
                           : load_mesh(file, {.metres_per_unit = metres_per_unit(source.unit)});
+  object.parts = std::move(loaded.parts);
   if (!source.repair) {
     orient_outward(loaded.mesh);
     object.mesh = std::move(loaded.mesh);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/shape/triangle_mesh.h"
+#include "sim/shape/files/mesh_file.h"
 
 namespace prehend {
 
@@ -27,6 +27,7 @@ struct ObjectMesh {
   TriangleMesh mesh;               // frame O [m]
   std::string unit;                // in which the file was read
   std::vector<std::string> notes;  // for people, one line each
+  std::vector<MeshPart> parts;     // that the file names
 };
 
 // Throws InputError as load_mesh (mesh_file.h).

@@ -51,9 +51,10 @@ struct StaticBody {
 
 // How the mass of an object is spread.
 enum class MassBasis {
-  uniform,  // taken as uniform: nothing is known but the shape
-  center,   // the centre of mass is stated
-  parts,    // parts of it have densities or masses of their own
+  uniform,    // taken as uniform: nothing is known but the shape
+  center,     // the centre of mass is stated
+  parts,      // parts of it have densities or masses of their own
+  materials,  // its file names what its pieces are made of (named_mass.h)
 };
 
 // The body to grasp. Mass, centre of mass and inertia belong together: state_center_of_mass and
@@ -68,7 +69,7 @@ struct GraspableBody {
   Matrix3 inertia = Matrix3::Zero();         // about the centre of mass, axes of O [kg m^2]
   MassSource mass_source = MassSource::signed_volume;
   MassBasis mass_basis = MassBasis::uniform;
-  std::optional<StatedMass> stated_mass = {};  // of MassBasis::parts: what was stated
+  std::optional<StatedMass> stated_mass = {};  // of parts and materials
   ShapeSource source = {};
   double restitution = 0.0;  // as of a StaticBody
 };

@@ -18,6 +18,7 @@
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/named_mass.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
@@ -112,17 +113,17 @@ bool read_repair(const JsonField& field, const SceneSource& source) {
   return field["repair"].boolean() && source.repair;
 }
 
-// The object's surface; what was repaired is added to `notes`.
-TriangleMesh read_object_mesh(const JsonField& field, bool repair, ShapeBudget& budget,
-                              std::vector<std::string>& notes) {
+ObjectMesh read_object_mesh(const JsonField& field, bool repair, ShapeBudget& budget) {
   if (!field.has("mesh") || field.has("generate") || field.has("geometry")) {
-    return read_body_mesh(field, budget);
+    return {.mesh = read_body_mesh(field, budget), .unit = "m"};
   }
   (void)read_unit(field);
   const std::filesystem::path file = field.file().parent_path() / field["mesh"].text();
-  ObjectMesh object = load_object_mesh(file, {field.text_or("unit", "m"), repair});
-  notes = std::move(object.notes);
-  return std::move(object.mesh);
+  return load_object_mesh(file, {field.text_or("unit", "m"), repair});
+}
+
+bool says_where_mass_is(const JsonField& field) {
+  return field.has("density") || field.has("parts") || field.has("center_of_mass");
 }
 
 GraspableBody read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
@@ -131,13 +132,18 @@ GraspableBody read_object(const JsonField& field, const SceneSource& source, Sha
                     "density", "center_of_mass", "parts", "pose", "primitives", "repair",
                     "restitution"});
   const bool repair = read_repair(field, source);
-  TriangleMesh mesh = read_object_mesh(field, repair, budget, notes);
+  ObjectMesh surface = read_object_mesh(field, repair, budget);
+  notes = std::move(surface.notes);
   const std::string name = field.text_or("name", "object");
   const Material material = read_material(field, Material::plastic);
   const double mass = whole_mass(field);
   GraspableBody body = with_field_errors(
-      field, [&] { return make_graspable(name, std::move(mesh), material, mass); });
+      field, [&] { return make_graspable(name, std::move(surface.mesh), material, mass); });
   read_mass(field, body);
+  if (!says_where_mass_is(field)) {
+    const std::optional<double> whole = field.has("mass") ? std::optional(mass) : std::nullopt;
+    spread_named_mass(body, surface.parts, whole, notes);
+  }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
   body.source = read_source(field);
@@ -344,6 +350,7 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   GraspableBody object =
       make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic);
   object.source = MeshFileSource{absolute_path(file), read.unit, source.repair};
+  spread_named_mass(object, read.parts, {}, read.notes);
   Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand,
                            source.foreign);
   scene.notes = std::move(read.notes);

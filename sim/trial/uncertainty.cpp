@@ -64,7 +64,8 @@ Matrix3 turn_by(const Vector3& vector) {
 Matrix3 center_shift(const CompiledScene& scene, double part_of_radius) {
   const GraspableBody& object = scene.scene.object;
   double shift = part_of_radius / scene.wrench_frame.torque_scale;
-  if (object.mass_basis != MassBasis::uniform) shift *= kStatedCenter;
+  const MassBasis basis = object.mass_basis;
+  if (basis == MassBasis::center || basis == MassBasis::parts) shift *= kStatedCenter;
   Matrix3 along = Matrix3::Zero();
   if (const auto found = long_object_of_uniform_mass(object)) {
     along = (kLongCenter - 1.0) * found->axis_O * found->axis_O.transpose();

@@ -25,9 +25,9 @@ struct UncertaintyOptions {
   double hand = 1e-3;
   double hand_angle = 5e-3;
   double friction = 0.25;
-  // Where nothing is known of the object but its shape. Of a centre that is stated, or follows from
-  // stated parts, it is kStatedCenter times that; along a long object that is taken as uniform
-  // (long_object_of_uniform_mass) kLongCenter times.
+  // Where nothing is known of the object but its shape, and materials by name. Of a centre that is
+  // stated, or follows from stated parts, it is kStatedCenter times that; along a long object that
+  // is taken as uniform (long_object_of_uniform_mass) kLongCenter times.
   double center_of_mass = 0.05;
 };
 

@@ -10,6 +10,7 @@
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/named_mass.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_file.h"
@@ -54,6 +55,8 @@ Scene scene_of_mesh(const GraspSetObject& scaled, const std::filesystem::path& f
   const double mass = scaled.mass > 0.0 ? scaled.mass : kDefaultObjectMass;
   GraspableBody object =
       make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic, mass);
+  const std::optional<double> known = scaled.mass > 0.0 ? std::optional(mass) : std::nullopt;
+  spread_named_mass(object, prehend::scaled(read.parts, scaled.scale), known, read.notes);
   // Otherwise a file of the scene would name the mesh as it is in its file.
   if (scaled.scale == 1.0) {
     object.source = MeshFileSource{std::filesystem::absolute(file).lexically_normal().string(),

@@ -258,16 +258,18 @@ class Primitive {
   std::size_t offset_ = 0;  // of the index of the vertex
 };
 
-TriangleMesh geometry_of(const XmlElement& geometry, const ColladaIds& ids) {
+NamedMesh geometry_of(const XmlElement& geometry, const ColladaIds& ids) {
   const std::optional<XmlElement> mesh = geometry.child("mesh");
-  TriangleMesh result;
+  NamedMesh result;
   if (!mesh) return result;
   const XmlElement vertices = (*mesh)["vertices"];
-  result.vertices = vertices_of(vertices, ids);
+  result.mesh.vertices = vertices_of(vertices, ids);
+  const std::string part = geometry.text_or("name", geometry.text_or("id", ""));
   for (const XmlElement& element : mesh->children()) {
     const std::string kind = element.name();
     if (kind == "triangles" || kind == "polylist" || kind == "polygons" || kind == "tristrips") {
-      Primitive(element, vertices).add_to(result);
+      Primitive(element, vertices).add_to(result.mesh);
+      result.name_rest(element.text_or("material", "") + " " + part);
     }
   }
   return result;
@@ -298,7 +300,7 @@ class ColladaScene {
     }
   }
 
-  TriangleMesh mesh() && { return std::move(mesh_); }
+  NamedMesh mesh() && { return std::move(mesh_); }
 
  private:
   void add_node(const XmlElement& node, Eigen::Affine3d X_FileNode) {
@@ -331,10 +333,12 @@ class ColladaScene {
     constexpr std::size_t kMostVertices = 50'000'000;
     const auto found = geometries_.find(reference(from, attribute));
     if (found == geometries_.end()) from.fail("there is no geometry", from.text(attribute));
-    if (mesh_.vertices.size() + found->second.vertices.size() > kMostVertices) {
+    const NamedMesh& part = found->second;
+    if (mesh_.mesh.vertices.size() + part.mesh.vertices.size() > kMostVertices) {
       from.fail("more than 50 million vertices");
     }
-    append(mesh_, found->second, X);
+    append(mesh_.mesh, part.mesh, X);
+    for (const NamedTriangles& of : part.names) mesh_.add_name(of.name, of.count);
   }
 
   // A controller deforms a geometry: as a skin moved by joints or as a mean of several shapes.
@@ -346,15 +350,15 @@ class ColladaScene {
   }
 
   ColladaIds ids_;
-  std::map<std::string, TriangleMesh> geometries_;
+  std::map<std::string, NamedMesh> geometries_;
   std::vector<std::string> open_;  // ids of the nodes around the present one
   int nodes_ = 0;
-  TriangleMesh mesh_;
+  NamedMesh mesh_;
 };
 
 }  // namespace
 
-TriangleMesh read_collada(const std::string& bytes, const std::filesystem::path& file) {
+NamedMesh read_collada(const std::string& bytes, const std::filesystem::path& file) {
   need_text(bytes);
   const XmlFile document(file, bytes);
   const XmlElement root = document.root();

@@ -63,6 +63,7 @@ struct Node {
   Eigen::Affine3d X_ParentNode = Eigen::Affine3d::Identity();
   std::optional<std::uint64_t> mesh;
   std::vector<std::uint64_t> children;
+  std::string name;
 };
 
 InputError beyond_end(const char* field, std::uint64_t end, std::uint64_t bytes) {
@@ -85,6 +86,13 @@ std::uint64_t numbers_of_element(const Json& type) {
   if (type == "VEC4" || type == "MAT2") return 4;
   if (type == "MAT3") return 9;
   return type == "MAT4" ? 16 : 0;
+}
+
+// The name that an object of the document may have.
+std::string gltf_name(const Json& object) {
+  need_object(object);
+  const Json name = object.value("name", Json());
+  return name.is_string() ? name.get<std::string>() : std::string();
 }
 
 Eigen::Affine3d transform_of(const Json& node) {
@@ -113,7 +121,7 @@ class GltfDocument {
   GltfDocument(const Json& document, const GltfBuffers& buffers)
       : document_(document), buffers_(buffers) {}
 
-  TriangleMesh read() {
+  NamedMesh read() {
     const Json asset = document_.value("asset", Json::object());
     const Json version = asset.is_object() ? asset.value("version", Json()) : Json();
     if (!version.is_string() || !version.get<std::string>().starts_with("2")) {
@@ -123,11 +131,11 @@ class GltfDocument {
     read_accessors();
     read_meshes();
     read_nodes();
-    TriangleMesh mesh;
+    NamedMesh named;
     for (const std::uint64_t root : roots()) {
-      add_node(mesh, nodes_[root], Eigen::Affine3d::Identity());
+      add_node(named, nodes_[root], Eigen::Affine3d::Identity());
     }
-    return mesh;
+    return named;
   }
 
  private:
@@ -258,11 +266,20 @@ class GltfDocument {
     return part;
   }
 
+  std::string material_of(const Json& primitive, const Json& materials) const {
+    if (!primitive.contains("material")) return {};
+    return gltf_name(materials[gltf_index(primitive, "material", materials.size())]);
+  }
+
   void read_meshes() {
+    const Json materials = gltf_list(document_, "materials");
     for (const Json& mesh : gltf_list(document_, "meshes")) {
       need_object(mesh);
-      TriangleMesh& kept = meshes_.emplace_back();
-      for (const Json& given : gltf_list(mesh, "primitives")) append(kept, primitive(given));
+      NamedMesh& kept = meshes_.emplace_back();
+      for (const Json& given : gltf_list(mesh, "primitives")) {
+        append(kept.mesh, primitive(given));
+        kept.name_rest(material_of(given, materials));
+      }
     }
   }
 
@@ -274,6 +291,7 @@ class GltfDocument {
       need_object(given[i]);
       Node& node = nodes_.emplace_back();
       node.X_ParentNode = transform_of(given[i]);
+      node.name = gltf_name(given[i]);
       if (given[i].contains("mesh")) node.mesh = gltf_index(given[i], "mesh", meshes_.size());
       for (const Json& child : gltf_list(given[i], "children")) {
         const std::uint64_t c = gltf_index({{"children", child}}, "children", given.size());
@@ -326,23 +344,26 @@ class GltfDocument {
     return result;
   }
 
-  void add_node(TriangleMesh& mesh, const Node& node, const Eigen::Affine3d& X_FileParent) const {
+  void add_node(NamedMesh& named, const Node& node, const Eigen::Affine3d& X_FileParent) const {
     const Eigen::Affine3d X_FileNode = X_FileParent * node.X_ParentNode;
     if (node.mesh) {
-      const TriangleMesh& part = meshes_[*node.mesh];
-      if (mesh.vertices.size() + part.vertices.size() > kMostVertices) {
+      const NamedMesh& part = meshes_[*node.mesh];
+      if (named.mesh.vertices.size() + part.mesh.vertices.size() > kMostVertices) {
         throw InputError({.field = "nodes", .problem = "more than 50 million vertices"});
       }
-      append(mesh, part, X_FileNode);
+      append(named.mesh, part.mesh, X_FileNode);
+      for (const NamedTriangles& of : part.names) {
+        named.add_name(of.name + " " + node.name, of.count);
+      }
     }
-    for (const std::uint64_t child : node.children) add_node(mesh, nodes_[child], X_FileNode);
+    for (const std::uint64_t child : node.children) add_node(named, nodes_[child], X_FileNode);
   }
 
   const Json& document_;
   const GltfBuffers& buffers_;
   std::vector<View> views_;
   std::vector<Accessor> accessors_;
-  std::vector<TriangleMesh> meshes_;
+  std::vector<NamedMesh> meshes_;
   std::vector<Node> nodes_;
   std::vector<long> parents_;  // of each node, -1 for none
   std::uint64_t counted_ = 0;  // vertices and corners of all primitives
@@ -350,8 +371,8 @@ class GltfDocument {
 
 // Parses the JSON text and reads its scene. `chunk`: the binary chunk of the GLB that the text
 // comes from.
-TriangleMesh read_document(std::string_view text, std::string_view chunk,
-                           const std::filesystem::path& folder) {
+NamedMesh read_document(std::string_view text, std::string_view chunk,
+                        const std::filesystem::path& folder) {
   if (json_depth(text) > kDeepestJson) throw InputError("the JSON is nested too deep");
   const Json document = Json::parse(text, nullptr, false);
   if (document.is_discarded() || !document.is_object()) throw InputError("the JSON is not valid");
@@ -380,12 +401,12 @@ constexpr std::uint32_t kBinary = 0x004E4942;
 
 }  // namespace
 
-TriangleMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder) {
+NamedMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder) {
   need_text(bytes);
   return read_document(bytes, {}, folder);
 }
 
-TriangleMesh read_glb(std::string_view bytes, const std::filesystem::path& folder) {
+NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder) {
   if (bytes.size() < kGltfHeader + kGltfChunkHeader || bytes.substr(0, 4) != "glTF") {
     throw InputError("no GLB header");
   }

@@ -54,22 +54,40 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
   }
 }
 
-TriangleMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
-                      const std::string& extension) {
+NamedMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
+                   const std::string& extension) {
   if (extension == "obj") return read_obj(bytes);
-  if (extension == "stl") return read_stl(bytes);
-  if (extension == "ply") return read_ply(bytes);
+  if (extension == "stl") return {read_stl(bytes)};
+  if (extension == "ply") return {read_ply(bytes)};
   if (extension == "off") {
     need_text(bytes);
-    return read_off(bytes);
+    return {read_off(bytes)};
   }
   if (extension == "iv" || extension == "wrl") {
     need_text(bytes);
-    return read_inventor(bytes);
+    return {read_inventor(bytes)};
   }
   if (extension == "gltf") return read_gltf(bytes, file.parent_path());
   if (extension == "glb") return read_glb(bytes, file.parent_path());
   return read_collada(bytes, file);
+}
+
+std::vector<MeshPart> parts_of(const NamedMesh& named) {
+  std::vector<MeshPart> parts;
+  if (named.names.size() > kMostNames) return parts;
+  std::size_t t = 0;
+  for (const NamedTriangles& of : named.names) {
+    MeshPart part{of.name, {}};
+    for (const std::size_t end = t + of.count; t < end; ++t) {
+      for (const int v : named.mesh.triangles[t]) {
+        const Vector3& p = named.mesh.vertices[static_cast<std::size_t>(v)];
+        part.bounds.lower = part.bounds.lower.cwiseMin(p);
+        part.bounds.upper = part.bounds.upper.cwiseMax(p);
+      }
+    }
+    parts.push_back(std::move(part));
+  }
+  return parts;
 }
 
 // `bytes` is called for the content of the file, after everything else was checked.
@@ -80,17 +98,27 @@ LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
            .problem = "must be positive and finite",
            .value = std::to_string(options.metres_per_unit)});
   const std::string extension = known_extension_of(file);
-  TriangleMesh raw = read_raw(bytes(), file, extension);
+  NamedMesh named = read_raw(bytes(), file, extension);
+  TriangleMesh& raw = named.mesh;
   if (raw.empty()) throw InputError("no triangles");
   // Unused vertices are removed first: they may be invalid, and they must not enlarge the bounding
   // box that sets the weld tolerance.
   drop_unused_vertices(raw);
   scale_to_metres(raw, options.metres_per_unit);
   WeldedMesh welded = weld_to_scale(raw, options.weld_fraction);
-  return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed};
+  return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed,
+          parts_of(named)};
 }
 
 }  // namespace
+
+void NamedMesh::add_name(std::string_view name, std::size_t count) {
+  name = name.substr(0, 2 * kLongestName);
+  const bool more = names.size() <= kMostNames;
+  if (names.empty() || (more && names.back().name != name)) names.push_back({std::string(name), 0});
+  names.back().count += count;
+  named += count;
+}
 
 double metres_per_unit(std::string_view unit) {
   if (unit == "m") return 1.0;

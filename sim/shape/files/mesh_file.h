@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/shape/triangle_mesh.h"
 
@@ -28,18 +29,25 @@ struct MeshFileOptions {
   double weld_fraction = 1e-6;
 };
 
+// A part of a mesh that its file names.
+struct MeshPart {
+  std::string name;  // of its material and of itself
+  Bounds bounds;     // [m]
+};
+
 // The cleaned mesh of a file, and how much was removed.
 struct LoadedMesh {
-  TriangleMesh mesh;           // welded; every vertex finite and used; metres
-  int degenerate_removed = 0;  // triangles of no area or with a repeated vertex, left out
-  int duplicates_removed = 0;  // triangles left out because they repeat another (weld.h)
+  TriangleMesh mesh;                 // welded; every vertex finite and used; metres
+  int degenerate_removed = 0;        // triangles of no area or with a repeated vertex, left out
+  int duplicates_removed = 0;        // triangles left out because they repeat another (weld.h)
+  std::vector<MeshPart> parts = {};  // of OBJ, glTF and COLLADA; empty where there are over 1000
 };
 
 // All triangles of all parts of the file, with the transforms of its nodes applied, polygons
 // triangulated, lines and points left out; scaled to metres. The extension determines the format
 // (.obj .stl .ply .off .gltf .glb .dae .iv .wrl in upper or lower case). Axes are never turned:
 // COLLADA's up_axis is ignored and glTF stays y-up. The winding of the file is kept (see
-// orient_outward). Materials and textures are not opened. Coordinates have single precision, as in
+// orient_outward). Of materials only the names are read. Coordinates have single precision, as in
 // most of these formats.
 //
 // Throws InputError, one line that starts with the name of the file and states the defect, when the

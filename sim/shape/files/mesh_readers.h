@@ -3,22 +3,45 @@
 // precision. All throw InputError, one line with the place where there is one.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 
+// Consecutive triangles of a file that have one material and belong to one part.
+struct NamedTriangles {
+  std::string name;  // the file's words for material and part, with a space between them
+  std::size_t count = 0;
+};
+
+// What a file says, with names for all triangles in their order. Where there are more than
+// kMostNames, the last one stands for all that follow.
+struct NamedMesh {
+  TriangleMesh mesh = {};
+  std::vector<NamedTriangles> names = {};
+  std::size_t named = 0;  // triangles
+
+  // Names the triangles that no name counts yet, by its first 2 * kLongestName characters.
+  void name_rest(std::string_view name) { add_name(name, mesh.triangles.size() - named); }
+  // Names that many more.
+  void add_name(std::string_view name, std::size_t count);
+};
+inline constexpr std::size_t kMostNames = 1000;
+inline constexpr std::size_t kLongestName = 100;  // of a material or a part [characters]
+
 // Wavefront OBJ.
 //
 // Parses vertices (v), with coordinates of single precision, and faces (f, triangulated by
 // triangulate_face; faces of one or two corners are left out), which may come before their
-// vertices. Points, lines, groups, names, normals, texture coordinates and materials are ignored;
-// curved surfaces and references to other files are errors, because a part of the surface would be
-// missing. Throws InputError with the line number.
-TriangleMesh read_obj(std::string_view text);
+// vertices. Names are those of usemtl and of the last g or o. Points, lines, normals and texture
+// coordinates are ignored; curved surfaces and references to other files are errors, because a part
+// of the surface would be missing. Throws InputError with the line number.
+NamedMesh read_obj(std::string_view text);
 
 // STL, text and binary.
 //
@@ -50,28 +73,29 @@ TriangleMesh read_off(std::string_view text);
 //
 // All triangles of the default scene, or of all nodes in a file without scenes, with the transforms
 // of the nodes applied, in metres; vertices are not merged. Triangles, strips and fans are read,
-// points and lines left out. Buffers outside the file are regular *.bin files in `folder`.
-// Materials, skins, morph targets, animations and extensions are ignored.
+// points and lines left out. Buffers outside the file are regular *.bin files in `folder`. Names
+// are those of materials and nodes. Skins, morph targets, animations and extensions are ignored.
 //
 // Throws InputError, with the member of the document that is wrong: for what is not glTF 2, for
 // compressed and sparse data, counts and indices out of range, nodes that contain themselves, and
 // for nodes that together have more than 50 million vertices.
-TriangleMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder);
-TriangleMesh read_glb(std::string_view bytes, const std::filesystem::path& folder);
+NamedMesh read_gltf(std::string_view bytes, const std::filesystem::path& folder);
+NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder);
 
 // COLLADA (.dae).
 //
 // All polygons of the visual scene that the document instantiates, with the transforms of its nodes
 // applied, triangulated (add_triangles), in the file's own metres per unit; vertices are not
 // merged. Axes are never turned, whatever the file declares as up. Read are triangles, polylist,
-// polygons and tristrips; lines and points are left out. A controller stands for the geometry that
+// polygons and tristrips; lines and points are left out. Names are the symbols of materials and
+// those of geometries. A controller stands for the geometry that
 // it deforms. `file` is only named in errors.
 //
 // Throws InputError "FILE: line 12, <p>: problem": for what XmlFile refuses, for other surfaces
 // (polygons with holes, fans, splines, bodies by their borders), counts and indices that do not fit
 // their lists, references to what is not in the file, nodes that contain themselves, and for nodes
 // that stand for more than 100,000 nodes or 50 million vertices.
-TriangleMesh read_collada(const std::string& bytes, const std::filesystem::path& file);
+NamedMesh read_collada(const std::string& bytes, const std::filesystem::path& file);
 
 // Inventor 2 (.iv) and VRML 1 and 2 (.wrl) in ascii.
 //

@@ -26,6 +26,7 @@ std::string_view next_word(TextScan& scan) {
 struct Face {
   std::vector<int> corners;  // from 0
   int line = 0;
+  std::size_t name = 0;  // which of the names so far
 };
 
 // Reads the rest of a face statement. Its indices count from 1, or, where negative, back from the
@@ -53,7 +54,7 @@ Face read_face(TextScan& scan, std::size_t vertices) {
 }
 
 // Statements that describe a curved surface, or a file to read more from, which would be missing
-// without a word. Points and lines (p, l), groups, names, normals and materials are no surface.
+// without a word. Points and lines (p, l) and normals are no surface.
 bool is_other_surface(std::string_view statement) {
   constexpr std::array<std::string_view, 22> kOthers{
       "vp",   "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
@@ -73,11 +74,14 @@ void check_indices(const std::vector<Face>& faces, std::size_t vertices) {
 
 }  // namespace
 
-TriangleMesh read_obj(std::string_view text) {
+NamedMesh read_obj(std::string_view text) {
   need_text(text);
   TextScan scan(text);
   std::vector<Vector3> vertices;
   std::vector<Face> faces;
+  std::string material;
+  std::string part;
+  std::vector<std::string> names = {""};
   while (scan.next_line()) {
     const std::string_view statement = scan.next_word();
     if (statement == "v") {
@@ -85,16 +89,23 @@ TriangleMesh read_obj(std::string_view text) {
       for (double& x : p) x = static_cast<float>(coordinate_in(scan, next_word(scan)));
     } else if (statement == "f") {
       Face face = read_face(scan, vertices.size());
+      face.name = names.size() - 1;
       if (face.corners.size() >= 3) faces.push_back(std::move(face));
+    } else if (statement == "usemtl" || statement == "g" || statement == "o") {
+      (statement == "usemtl" ? material : part) = next_word(scan).substr(0, kLongestName);
+      if (names.size() < 2 * kMostNames) names.push_back(material + " " + part);
     } else if (is_other_surface(statement)) {
       scan.fail("only polygons are supported, not " + in_quotes(statement));
     }
   }
   check_indices(faces, vertices.size());
   if (faces.empty()) throw InputError("no faces");
-  TriangleMesh mesh{.vertices = std::move(vertices), .triangles = {}};
-  for (const Face& face : faces) add_triangles(mesh, face.corners);
-  return mesh;
+  NamedMesh named{.mesh = {.vertices = std::move(vertices), .triangles = {}}};
+  for (const Face& face : faces) {
+    add_triangles(named.mesh, face.corners);
+    named.name_rest(names[face.name]);
+  }
+  return named;
 }
 
 }  // namespace prehend

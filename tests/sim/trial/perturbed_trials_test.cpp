@@ -111,6 +111,9 @@ TEST(Disturbances, OfACentreOfMassDependOnWhatIsKnownOfIt) {
   const MassPart head{.where = BeyondPlane{}, .density = 8000.0};
   state_mass(scene.object, {.density = 700.0, .parts = {head}});
   EXPECT_LT((center_deviation(compile(scene)) - Vector3::Constant(0.025)).norm(), 0.003);
+  // Materials that a file names are a better guess than none, but one.
+  scene.object.mass_basis = MassBasis::materials;
+  EXPECT_LT((center_deviation(compile(scene)) - Vector3::Constant(0.1)).norm(), 0.012);
 }
 
 TEST(Disturbances, TheFirstDoNotDependOnHowManyThereAre) {

@@ -47,6 +47,47 @@ std::string embedded_gltf() {
       "AAACAAEAAAABAAMAAQACAAMAAAADAAIA\",");
 }
 
+// The sample's names, in one part of the size of the tetrahedron.
+void expect_one_part(const std::filesystem::path& file, const std::string& name) {
+  const std::vector<MeshPart> parts = load_mesh(file).parts;
+  ASSERT_EQ(parts.size(), 1U) << file;
+  EXPECT_EQ(parts[0].name, name);
+  EXPECT_TRUE(parts[0].bounds.size().isApprox(Vector3(1, 2, 3), 1e-6));
+}
+
+TEST(MeshParts, AreNamedByMaterialAndPart) {
+  expect_one_part(
+      written("named.dae", replaced(replaced(test::dae_sample(), "<triangles ",
+                                             "<triangles material=\"steel\" "),
+                                    "<geometry id=\"g\"", "<geometry id=\"g\" name=\"head\"")),
+      "steel head");
+  const std::string gltf =
+      replaced(replaced(embedded_gltf(), "\"indices\":1", "\"indices\":1,\"material\":0"),
+               "{\"mesh\":0,", "{\"mesh\":0,\"name\":\"head\",");
+  expect_one_part(
+      written("named.gltf",
+              replaced(gltf, "\"meshes\":", "\"materials\":[{\"name\":\"steel\"}],\"meshes\":")),
+      "steel head");
+  const std::filesystem::path obj = written(
+      "named.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\ng head\nusemtl steel\nf 1 2 4\nf 2 3 4\n"
+      "usemtl wood grain\nf 1 4 3\n");
+  const std::vector<MeshPart> parts = load_mesh(obj).parts;
+  ASSERT_EQ(parts.size(), 3U);
+  EXPECT_EQ(parts[0].name, "");
+  EXPECT_EQ(parts[1].name, "steel head");
+  EXPECT_EQ(parts[2].name, "wood head");
+  EXPECT_EQ(parts[0].bounds.size(), Vector3(1, 2, 0));
+  EXPECT_EQ(parts[2].bounds.size(), Vector3(0, 2, 3));
+}
+
+// So many tell nothing, and must not fill the memory.
+TEST(MeshParts, AreNoneWhereThereAreThousands) {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\n";
+  for (int i = 0; i < 3000; ++i) text += "g p" + std::to_string(i) + "\nf 1 3 2\n";
+  EXPECT_TRUE(load_mesh(written("many.obj", text)).parts.empty());
+}
+
 std::vector<std::pair<std::string, std::string>> samples() {
   return {{"text.obj", test::obj_sample()},       {"text.off", test::off_sample()},
           {"text.ply", test::ply_sample()},       {"text.stl", test::text_stl_sample()},
