@@ -93,7 +93,10 @@ NamedMesh read_obj(std::string_view text) {
       if (face.corners.size() >= 3) faces.push_back(std::move(face));
     } else if (statement == "usemtl" || statement == "g" || statement == "o") {
       (statement == "usemtl" ? material : part) = next_word(scan).substr(0, kLongestName);
-      if (names.size() < 2 * kMostNames) names.push_back(material + " " + part);
+      if (names.size() == 2 * kMostNames) continue;
+      std::string& name = names.emplace_back(material);
+      name += ' ';
+      name += part;
     } else if (is_other_surface(statement)) {
       scan.fail("only polygons are supported, not " + in_quotes(statement));
     }
