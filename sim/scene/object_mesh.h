@@ -24,10 +24,10 @@ struct ObjectMeshSource {
 
 // A surface that faces outward, and what was assumed and repaired.
 struct ObjectMesh {
-  TriangleMesh mesh;               // frame O [m]
-  std::string unit;                // in which the file was read
-  std::vector<std::string> notes;  // for people, one line each
-  std::vector<MeshPart> parts;     // that the file names
+  TriangleMesh mesh;                    // frame O [m]
+  std::string unit;                     // in which the file was read
+  std::vector<std::string> notes = {};  // for people, one line each
+  std::vector<MeshPart> parts = {};     // that the file names
 };
 
 // Throws InputError as load_mesh (mesh_file.h).
