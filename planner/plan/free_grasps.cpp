@@ -17,7 +17,7 @@
 namespace prehend {
 namespace {
 
-constexpr double kFar = 0.02;  // m
+constexpr double kFar = 0.02;  // from there on an object is not held firmly [m]
 
 // Fills in ScoredGrasp::free; false where time ran out before.
 bool close(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,

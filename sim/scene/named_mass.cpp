@@ -82,6 +82,19 @@ std::vector<MassPart> named_parts(const TriangleMesh& mesh, const std::vector<Me
   return named;
 }
 
+// Whether these can be of more than one material. Most files name none, and finding the pieces of a
+// large mesh takes long.
+bool are_of_several(const std::vector<MeshPart>& parts) {
+  std::optional<double> first;
+  for (const MeshPart& part : parts) {
+    const std::optional<NamedMaterial> material = material_in(part.name);
+    if (!material) continue;
+    if (first && material->density != *first) return true;
+    first = material->density;
+  }
+  return false;
+}
+
 bool is_even(const std::vector<MassPart>& parts) {
   return std::all_of(parts.begin(), parts.end(),
                      [&](const MassPart& part) { return part.density == parts.front().density; });
@@ -108,7 +121,7 @@ std::vector<MeshPart> scaled(std::vector<MeshPart> parts, double factor) {
 
 void spread_named_mass(GraspableBody& object, const std::vector<MeshPart>& parts,
                        std::optional<double> mass, std::vector<std::string>& notes) {
-  if (parts.empty()) return;
+  if (!are_of_several(parts)) return;
   std::vector<MassPart> named = named_parts(object.mesh, parts);
   if (named.empty() || is_even(named)) return;
   state_mass(object, {.mass = mass, .density = std::nullopt, .parts = std::move(named)});

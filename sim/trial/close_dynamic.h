@@ -24,8 +24,9 @@ void close_dynamic(const CompiledScene& scene, const std::shared_ptr<const Robot
                    GraspWorkspace& workspace, Trial& trial, const RunContext& context = {});
 
 // What becomes of a grasp where the object is free to move: `trial`, which `candidate` led to on an
-// object that stands still, with the hand closed in time from where it began to close. Throws
-// Cancelled.
+// object that stands still, with the hand closed in time from where it began to close. An object
+// pushed beyond `farthest` [m] counts as pushed away, and the rest is not simulated
+// (DynamicGraspStart). Throws Cancelled.
 Trial closed_freely(const CompiledScene& scene, const std::shared_ptr<const RobotModel>& hand,
                     const Candidate& candidate, const Trial& trial, const TrialOptions& options,
                     const RunContext& context = {},

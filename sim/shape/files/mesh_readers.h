@@ -88,8 +88,8 @@ NamedMesh read_glb(std::string_view bytes, const std::filesystem::path& folder);
 // applied, triangulated (add_triangles), in the file's own metres per unit; vertices are not
 // merged. Axes are never turned, whatever the file declares as up. Read are triangles, polylist,
 // polygons and tristrips; lines and points are left out. Names are the symbols of materials and
-// those of geometries. A controller stands for the geometry that
-// it deforms. `file` is only named in errors.
+// those of geometries. A controller stands for the geometry that it deforms. `file` is only named
+// in errors.
 //
 // Throws InputError "FILE: line 12, <p>: problem": for what XmlFile refuses, for other surfaces
 // (polygons with holes, fans, splines, bodies by their borders), counts and indices that do not fit
