@@ -61,9 +61,17 @@ export class OpenStudio {
   }
 
   // Until the session has answered everything, all of it is drawn, and the grasp in hand is judged.
+  // The state that a request leads to is sent after its answer, and before the answer to the next
+  // request: hence one more is asked, or the page could seem at rest between the two.
+  async settle() {
+    await this.rest();
+    await this.call('state');
+    await this.rest();
+  }
+
   // A coarse picture does: the fine one follows after a pause of up to 3 seconds in which nothing
   // moves.
-  async settle() {
+  async rest() {
     await this.until(() => {
       const {live, stage, grasp, handling} = window.studio;
       return live.connection.waiting.size === 0 && !stage.sync.busy && !grasp.judge.busy &&
