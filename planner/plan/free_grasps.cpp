@@ -69,56 +69,83 @@ class FreeClosing {
         context_(context),
         result_(result),
         hand_(hand_model(scene)),
-        wanted_(options.robustness ? options.rank.top
-                                   : std::min(options.free_closing, options.rank.top)),
+        wanted_(std::min(options.free_closing, options.rank.top)),
         progress_{Stage::close, 0, wanted_, 0} {}
 
-  // In groups of as many grasps as are still wanted: what is tried depends on the results of
-  // earlier groups only, never on the number of threads.
   void run() {
-    std::vector<ScoredGrasp>& grasps = result_.grasps;
-    const std::size_t wanted = index(wanted_);
-    const auto most = static_cast<std::size_t>(options_.rank.pool * wanted_);
-    const std::size_t end = std::min(most, grasps.size());
-    std::size_t tried = 0;
     if (context_.progress) context_.progress(progress_);
-    while (tried < end && firm(grasps, tried) < wanted && !is_over(context_)) {
-      const std::size_t count = std::min(wanted - firm(grasps, tried), end - tried);
-      const std::vector<int> strategies = helpful_strategies(grasps, tried);
-      for_each_in_parallel(count, context_.threads,
-                           [&](std::size_t i) { try_one(strategies, grasps[tried + i]); });
-      tried += count;
-    }
-    const bool all = std::all_of(grasps.begin(), grasps.begin() + difference(tried),
+    find_firm();
+    if (options_.robustness) close_rest();
+    const auto end = result_.grasps.begin() + difference(tried_);
+    const bool all = std::all_of(result_.grasps.begin(), end,
                                  [](const ScoredGrasp& grasp) { return grasp.free.has_value(); });
     if (!all || is_over(context_)) result_.status = cut_short(context_);
-    sort(tried);
   }
 
  private:
   static std::ptrdiff_t difference(std::size_t n) { return static_cast<std::ptrdiff_t>(n); }
 
+  // In groups of as many grasps as are still wanted: what is tried depends on the results of
+  // earlier groups only, never on the number of threads.
+  void find_firm() {
+    const std::size_t wanted = index(wanted_);
+    while (firm() < wanted && !is_over(context_)) {
+      const std::size_t count = std::min(wanted - firm(), left(wanted_));
+      if (count == 0) break;
+      const std::vector<int> strategies = helpful_strategies();
+      close_next(count, [&](ScoredGrasp& grasp) { try_one(strategies, grasp); });
+    }
+    sort();
+  }
+
+  // Once each, in groups like these, until as many as can be returned keep the object.
+  void close_rest() {
+    const std::size_t top = index(options_.rank.top);
+    while (tried_ < top && !is_over(context_)) {
+      const std::size_t count = std::min(top - tried_, left(options_.rank.top));
+      if (count == 0) break;
+      close_next(count, [&](ScoredGrasp& grasp) {
+        close(scene_, hand_, options_.trial, context_, grasp);
+      });
+      sort();
+    }
+  }
+
+  template <typename Try>
+  void close_next(std::size_t count, const Try& try_it) {
+    for_each_in_parallel(count, context_.threads,
+                         [&](std::size_t i) { try_it(result_.grasps[tried_ + i]); });
+    tried_ += count;
+    closed_ += count;
+  }
+
+  // How many grasps may still be tried for as many as are wanted.
+  std::size_t left(int wanted) const {
+    const auto most = static_cast<std::size_t>(options_.rank.pool * wanted);
+    return std::min(most - std::min(most, closed_), result_.grasps.size() - tried_);
+  }
+
   bool keeps(const ScoredGrasp& grasp) const {
     return grasp.free && keeps_object(scene_, *grasp.free);
   }
 
-  std::size_t firm(const std::vector<ScoredGrasp>& grasps, std::size_t tried) const {
+  std::size_t firm() const {
     return static_cast<std::size_t>(
-        std::count_if(grasps.begin(), grasps.begin() + difference(tried),
+        std::count_if(result_.grasps.begin(), result_.grasps.begin() + difference(tried_),
                       [&](const ScoredGrasp& grasp) { return is_firm(scene_, grasp); }));
   }
 
   // All, until as many grasps as are wanted were not held firmly by any; then those that helped.
-  std::vector<int> helpful_strategies(const std::vector<ScoredGrasp>& grasps,
-                                      std::size_t tried) const {
-    const bool all = tried - firm(grasps, tried) < index(wanted_);
+  std::vector<int> helpful_strategies() const {
+    const bool all = tried_ - firm() < index(wanted_);
     std::vector<int> strategies;
     const auto count = static_cast<int>(scene_.scene.hand.hand->strategies.size());
     for (int k = 0; k < count; ++k) {
-      const bool helped = std::any_of(
-          grasps.begin(), grasps.begin() + difference(tried), [&](const ScoredGrasp& grasp) {
-            return grasp.candidate.strategy == k && is_firm(scene_, grasp);
-          });
+      const bool helped =
+          std::any_of(result_.grasps.begin(), result_.grasps.begin() + difference(tried_),
+                      [&](const ScoredGrasp& grasp) {
+                        return grasp.candidate.strategy == k && is_firm(scene_, grasp);
+                      });
       if (all || helped) strategies.push_back(k);
     }
     return strategies;
@@ -132,9 +159,10 @@ class FreeClosing {
     context_.progress(progress_);
   }
 
-  void sort(std::size_t tried) {
+  // Of those that were tried, leaves out those that lose the object.
+  void sort() {
     std::vector<ScoredGrasp>& grasps = result_.grasps;
-    const auto end = grasps.begin() + difference(tried);
+    const auto end = grasps.begin() + difference(tried_);
     const auto keeps_it = [&](const ScoredGrasp& grasp) { return keeps(grasp); };
     if (std::none_of(grasps.begin(), end, keeps_it)) return;
     const auto lost = std::stable_partition(
@@ -148,6 +176,7 @@ class FreeClosing {
         return place(a) > place(b);
       });
     }
+    tried_ -= static_cast<std::size_t>(end - lost);
     grasps.erase(lost, end);
   }
 
@@ -164,7 +193,9 @@ class FreeClosing {
   const RunContext& context_;
   PlanResult& result_;
   std::shared_ptr<const RobotModel> hand_;
-  int wanted_;
+  int wanted_;              // firm ones
+  std::size_t tried_ = 0;   // of the grasps, the first
+  std::size_t closed_ = 0;  // in all, with those that are left out
   std::mutex progress_lock_;
   Progress progress_;
 };

@@ -58,8 +58,8 @@ void for_each_setting(Options& options, const Visit& visit) {
         "it made.");
   visit({"rank", ""}, rank, "Which grasps are returned.");
   visit("free_closing", free_closing, kAtLeast0, "",
-        "So many grasps (with robustness: all) come first that hold an object that is free to move "
-        "firmly, by the epsilon where it ends; those that lose it are left out.");
+        "So many grasps come first that hold an object that is free to move firmly, by the epsilon "
+        "where it ends; those that lose it are left out.");
   visit.unlisted(
       "paths", paths,
       "Set: a path of the arm is planned for each grasp, and grasps without one are left "
