@@ -22,14 +22,6 @@ constexpr double kPlainSlideSpeed = 0.1;
 // Before a target, so that it is not overshot [s].
 constexpr double kSlowing = 0.02;
 
-void require_range(const char* field, double value, double least, double most) {
-  if (value >= least && value <= most) return;
-  throw InputError(
-      {.field = field,
-       .problem = "must be from " + std::to_string(least) + " to " + std::to_string(most),
-       .value = std::to_string(value)});
-}
-
 double speed_of(const Robot& robot, std::size_t dof) {
   const DegreeOfFreedom& of = robot.dofs[dof];
   if (of.closing_velocity != 0.0) return std::abs(of.closing_velocity);
@@ -53,7 +45,7 @@ double moved_mass(const WorldBody& body, const Vector3& p_B) {
 MovingWorld::MovingWorld(const CompiledScene& scene, const Pose& X_WH, const HandPosture& posture,
                          const TimeOptions& options)
     : options_(options), world_(make_scene_world(scene, true)), drives_(posture.dofs.size()) {
-  require_range("step", options.step, kShortestLiveStep, kLongestLiveStep);
+  require_in(kLiveStep, options.step, "step");
   if (!options.gravity) world_.gravity.setZero();
   hand_ = add_hand(world_, scene, hand_model(scene), X_WH, posture.dofs, posture.joints);
   StepOptions step;
@@ -74,9 +66,7 @@ StepOutcome MovingWorld::step(double longest, double& taken) {
 }
 
 StepOutcome MovingWorld::advance(double seconds) {
-  require(seconds > 0.0 && seconds <= kMostSeconds, {.field = "seconds",
-                                                     .problem = "must be above 0 and at most 1",
-                                                     .value = std::to_string(seconds)});
+  require_in(kLiveAdvance, seconds, "seconds");
   const double begin = time_;
   // Rounding must not make one step more, nor leave one of next to no time at the end.
   const double count = std::max(std::ceil(seconds / options_.step - 1e-6), 1.0);
@@ -152,7 +142,7 @@ void MovingWorld::pull(const std::optional<ObjectPull>& pull) {
     constexpr double kStiffest = 1.0 / 16.0;
     const double most = kStiffest * moved_mass(world_.bodies[index(kObjectBody)], pull->point_O) /
                         (options_.step * options_.step);
-    require_range("stiffness", pull->stiffness, 0.0, most);
+    require_in({.upper = most}, pull->stiffness, "stiffness");
   }
   pull_ = pull;
   wake();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/live/hand_posture.h"
+#include "sim/base/range.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/motion/step_world.h"
 
@@ -13,15 +14,14 @@ namespace prehend {
 
 struct TimeOptions {
   bool gravity = true;
-  // Longest step of the simulation, from kShortestLiveStep to kLongestLiveStep [s].
+  // Longest step of the simulation, in kLiveStep [s].
   double step = StepOptions{}.step;
 };
 
 // Within these a person can wait for an answer, and sees the hand move [s].
-inline constexpr double kShortestLiveStep = 5e-4;
-inline constexpr double kLongestLiveStep = 2e-2;
+inline constexpr Range kLiveStep{.lower = 5e-4, .upper = 2e-2};
 // That one call may go on for, so that it ends soon [s].
-inline constexpr double kMostSeconds = 1.0;
+inline constexpr Range kLiveAdvance{.upper = 1.0, .without_lower = true};
 
 // What moves a degree of freedom; with neither it is held where it is, with up to its largest
 // effort. Not both.
@@ -53,7 +53,7 @@ class MovingWorld {
   const WorldHand& hand() const { return hand_; }
   double time() const { return time_; }  // since the start [s]
 
-  // Moves on by `seconds`, above 0 and at most kMostSeconds, in equal steps of at most
+  // Moves on by `seconds`, in kLiveAdvance, in equal steps of at most
   // options().step, that become shorter where bodies meet. Ends early where a step is blocked or
   // not finite, or after twenty times as many steps. Returns the worst that happened to a step.
   StepOutcome advance(double seconds);

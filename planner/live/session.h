@@ -144,9 +144,9 @@ class Session {
   Trial auto_grasp();
   // Improves the grasp in hand by at most so many trials close to it (refine_grasps), on the
   // threads of plans. Nothing changes where none is better. Throws InputError for a hand that does
-  // not hold the object, and of the field "trials" outside of 2 .. kMostRefineTrials.
+  // not hold the object, and of the field "trials" outside of kRefineTrials.
   Refined refine(int trials, std::uint64_t seed);
-  static constexpr int kMostRefineTrials = 2000;
+  static constexpr Range kRefineTrials{.lower = 2.0, .upper = 2000.0};
 
   // --- The arm. All throw InputError of the field "command" without one.
   std::vector<ArmBranch> branches() const;
@@ -249,6 +249,8 @@ class Session {
   void require_still(const SessionState& next) const;
   HandMotion go(const HandPosture& to, const std::optional<Dragged>& dragged = {});
   HandMotion go_to_dofs(std::vector<double> dofs, const std::optional<Dragged>& dragged = {});
+  // Throws InputError for a pose that is too far away (kCoordinate).
+  static void require_place(const Pose& X);
   BodyMotion move_body(BodyId body, const Pose& X_WB, const std::optional<Dragged>& dragged);
   void settle_arm(SessionState& next) const;
   void hold_arm(SessionState& next, const DofValues& dofs) const;

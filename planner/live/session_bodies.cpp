@@ -3,13 +3,19 @@
 #include "planner/live/session.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 
 // How a session moves the object and obstacles.
 namespace prehend {
 
+void Session::require_place(const Pose& X) {
+  for (const double x : X.translation()) require_in(kCoordinate, x, "position");
+}
+
 BodyMotion Session::move_body(BodyId body, const Pose& X_WB,
                               const std::optional<Dragged>& dragged) {
   require_no_plan();
+  require_place(X_WB);
   BodyPlaces places = places_of(state_.world->scene());
   const Pose X_WH = this->X_WH();
   const CompiledScene* parts = state_.world->parts();

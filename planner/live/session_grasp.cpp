@@ -28,10 +28,7 @@ TriedGrasp Session::grasp_in_hand() const {
 }
 
 Refined Session::refine(int trials, std::uint64_t seed) {
-  require(trials >= 2 && trials <= kMostRefineTrials,
-          {.field = "trials",
-           .problem = "must be from 2 to " + std::to_string(kMostRefineTrials),
-           .value = std::to_string(trials)});
+  require_in(kRefineTrials, trials, "trials");
   const TriedGrasp grasp = grasp_in_hand();
   TrialOptions options = trial_options();
   options.reach.kinematics.seed = derived_seed(seed);

@@ -5,6 +5,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
+#include "sim/base/range.h"
 #include "sim/trial/approach.h"
 #include "sim/trial/grasp_contacts.h"
 #include "sim/trial/run_trial.h"
@@ -43,6 +44,9 @@ HandMotion Session::go(const HandPosture& to, const std::optional<Dragged>& drag
 }
 
 HandMotion Session::move_hand(const Pose& X_OH, Gesture gesture) {
+  // Motions that follow each other must not lead farther and farther away either.
+  require_place(X_OH);
+  require_place(state_.world->X_WO() * X_OH);
   HandPosture to = state_.hand;
   to.X_OH = X_OH;
   if (!gesture) return go(to);
@@ -89,13 +93,13 @@ HandMotion Session::open_hand() {
 }
 
 HandMotion Session::back_off(double distance) {
-  require(distance >= 0.0, {.field = "distance", .problem = "must not be negative"});
+  require_in(kDistance, distance, "distance");
   const Vector3& approach_H = state_.world->scene().hand.hand->approach;
   return move_hand(state_.hand.X_OH * translation(-distance * approach_H));
 }
 
 HandMotion Session::approach(double distance) {
-  require(distance >= 0.0, {.field = "distance", .problem = "must not be negative"});
+  require_in(kDistance, distance, "distance");
   const CompiledScene& scene = state_.world->compiled();
   const Vector3 approach_O = state_.hand.X_OH.linear() * scene.scene.hand.hand->approach;
   const ApproachMotion motion{translation(distance * approach_O) * state_.hand.X_OH, approach_O,

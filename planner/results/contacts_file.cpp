@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planner/results/json_contact.h"
+#include "sim/base/range.h"
 #include "sim/quality/ranges.h"
 
 namespace prehend {

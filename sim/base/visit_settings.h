@@ -6,6 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "sim/base/range.h"
 #include "sim/base/settings.h"
 
 namespace prehend {

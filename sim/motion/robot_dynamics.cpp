@@ -4,6 +4,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -22,7 +23,7 @@ Index at(std::size_t j) { return static_cast<Index>(j); }
 }  // namespace
 
 RobotDynamics::RobotDynamics(const Robot& robot) {
-  require_tree(robot);
+  require_sound(robot);
   for (const Joint& joint : robot.joints) bodies_.push_back({joint, axis_in(joint)});
   for (const Link& link : robot.links) {
     if (link.joint >= 0) bodies_[index(link.joint)].inertia_A += spatial_inertia(link.inertial);

@@ -35,7 +35,7 @@ struct RobotSurroundings {
 // do not matter. All functions take one number a joint, and may be called from several threads.
 class RobotDynamics {
  public:
-  // Throws InputError that names the joint for a robot that is no tree (require_tree), and for a
+  // Throws InputError that names the joint for a robot that is no tree (require_sound), and for a
   // joint that moves no mass: it would accelerate without bound.
   explicit RobotDynamics(const Robot& robot);
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/base/named_enum.h"
+#include "sim/base/range.h"
 #include "sim/base/settings.h"
 #include "sim/motion/contact_memory.h"
 #include "sim/motion/rigid_motion.h"

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/quality/ranges.h"
 
 // The contact map (Murray, Li and Sastry 1994, section 5.2) has one column for each thing that a
@@ -43,8 +44,8 @@ std::string number_text(double value) {
 
 void check_point(const std::string& field, const Eigen::Vector3d& point) {
   if (!point.allFinite()) reject(field, "not finite", point.transpose().format(kInline));
-  if (point.cwiseAbs().maxCoeff() > kLargestLength) {
-    reject(field, "must be within " + number_text(kLargestLength) + " m of 0",
+  if (point.cwiseAbs().maxCoeff() > kFarthest) {
+    reject(field, "must be within " + number_text(kFarthest) + " m of 0",
            point.transpose().format(kInline));
   }
 }
@@ -87,7 +88,7 @@ void check_contact(const Contact& contact) {
     reject("normal", "not unit", contact.normal.transpose().format(kInline));
   }
   check_range("friction", contact.friction, 0.0, kLargestFriction);
-  check_range("torsion", contact.torsion, 0.0, kLargestLength);
+  check_range("torsion", contact.torsion, 0.0, kFarthest);
 }
 
 void check_frame(const WrenchFrame& frame) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/base/require_settings.h"
 #include "sim/quality/conic/conic_program.h"
 #include "sim/quality/force_program.h"

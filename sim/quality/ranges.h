@@ -7,19 +7,10 @@
 
 namespace prehend {
 
-// Coordinates of positions and of the torque origin, and the torsion of a soft finger, are at most
-// this, in magnitude [m].
-inline constexpr double kLargestLength = 1e6;
-
-inline constexpr double kLargestFriction = 1e6;
-
 // Of WrenchFrame::torque_scale [1/m].
 inline constexpr double kSmallestTorqueScale = 1e-9;
 inline constexpr double kLargestTorqueScale = 1e9;
 
-// Components of external and task wrenches [N, N m], and joint torque limits that are not infinite,
-// are at most this, in magnitude.
-inline constexpr double kLargestLoad = 1e9;
 // Weights, joint torque limits and lengths of directions that are not zero are at least this.
 inline constexpr double kSmallestLoad = 1e-9;
 // The smallest length of a wrench of a task that is not zero, with its torque scaled: that of a

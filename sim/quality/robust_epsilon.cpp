@@ -8,6 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/base/range.h"
 #include "sim/base/require_settings.h"
 #include "sim/quality/ranges.h"
 #include "sim/quality/wrench_space.h"
@@ -49,8 +50,8 @@ std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFr
     const Eigen::Vector3d own = normal_vector(random, noise.contact_position * r);
     contact.position =
         (frame.torque_origin + shift + own + turn * (contact.position - frame.torque_origin))
-            .cwiseMax(-kLargestLength)
-            .cwiseMin(kLargestLength);
+            .cwiseMax(-kFarthest)
+            .cwiseMin(kFarthest);
     contact.normal =
         normal_rotation(random, noise.normal_angle) * turn * contact.normal.normalized();
     const double rougher = contact.friction * std::exp(noise.friction * random.normal());

@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/quality/forces.h"
 #include "sim/quality/ranges.h"
 

@@ -7,6 +7,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -74,7 +75,7 @@ AssembledPlatform assemble(const Platform& platform) {
   Robot& whole = assembled.robot;
   whole.name = platform.name;
   for (const MountedRobot& mounted : platform.robots) {
-    require_tree(mounted.robot);
+    require_sound(mounted.robot);
     PlatformPart part;
     part.X_JR = mounted.X_MR;
     if (mounted.parent >= 0) {

@@ -47,7 +47,7 @@ struct AssembledPlatform {
 };
 
 // The robots joined into one tree: the joints and links that stand on a robot's base follow the
-// joint that carries it. Throws InputError for a robot whose joints are no tree (require_tree).
+// joint that carries it. Throws InputError for a robot whose joints are no tree (require_sound).
 AssembledPlatform assemble(const Platform& platform);
 
 // The initial values of all degrees of freedom, in the order of the assembled platform [rad or m].

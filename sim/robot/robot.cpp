@@ -6,13 +6,9 @@
 #include <string>
 
 #include "sim/base/index.h"
-#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
-
-// Lengths of axes are 1 up to rounding.
-constexpr double kUnit = 1e-9;
 
 // The motion of a joint whose value, with its zero, is `amount`.
 Pose motion(const Joint& joint, double amount) {
@@ -27,22 +23,6 @@ Pose motion(const Joint& joint, double amount) {
       s, c, 0.0,           //
       0.0, 0.0, 1.0;
   return pose_from(rotation, Vector3::Zero());
-}
-
-void require_chain(const Robot& robot, const Chain& chain) {
-  const int last = chain.first_joint + chain.joint_count - 1;
-  const auto fail = [&](const std::string& problem) {
-    throw InputError({robot.name, "chain " + chain.name, problem});
-  };
-  if (chain.first_joint < 0 || chain.joint_count < 1 ||
-      last >= static_cast<int>(robot.joints.size())) {
-    fail("names joints that the robot does not have");
-  }
-  for (int j = chain.first_joint + 1; j <= last; ++j) {
-    if (robot.joints[index(j)].parent != j - 1) {
-      fail("joint " + robot.joints[index(j)].name + " does not follow the one before it");
-    }
-  }
 }
 
 }  // namespace
@@ -133,33 +113,6 @@ Pose joint_pose(const Robot& robot, int joint, const std::vector<double>& joints
   const Pose X_BF =
       last.parent < 0 ? last.X_PJ : joint_pose(robot, last.parent, joints) * last.X_PJ;
   return X_BF * across(last, joints[index(joint)]);
-}
-
-void require_tree(const Robot& robot) {
-  for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-    const Joint& joint = robot.joints[j];
-    const auto fail = [&](const std::string& problem) {
-      throw InputError({robot.name, "joint " + joint.name, problem});
-    };
-    if (joint.parent < -1 || joint.parent >= static_cast<int>(j)) {
-      fail("must stand after its parent joint");
-    }
-    if (!(std::abs(joint.axis.norm() - 1.0) < kUnit)) fail("axis must be of length 1");
-    if (joint.dof < 0 || joint.dof >= static_cast<int>(robot.dofs.size())) {
-      fail("no degree of freedom drives it");
-    }
-  }
-  for (const Link& link : robot.links) {
-    if (link.joint < -1 || link.joint >= static_cast<int>(robot.joints.size())) {
-      throw InputError({robot.name, "link " + link.name, "follows no joint of the robot"});
-    }
-  }
-  for (const Chain& chain : robot.chains) require_chain(robot, chain);
-  const int links = static_cast<int>(robot.links.size());
-  for (const auto& [a, b] : robot.exempt_pairs) {
-    if (0 <= a && a < b && b < links) continue;
-    throw InputError({robot.name, "exempt_pairs", "not two links, the lower one first"});
-  }
 }
 
 }  // namespace prehend

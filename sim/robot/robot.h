@@ -210,9 +210,4 @@ Pose link_pose(const Robot& robot, const std::vector<int>& chain,
 // X_BJ, as in joint_poses, of one joint.
 Pose joint_pose(const Robot& robot, int joint, const std::vector<double>& joints);
 
-// Throws InputError "ROBOT: joint NAME: ..." unless every joint stands after its parent, has a unit
-// axis and a degree of freedom, every chain is a path, and exempt pairs are of links. Robots read
-// from files are like this; those built in code are checked when they are compiled or assembled.
-void require_tree(const Robot& robot);
-
 }  // namespace prehend

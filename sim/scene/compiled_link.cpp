@@ -8,6 +8,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/robot/link_pairs.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -82,7 +83,7 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
 }
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {
-  require_tree(robot);
+  require_sound(robot);
   std::vector<CompiledLink> links;
   for (const Link& link : robot.links) links.push_back(compile_link(scene, robot, link));
   return links;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/quality/ranges.h"
 
 namespace prehend {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/base/material.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 

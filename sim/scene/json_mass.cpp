@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "sim/base/range.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/object_mass.h"
 
@@ -10,22 +11,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kLargestMass = 1e9;  // kg
-
 std::optional<double> read_number(const JsonField& field, const char* key) {
   if (!field.has(key)) return std::nullopt;
   return field[key].number();
 }
 
-Vector3 read_place(const JsonField& field) {
-  const Vector3 place = field.vector3();
-  if (!(place.cwiseAbs().maxCoeff() <= kFarthestPosition)) field.fail("must be within 1e6 m of 0");
-  return place;
-}
-
 BeyondPlane read_beyond(const JsonField& field) {
   field.allow_only({"point", "normal"});
-  return {read_place(field["point"]), field["normal"].direction()};
+  return {field["point"].vector3(kCoordinate), field["normal"].direction()};
 }
 
 MassPart read_part(const JsonField& field) {
@@ -39,7 +32,7 @@ MassPart read_part(const JsonField& field) {
   if (field.has("component")) part.where = MeshComponent{field["component"].integer()};
   if (field.has("inside")) part.where = InsideShape{read_primitive(field["inside"])};
   if (field.has("beyond")) part.where = read_beyond(field["beyond"]);
-  if (field.has("at")) part.where = AtPoint{read_place(field["at"])};
+  if (field.has("at")) part.where = AtPoint{field["at"].vector3(kCoordinate)};
   return part;
 }
 
@@ -82,10 +75,7 @@ Json part_json(const MassPart& part) {
 }  // namespace
 
 double whole_mass(const JsonField& object) {
-  const double mass = object.number_or("mass", kDefaultObjectMass);
-  if (!(mass > 0.0)) object["mass"].fail("must be positive");
-  if (mass > kLargestMass) object["mass"].fail("must be at most 1e9 kg");
-  return mass;
+  return object.number_or("mass", kDefaultObjectMass, kMass);
 }
 
 void read_mass(const JsonField& object, GraspableBody& body) {
@@ -99,7 +89,7 @@ void read_mass(const JsonField& object, GraspableBody& body) {
     if (body.mass > kLargestMass) object.fail("weighs more than 1e9 kg");
   }
   if (object.has("center_of_mass")) {
-    state_center_of_mass(body, read_place(object["center_of_mass"]));
+    state_center_of_mass(body, object["center_of_mass"].vector3(kCoordinate));
   }
 }
 

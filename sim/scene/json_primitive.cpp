@@ -6,27 +6,16 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/base/range.h"
+
 namespace prehend {
 namespace {
 
-// A size [m].
-double positive(const JsonField& field) {
-  if (!(field.number() > 0.0)) field.fail("must be positive");
-  if (field.number() > kFarthestPosition) field.fail("must be at most 1e6 m");
-  return field.number();
-}
+// Sizes [m].
+double positive(const JsonField& field) { return field.number(kLengthAbove0); }
+double not_negative(const JsonField& field) { return field.number(kDistance); }
 
-// A size that may be 0 [m].
-double not_negative(const JsonField& field) {
-  return field.number() == 0.0 ? 0.0 : positive(field);
-}
-
-Box read_box(const JsonField& field) {
-  const Box box{field["size"].vector3()};
-  if (!(box.size.minCoeff() > 0.0)) field["size"].fail("must be positive");
-  if (box.size.maxCoeff() > kFarthestPosition) field["size"].fail("must be at most 1e6 m");
-  return box;
-}
+Box read_box(const JsonField& field) { return Box{field["size"].vector3(kLengthAbove0)}; }
 
 Cone read_cone(const JsonField& field) {
   const Cone cone{not_negative(field["radius_low"]), not_negative(field["radius_high"]),
@@ -41,10 +30,7 @@ Cone read_cone(const JsonField& field) {
 std::vector<Vector3> read_points(const JsonField& field) {
   std::vector<Vector3> points;
   for (const JsonField& item : field.items()) {
-    points.push_back(item.vector3());
-    if (!(points.back().cwiseAbs().maxCoeff() <= kFarthestPosition)) {
-      item.fail("must be at most 1e6 m");
-    }
+    points.push_back(item.vector3(kCoordinate));
     if (points.size() > 1 && points.back() == points[points.size() - 2]) {
       item.fail("must differ from the point before");
     }

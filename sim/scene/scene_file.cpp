@@ -9,6 +9,7 @@
 #include "sim/base/input_file.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 #include "sim/base/xml/xml_file.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
@@ -44,9 +45,7 @@ Material read_material(const JsonField& body, Material otherwise) {
 }
 
 double read_restitution(const JsonField& body) {
-  const double restitution = body.number_or("restitution", 0.0);
-  if (!(restitution >= 0.0 && restitution <= 1.0)) body["restitution"].fail("must be from 0 to 1");
-  return restitution;
+  return body.number_or("restitution", 0.0, kFraction);
 }
 
 TriangleMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit) {

@@ -8,6 +8,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/shape/polygon.h"
 #include "sim/shape/weld.h"
 
@@ -16,10 +17,9 @@ namespace {
 
 void need_positive(const char* name, double value) {
   // Twice what a vertex may be away from the middle.
-  require(value > 0.0 && value <= 2.0 * kFarthestVertex,
-          {.field = name,
-           .problem = "must be above 0 and at most 2e6 m",
-           .value = formatted("%g", value)});
+  require(value > 0.0 && value <= 2.0 * kFarthest, {.field = name,
+                                                    .problem = "must be above 0 and at most 2e6 m",
+                                                    .value = formatted("%g", value)});
 }
 
 void need_range(const char* name, int value, int lowest, int highest) {

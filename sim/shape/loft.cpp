@@ -8,6 +8,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/shape/polygon.h"
 #include "sim/shape/weld.h"
 
@@ -93,10 +94,9 @@ TriangleMesh make_loft(const std::vector<LoftSection>& sections) {
 }
 
 TriangleMesh make_capsule(const Vector3& from, const Vector3& to, double radius, int sides) {
-  require(radius > 0.0 && radius <= kFarthestVertex,
-          {.field = "capsule radius",
-           .problem = "must be above 0 and at most 1e6 m",
-           .value = formatted("%g", radius)});
+  require(radius > 0.0 && radius <= kFarthest, {.field = "capsule radius",
+                                                .problem = "must be above 0 and at most 1e6 m",
+                                                .value = formatted("%g", radius)});
   require(
       sides >= 4 && sides <= 360,
       {.field = "capsule sides", .problem = "must be 4 to 360", .value = std::to_string(sides)});

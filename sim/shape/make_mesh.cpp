@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/shape/mesh_checks.h"
 #include "sim/shape/weld.h"
 
@@ -14,7 +15,7 @@ namespace {
 void check_vertices(const TriangleMesh& mesh) {
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
     const Vector3& p = mesh.vertices[v];
-    if (p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthestVertex) continue;
+    if (p.allFinite() && p.cwiseAbs().maxCoeff() <= kFarthest) continue;
     throw InputError({.field = "vertices[" + std::to_string(v) + "]",
                       .problem = "not finite, or farther out than 1e6 m"});
   }

@@ -8,6 +8,7 @@
 
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/shape/parted_solid.h"
 
 // All is computed in the frame and at the scale of MassSolid, where the diagonal of the mesh is 1.
@@ -23,7 +24,7 @@ std::string number(double value) { return formatted("%.6g", value); }
 
 void check_density(const std::string& field, double density) {
   if (!(density >= 0.0)) refuse(field, "must be at least 0", number(density));
-  if (!(density <= kLargestDensity)) refuse(field, "must be at most 1e6 kg/m^3", number(density));
+  if (!(density <= kDensity.upper)) refuse(field, "must be at most 1e6 kg/m^3", number(density));
 }
 
 void check_mass(const std::string& field, double mass) {

@@ -53,7 +53,6 @@ struct StatedMass {
 };
 
 inline constexpr int kMostMassParts = 32;
-inline constexpr double kLargestDensity = 1e6;  // kg/m^3
 
 // A part of the mass.
 struct MassShare {

@@ -46,7 +46,8 @@ class TreeWalk {
     Wanted wanted;
     float nearest_left_out = std::numeric_limits<float>::infinity();
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      if (squared[lane] > wanted_) {
+      // A bound that is no number is of no triangle: to go on with it would never end.
+      if (!(squared[lane] <= wanted_)) {
         nearest_left_out = std::min(nearest_left_out, squared[lane]);
         continue;
       }

@@ -29,10 +29,6 @@ WeldedMesh weld(const TriangleMesh& mesh, double tolerance);
 // triangle with an area is left.
 WeldedMesh weld_to_scale(const TriangleMesh& mesh, double fraction);
 
-// Vertices must not be farther out than this [m], along any axis: far more than anything that can
-// be gripped, and so little that all volumes and moments of inertia are doubles.
-inline constexpr double kFarthestVertex = 1e6;
-
 // Removes vertices that no triangle uses; the others and the triangles stay in order.
 void drop_unused_vertices(TriangleMesh& mesh);
 

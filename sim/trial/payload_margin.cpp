@@ -8,6 +8,7 @@
 
 #include "sim/base/gravity.h"
 #include "sim/base/index.h"
+#include "sim/base/range.h"
 #include "sim/motion/clutches.h"
 #include "sim/quality/forces.h"
 #include "sim/quality/ranges.h"

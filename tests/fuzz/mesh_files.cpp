@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "sim/base/range.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/mesh_checks.h"
@@ -22,7 +23,7 @@ void check_clean(const LoadedMesh& loaded) {
   }
   promised(std::find(used.begin(), used.end(), false) == used.end(), "every vertex is used");
   for (const Vector3& vertex : mesh.vertices) {
-    promised(vertex.cwiseAbs().maxCoeff() <= kFarthestVertex, "no vertex is beyond 1e30 m");
+    promised(vertex.cwiseAbs().maxCoeff() <= kFarthest, "no vertex is beyond 1e30 m");
   }
   promised(check_mesh(mesh).degenerate_triangles == 0, "no triangle is degenerate");
 }

@@ -9,6 +9,8 @@
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/files/urdf_file.h"
+#include "sim/robot/hand/self_collision.h"
+#include "sim/robot/sound_robot.h"
 #include "tests/fuzz/mesh_promises.h"
 #include "tests/fuzz/untrusted_files.h"
 
@@ -60,8 +62,26 @@ void check_links(const Robot& robot) {
   }
 }
 
+// Distances between the links at both ends of all motions, as every search asks for them.
+void check_moves(const Robot& robot) {
+  if (robot.links.size() < 2) return;
+  const SelfCollision links(robot);
+  const std::vector<int> first = {0};
+  const std::vector<int> last = {static_cast<int>(robot.links.size()) - 1};
+  std::vector<double> lower;
+  std::vector<double> upper;
+  for (const DegreeOfFreedom& dof : robot.dofs) {
+    lower.push_back(dof.lower);
+    upper.push_back(dof.upper);
+  }
+  for (const std::vector<double>& dofs : {initial_dofs(robot), lower, upper}) {
+    const double distance = links.distance(first, last, dofs);
+    promised(std::isfinite(distance) && distance >= 0.0, "links are at finite distances");
+  }
+}
+
 void check_robot(const Robot& robot) {
-  require_tree(robot);
+  require_sound(robot);
   for (const Joint& joint : robot.joints) check_joint(joint, robot);
   for (const DegreeOfFreedom& dof : robot.dofs) check_dof(dof);
   check_links(robot);
@@ -69,6 +89,7 @@ void check_robot(const Robot& robot) {
   std::vector<Pose> X_BL;
   link_poses(robot, joint_values(robot, initial_dofs(robot)), X_BL);
   promised(std::all_of(X_BL.begin(), X_BL.end(), finite), "links are at finite places");
+  check_moves(robot);
 }
 
 // As the robot of a file in another format: whole, and parted where there is a hand on an arm.

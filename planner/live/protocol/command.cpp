@@ -8,13 +8,14 @@
 namespace prehend {
 namespace {
 
-void check_type(const JsonField& field, FieldType type) {
-  switch (type) {
+void check_field(const JsonField& field, const CommandField& declared) {
+  switch (declared.type) {
     case FieldType::number:
-      (void)field.number();
+      (void)field.number(declared.range);
       return;
     case FieldType::integer:
       (void)field.integer();
+      (void)field.number(declared.range);
       return;
     case FieldType::boolean:
       (void)field.boolean();
@@ -23,10 +24,10 @@ void check_type(const JsonField& field, FieldType type) {
       (void)field.text();
       return;
     case FieldType::vector3:
-      (void)field.vector3();
+      (void)field.vector3(declared.range);
       return;
     case FieldType::numbers:
-      (void)field.numbers(field.items().size());
+      (void)field.numbers(field.items().size(), declared.range);
       return;
     case FieldType::pose:
       (void)read_pose(field);
@@ -60,7 +61,7 @@ void check_fields(const Command& command, const JsonField& request) {
   for (const CommandField& field : command.fields) names.push_back(field.name);
   request.allow_only(names);
   for (const CommandField& field : command.fields) {
-    if (field.required || request.has(field.name)) check_type(request[field.name], field.type);
+    if (field.required || request.has(field.name)) check_field(request[field.name], field);
   }
 }
 

@@ -12,13 +12,14 @@
 
 #include "planner/live/session.h"
 #include "sim/base/json/json_field.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 
 using ProtocolJson = nlohmann::ordered_json;
 
 enum class FieldType {
-  number,  // finite
+  number,
   integer,
   boolean,
   text,     // not empty
@@ -32,6 +33,7 @@ struct CommandField {
   FieldType type = FieldType::number;
   bool required = false;
   std::string meaning = {};  // with unit and frame
+  Range range = kAnyNumber;  // of a number, and of each in a list or a vector
 };
 
 // What a command may do.
@@ -67,7 +69,7 @@ const std::vector<Command>& commands();
 const Command* find_command(std::string_view name);
 
 // Throws InputError unless the request has the command's required fields, no others but "id" and
-// "command", and each of the right type.
+// "command", and each of the right type, numbers within their ranges.
 void check_fields(const Command& command, const JsonField& request);
 
 // Parts of the table.

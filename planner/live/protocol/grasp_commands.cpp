@@ -2,6 +2,7 @@
 #include "planner/live/protocol/session_json.h"
 #include "sim/base/index.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 
 // The commands that improve the grasp in hand, and show how the robot comes to it.
 namespace prehend {
@@ -36,8 +37,9 @@ std::vector<Command> grasp_commands() {
       {"grasp.refine",
        CommandKind::change,
        "Improves the grasp in hand by trials of grasps close to it. It stays where none is better.",
-       {{"trials", FieldType::integer, false, "how many at most, 2 to 2000; 200, with an arm 100"},
-        {"seed", FieldType::integer, false, "of everything random, at least 0; 1"}},
+       {{"trials", FieldType::integer, false, "how many at most, 2 to 2000; 200, with an arm 100",
+         Session::kRefineTrials},
+        {"seed", FieldType::integer, false, "of everything random, at least 0; 1", kIndex}},
        "`improved`, `epsilon_before` and `epsilon` (lower bounds), how many `trials`, `outcome`, "
        "and `hand`",
        grasp_refine}};

@@ -303,7 +303,7 @@ class GraspitLine {
   void move_bodies() {
     double seconds = words_.at_end() ? -1.0 : words_.number("the time step");
     words_.end();
-    if (seconds > kMostSeconds) throw InputError("the time step is longer than 1 s.");
+    if (seconds > kLiveAdvance.upper) throw InputError("the time step is longer than 1 s.");
     start_time();
     MovingWorld& moving = session_.moving();
     if (seconds <= 0.0) seconds = moving.options().step;

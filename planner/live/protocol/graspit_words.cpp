@@ -6,6 +6,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 namespace {

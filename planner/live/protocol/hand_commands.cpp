@@ -3,6 +3,7 @@
 #include "sim/base/index.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 
 // The commands that move the hand, and those that undo.
 namespace prehend {
@@ -126,9 +127,9 @@ std::vector<Command> motion_commands() {
       {"hand.dofs",
        CommandKind::change,
        "Moves degrees of freedom, all or one. Beyond a limit they end at it; joints follow.",
-       {{"dofs", FieldType::numbers, false, "one value for each [rad or m]"},
+       {{"dofs", FieldType::numbers, false, "one value for each [rad or m]", kCoordinate},
         {"dof", FieldType::text, false, "the name of one"},
-        {"value", FieldType::number, false, "of `dof` [rad or m]"},
+        {"value", FieldType::number, false, "of `dof` [rad or m]", kCoordinate},
         gesture_field()},
        kReplyMotion,
        hand_dofs},
@@ -147,14 +148,14 @@ std::vector<Command> motion_commands() {
       {"hand.back_off",
        CommandKind::change,
        "Moves the hand back, against its approach direction.",
-       {{"distance", FieldType::number, false, "m, at least 0; 0.008"}},
+       {{"distance", FieldType::number, false, "m, at least 0; 0.008", kDistance}},
        kReplyMotion,
        hand_back_off},
       {"hand.approach",
        CommandKind::change,
        "Moves the hand along its approach direction until it touches the object or an obstacle. "
        "It stays where it is when there is nothing to touch.",
-       {{"distance", FieldType::number, false, "how far at most [m]; 0.5"}},
+       {{"distance", FieldType::number, false, "how far at most [m]; 0.5", kDistance}},
        kReplyMotion,
        hand_approach}};
 }

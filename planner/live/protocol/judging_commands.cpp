@@ -5,6 +5,7 @@
 #include "planner/show/report/slice_json.h"
 #include "sim/base/index.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 
 // The commands that ask and change nothing.
 namespace prehend {
@@ -115,9 +116,9 @@ std::vector<Command> judging_commands() {
        CommandKind::query,
        "The smallest contact forces that balance a load on the object.",
        {{"force_object", FieldType::vector3, false,
-         "load at the centre of mass, frame of the object [N]; 0"},
+         "load at the centre of mass, frame of the object [N]; 0", kLoad},
         {"torque_object", FieldType::vector3, false,
-         "load about the centre of mass, frame of the object [N m]; 0"},
+         "load about the centre of mass, frame of the object [N m]; 0", kLoad},
         {"drive_limits", FieldType::boolean, false,
          "whether the hand's drives have to bear them; false"}},
        "`outcome` (balanced, impossible or limit), `largest_normal` and `sum_of_normals` [N], "

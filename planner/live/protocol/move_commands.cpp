@@ -3,6 +3,7 @@
 #include "sim/base/index.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 
 // The commands that move the object, obstacles and the arm, as hands drag them.
 namespace prehend {
@@ -50,7 +51,6 @@ ProtocolJson arm_branches_of(const CommandScope& scope, const JsonField& /*reque
 
 ProtocolJson arm_choose(const CommandScope& scope, const JsonField& request) {
   const int branch = request["branch"].integer();
-  if (branch < 0) request["branch"].fail("must not be negative");
   scope.session.choose_branch(index(branch));
   return {{"arm", arm_json(scope.session)}};
 }
@@ -129,16 +129,16 @@ std::vector<Command> arm_commands() {
       {"arm.choose",
        CommandKind::change,
        "Puts the arm into one of these postures, whatever is between.",
-       {{"branch", FieldType::integer, true, "its number in `arm.branches`, from 0"}},
+       {{"branch", FieldType::integer, true, "its number in `arm.branches`, from 0", kIndex}},
        "`arm`, as of `state`",
        arm_choose},
       {"arm.joints",
        CommandKind::change,
        "Moves joints of the arm evenly, all or one, and the hand with them. Beyond a limit they "
        "end at it. An arm that does not hold the hand takes it to where it is itself.",
-       {{"joints", FieldType::numbers, false, "one value for each [rad or m]"},
+       {{"joints", FieldType::numbers, false, "one value for each [rad or m]", kCoordinate},
         {"joint", FieldType::text, false, "the name of one"},
-        {"value", FieldType::number, false, "of `joint` [rad or m]"},
+        {"value", FieldType::number, false, "of `joint` [rad or m]", kCoordinate},
         gesture_field()},
        "`end`, `share`, `link` and `by` as of `hand.move`, `hand` and `arm`",
        arm_joints_set}};
@@ -154,7 +154,8 @@ std::optional<int> gesture_of(const JsonField& request) {
 CommandField gesture_field() {
   return {"drag", FieldType::integer, false,
           "a number that names a gesture: motions of the same thing that follow each other with "
-          "the same number are undone together"};
+          "the same number are undone together",
+          kIndex};
 }
 
 std::vector<Command> move_commands() {

@@ -2,6 +2,7 @@
 #include "planner/live/protocol/session_json.h"
 #include "sim/base/index.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 
 // The commands that find and show how the robot comes to a grasp.
 namespace prehend {
@@ -56,7 +57,6 @@ ProtocolJson path_json(const PlannedPath& path) {
 ProtocolJson path_result(const CommandScope& scope, const JsonField& request) {
   if (!request.has("grasp")) return path_json(scope.session.path());
   const int grasp = request["grasp"].integer();
-  if (grasp < 0) request["grasp"].fail("must not be negative");
   return path_json(scope.session.path_of(index(grasp)));
 }
 
@@ -72,7 +72,7 @@ std::vector<Command> path_commands() {
        "and `path` that it has ended. One plan or path at a time.",
        {{"lift", FieldType::boolean, false,
          "whether an arm then lifts the object and takes it back to its start; true"},
-        {"seed", FieldType::integer, false, "of everything random, at least 0; 1"}},
+        {"seed", FieldType::integer, false, "of everything random, at least 0; 1", kIndex}},
        "`started`",
        path_plan},
       {"path.cancel",
@@ -87,7 +87,7 @@ std::vector<Command> path_commands() {
        "or "
        "the path of a result of a plan with `paths`.",
        {{"grasp", FieldType::integer, false,
-         "the number of the result, from 0; without it, that of `path.plan`"}},
+         "the number of the result, from 0; without it, that of `path.plan`", kIndex}},
        "`status` (found or not_found, with a `problem`), the names of `joints`, `samples` at most "
        "0.05 s apart, each with `time` [s], `joints` [rad or m], `X_world_hand` and "
        "`X_world_object`, between which joints move evenly, `segments` by `name`, each from its "

@@ -13,16 +13,8 @@
 namespace prehend {
 namespace {
 
-constexpr int kMostTrials = 1000000;
-constexpr int kMostTop = 100000;
-
-int integer_within(const JsonField& field, int lower, int upper) {
-  const int number = field.integer();
-  if (number < lower || number > upper) {
-    field.fail("must be from " + std::to_string(lower) + " to " + std::to_string(upper));
-  }
-  return number;
-}
+constexpr Range kTrials{.lower = 1.0, .upper = 1e6};
+constexpr Range kTop{.lower = 1.0, .upper = 1e5};
 
 PlanOptions options_of_plan(const JsonField& request) {
   PlanOptions options;
@@ -32,10 +24,8 @@ PlanOptions options_of_plan(const JsonField& request) {
     if (!accuracy) field.fail("must be one of draft, standard, fine");
     options = plan_options(*accuracy);
   }
-  if (request.has("trials")) {
-    options.search.trials = integer_within(request["trials"], 1, kMostTrials);
-  }
-  if (request.has("top")) options.rank.top = integer_within(request["top"], 1, kMostTop);
+  if (request.has("trials")) options.search.trials = request["trials"].integer();
+  if (request.has("top")) options.rank.top = request["top"].integer();
   if (request.has("paths") && request["paths"].boolean()) options.paths.emplace();
   if (request.has("seed")) options.seed = request["seed"].unsigned_integer();
   return options;
@@ -62,8 +52,9 @@ ProtocolJson duration_of_path(const ScoredGrasp& grasp) {
 }
 
 ProtocolJson plan_results(const CommandScope& scope, const JsonField& request) {
-  const int first = request.has("first") ? integer_within(request["first"], 0, kMostTop) : 0;
-  const int count = request.has("count") ? integer_within(request["count"], 0, kMostTop) : kMostTop;
+  const int first = request.has("first") ? request["first"].integer() : 0;
+  const int count =
+      request.has("count") ? request["count"].integer() : std::numeric_limits<int>::max();
   const auto& results = scope.session.state().results;
   ProtocolJson list = ProtocolJson::array();
   const std::size_t size = results ? results->grasps.size() : 0;
@@ -80,7 +71,7 @@ ProtocolJson plan_results(const CommandScope& scope, const JsonField& request) {
 }
 
 ProtocolJson plan_go(const CommandScope& scope, const JsonField& request) {
-  const int grasp = integer_within(request["grasp"], 0, kMostTop);
+  const int grasp = request["grasp"].integer();
   scope.session.go_to(index(grasp));
   return {{"hand", hand_json(scope.session)}};
 }
@@ -138,49 +129,50 @@ ProtocolJson pin_remove(const CommandScope& scope, const JsonField& request) {
 }
 
 std::vector<Command> of_plans() {
-  return {{"plan.start",
-           CommandKind::query,
-           "Begins to plan grasps of the scene as it is. Events tell how far it is. One plan at a "
-           "time.",
-           {{"trials", FieldType::integer, false, "candidates to try; those of the accuracy"},
-            {"top", FieldType::integer, false, "grasps to keep; 10"},
-            {"seed", FieldType::integer, false, "of everything random, at least 0; 1"},
-            {"accuracy", FieldType::text, false, "draft, standard or fine; standard"},
-            {"paths", FieldType::boolean, false,
-             "whether a path of the arm is planned for each, and those without one are left out; "
-             "false"}},
-           "`started`, and how many `trials`",
-           plan_start},
-          {"plan.cancel",
-           CommandKind::query,
-           "Ends the running plan at once. What it has found is kept; the event `plan` tells when "
-           "it is "
-           "there.",
-           {},
-           "`cancelled`, false where none runs",
-           plan_cancel},
-          {"plan.results",
-           CommandKind::query,
-           "What the last plan in this scene has found, best first.",
-           {{"first", FieldType::integer, false, "number of the first, from 0; 0"},
-            {"count", FieldType::integer, false, "how many at most; all"}},
-           "`status`, the `size` of the whole list, and `grasps`, each with `outcome`, `epsilon`, "
-           "`volume`, `X_object_hand`, `dofs` and `joints` [rad or m], and how long its `path` "
-           "takes [s], "
-           "null without one (`path.result` has it)",
-           plan_results},
-          {"plan.go",
-           CommandKind::change,
-           "Moves the hand to a result, through whatever is there.",
-           {{"grasp", FieldType::integer, true, "its number, from 0"}},
-           "`hand`",
-           plan_go},
-          {"plan.export",
-           CommandKind::query,
-           "The results as files.",
-           {{"format", FieldType::text, false, one_of(text_formats()) + "; json"}},
-           "`files`, each with `name` and `text`",
-           plan_export}};
+  return {
+      {"plan.start",
+       CommandKind::query,
+       "Begins to plan grasps of the scene as it is. Events tell how far it is. One plan at a "
+       "time.",
+       {{"trials", FieldType::integer, false, "candidates to try; those of the accuracy", kTrials},
+        {"top", FieldType::integer, false, "grasps to keep; 10", kTop},
+        {"seed", FieldType::integer, false, "of everything random, at least 0; 1", kIndex},
+        {"accuracy", FieldType::text, false, "draft, standard or fine; standard"},
+        {"paths", FieldType::boolean, false,
+         "whether a path of the arm is planned for each, and those without one are left out; "
+         "false"}},
+       "`started`, and how many `trials`",
+       plan_start},
+      {"plan.cancel",
+       CommandKind::query,
+       "Ends the running plan at once. What it has found is kept; the event `plan` tells when "
+       "it is "
+       "there.",
+       {},
+       "`cancelled`, false where none runs",
+       plan_cancel},
+      {"plan.results",
+       CommandKind::query,
+       "What the last plan in this scene has found, best first.",
+       {{"first", FieldType::integer, false, "number of the first, from 0; 0", kIndex},
+        {"count", FieldType::integer, false, "how many at most; all", kIndex}},
+       "`status`, the `size` of the whole list, and `grasps`, each with `outcome`, `epsilon`, "
+       "`volume`, `X_object_hand`, `dofs` and `joints` [rad or m], and how long its `path` "
+       "takes [s], "
+       "null without one (`path.result` has it)",
+       plan_results},
+      {"plan.go",
+       CommandKind::change,
+       "Moves the hand to a result, through whatever is there.",
+       {{"grasp", FieldType::integer, true, "its number, from 0", kIndex}},
+       "`hand`",
+       plan_go},
+      {"plan.export",
+       CommandKind::query,
+       "The results as files.",
+       {{"format", FieldType::text, false, one_of(text_formats()) + "; json"}},
+       "`files`, each with `name` and `text`",
+       plan_export}};
 }
 
 std::vector<Command> of_pins() {

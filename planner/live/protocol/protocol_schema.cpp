@@ -1,5 +1,6 @@
 #include "planner/live/protocol/protocol_schema.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "planner/live/protocol/command.h"
@@ -10,26 +11,36 @@ namespace {
 
 using Json = ProtocolJson;
 
-Json numbers_schema(int count) {
-  Json schema{{"type", "array"}, {"items", {{"type", "number"}}}};
+// A schema says with its keyword whether the lower end belongs to the range.
+Json number_schema(const char* type, const Range& range) {
+  Json schema{{"type", type}};
+  if (std::isfinite(range.lower)) {
+    schema[range.without_lower ? "exclusiveMinimum" : "minimum"] = range.lower;
+  }
+  if (std::isfinite(range.upper)) schema["maximum"] = range.upper;
+  return schema;
+}
+
+Json numbers_schema(int count, const Range& range) {
+  Json schema{{"type", "array"}, {"items", number_schema("number", range)}};
   if (count > 0) schema["minItems"] = schema["maxItems"] = count;
   return schema;
 }
 
-Json type_schema(FieldType type) {
-  switch (type) {
+Json field_schema(const CommandField& field) {
+  switch (field.type) {
     case FieldType::number:
-      return {{"type", "number"}};
+      return number_schema("number", field.range);
     case FieldType::integer:
-      return {{"type", "integer"}};
+      return number_schema("integer", field.range);
     case FieldType::boolean:
       return {{"type", "boolean"}};
     case FieldType::text:
       return {{"type", "string"}, {"minLength", 1}};
     case FieldType::vector3:
-      return numbers_schema(3);
+      return numbers_schema(3, field.range);
     case FieldType::numbers:
-      return numbers_schema(0);
+      return numbers_schema(0, field.range);
     case FieldType::pose:
       break;
   }
@@ -40,7 +51,7 @@ Json request_schema(const Command& command) {
   Json properties{{"id", {{"$ref", "#/$defs/id"}}}, {"command", {{"const", command.name}}}};
   Json required = Json::array({"command"});
   for (const CommandField& field : command.fields) {
-    Json schema = type_schema(field.type);
+    Json schema = field_schema(field);
     schema["description"] = field.meaning;
     properties[std::string(field.name)] = schema;
     if (field.required) required.push_back(field.name);
@@ -104,10 +115,11 @@ std::string reply_text(const Command& command) {
 std::string protocol_schema() {
   Json requests = Json::array();
   for (const Command& command : commands()) requests.push_back(request_schema(command));
-  const Json pose{
-      {"type", "object"},
-      {"properties", {{"position", numbers_schema(3)}, {"quaternion_wxyz", numbers_schema(4)}}},
-      {"additionalProperties", false}};
+  const Json pose{{"type", "object"},
+                  {"properties",
+                   {{"position", numbers_schema(3, kCoordinate)},
+                    {"quaternion_wxyz", numbers_schema(4, kAnyNumber)}}},
+                  {"additionalProperties", false}};
   const Json schema{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "prehend protocol, version 1"},

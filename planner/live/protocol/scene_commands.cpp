@@ -4,6 +4,7 @@
 #include "planner/live/protocol/session_json.h"
 #include "sim/base/json/json_pose.h"
 #include "sim/base/output_file.h"
+#include "sim/base/range.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/scene/make_scene.h"
@@ -161,7 +162,7 @@ std::vector<CommandField> new_body(const std::vector<CommandField>& more) {
   std::vector<CommandField> fields = {
       {"scene", FieldType::text, false, "a scene of the library, whose object's surface it gets"},
       {"generate", FieldType::text, false, "a generated surface (`hello` lists them)"},
-      {"triangles", FieldType::integer, false, "of `generate`: roughly how many; 5000"},
+      {"triangles", FieldType::integer, false, "of `generate`: roughly how many; 5000", kIndex},
       {"mesh", FieldType::text, false, "a mesh file in an open folder"},
       {"mesh_text", FieldType::text, false, "the content of a mesh file that is text"},
       {"mesh_base64", FieldType::text, false, "the content of a mesh file in base64"},
@@ -223,7 +224,7 @@ std::vector<Command> body_commands() {
        "Gives the scene another object. One of `scene`, `generate`, `mesh`, `mesh_text`, "
        "`mesh_base64` is needed.",
        new_body({{"name", FieldType::text, false, "how it is called"},
-                 {"mass", FieldType::number, false, "kg, above 0, of uniform density; 0.3"},
+                 {"mass", FieldType::number, false, "kg, above 0, of uniform density; 0.3", kMass},
                  {"X_world_object", FieldType::pose, false, "where it is; at the origin"}}),
        kReplyState, object_set},
       {"object.change",
@@ -231,7 +232,7 @@ std::vector<Command> body_commands() {
        "Changes what is given of the object. The hand stays where it is in the world.",
        {{"name", FieldType::text, false, "how it is called"},
         {"material", FieldType::text, false, "glass, metal, plastic, wood or rubber"},
-        {"mass", FieldType::number, false, "kg, above 0, of uniform density"},
+        {"mass", FieldType::number, false, "kg, above 0, of uniform density", kMass},
         {"X_world_object", FieldType::pose, false, "where it is"}},
        kReplyState,
        object_change},

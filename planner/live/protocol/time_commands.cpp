@@ -6,6 +6,7 @@
 #include "planner/live/protocol/session_json.h"
 #include "sim/base/index.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/range.h"
 #include "sim/motion/solids.h"
 
 // The commands of a scene in motion.
@@ -143,39 +144,41 @@ constexpr std::string_view kReplyMoment =
     "of mass, and `angular_velocity`, in world axes";
 
 std::vector<Command> acting_commands() {
-  return {{"time.drive",
-           CommandKind::change,
-           "Drives a degree of freedom of the hand: to a target, which it reaches at its closing "
-           "speed and holds, or with an effort. With neither it is held where it is.",
-           {{"dof", FieldType::text, false, "its name; left out: all of them"},
-            {"target", FieldType::number, false, "rad or m; beyond a limit it is that"},
-            {"effort", FieldType::number, false,
-             "N m or N; beyond the largest that it has it is that"}},
-           "`drives`, for each `dof` its `drive`: `target` or `effort`, or null where it is held",
-           time_drive},
-          {"time.pull",
-           CommandKind::change,
-           "Pulls at the object with a damped spring of no length, or, without fields, no more.",
-           {{"point_object", FieldType::vector3, false, "where it is held, in its frame [m]"},
-            {"to_world", FieldType::vector3, false, "where to, in the world [m]"},
-            {"stiffness", FieldType::number, false,
-             "N/m, at least 0; at most what steps of this length can follow"}},
-           "`pulls`, whether it does now",
-           time_pull},
-          {"time.reset",
-           CommandKind::change,
-           "Goes back to the start; the hand is held again, and nothing pulls.",
-           {},
-           kReplyMoment,
-           time_reset},
-          {"time.stop",
-           CommandKind::change,
-           "Ends time.",
-           {{"keep", FieldType::boolean, false,
-             "whether the object and the hand stay where they are by now, one step of undo; false: "
-             "they are where they were at the start. True is refused while a plan runs."}},
-           "the state, as of `state`",
-           time_stop}};
+  return {
+      {"time.drive",
+       CommandKind::change,
+       "Drives a degree of freedom of the hand: to a target, which it reaches at its closing "
+       "speed and holds, or with an effort. With neither it is held where it is.",
+       {{"dof", FieldType::text, false, "its name; left out: all of them"},
+        {"target", FieldType::number, false, "rad or m; beyond a limit it is that", kCoordinate},
+        {"effort", FieldType::number, false, "N m or N; beyond the largest that it has it is that",
+         kLoad}},
+       "`drives`, for each `dof` its `drive`: `target` or `effort`, or null where it is held",
+       time_drive},
+      {"time.pull",
+       CommandKind::change,
+       "Pulls at the object with a damped spring of no length, or, without fields, no more.",
+       {{"point_object", FieldType::vector3, false, "where it is held, in its frame [m]",
+         kCoordinate},
+        {"to_world", FieldType::vector3, false, "where to, in the world [m]", kCoordinate},
+        {"stiffness", FieldType::number, false,
+         "N/m, at least 0; at most what steps of this length can follow", kGain}},
+       "`pulls`, whether it does now",
+       time_pull},
+      {"time.reset",
+       CommandKind::change,
+       "Goes back to the start; the hand is held again, and nothing pulls.",
+       {},
+       kReplyMoment,
+       time_reset},
+      {"time.stop",
+       CommandKind::change,
+       "Ends time.",
+       {{"keep", FieldType::boolean, false,
+         "whether the object and the hand stay where they are by now, one step of undo; false: "
+         "they are where they were at the start. True is refused while a plan runs."}},
+       "the state, as of `state`",
+       time_stop}};
 }
 
 }  // namespace
@@ -188,13 +191,13 @@ std::vector<Command> time_commands() {
        "base are fixed, the hand is held by its drives. A platform does not take part.",
        {{"gravity", FieldType::boolean, false, "whether 9.81 m/s² pull down; true"},
         {"step", FieldType::number, false,
-         "longest step of the simulation, 0.0005 to 0.02 s; 0.0025"}},
+         "longest step of the simulation, 0.0005 to 0.02 s; 0.0025", kLiveStep}},
        kReplyMoment,
        time_start},
       {"time.step",
        CommandKind::change,
        "Moves on.",
-       {{"seconds", FieldType::number, true, "above 0, at most 1"}},
+       {{"seconds", FieldType::number, true, "above 0, at most 1", kLiveAdvance}},
        "as `time.start`, and `outcome`, the worst of its steps: `moved`, `not_converged` (forces "
        "of "
        "contact are not exact), `blocked` or `not_finite`; the last two end it early",

@@ -6,6 +6,7 @@
 #include <Eigen/SVD>
 
 #include "sim/base/json/json_field.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 namespace {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/pose.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 

@@ -10,6 +10,7 @@
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_depth.h"
+#include "sim/base/range.h"
 
 // A field knows its name as a path from the root of the file, for example
 // obstacles[2].pose.position, which error messages begin with. The path is built on the way down:
@@ -167,6 +168,12 @@ double JsonField::number() const {
   return number;
 }
 
+double JsonField::number(const Range& range, double unit) const {
+  const double value = unit * number();
+  if (!range.contains(value)) fail(range.words());
+  return value;
+}
+
 int JsonField::integer() const {
   const double value = number();
   if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max()) {
@@ -201,6 +208,20 @@ std::vector<double> JsonField::numbers(std::size_t count) const {
   return values;
 }
 
+std::vector<double> JsonField::numbers(std::size_t count, const Range& range, double unit) const {
+  std::vector<double> values = numbers(count);
+  for (double& value : values) {
+    value *= unit;
+    if (!range.contains(value)) fail("each " + range.words());
+  }
+  return values;
+}
+
+Vector3 JsonField::vector3(const Range& range, double unit) const {
+  const std::vector<double> values = numbers(3, range, unit);
+  return {values[0], values[1], values[2]};
+}
+
 Vector3 JsonField::vector3() const {
   const std::vector<double> values = numbers(3);
   return {values[0], values[1], values[2]};
@@ -214,6 +235,11 @@ Vector3 JsonField::direction() const {
 
 double JsonField::number_or(std::string_view key, double otherwise) const {
   return has(key) ? (*this)[key].number() : otherwise;
+}
+
+double JsonField::number_or(std::string_view key, double otherwise, const Range& range,
+                            double unit) const {
+  return has(key) ? (*this)[key].number(range, unit) : otherwise;
 }
 
 std::string JsonField::text_or(std::string_view key, const std::string& otherwise) const {

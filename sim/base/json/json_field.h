@@ -13,6 +13,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/pose.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 
@@ -37,9 +38,6 @@ class JsonFile {
   nlohmann::json value_;
 };
 
-// Numbers must not be larger, whatever their unit: sums and products of several of them then stay
-// in the range of double.
-inline constexpr double kLargestNumber = 1e30;
 // Vectors that give a direction must be longer: the square of a shorter one has few digits or none.
 inline constexpr double kShortestDirection = 1e-100;
 
@@ -68,17 +66,23 @@ class JsonField {
   // The value, checked for its type. Numbers must be finite and at most kLargestNumber in size,
   // integers in the range of the type.
   double number() const;
+  // A number that is in `range` in SI units, of which the file's own is `unit`; the SI value.
+  double number(const Range& range, double unit = 1.0) const;
   int integer() const;
   bool boolean() const;
   std::uint64_t unsigned_integer() const;
   std::string text() const;  // not empty
   Vector3 vector3() const;
+  Vector3 vector3(const Range& range, double unit = 1.0) const;  // of each coordinate
   Vector3 direction() const;  // a vector that is not zero (kShortestDirection), made unit
   // A list of exactly `count` finite numbers.
   std::vector<double> numbers(std::size_t count) const;
+  std::vector<double> numbers(std::size_t count, const Range& range, double unit = 1.0) const;
 
   // Field `key` of an object, or `otherwise` when it is missing.
   double number_or(std::string_view key, double otherwise) const;
+  double number_or(std::string_view key, double otherwise, const Range& range,
+                   double unit = 1.0) const;  // `otherwise` in SI units
   std::string text_or(std::string_view key, const std::string& otherwise) const;
 
   bool is_null() const { return value_->is_null(); }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/base/pose.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 
@@ -10,10 +11,7 @@ Pose read_pose(const JsonField& field) {
   field.allow_only({"position", "quaternion_wxyz"});
   Pose pose = Pose::Identity();
   if (field.has("position")) {
-    pose.translation() = field["position"].vector3();
-    if (pose.translation().cwiseAbs().maxCoeff() > kFarthestPosition) {
-      field["position"].fail("must be within 1e6 m of 0");
-    }
+    pose.translation() = field["position"].vector3(kCoordinate);
   }
   if (field.has("quaternion_wxyz")) {
     const std::vector<double> q = field["quaternion_wxyz"].numbers(4);

@@ -5,15 +5,13 @@
 
 #include "sim/base/json/json_field.h"
 #include "sim/base/pose.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 
-// Coordinates of positions must not be farther out than this [m].
-inline constexpr double kFarthestPosition = 1e6;
-
 // Reads "position" [m] (default: the origin) and "quaternion_wxyz" (default: no rotation). The
 // quaternion is normalised. Throws InputError when its length differs from 1 by more than 1e-3, for
-// a position beyond kFarthestPosition, and for unknown fields.
+// a position beyond kFarthest, and for unknown fields.
 Pose read_pose(const JsonField& field);
 
 // The pose in the same form, with w >= 0.

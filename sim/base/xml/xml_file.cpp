@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/base/input_file.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 namespace {
@@ -56,7 +57,7 @@ std::optional<double> number_of(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  if (!std::isfinite(value) || std::abs(value) > kLargestXmlNumber) return std::nullopt;
+  if (!std::isfinite(value) || std::abs(value) > kLargestNumber) return std::nullopt;
   return value;
 }
 

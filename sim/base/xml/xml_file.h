@@ -45,9 +45,6 @@ class XmlFile {
   std::unique_ptr<tinyxml2::XMLDocument> document_;
 };
 
-// Numbers must not be larger: sums and products of several of them then stay in range.
-inline constexpr double kLargestXmlNumber = 1e30;
-
 // An element of an XML file. Every function that reads a value throws InputError
 // "FILE: line 12, <joint>: problem (VALUE)" when it does not fit.
 class XmlElement {

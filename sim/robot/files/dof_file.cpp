@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/base/index.h"
+#include "sim/base/range.h"
 #include "sim/robot/files/robot_file_parts.h"
 
 namespace prehend {
@@ -10,18 +11,6 @@ namespace {
 
 // Directions typed with few digits are still meant to be opposite [length of their sum].
 constexpr double kOpposed = 1e-6;
-
-double read_positive(const JsonField& field) {
-  const double value = field.number();
-  if (!(value > 0.0)) field.fail("must be positive");
-  return value;
-}
-
-double read_gain(const JsonField& field) {
-  const double value = field.number();
-  if (value < 0.0) field.fail("must not be negative");
-  return value;
-}
 
 // What one finger gives up the other must be able to take, so that the hand may shift between them.
 bool can_center(const std::vector<const Joint*>& fingers) {
@@ -58,7 +47,7 @@ void read_motion(const JsonField& field, const FileUnits& units, int dof, Robot&
   DegreeOfFreedom& motion = robot.dofs[index(dof)];
   const double unit = value_unit(robot, index(dof), units);
   if (field.has("initial")) {
-    const double value = field["initial"].number() * unit;
+    const double value = field["initial"].number(kCoordinate, unit);
     if (!within_limits(motion, value)) {
       field["initial"].fail("outside the limits " + std::to_string(motion.lower) + " to " +
                             std::to_string(motion.upper) + " rad or m");
@@ -70,18 +59,18 @@ void read_motion(const JsonField& field, const FileUnits& units, int dof, Robot&
   });
   const double rate = turns ? units.angular_velocity : units.length;
   if (field.has("closing_velocity")) {
-    motion.closing_velocity = field["closing_velocity"].number() * rate;
+    motion.closing_velocity = field["closing_velocity"].number(kVelocity, rate);
   }
-  if (field.has("velocity")) motion.max_velocity = read_positive(field["velocity"]) * rate;
+  if (field.has("velocity")) motion.max_velocity = field["velocity"].number(kRateAbove0, rate);
   if (field.has("acceleration")) {
-    motion.max_acceleration = read_positive(field["acceleration"]) * rate;
+    motion.max_acceleration = field["acceleration"].number(kRateAbove0, rate);
   }
   if (field.has("coupling")) motion.coupling = read_coupling(field["coupling"], dof, robot);
   if (field.has("breakaway_effort")) {
-    motion.breakaway_effort = read_positive(field["breakaway_effort"]);
+    motion.breakaway_effort = field["breakaway_effort"].number(kEffortAbove0);
   }
-  if (field.has("stiffness")) motion.stiffness = read_gain(field["stiffness"]);
-  if (field.has("damping")) motion.damping = read_gain(field["damping"]);
+  if (field.has("stiffness")) motion.stiffness = field["stiffness"].number(kGain);
+  if (field.has("damping")) motion.damping = field["damping"].number(kGain);
 }
 
 }  // namespace prehend

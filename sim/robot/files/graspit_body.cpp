@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "sim/base/input_file.h"
+#include "sim/base/range.h"
 #include "sim/base/xml/xml_file.h"
 #include "sim/robot/files/graspit_notes.h"
 #include "sim/robot/files/graspit_transform.h"
@@ -102,7 +103,7 @@ void read_mesh(const XmlElement& root, GraspitBody& body) {
   for (Vector3& p : body.mesh.vertices) {
     if (!even) p = scaling.cwiseProduct(p);
     p += offset;
-    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) geometry.fail("reaches beyond 1e6 m");
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) geometry.fail("reaches beyond 1e6 m");
   }
   orient_outward(body.mesh);
   if (even && offset.isZero(0.0)) body.unit = unit_of(scaling.x());
@@ -146,7 +147,7 @@ GraspitBody read_graspit_body(const XmlFile& file) {
   }
   if (const auto center = root.child("cog")) {
     body.center_of_mass = graspit_vector(*center, kGraspitLength);
-    if (!(body.center_of_mass->cwiseAbs().maxCoeff() <= kFarthestVertex)) {
+    if (!(body.center_of_mass->cwiseAbs().maxCoeff() <= kFarthest)) {
       center->fail("must be within 1e9 mm of 0", center->content());
     }
   }

@@ -5,10 +5,10 @@
 #include <string>
 #include <system_error>
 
+#include "sim/base/range.h"
+
 namespace prehend {
 namespace {
-
-constexpr double kLargestInExpression = 1e30;
 
 bool take(std::string_view& text, char c) {
   if (!text.starts_with(c)) return false;
@@ -29,7 +29,7 @@ std::optional<double> take_number(std::string_view& text) {
   if (text.starts_with('-')) return std::nullopt;
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !(std::abs(value) <= kLargestInExpression)) return std::nullopt;
+  if (error != std::errc() || !(std::abs(value) <= kLargestNumber)) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return sign * value;
 }

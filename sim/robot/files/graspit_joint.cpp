@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/base/range.h"
 #include "sim/robot/denavit_hartenberg.h"
 #include "sim/robot/files/graspit_expression.h"
 #include "sim/robot/files/graspit_notes.h"
 #include "sim/robot/files/graspit_transform.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -112,9 +114,8 @@ Joint read_graspit_joint(const XmlElement& element, int dofs, std::vector<std::s
   if ((turns ? d : theta).dof) {
     fixed_element.fail("must be a number in a joint of this type", fixed_element.content());
   }
-  constexpr double kSmallestRatio = 1e-30;
-  if (!(std::abs(driven.ratio) > kSmallestRatio)) {
-    driven_element.fail("ratio 0, the joint would never move", driven_element.content());
+  if (!kRatioSize.contains(std::abs(driven.ratio))) {
+    driven_element.fail("the size of its ratio " + kRatioSize.words(), driven_element.content());
   }
   joint.dof = *driven.dof;
   joint.ratio = driven.ratio;

@@ -12,6 +12,7 @@
 #include "sim/robot/files/graspit_joint.h"
 #include "sim/robot/files/graspit_notes.h"
 #include "sim/robot/files/graspit_transform.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -166,7 +167,9 @@ Robot read_graspit_robot(const XmlFile& file) {
   if (!is_graspit_robot(file)) {
     file.root().fail("not a GraspIt! robot, which is a <robot> with a <palm>");
   }
-  return GraspitReader(file).read();
+  Robot robot = GraspitReader(file).read();
+  require_sound(robot, file.path().string());
+  return robot;
 }
 
 }  // namespace prehend

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/base/range.h"
 #include "sim/robot/files/robot_file_parts.h"
 
 namespace prehend {
@@ -21,7 +22,7 @@ std::vector<double> read_dofs(const JsonField& field, const FileUnits& units, co
   for (const std::string& name : field.keys()) {
     const std::size_t d = find_dof(field[name], name, robot);
     const DegreeOfFreedom& dof = robot.dofs[d];
-    values[d] = field[name].number() * value_unit(robot, d, units);
+    values[d] = field[name].number(kCoordinate, value_unit(robot, d, units));
     if (!within_limits(dof, values[d])) {
       field[name].fail("outside the degree of freedom's limits " + std::to_string(dof.lower) +
                        " to " + std::to_string(dof.upper) + " rad or m");
@@ -37,15 +38,11 @@ Preshape read_preshape(const JsonField& field, const FileUnits& units, const Rob
   preshape.name = field["name"].text();
   preshape.dofs = read_dofs(field["dofs"], units, robot);
   const JsonField width = field["width"];
-  const std::vector<double> range = width.numbers(2);
-  if (range[0] < 0.0 || range[0] > range[1]) {
-    width.fail("must be two numbers from 0, the lower one first");
-  }
-  preshape.min_width = range[0] * units.length;
-  preshape.max_width = range[1] * units.length;
-  const JsonField depth = field["depth"];
-  if (depth.number() < 0.0) depth.fail("must not be negative");
-  preshape.depth = depth.number() * units.length;
+  const std::vector<double> range = width.numbers(2, kDistance, units.length);
+  if (range[0] > range[1]) width.fail("must be two numbers, the lower one first");
+  preshape.min_width = range[0];
+  preshape.max_width = range[1];
+  preshape.depth = field["depth"].number(kDistance, units.length);
   return preshape;
 }
 
@@ -61,10 +58,7 @@ ClosingStrategy read_strategy(const JsonField& field, const Robot& robot) {
     }
   }
   if (field.has("waits")) strategy.waits = field["waits"].boolean();
-  strategy.effort = field.number_or("effort", strategy.effort);
-  if (!(strategy.effort > 0.0 && strategy.effort <= 1.0)) {
-    field["effort"].fail("must be above 0 and at most 1");
-  }
+  strategy.effort = field.number_or("effort", strategy.effort, kFractionAbove0);
   if (strategy.first.empty() && !strategy.waits && strategy.effort == 1.0) {
     field.fail("closes all at once, as every hand does: needs first, waits or effort");
   }
@@ -99,7 +93,7 @@ Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robo
   field.allow_only({"approach", "closing", "origin", "preshapes", "strategies"});
   Hand hand;
   hand.approach = field["approach"].direction();
-  hand.origin = field["origin"].vector3() * units.length;
+  hand.origin = field["origin"].vector3(kCoordinate, units.length);
   hand.closing = Vector3::Zero();
   if (field.has("strategies")) {
     hand.strategies = read_named<ClosingStrategy>(

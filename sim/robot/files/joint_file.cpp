@@ -1,3 +1,4 @@
+#include "sim/base/range.h"
 #include "sim/robot/denavit_hartenberg.h"
 #include "sim/robot/files/robot_file_parts.h"
 
@@ -10,16 +11,11 @@ JointType read_type(const JsonField& field) {
   field.fail("unknown joint type, known are revolute and prismatic");
 }
 
-double read_not_negative(const JsonField& field) {
-  if (field.number() < 0.0) field.fail("must not be negative");
-  return field.number();
-}
-
 JointFriction read_friction(const JsonField& field) {
   field.allow_only({"coulomb", "viscous"});
   JointFriction friction;
-  if (field.has("coulomb")) friction.coulomb = read_not_negative(field["coulomb"]);
-  if (field.has("viscous")) friction.viscous = read_not_negative(field["viscous"]);
+  if (field.has("coulomb")) friction.coulomb = field["coulomb"].number(kEffort);
+  if (field.has("viscous")) friction.viscous = field["viscous"].number(kGain);
   return friction;
 }
 
@@ -36,7 +32,7 @@ void place_by_axis(const JsonField& field, const FileUnits& units, Joint& joint)
   }
   joint.axis = field["axis"].direction();
   if (field.has("origin")) joint.X_PJ = read_pose(field["origin"], units);
-  if (field.has("zero")) joint.zero = field["zero"].number() * unit_of(joint.type, units);
+  if (field.has("zero")) joint.zero = field["zero"].number(kCoordinate, unit_of(joint.type, units));
   if (field.has("after")) joint.X_JA = read_pose(field["after"], units);
 }
 
@@ -45,8 +41,8 @@ void place_by_axis(const JsonField& field, const FileUnits& units, Joint& joint)
 JointSpring read_spring(const JsonField& field, JointType type, const FileUnits& units) {
   field.allow_only({"stiffness", "rest"});
   JointSpring spring;
-  spring.stiffness = read_not_negative(field["stiffness"]);
-  spring.rest = field.number_or("rest", 0.0) * unit_of(type, units);
+  spring.stiffness = field["stiffness"].number(kGain);
+  spring.rest = field.number_or("rest", 0.0, kCoordinate, unit_of(type, units));
   return spring;
 }
 
@@ -60,21 +56,17 @@ Joint read_joint(const JsonField& field, const FileUnits& units) {
     for (const char* key : {"zero", "after"}) {
       if (field.has(key)) field[key].fail("only beside an axis");
     }
-    joint = denavit_hartenberg(joint, {.theta = field["theta"].number() * units.angle,
-                                       .d = field["d"].number() * units.length,
-                                       .a = field["a"].number() * units.length,
-                                       .alpha = field["alpha"].number() * units.angle});
+    joint = denavit_hartenberg(joint, {.theta = field["theta"].number(kCoordinate, units.angle),
+                                       .d = field["d"].number(kCoordinate, units.length),
+                                       .a = field["a"].number(kCoordinate, units.length),
+                                       .alpha = field["alpha"].number(kCoordinate, units.angle)});
   }
   const JsonField limits = field["limits"];
-  const std::vector<double> range = limits.numbers(2);
+  const std::vector<double> range = limits.numbers(2, kCoordinate, unit_of(joint.type, units));
   if (range[0] > range[1]) limits.fail("limits the wrong way round");
-  const double unit = unit_of(joint.type, units);
-  joint.lower = range[0] * unit;
-  joint.upper = range[1] * unit;
-  if (field.has("effort")) {
-    joint.max_effort = field["effort"].number();
-    if (!(joint.max_effort > 0.0)) field["effort"].fail("must be positive");
-  }
+  joint.lower = range[0];
+  joint.upper = range[1];
+  if (field.has("effort")) joint.max_effort = field["effort"].number(kEffortAbove0);
   if (field.has("friction")) joint.friction = read_friction(field["friction"]);
   if (field.has("spring")) joint.spring = read_spring(field["spring"], joint.type, units);
   return joint;

@@ -4,14 +4,11 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
-
-// Smaller or larger ratios of joint and drive: limits are divided by them.
-constexpr double kSmallestTreeRatio = 1e-9;
-constexpr double kLargestTreeRatio = 1e9;
-constexpr double kLargestTreeOffset = 1e30;  // rad or m
 
 [[noreturn]] void fail_at(const JointTree& tree, const std::string& place,
                           const std::string& problem, const std::string& value) {
@@ -43,13 +40,11 @@ Mimic followed(const JointTree& tree, int at) {
     total.ratio *= next.ratio;
     total.joint = next.joint;
   }
-  const double size = std::abs(total.ratio);
-  if (!(size >= kSmallestTreeRatio && size <= kLargestTreeRatio)) {
-    fail_at(tree, own.place, "the multiplier of a mimicking joint must be 1e-9 to 1e9 in size",
-            own.name);
+  if (!kRatioSize.contains(std::abs(total.ratio))) {
+    fail_at(tree, own.place, "the size of its multiplier " + kRatioSize.words(), own.name);
   }
-  if (!(std::abs(total.offset) <= kLargestTreeOffset)) {
-    fail_at(tree, own.place, "the offset of a mimicking joint is too large", own.name);
+  if (!kCoordinate.contains(total.offset)) {
+    fail_at(tree, own.place, "its offset " + kCoordinate.words(), own.name);
   }
   return total;
 }

@@ -1,4 +1,5 @@
 #include "sim/base/material.h"
+#include "sim/base/range.h"
 #include "sim/robot/files/robot_file_parts.h"
 
 namespace prehend {
@@ -9,11 +10,7 @@ constexpr const char* kUnknown = "unknown";
 
 // Density of the link [kg/m^3]: its own, or its material's.
 double read_density(const JsonField& field) {
-  if (field.has("density")) {
-    const double density = field["density"].number();
-    if (!(density > 0.0)) field["density"].fail("must be positive");
-    return density;
-  }
+  if (field.has("density")) return field["density"].number(kDensity);
   const JsonField material = field["material"];
   return with_field_errors(material, [&] { return density_of(material_named(material.text())); });
 }
@@ -53,12 +50,11 @@ Inertial from_mesh(const JsonField& field, const TriangleMesh& mesh) {
 Inertial stated(const JsonField& field, const FileUnits& units, const TriangleMesh& mesh) {
   const JsonField mass = field["mass"];
   if (field.has("density")) field["density"].fail("a link has a mass or a density, not both");
-  if (!(mass.number() > 0.0)) mass.fail("must be positive");
-  const double kilograms = mass.number() * units.mass;
+  const double kilograms = mass.number(kMass, units.mass);
   Inertial inertial =
       with_field_errors(field["geometry"], [&] { return inertial_of_mass(mesh, kilograms); });
   if (field.has("center_of_mass")) {
-    inertial.center_of_mass = field["center_of_mass"].vector3() * units.length;
+    inertial.center_of_mass = field["center_of_mass"].vector3(kCoordinate, units.length);
   }
   if (field.has("inertia")) {
     if (!field.has("center_of_mass")) field["inertia"].fail("needs \"center_of_mass\" with it");

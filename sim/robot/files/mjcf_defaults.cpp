@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/base/range.h"
 #include "sim/shape/weld.h"
 
 namespace prehend {
@@ -128,7 +129,7 @@ Pose MjcfDefaults::pose(const XmlElement& element, const std::string& childclass
   Vector3 p = Vector3::Zero();
   if (const auto at = saying("pos", element, childclass)) {
     p = at->vector3("pos");
-    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) {
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) {
       at->fail("is farther away than 1e6 m", at->text("pos"));
     }
   }

@@ -1,5 +1,6 @@
 #include "sim/robot/files/mjcf_geometry.h"
 
+#include "sim/base/range.h"
 #include "sim/robot/files/package_folders.h"
 #include "sim/robot/files/shape_mesh.h"
 #include "sim/shape/basic_shapes.h"
@@ -23,7 +24,7 @@ Span span_of(const XmlElement& at) {
   const Vector3 from(ends[0], ends[1], ends[2]);
   const Vector3 to(ends[3], ends[4], ends[5]);
   const double length = (to - from).norm();
-  if (!(length > 0.0 && length <= kFarthestVertex)) {
+  if (!(length > 0.0 && length <= kFarthest)) {
     at.fail("the ends must be apart, by at most 1e6 m", at.text("fromto"));
   }
   const Matrix3 R =
@@ -62,7 +63,7 @@ TriangleMesh MjcfGeometry::read(const std::vector<XmlElement>& geoms,
       if (collides(geom, childclass) != colliding) continue;
       append(mesh, read_geom(geom, childclass));
       for (const Vector3& p : mesh.vertices) {
-        if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) geom.fail("reaches beyond 1e6 m");
+        if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) geom.fail("reaches beyond 1e6 m");
       }
     }
     if (!mesh.empty()) break;
@@ -78,7 +79,7 @@ TriangleMesh MjcfGeometry::read_written(const XmlElement& asset) {
   std::vector<Vector3> vertices;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     vertices.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    if (!(vertices.back().cwiseAbs().maxCoeff() <= kFarthestVertex)) {
+    if (!(vertices.back().cwiseAbs().maxCoeff() <= kFarthest)) {
       asset.fail("a vertex is farther away than 1e6 m");
     }
   }

@@ -8,8 +8,10 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
+#include "sim/base/range.h"
 #include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/robot_file_parts.h"
+#include "sim/robot/sound_robot.h"
 #include "sim/robot/spherical_wrist.h"
 #include "sim/robot/ur_arm.h"
 
@@ -17,8 +19,6 @@ namespace prehend {
 namespace {
 
 constexpr int kUndriven = -1;
-// Smaller ratios of joint and drive count as 0: limits are divided by them.
-constexpr double kSmallestRatio = 1e-30;
 
 // Reads one file into one robot, in the order that later parts need earlier ones:
 // named geometry, base, joints, degrees of freedom, links, hand.
@@ -208,9 +208,10 @@ void RobotReader::read_drive(const JsonField& field, int dof) {
     }
   }
   joint.ratio = field.number_or("ratio", 1.0);
-  if (std::abs(joint.ratio) < kSmallestRatio)
-    field["ratio"].fail("must not be 0, the joint would never move");
-  joint.offset = field.number_or("offset", 0.0) * unit_of(joint.type);
+  if (!kRatioSize.contains(std::abs(joint.ratio))) {
+    field["ratio"].fail("its size " + kRatioSize.words());
+  }
+  joint.offset = field.number_or("offset", 0.0, kCoordinate, unit_of(joint.type));
   joint.dof = dof;
   if (field.has("across")) joint.across = read_across(field["across"], found->second);
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "sim/base/range.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/convex_hull.h"
 #include "sim/shape/files/mesh_file.h"
@@ -24,12 +25,7 @@ constexpr std::size_t kMostHullPoints = 10'000;  // takes a tenth of a second
 // How far the products of the rows of a rotation may be from 0 and 1.
 constexpr double kRotationRounding = 1e-9;
 
-double positive(const JsonField& field, double unit) {
-  // The tiniest numbers are 0 in another unit.
-  const double value = field.number() * unit;
-  if (!(value > 0.0)) field.fail("must be greater than 0");
-  return value;
-}
+double positive(const JsonField& field, double unit) { return field.number(kLengthAbove0, unit); }
 
 int integer_or(const JsonField& object, std::string_view key, int otherwise, int low, int high) {
   if (!object.has(key)) return otherwise;
@@ -56,8 +52,7 @@ double mass_unit(const JsonField& field) {
 TriangleMesh box(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "size", "pose"});
   const JsonField size = shape["size"];
-  const Vector3 metres = size.vector3() * units.length;
-  if (!(metres.array() > 0.0).all()) size.fail("must be greater than 0");
+  const Vector3 metres = size.vector3(kLengthAbove0, units.length);
   return with_field_errors(size, [&] { return make_box(metres); });
 }
 
@@ -72,8 +67,8 @@ TriangleMesh cylinder(const JsonField& shape, const FileUnits& units) {
 TriangleMesh capsule(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "radius", "from", "to", "sides", "pose"});
   const double radius = positive(shape["radius"], units.length);
-  const Vector3 from = shape["from"].vector3() * units.length;
-  const Vector3 to = shape["to"].vector3() * units.length;
+  const Vector3 from = shape["from"].vector3(kCoordinate, units.length);
+  const Vector3 to = shape["to"].vector3(kCoordinate, units.length);
   const int sides = integer_or(shape, "sides", kCapsuleSides, 4, kMostCylinderSides);
   return with_field_errors(shape["radius"], [&] { return make_capsule(from, to, radius, sides); });
 }
@@ -140,7 +135,8 @@ TriangleMesh loft(const JsonField& shape, const FileUnits& units) {
     if (sense * area < 0.0) profile.fail("runs the other way round than the first section");
     if (sense == 0.0) sense = area;
     if (sense < 0.0) std::reverse(corners.begin(), corners.end());
-    sections.push_back({.at = item["at"].number() * units.length, .corners = std::move(corners)});
+    sections.push_back(
+        {.at = item["at"].number(kCoordinate, units.length), .corners = std::move(corners)});
   }
   const TriangleMesh mesh = with_field_errors(list, [&] { return make_loft(sections); });
   return transformed(mesh, plane_pose(shape));
@@ -151,7 +147,7 @@ TriangleMesh hull(const JsonField& shape, const FileUnits& units) {
   const JsonField list = shape["points"];
   std::vector<Vector3> points;
   for (const JsonField& point : list.items()) {
-    points.push_back(point.vector3() * units.length);
+    points.push_back(point.vector3(kCoordinate, units.length));
     if (points.size() > kMostHullPoints) {
       list.fail("must be at most " + std::to_string(kMostHullPoints) + " points");
     }
@@ -165,7 +161,7 @@ TriangleMesh triangles(const JsonField& shape, const FileUnits& units) {
   shape.allow_only({"shape", "vertices", "triangles", "pose"});
   TriangleMesh mesh;
   for (const JsonField& vertex : shape["vertices"].items()) {
-    mesh.vertices.push_back(vertex.vector3() * units.length);
+    mesh.vertices.push_back(vertex.vector3(kCoordinate, units.length));
   }
   const int count = static_cast<int>(mesh.vertices.size());
   for (const JsonField& triangle : shape["triangles"].items()) {
@@ -250,7 +246,7 @@ Pose read_pose(const JsonField& steps, const FileUnits& units) {
     if (keys.size() != 1) step.fail("must be one translation or one rotation");
     const JsonField amount = step[keys.front()];
     if (keys.front() == "translate") {
-      pose = pose * translation(amount.vector3() * units.length);
+      pose = pose * translation(amount.vector3(kCoordinate, units.length));
       continue;
     }
     if (keys.front() == "rotation") {
@@ -258,7 +254,7 @@ Pose read_pose(const JsonField& steps, const FileUnits& units) {
       continue;
     }
     const Eigen::Index axis = keys.front().back() - 'x';
-    pose = pose * Eigen::AngleAxisd(amount.number() * units.angle, Vector3::Unit(axis));
+    pose = pose * Eigen::AngleAxisd(amount.number(kCoordinate, units.angle), Vector3::Unit(axis));
   }
   return pose;
 }
@@ -288,7 +284,7 @@ TriangleMesh read_geometry(const JsonField& field, const FileUnits& units,
   }
   if (mesh.empty()) field.fail("a link needs at least one triangle");
   for (const Vector3& p : mesh.vertices) {
-    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) field.fail("reaches beyond 1e6 m");
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) field.fail("reaches beyond 1e6 m");
   }
   return mesh;
 }

@@ -4,6 +4,7 @@
 #include "sim/base/json/json_pose.h"
 #include "sim/base/json/wrapped_json.h"
 #include "sim/robot/files/robot_text_parts.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -165,7 +166,7 @@ Json hand_json(const Robot& robot) {
 }
 
 std::string robot_text(const Robot& robot) {
-  require_tree(robot);
+  require_sound(robot);
   Json json{{"name", robot.name}, {"base", link_json(robot.links.at(0))}};
   for (std::size_t l = 1; l < robot.links.size(); ++l) {
     if (robot.links[l].joint < 0) json["links"].push_back(link_json(robot.links[l]));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/revolve.h"
 #include "sim/shape/weld.h"
@@ -28,7 +29,7 @@ TriangleMesh sphere_mesh(double radius) { return make_sphere(radius, kSubdivisio
 
 TriangleMesh capsule_mesh(double radius, double height) {
   require(radius > 0.0 && height > 0.0, {.field = "size", .problem = "must be greater than 0"});
-  require(radius + height <= kFarthestVertex, {.field = "size", .problem = "larger than 1e6 m"});
+  require(radius + height <= kFarthest, {.field = "size", .problem = "larger than 1e6 m"});
   std::vector<Eigen::Vector2d> profile;
   for (const double side : {-1.0, 1.0}) {
     for (int step = 0; step <= kStepsOfCap; ++step) {

@@ -7,6 +7,7 @@
 #include "sim/base/input_error.h"
 #include "sim/robot/closed_form.h"
 #include "sim/robot/files/joint_tree.h"
+#include "sim/robot/sound_robot.h"
 #include "sim/shape/basic_shapes.h"
 
 namespace prehend {
@@ -241,6 +242,7 @@ Robot TreeRobot::build() {
   if (robot_.joints.empty()) {
     throw InputError({.file = tree_.file, .problem = "no joint moves", .value = tree_.name});
   }
+  require_sound(robot_, tree_.file);
   return std::move(robot_);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/base/range.h"
 #include "sim/robot/files/urdf_geometry.h"
 
 namespace prehend {
@@ -135,9 +136,10 @@ int UrdfReader::link_named(const XmlElement& element) const {
   return found->second;
 }
 
-// Limits that are not positive mean that they are not known.
+// Limits that are not positive mean that they are not known, huge ones that there are none.
 double known_or_zero(const XmlElement& element, const char* attribute) {
-  return std::max(0.0, element.number_or(attribute, 0.0));
+  const double value = element.number_or(attribute, 0.0);
+  return kRateAbove0.contains(value) ? value : 0.0;
 }
 
 void UrdfReader::read_limits(const XmlElement& element, bool continuous, TreeJoint& joint) {

@@ -1,5 +1,6 @@
 #include "sim/robot/files/urdf_geometry.h"
 
+#include "sim/base/range.h"
 #include "sim/robot/files/shape_mesh.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/files/mesh_file.h"
@@ -21,7 +22,7 @@ Pose urdf_origin(const XmlElement& element) {
   if (!origin) return Pose::Identity();
   const Vector3 p = origin->vector3_or("xyz", Vector3::Zero());
   const Vector3 rpy = origin->vector3_or("rpy", Vector3::Zero());
-  if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) {
+  if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) {
     origin->fail("is farther away than 1e6 m", origin->text("xyz"));
   }
   return translation(p) * Eigen::AngleAxisd(rpy.z(), Vector3::UnitZ()) *
@@ -45,7 +46,7 @@ TriangleMesh UrdfGeometry::read(const XmlElement& link) {
     break;
   }
   for (const Vector3& p : mesh.vertices) {
-    if (!(p.cwiseAbs().maxCoeff() <= kFarthestVertex)) link.fail("reaches beyond 1e6 m");
+    if (!(p.cwiseAbs().maxCoeff() <= kFarthest)) link.fail("reaches beyond 1e6 m");
   }
   return mesh;
 }

@@ -11,6 +11,7 @@
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
 #include "sim/robot/files/robot_text_parts.h"
+#include "sim/robot/sound_robot.h"
 #include "sim/shape/files/mesh_text.h"
 
 namespace prehend {
@@ -292,7 +293,7 @@ std::string UrdfWriter::sidecar() const {
 std::vector<RobotTextFile> UrdfWriter::write() {
   xml_.open("robot", {{"name", platform_.name}});
   for (const MountedRobot& mounted : platform_.robots) {
-    require_tree(mounted.robot);
+    require_sound(mounted.robot);
     const std::string prefix = platform_.robots.size() > 1 ? mounted.name + "_" : "";
     robots_.push_back(urdf_form(mounted.robot, prefix));
     write_robot(robots_.back());

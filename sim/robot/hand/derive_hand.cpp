@@ -10,6 +10,7 @@
 #include "sim/base/input_error.h"
 #include "sim/robot/hand/hand_axes.h"
 #include "sim/robot/hand/measure_preshape.h"
+#include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
@@ -174,7 +175,7 @@ Grip find_grip(const HandParts& parts, Robot& robot) {
 
 Robot with_derived_hand(Robot robot, const StatedHand& stated) {
   constexpr std::size_t kMostPreshapes = 8;
-  require_tree(robot);
+  require_sound(robot);
   const HandParts parts = find_hand_parts(robot);
   if (parts.fingers.empty()) {
     refuse(robot, robot.joints.empty() ? "it has no joints" : "its joints branch nowhere");

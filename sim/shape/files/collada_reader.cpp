@@ -206,7 +206,11 @@ class Primitive {
     if (kind == "polylist") {
       for (const XmlElement& list : element_.children("vcount")) sizes = indices_of(list);
     }
-    if (kind == "triangles") sizes.assign(lists.empty() ? 0 : count, 3);
+    if (kind == "triangles" && !lists.empty()) {
+      // Nothing is made of a count that the text is too short for.
+      if (count > lists.front().content().size()) fail(count);
+      sizes.assign(count, 3);
+    }
     if (single && sizes.size() != count) fail(count);
     if (single && lists.empty() && std::accumulate(sizes.begin(), sizes.end(), 0LL) > 0)
       fail(count);

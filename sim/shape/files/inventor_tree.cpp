@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sim/base/index.h"
+#include "sim/base/range.h"
 #include "sim/shape/files/inventor_tokens.h"
 #include "sim/shape/files/text_scan.h"
 
@@ -14,7 +15,6 @@ namespace {
 
 constexpr int kDeepestInventor = 100;
 constexpr std::size_t kMostInventorParts = 2'000'000;
-constexpr double kLargestInventorNumber = 1e30;
 
 class InventorParser {
  public:
@@ -211,7 +211,7 @@ std::vector<double> InventorNode::numbers(std::string_view name, std::size_t cou
                  "must be " + std::to_string(count) + (count == 1 ? " number" : " numbers"), name);
   }
   for (const double value : values) {
-    if (!(std::abs(value) <= kLargestInventorNumber)) {
+    if (!(std::abs(value) <= kLargestNumber)) {
       fail_in_line(found->line, "not a finite number within 1e30", name);
     }
   }

@@ -8,6 +8,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/range.h"
 #include "sim/shape/files/mesh_readers.h"
 #include "sim/shape/files/text_scan.h"
 #include "sim/shape/weld.h"
@@ -48,7 +49,7 @@ void scale_to_metres(TriangleMesh& mesh, double metres_per_unit) {
     Vector3& p = mesh.vertices[i];
     if (!p.allFinite()) throw InputError("vertex " + std::to_string(i) + " is not finite");
     p *= metres_per_unit;
-    if (p.cwiseAbs().maxCoeff() > kFarthestVertex) {
+    if (p.cwiseAbs().maxCoeff() > kFarthest) {
       throw InputError("vertex " + std::to_string(i) + " is farther out than 1e6 m");
     }
   }

@@ -12,6 +12,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/named_enum.h"
+#include "sim/base/range.h"
 #include "sim/base/require_settings.h"
 
 namespace prehend {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/range.h"
 #include "sim/manipulation/grasp_world.h"
 #include "sim/manipulation/test_procedure_file.h"
 #include "sim/motion/dynamic_grasp/hand_drives.h"

@@ -10,6 +10,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/base/range.h"
 #include "sim/quality/forces.h"
 #include "sim/quality/measures.h"
 #include "sim/quality/ranges.h"
@@ -69,11 +70,11 @@ void add_contact(RandomNumbers& numbers, const Contact& like, bool together, Ran
     // Around a ball of the first contact's distance, which most often is force closure.
     contact.position = -like.position.norm() * contact.normal;
   } else {
-    contact.position = numbers.vector(kLargestLength, made);
+    contact.position = numbers.vector(kFarthest, made);
     contact.friction = numbers.size(kLargestFriction, made);
-    contact.torsion = numbers.size(kLargestLength, made);
+    contact.torsion = numbers.size(kFarthest, made);
   }
-  if (contact.position.cwiseAbs().maxCoeff() > kLargestLength) made.inside = false;
+  if (contact.position.cwiseAbs().maxCoeff() > kFarthest) made.inside = false;
   made.contacts.push_back(contact);
 }
 
@@ -82,17 +83,16 @@ RandomCase random_case(std::uint64_t seed) {
   RandomCase made;
   made.inside = !numbers.chance(0.2);
   Contact like;
-  like.position = numbers.vector(0.5 * kLargestLength, made);
+  like.position = numbers.vector(0.5 * kFarthest, made);
   like.friction = numbers.size(kLargestFriction, made);
-  like.torsion = numbers.size(kLargestLength, made);
+  like.torsion = numbers.size(kFarthest, made);
   const bool together = numbers.chance(0.6);
   const int count = static_cast<int>(numbers.uniform(2.0, 7.0));
   for (int i = 0; i < count; ++i) {
     like.model = kAll<ContactModel>[static_cast<std::size_t>(numbers.uniform(0.0, 3.0))];
     add_contact(numbers, like, together, made);
   }
-  made.frame.torque_origin =
-      together ? Eigen::Vector3d::Zero() : numbers.vector(kLargestLength, made);
+  made.frame.torque_origin = together ? Eigen::Vector3d::Zero() : numbers.vector(kFarthest, made);
   made.frame.torque_scale = numbers.between(kSmallestTorqueScale, kLargestTorqueScale);
   const double radius = like.position.norm();
   if (together && radius > 1e-9) made.frame.torque_scale = std::min(1.0 / radius, 1e9);

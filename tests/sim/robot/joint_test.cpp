@@ -9,6 +9,7 @@
 #include "sim/base/random.h"
 #include "sim/robot/denavit_hartenberg.h"
 #include "sim/robot/robot.h"
+#include "sim/robot/sound_robot.h"
 #include "tests/support/refusal_of.h"
 #include "tests/support/trees.h"
 
@@ -185,14 +186,14 @@ TEST(StepBetweenAxes, GivesParametersAsTheyAreWritten) {
 
 std::string refusal(const Robot& robot) {
   try {
-    require_tree(robot);
+    require_sound(robot);
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(RequireTree, NamesWhatIsNoTree) {
+TEST(SoundRobot, NamesWhatIsNoTree) {
   Random random(307);
   const Robot tree = test::random_tree(random, 4);
   EXPECT_EQ(refusal(tree), "");
@@ -217,11 +218,11 @@ TEST(RequireTree, NamesWhatIsNoTree) {
   EXPECT_EQ(refusal(robot), "tree: chain chain_0: joint joint_1 does not follow the one before it");
 }
 
-TEST(RequireTree, TellsRobotAndPartApart) {
+TEST(SoundRobot, TellsRobotAndPartApart) {
   Random random(307);
   Robot robot = test::random_tree(random, 4);
   robot.joints[1].parent = 1;
-  const InputError error = test::refusal_of([&] { require_tree(robot); });
+  const InputError error = test::refusal_of([&] { require_sound(robot); });
   EXPECT_EQ(error.file(), "tree");
   EXPECT_EQ(error.field(), "joint joint_1");
 }

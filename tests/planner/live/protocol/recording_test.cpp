@@ -27,7 +27,7 @@ Reply random_command(Random& random) {
           {"command", "object.set"}, {"generate", objects[random.index(3)]}, {"triangles", 300}};
     case 1:
       return {{"command", "object.change"},
-              {"mass", random.uniform(-0.1, 1.0)},
+              {"mass", random.uniform(0.01, 1.0)},
               {"X_world_object", random_pose(random)}};
     case 2:
       return {{"command", "obstacle.add"},

@@ -10,6 +10,7 @@
 
 #include "sim/robot/files/graspit_body.h"
 #include "sim/robot/files/graspit_expression.h"
+#include "sim/robot/sound_robot.h"
 #include "tests/support/graspit_files.h"
 #include "tests/support/refusal_of.h"
 
@@ -82,7 +83,7 @@ TEST(GraspitRobot, HasWhatItsFileSays) {
   ASSERT_TRUE(hand.hand.has_value());
   EXPECT_TRUE(hand.hand->approach.isApprox(Vector3::UnitZ()));
   EXPECT_NEAR(hand.hand->origin.z(), 0.005, 1e-12);
-  require_tree(hand);
+  require_sound(hand);
 }
 
 // Rz(theta) Tx(a) by hand, in planes that the chains turn to x and z.
@@ -128,7 +129,7 @@ TEST(GraspitRobot, RefusesWithFileAndLine) {
       {"d0*-1+90", "d0*-1+90x",
        "line 10, <theta>: neither a number nor dN*ratio+constant (d0*-1+90x)"},
       {"d0*-1+90", "d7", "line 10, <theta>: the robot has degrees of freedom d0 to d1 only (d7)"},
-      {"d0*-1+90", "d0*0", "ratio 0"},
+      {"d0*-1+90", "d0*0", "ratio must be at least 1e-9"},
       {"d0*-1+90", "90", "no degree of freedom drives it"},
       {"<d>0</d>", "<d>d1</d>", "must be a number"},
       {"<d>0</d>", "<d>nan</d>", "neither a number"},

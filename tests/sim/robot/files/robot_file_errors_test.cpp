@@ -67,7 +67,7 @@ std::vector<BadField> bad_fields() {
        "dofs[0].drives[1].joint: a degree of freedom drives joints of one type only "
        R"(("slide"))"},
       {"ZeroRatio", "/dofs/0/drives/1/ratio", "0",
-       "dofs[0].drives[1].ratio: must not be 0, the joint would never move (0)"},
+       "dofs[0].drives[1].ratio: its size must be at least 1e-9 and at most 1e9 (0)"},
       {"NoCommonLimits", "/dofs/0/drives/1/offset", "200",
        "dofs[0].drives: no value keeps every driven joint inside its limits ("},
       {"InitialOutside", "/dofs/1/initial", "41",
@@ -81,13 +81,13 @@ std::vector<BadField> bad_fields() {
        "directions "
        R"(("self_centering"))"},
       {"NegativeStiffness", "/dofs/1/stiffness", "-1",
-       "dofs[1].stiffness: must not be negative (-1)"},
+       "dofs[1].stiffness: must be at least 0 and at most 1e15 (-1)"},
       {"NegativeDamping", "/dofs/0/damping", "-0.5",
-       "dofs[0].damping: must not be negative (-0.5)"},
+       "dofs[0].damping: must be at least 0 and at most 1e15 (-0.5)"},
       {"TextForStiffness", "/dofs/0/stiffness", R"("high")",
        R"(dofs[0].stiffness: must be a number ("high"))"},
       {"NegativeSpring", "/chains/0/joints/1/spring", R"({"stiffness": -2})",
-       "chains[0].joints[1].spring.stiffness: must not be negative (-2)"},
+       "chains[0].joints[1].spring.stiffness: must be at least 0 and at most 1e15 (-2)"},
       {"SpringWithoutStiffness", "/chains/0/joints/1/spring", R"({"rest": 2})",
        "chains[0].joints[1].spring.stiffness: missing field"},
       {"UnknownSpringField", "/chains/0/joints/1/spring", R"({"stiffness": 2, "length": 1})",
@@ -103,7 +103,7 @@ std::vector<BadField> bad_fields() {
        "prism, loft, hull and triangles "
        R"(("torus"))"},
       {"FlatBox", "/geometries/bar/0/size", "[10, 0, 4]",
-       "geometries.bar[0].size: must be greater than 0 ([10,0,4])"},
+       "geometries.bar[0].size: each must be above 0 and at most 1e6 ([10,0,4])"},
       {"FieldOfAnotherShape", "/geometries/bar/0/radius", "3",
        "geometries.bar[0].radius: unknown field, known here are shape, size, pose (3)"},
       {"CrossedProfile", "/base/geometry",
@@ -137,7 +137,7 @@ std::vector<BadField> bad_fields() {
        "base.geometry[0].points[3]: "},
       {"ThinCapsule", "/base/geometry",
        R"([{"shape": "capsule", "radius": 0, "from": [0, 0, 0], "to": [0, 0, 1]}])",
-       "base.geometry[0].radius: must be greater than 0 (0)"},
+       "base.geometry[0].radius: must be above 0 and at most 1e6 (0)"},
       {"TooFewSides", "/base/geometry",
        R"([{"shape": "cylinder", "radius": 1, "height": 1, "sides": 2}])",
        "base.geometry[0].sides: must be 3 to 360 (2)"},
@@ -167,9 +167,9 @@ std::vector<BadField> bad_fields() {
       {"PreshapeOfUnknownDof", "/hand/preshapes/0/dofs/thumb", "1",
        "hand.preshapes[0].dofs.thumb: no degree of freedom is called thumb (1)"},
       {"WidthWrongWayRound", "/hand/preshapes/0/width", "[80, 0]",
-       "hand.preshapes[0].width: must be two numbers from 0, the lower one first ([80,0])"},
+       "hand.preshapes[0].width: must be two numbers, the lower one first ([80,0])"},
       {"NegativeDepth", "/hand/preshapes/0/depth", "-1",
-       "hand.preshapes[0].depth: must not be negative (-1)"},
+       "hand.preshapes[0].depth: must be at least 0 and at most 1e6 (-1)"},
   };
 }
 

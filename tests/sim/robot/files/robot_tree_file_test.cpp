@@ -177,9 +177,9 @@ INSTANTIATE_TEST_SUITE_P(
                  R"({"name": "shoulder", "type": "revolute", "axis": [0,0,0], "limits": [0, 1]})",
                  "chains[0].joints[0].axis: must not be the zero vector ([0,0,0])"},
         BadEntry{"NoEffort", "/chains/0/joints/0/effort", "0",
-                 "chains[0].joints[0].effort: must be positive (0)"},
+                 "chains[0].joints[0].effort: must be above 0 and at most 1e9 (0)"},
         BadEntry{"NegativeFriction", "/chains/0/joints/0/friction", R"({"viscous": -1})",
-                 "chains[0].joints[0].friction.viscous: must not be negative (-1)"},
+                 "chains[0].joints[0].friction.viscous: must be at least 0 and at most 1e15 (-1)"},
         BadEntry{"UnknownFriction", "/chains/0/joints/0/friction", R"({"static": 1})",
                  "chains[0].joints[0].friction.static: unknown field"},
         BadEntry{"UnknownMassUnit", "/units/mass", R"("t")",
@@ -187,10 +187,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadEntry{"UnknownMaterial", "/base/material", R"("cheese")",
                  "base.material: unknown material, known are glass, metal, plastic, wood and "
                  "rubber"},
-        BadEntry{"NoMass", "/base/mass", "0", "base.mass: must be positive (0)"},
+        BadEntry{"NoMass", "/base/mass", "0", "base.mass: must be above 0 and at most 1e9 (0)"},
         BadEntry{"MassInWords", "/base/mass", R"("heavy")",
                  R"(base.mass: must be a number, "mesh" or "unknown")"},
-        BadEntry{"NoDensity", "/base/density", "-1", "base.density: must be positive (-1)"},
+        BadEntry{"NoDensity", "/base/density", "-1",
+                 "base.density: must be above 0 and at most 1e6 (-1)"},
         BadEntry{"CenterWithoutMass", "/base/center_of_mass", "[0, 0, 0]",
                  R"(base.center_of_mass: needs "mass" as a number with it)"}));
 

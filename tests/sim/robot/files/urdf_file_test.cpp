@@ -6,6 +6,7 @@
 
 #include "sim/base/index.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/robot/sound_robot.h"
 #include "tests/sim/robot/files/foreign_files.h"
 
 namespace prehend {
@@ -50,7 +51,7 @@ TEST(UrdfFile, JointsDriveTheirMimics) {
   EXPECT_EQ(robot.joints[0].friction.coulomb, 0.1);
   EXPECT_EQ(robot.joints[1].max_effort, 0.0);
   EXPECT_FALSE(robot.hand);
-  require_tree(robot);
+  require_sound(robot);
   EXPECT_TRUE(has_note(robot, "frame"));
   EXPECT_TRUE(has_note(robot, "plastic"));
 }
@@ -102,7 +103,7 @@ TEST(UrdfFile, BranchesBecomeChains) {
   text += urdf_joint("jc", "revolute", "b", "c", kLimit);
   text += urdf_joint("je", "revolute", "b", "e", kLimit);
   const Robot robot = read_text(urdf(text)).robots.at(0).robot;
-  require_tree(robot);
+  require_sound(robot);
   ASSERT_EQ(robot.chains.size(), 3U);
   EXPECT_EQ(robot.chains[0].name, "b");
   EXPECT_EQ(robot.chains[1].name, "d");
