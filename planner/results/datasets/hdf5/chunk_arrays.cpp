@@ -95,8 +95,9 @@ class Blocks {
 
   void read_index(std::uint64_t address) {
     std::uint64_t pointers = growth_.super_blocks - growth_.direct;
-    for (std::uint64_t super = 0; super < growth_.direct; ++super)
+    for (std::uint64_t super = 0; super < growth_.direct; ++super) {
       pointers += growth_.blocks(super);
+    }
     const std::uint64_t entries = growth_.in_index * array_.entry_size();
     const std::uint64_t prefix = 6 + image_.offset_size;
     ByteCursor cursor(

@@ -27,11 +27,11 @@ namespace prehend {
 // Whether the file begins as HDF5 files do. False also for what cannot be read.
 bool is_hdf5_file(const std::filesystem::path& file);
 
-// The whole file is held in memory; a data set may take 256 MB besides, and no more than a
-// compressed file of that size can hold. All calls throw InputError that names the file and the
-// path of the data set: for one that is missing (but with has), has another type or shape than
-// asked for, has more values than a file of that size can hold, is stored in a way that is not
-// read, or is damaged.
+// The whole file is held in memory. The values of a data set take at most 256 MB besides, as they
+// are stored and as they are returned, and no more than a compressed file of that size can hold.
+// All calls throw InputError that names the file and the path of the data set: for one that is
+// missing (but with has), has another type or shape than asked for, has more values than a file of
+// that size can hold, is stored in a way that is not read, or is damaged.
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& file);

@@ -14,11 +14,14 @@ namespace {
 constexpr std::size_t kMostPerByte = 1032;
 constexpr std::size_t kSlack = std::size_t{1} << 16U;  // bytes that any file may claim
 
+std::string words_of_extents(const Extents& extents) {
+  return joined(extents.sizes, " x ", [](std::size_t size) { return std::to_string(size); });
+}
+
 InputError too_many(const Extents& extents) {
   return InputError({.problem = "has more values than a file of this size can hold: write the file "
                                 "again, without values that are never set",
-                     .value = joined(extents.sizes, " x ",
-                                     [](std::size_t size) { return std::to_string(size); })});
+                     .value = words_of_extents(extents)});
 }
 
 std::vector<std::uint8_t> filled(std::size_t bytes, Bytes fill) {
@@ -94,12 +97,16 @@ std::vector<std::uint8_t> chunked_values(const Image& image, const DataSet& data
 }  // namespace
 
 std::size_t value_count(const Image& image, const Extents& extents, std::size_t value_size) {
-  const std::size_t bytes = std::min(image.bytes.size() * kMostPerByte + kSlack, kMostDecoded);
-  const std::size_t most = bytes / std::max<std::size_t>(value_size, 1);
+  const std::size_t size = std::max<std::size_t>(value_size, 1);
+  const std::size_t in_file = image.bytes.size() * kMostPerByte + kSlack;
   std::size_t count = 1;
   for (const std::size_t extent : extents.sizes) {
-    if (extent != 0 && count > most / extent) throw too_many(extents);
+    if (extent != 0 && count > in_file / size / extent) throw too_many(extents);
     count *= extent;
+  }
+  if (count > kMostDecoded / size) {
+    throw InputError({.problem = "has more values than are read, which is 256 MB of them: split it",
+                      .value = words_of_extents(extents)});
   }
   return extents.none ? 0 : count;
 }

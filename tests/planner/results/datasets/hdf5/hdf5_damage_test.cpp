@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/results/datasets/hdf5/checksum.h"
 #include "planner/results/datasets/hdf5/hdf5_reader.h"
 #include "sim/base/random.h"
 #include "tests/planner/results/datasets/hdf5/written_hdf5.h"
@@ -132,6 +133,15 @@ std::size_t place_of_text(const std::string& bytes, std::size_t length) {
   put(reference, 0, length, 4);
   put(reference, 4, last_place(bytes, "GCOL"), 8);
   return last_place(bytes, reference);
+}
+
+TEST(Hdf5Damage, FilesThatAreStillWrittenAreRefused) {
+  std::string bytes = sample_file(Superblock::version_3);
+  const auto read = [&] { (void)Hdf5Reader("set.h5", bytes); };
+  put(bytes, 11, 1, 1);
+  EXPECT_NE(test::refusal_of(read).problem().find("checksum"), std::string::npos);
+  put(bytes, 44, hdf5::lookup3({reinterpret_cast<const std::uint8_t*>(bytes.data()), 44}), 4);
+  EXPECT_NE(test::refusal_of(read).problem().find("h5clear"), std::string::npos);
 }
 
 // The texts of the reports: HDF5's own library takes as much memory as a text claims to be long.
