@@ -118,7 +118,7 @@ std::vector<Filter> filters_of(const Messages& header) {
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t type = cursor.number(2);
     if (type < 1 || type > 3) {
-      throw not_read("is stored with the filter " + std::to_string(type) + ", which is not read",
+      throw not_read("is stored with a filter that is not read, number " + std::to_string(type),
                      "h5repack -f GZIP=6 OLD NEW writes a file that is");
     }
     std::uint64_t name = version == 1 ? cursor.number(2) : 0;
