@@ -31,8 +31,8 @@ std::optional<std::size_t> number_of(const ChunkGrid& grid,
 std::vector<StoredChunk> in_tree1(const Image& image, const Layout& layout, const ChunkGrid& grid) {
   std::vector<StoredChunk> chunks;
   const std::size_t rank = grid.extents.size();
-  for (const Tree1Entry& entry :
-       tree1_entries(image, layout.address, Tree1Type::chunks, 8 + 8 * (rank + 1))) {
+  for (const Tree1Entry& entry : tree1_entries(image, layout.address, Tree1Type::chunks,
+                                               8 + 8 * (rank + 1), image.bytes.size())) {
     ByteCursor key(entry.key);
     const std::uint64_t size = key.number(4);
     const std::uint64_t mask = key.number(4);
@@ -167,7 +167,7 @@ ChunkGrid chunk_grid(const Image& image, const DataSet& data) {
                  .value_size = data.type.size};
   std::size_t bytes = std::max<std::size_t>(data.type.size, 1);
   std::size_t chunks = 1;
-  const std::size_t most = image.bytes.size() + kChunksAtLeast;
+  const std::size_t most = image.bytes.size() / image.offset_size + kChunksAtLeast;
   for (std::size_t i = 0; i < grid.extents.size(); ++i) {
     const std::size_t along = grid.chunk[i];
     if (along == 0) throw damaged("chunks of no size");

@@ -58,8 +58,7 @@ void add_symbol_table(const Image& image, Bytes message, std::vector<Link>& link
   ByteCursor cursor(message);
   const std::uint64_t tree = image.address(cursor);
   const Bytes heap = local_heap(image, image.address(cursor));
-  const auto nodes = tree1_entries(image, tree, Tree1Type::group, image.length_size);
-  if (nodes.size() > kMostLinks) throw InputError("has too many members");
+  const auto nodes = tree1_entries(image, tree, Tree1Type::group, image.length_size, kMostLinks);
   for (const Tree1Entry& node : nodes) add_symbols(image, heap, node.child, links);
 }
 

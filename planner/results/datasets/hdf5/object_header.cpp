@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::uint64_t kShared = 2;               // flag of a message
 constexpr std::uint64_t kMustBeUnderstood = 0x80;  // flag of a message
+constexpr std::size_t kMostMessages = 65535;       // version 1 counts them in two bytes
 constexpr std::uint64_t kLastKnown = 0x18;         // type of a message
 
 struct FoundMessage {
@@ -46,6 +47,7 @@ void read_block(const Image& image, Bytes block, const HeaderForm& form,
   while (cursor.left() >= form.prefix()) {
     const FoundMessage found = next_message(cursor, form);
     if (found.message.type != MessageType::continuation) {
+      if (messages.size() == kMostMessages) throw damaged("too many messages");
       messages.push_back(found);
       continue;
     }

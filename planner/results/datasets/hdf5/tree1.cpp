@@ -5,7 +5,7 @@
 namespace prehend::hdf5 {
 
 std::vector<Tree1Entry> tree1_entries(const Image& image, std::uint64_t root, Tree1Type type,
-                                      std::size_t key_size) {
+                                      std::size_t key_size, std::size_t most) {
   struct OpenNode {
     std::uint64_t address;
     std::optional<std::uint64_t> level;  // none: the root's, which it says itself
@@ -27,6 +27,7 @@ std::vector<Tree1Entry> tree1_entries(const Image& image, std::uint64_t root, Tr
     const std::uint64_t count = cursor.number(2);
     cursor.skip(2 * image.offset_size);  // its neighbours
     for (std::uint64_t i = 0; i < count; ++i) {
+      if (entries.size() + open.size() >= most) throw damaged("a tree of too many entries");
       const Bytes key = cursor.take(key_size);
       const std::uint64_t child = image.address(cursor);
       if (level == 0) {

@@ -14,8 +14,9 @@ struct Tree1Entry {
   std::uint64_t child = kNowhere;
 };
 
-// What the leaves point to, in no order; nothing where there is no tree. Throws damaged().
+// What the leaves point to, in no order; nothing where there is no tree. Throws damaged(), also for
+// more than `most` of them.
 std::vector<Tree1Entry> tree1_entries(const Image& image, std::uint64_t root, Tree1Type type,
-                                      std::size_t key_size);
+                                      std::size_t key_size, std::size_t most);
 
 }  // namespace prehend::hdf5

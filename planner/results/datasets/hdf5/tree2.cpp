@@ -26,7 +26,10 @@ std::size_t size_of_number(std::uint64_t largest) {
 
 // The sizes of numbers in nodes follow from how many records fit into nodes and subtrees.
 void derive_sizes(Tree2& tree, std::size_t node_size, std::size_t offset_size) {
-  if (tree.record_size == 0 || node_size < kNodeFrame + tree.record_size || tree.depth > kDeepest) {
+  // Records have an address or a hash, and more.
+  constexpr std::size_t kLeastRecord = 8;
+  if (tree.record_size < kLeastRecord || node_size < kNodeFrame + tree.record_size ||
+      tree.depth > kDeepest) {
     throw damaged("a tree of no sense");
   }
   constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();

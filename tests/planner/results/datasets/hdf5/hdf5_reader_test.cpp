@@ -332,7 +332,7 @@ TEST(Hdf5Reader, ReadsChunksOfPagedBlocks) {
       expected[place] = value;
     }
     // Room for all the chunks: a file that claims more than it can hold is refused.
-    const std::vector<std::int8_t> room(1U << 18U, 1);
+    const std::vector<std::int8_t> room(1U << 20U, 1);
     write_values(id, "room", H5T_STD_I8LE, H5T_NATIVE_INT8, {.shape = {room.size()}}, room.data());
   });
   EXPECT_EQ(Hdf5Reader("set.h5", bytes).integers("sparse", {kFar + 1}), expected);
