@@ -24,7 +24,9 @@ inline std::string written_hdf5(Superblock version, const std::function<void(hid
                            : version == Superblock::version_2 ? H5F_LIBVER_V18
                                                               : H5F_LIBVER_EARLIEST;
   EXPECT_GE(H5Pset_libver_bounds(access.id(), low, H5F_LIBVER_V110), 0);
-  if (version == Superblock::version_1) EXPECT_GE(H5Pset_istore_k(creation.id(), 3), 0);
+  if (version == Superblock::version_1) {
+    EXPECT_GE(H5Pset_istore_k(creation.id(), 3), 0);
+  }
   const std::string name = "written.h5";
   {
     const Hdf5Id file(H5Fcreate(name.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
