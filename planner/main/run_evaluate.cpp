@@ -12,7 +12,7 @@
 #include "planner/plan/shake_grasps.h"
 #include "planner/results/datasets/acronym_file.h"
 #include "planner/results/datasets/graspgen_file.h"
-#include "planner/results/datasets/hdf5_reader.h"
+#include "planner/results/datasets/hdf5/hdf5_reader.h"
 #include "planner/results/datasets/set_candidates.h"
 #include "planner/results/timings_file.h"
 #include "planner/show/exports/result_files.h"

@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 20> kKinds{{
+constexpr std::array<FileKind, 21> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -29,6 +29,7 @@ constexpr std::array<FileKind, 20> kKinds{{
     {"contacts", Grammar::json, read_contacts_file},
     {"truth", Grammar::json, read_executed_grasps_file},
     {"graspgen", Grammar::json, read_graspgen_file},
+    {"acronym", Grammar::bytes, read_acronym_file},
 }};
 
 // A message is one line that can be printed to a terminal.

@@ -52,6 +52,7 @@ void read_grasps_file(std::string_view name, const std::string& bytes);
 void read_contacts_file(std::string_view name, const std::string& bytes);
 void read_executed_grasps_file(std::string_view name, const std::string& bytes);
 void read_graspgen_file(std::string_view name, const std::string& bytes);
+void read_acronym_file(std::string_view name, const std::string& bytes);
 
 // The path that a file of this kind pretends to have: in its folder of tests/corpus, so that it can
 // name other files there.

@@ -18,5 +18,7 @@ std::string acronym_bytes(const GraspSet& set);
 // Needed are transforms, these labels, and file and scale of the object. Throws InputError that
 // names the file and the data set.
 GraspSet read_acronym(const std::filesystem::path& path);
+// The same of the bytes of a file of this name.
+GraspSet read_acronym(const std::string& name, const std::string& bytes);
 
 }  // namespace prehend

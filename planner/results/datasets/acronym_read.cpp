@@ -6,7 +6,7 @@
 
 #include "planner/results/datasets/acronym_file.h"
 #include "planner/results/datasets/acronym_layout.h"
-#include "planner/results/datasets/hdf5_reader.h"
+#include "planner/results/datasets/hdf5/hdf5_reader.h"
 #include "planner/results/datasets/pose_matrix.h"
 
 namespace prehend {
@@ -257,16 +257,21 @@ void read_ours(const Hdf5Reader& file, GraspSet& set) {
   read_our_grasps(file, set);
 }
 
-}  // namespace
-
-GraspSet read_acronym(const std::filesystem::path& path) {
-  const Hdf5Reader file(path);
+GraspSet read_set(const Hdf5Reader& file) {
   GraspSet set;
   read_their_grasps(file, set);
   read_gripper(file, set);
   set.object = read_object(file);
   if (file.has("prehend")) read_ours(file, set);
   return set;
+}
+
+}  // namespace
+
+GraspSet read_acronym(const std::filesystem::path& path) { return read_set(Hdf5Reader(path)); }
+
+GraspSet read_acronym(const std::string& name, const std::string& bytes) {
+  return read_set(Hdf5Reader(name, bytes));
 }
 
 }  // namespace prehend

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace prehend {
+#include "planner/results/datasets/hdf5/hdf5_shape.h"
 
-// Extents of an array, the slowest first; empty: a scalar.
-using Hdf5Shape = std::vector<std::size_t>;
+namespace prehend {
 
 // Paths are those of HDF5 ("grasps/transforms"); the group in which something is made has to be
 // there. What a call makes must not be there yet. Arrays of more than a few hundred bytes are

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -8,6 +7,7 @@
 
 #include "sim/base/random.h"
 #include "tests/support/echo_server.h"
+#include "tests/support/peak_memory.h"
 
 namespace prehend::test {
 namespace {
@@ -40,16 +40,6 @@ TEST(ServerLines, ALineThatIsTooLongIsRefusedAndTheNextOneServed) {
   EXPECT_EQ(client.line(), kTooLong);
   EXPECT_EQ(client.line(), "next");
   EXPECT_EQ(echo.endpoint.clients().at(1).received.size(), 2U);
-}
-
-// The most memory that this process has had, in kB.
-long peak_memory() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    long value = 0;
-    if (word == "VmHWM:" && status >> value) return value;
-  }
-  return 0;
 }
 
 TEST(ServerLines, AHundredMegabytesAreRefusedBeforeTheirEndAndNotKept) {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "planner/results/datasets/hdf5_reader.h"
+#include "planner/results/datasets/hdf5/hdf5_reader.h"
 #include "planner/results/datasets/hdf5_writer.h"
 #include "sim/base/input_error.h"
 #include "tests/planner/results/datasets/sample_sets.h"
