@@ -68,7 +68,8 @@ class Interrupts {
   std::atomic<bool> is_over_ = false;
   std::mutex lock_;  // of what follows, and held while a file is written
   bool cancels_ = false;
-  std::string words_ = "nothing is written";
+  static constexpr const char* kNothing = "nothing is written";
+  std::string words_ = kNothing;
   std::thread waiter_;
 };
 

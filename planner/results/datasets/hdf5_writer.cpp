@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <new>
 #include <numeric>
-#include <stdexcept>
 
 #include "planner/results/datasets/hdf5_id.h"
 
@@ -17,13 +17,14 @@ constexpr unsigned kDeflateLevel = 6;
 // cost more than the content of most data sets.
 constexpr unsigned kIndexNode = 4;
 
+// All is made in memory: that is what calls fail for.
 Hdf5Id checked(hid_t id, Hdf5Id::Close close) {
-  if (id < 0) throw std::runtime_error("HDF5 could not make an object in memory");
+  if (id < 0) throw std::bad_alloc();
   return {id, close};
 }
 
 void check(herr_t status) {
-  if (status < 0) throw std::runtime_error("HDF5 could not write to memory");
+  if (status < 0) throw std::bad_alloc();
 }
 
 std::size_t product(const Hdf5Shape& shape) {
