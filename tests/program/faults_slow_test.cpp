@@ -3,7 +3,9 @@
 // the same.
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -130,6 +132,21 @@ class Faults : public testing::TestWithParam<WritingCommand> {
     expect_whole_files();
   }
 
+  void run_three_at_once() const {
+    std::istringstream stream(filled(GetParam().words));
+    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    std::vector<std::unique_ptr<RunningProgram>> programs;
+    for (int i = 0; i < 3; ++i) {
+      const fs::path own = home_ / ("process" + std::to_string(i));
+      fs::create_directories(own);
+      programs.push_back(std::make_unique<RunningProgram>(words, own));
+    }
+    for (const auto& program : programs) {
+      std::string rest;
+      EXPECT_EQ(program->wait(rest), 0) << rest;
+    }
+  }
+
   fs::path home_;
   fs::path out_;
   fs::path done_;
@@ -225,20 +242,7 @@ TEST_P(Faults, OfMemory) {
 TEST_P(Faults, OfThreeProcessesAtOnceThereAreNone) {
   for (const bool earlier : {false, true}) {
     make_out(earlier);
-    const std::string words = filled(GetParam().words);
-    std::vector<std::unique_ptr<RunningProgram>> programs;
-    std::vector<std::string> split;
-    std::istringstream stream(words);
-    for (std::string word; stream >> word;) split.push_back(word);
-    for (int i = 0; i < 3; ++i) {
-      const fs::path own = home_ / ("process" + std::to_string(i));
-      fs::create_directories(own);
-      programs.push_back(std::make_unique<RunningProgram>(split, own));
-    }
-    for (const auto& program : programs) {
-      std::string rest;
-      EXPECT_EQ(program->wait(rest), 0) << rest;
-    }
+    run_three_at_once();
     expect_same(found(), results_);
   }
 }
@@ -247,13 +251,27 @@ INSTANTIATE_TEST_SUITE_P(Commands, Faults, testing::ValuesIn(writing_commands())
                          [](const auto& command) { return command.param.name; });
 
 // Where folders cannot be exchanged, as on file systems of networks.
-class FaultsApart : public Faults {};
+class FaultsApart : public Faults {
+ protected:
+  void SetUp() override {
+    Faults::SetUp();
+    ::setenv("LD_PRELOAD", PREHEND_FAIL_CALLS, 1);
+    ::setenv("FAIL_HOW", "apart", 1);
+  }
+  void TearDown() override {
+    ::unsetenv("LD_PRELOAD");
+    ::unsetenv("FAIL_HOW");
+  }
+};
 
 TEST_P(FaultsApart, MergesReplaceEachOther) {
   make_out(true);
-  const ProgramRun apart = run(GetParam().words, under("apart", 1));
-  EXPECT_EQ(apart.status, 0) << apart.err;
+  ASSERT_EQ(run(GetParam().words).status, 0);
   expect_same(found(), results_);
+  for (int i = 0; i < 3; ++i) {
+    run_three_at_once();
+    expect_same(found(), results_);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, FaultsApart, testing::Values(command_named("merge")));
