@@ -25,8 +25,8 @@ struct WritingCommand {
   std::string words;  // OUT and HOME stand for the folders
 };
 
-inline void PrintTo(const WritingCommand& command, std::ostream* stream) {
-  *stream << command.name;
+inline std::ostream& operator<<(std::ostream& stream, const WritingCommand& command) {
+  return stream << command.name;
 }
 
 inline const char* const kFaultBatch = R"({

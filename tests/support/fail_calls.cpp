@@ -128,6 +128,8 @@ mode_t mode_of(int flags, va_list arguments) {
 
 }  // namespace
 
+// The parameters have names that say what they are, unlike those of the C library.
+// NOLINTBEGIN(readability-inconsistent-declaration-parameter-name)
 extern "C" {
 
 int open(const char* name, int flags, ...) {
@@ -195,3 +197,4 @@ ssize_t sendfile(int to, int from, off_t* offset, size_t count) noexcept {
 }
 
 }  // extern "C"
+// NOLINTEND(readability-inconsistent-declaration-parameter-name)
