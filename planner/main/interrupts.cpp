@@ -1,6 +1,7 @@
 #include "planner/main/interrupts.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -118,9 +119,12 @@ void Interrupts::wait() {
 }
 
 void Interrupts::react() {
-  // A second signal ends the program without waiting for the lock, that is, for a file that is
-  // being written.
-  if (cancellation_.requested()) std::_Exit(exit_status());
+  // A second signal ends the program, too, where a file that is being written takes longer than
+  // this.
+  if (cancellation_.requested()) {
+    const std::unique_lock patient(lock_, std::chrono::seconds(1));
+    std::_Exit(exit_status());
+  }
   const std::lock_guard lock(lock_);
   cancellation_.request();
   if (cancels_) return;

@@ -66,7 +66,7 @@ class Interrupts {
   Deadline deadline_;
   std::atomic<int> signal_ = SIGINT;  // the last that came
   std::atomic<bool> is_over_ = false;
-  std::mutex lock_;  // of what follows, and held while a file is written
+  std::timed_mutex lock_;  // of what follows, and held while a file is written
   bool cancels_ = false;
   static constexpr const char* kNothing = "nothing is written";
   std::string words_ = kNothing;
