@@ -158,7 +158,7 @@ class Faults : public testing::TestWithParam<WritingCommand> {
 
 TEST_P(Faults, OfTheDiskEndInOneLine) {
   int number = 0;
-  for (const int call : chosen_calls(8)) {
+  for (const int call : chosen_calls(6)) {
     const bool is_full = number % 2 == 0;
     make_out(number % 4 < 2);
     ++number;
@@ -177,7 +177,7 @@ TEST_P(Faults, SignalsLeaveWholeFilesAndTheNextRunEndsWithTheSame) {
   const std::vector<std::pair<std::string, int>> signals = {
       {"kill", SIGKILL}, {"term", SIGTERM}, {"int", SIGINT}};
   int number = 0;
-  for (const int call : chosen_calls(6)) {
+  for (const int call : chosen_calls(5)) {
     const auto& [name, signal] = signals[static_cast<std::size_t>(number) % 3];
     make_out(number % 2 == 0);
     ++number;
