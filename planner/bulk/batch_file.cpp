@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <cerrno>
 #include <glob.h>
+#include <new>
 #include <set>
+#include <system_error>
 
 #include "planner/bulk/batch.h"
 #include "planner/bulk/batch_part.h"
 #include "planner/plan/learn/tree_model_file.h"
 #include "planner/results/json_settings.h"
+#include "sim/base/file_failure.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_file.h"
 #include "sim/base/json/json_field.h"
@@ -22,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kBatchFormat = "prehend batch 1";
+constexpr const char* kUnreadable = "cannot be read";
 constexpr int kGeneratedTriangles = 5000;
 
 // The meshes below a folder, at any depth.
@@ -32,6 +37,7 @@ std::vector<fs::path> meshes_below(const JsonField& field, const fs::path& folde
        it.increment(error)) {
     if (has_mesh_format(it->path()) && is_file(it->path())) files.push_back(it->path());
   }
+  if (error && !is_of_the_name(error)) throw_file_failure(folder, kUnreadable, error);
   if (error) field.fail("cannot be read as a folder: " + error.message());
   if (files.empty()) field.fail("a folder without a mesh");
   return files;
@@ -39,13 +45,20 @@ std::vector<fs::path> meshes_below(const JsonField& field, const fs::path& folde
 
 std::vector<fs::path> meshes_like(const JsonField& field, const fs::path& pattern) {
   glob_t found{};
-  const int status = ::glob(pattern.c_str(), GLOB_NOSORT, nullptr, &found);
+  // Folders that may not be read are passed over.
+  const auto ends = [](const char*, int error) {
+    return is_of_the_name({error, std::generic_category()}) ? 0 : 1;
+  };
+  const int status = ::glob(pattern.c_str(), GLOB_NOSORT, ends, &found);
+  const std::error_code error(errno, std::generic_category());
   std::vector<fs::path> files;
   for (std::size_t i = 0; status == 0 && i < found.gl_pathc; ++i) {
     const fs::path file = found.gl_pathv[i];  // NOLINT(*-pointer-arithmetic): as glob returns it
     if (has_mesh_format(file) && is_file(file)) files.push_back(file);
   }
   ::globfree(&found);
+  if (status == GLOB_NOSPACE) throw std::bad_alloc();
+  if (status == GLOB_ABORTED) throw_file_failure(pattern, kUnreadable, error);
   if (files.empty()) field.fail("no mesh has such a name");
   return files;
 }

@@ -17,16 +17,23 @@ std::filesystem::path part_folder(const std::filesystem::path& folder, const std
   return folder / "parts" / key.substr(0, 2);
 }
 
+// Besides the marker, also half written.
+bool has_other_files(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(folder, error), end; at != end; at.increment(error)) {
+    if (!at->path().filename().string().starts_with(kMarker)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 BatchFolder::BatchFolder(std::filesystem::path folder, const Batch& batch)
     : folder_(std::move(folder)), batch_(batch.name) {
   const std::filesystem::path marker = folder_ / kMarker;
+  // The marker is looked for last: another process that begins the batch writes it first.
+  const bool is_used = has_other_files(folder_);
   if (!is_there(marker)) {
-    std::error_code error;
-    const bool is_used = std::filesystem::is_directory(folder_, error) &&
-                         std::filesystem::directory_iterator(folder_, error) !=
-                             std::filesystem::directory_iterator();
     require(!is_used, {.file = folder_.string(), .problem = "has files, but not of a batch"});
     return;
   }

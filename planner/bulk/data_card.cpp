@@ -1,7 +1,9 @@
-#include <algorithm>
+#include <cctype>
+#include <string_view>
 
 #include "planner/bulk/batch_summary.h"
 #include "sim/base/formatted.h"
+#include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
@@ -10,10 +12,22 @@ double percent_of(std::size_t part, std::size_t whole) {
   return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// Without what would end a cell of a table in Markdown.
-std::string cell(std::string text) {
-  std::replace(text.begin(), text.end(), '|', '/');
-  return text;
+bool is_of_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// As Markdown that shows the text as it is, on one line: names of files and hands may hold markup.
+// An underscore inside a word is none.
+std::string markdown_text(const std::string& given) {
+  constexpr std::string_view kMarkup = "\\`*_~[]<>&|#$";
+  const std::string text = on_one_line(given);
+  std::string escaped;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_inside =
+        i > 0 && i + 1 < text.size() && is_of_word(text[i - 1]) && is_of_word(text[i + 1]);
+    const bool is_markup = kMarkup.find(text[i]) != std::string_view::npos;
+    if (is_markup && !(text[i] == '_' && is_inside)) escaped += '\\';
+    escaped += text[i];
+  }
+  return escaped;
 }
 
 std::string outcome_rows(const BatchSummary& summary) {
@@ -32,7 +46,7 @@ std::string outcome_rows(const BatchSummary& summary) {
 std::string hand_rows(const BatchSummary& summary) {
   std::string rows = "| hand | grasps | stable | share |\n|---|---:|---:|---:|\n";
   for (const auto& [name, counts] : summary.tally.hands) {
-    rows += formatted("| %s | %zu | %zu | %.1f %% |\n", cell(name).c_str(), counts.all(),
+    rows += formatted("| %s | %zu | %zu | %.1f %% |\n", markdown_text(name).c_str(), counts.all(),
                       counts.stable(), percent_of(counts.stable(), counts.all()));
   }
   return rows;
@@ -61,7 +75,7 @@ std::string file_lines(const BatchSummary& summary) {
 
 std::string data_card(const BatchSummary& summary) {
   const OutcomeCounts& counts = summary.tally.outcomes;
-  std::string card = "# " + summary.name + "\n\n";
+  std::string card = "# " + markdown_text(summary.name) + "\n\n";
   card += formatted(
       "%zu simulated grasps of %zu objects, %zu of them stable (%.1f %%), in %zu sets; the others "
       "are there as well, with the reason why they do not hold. Made by %s.\n\n",
@@ -72,7 +86,7 @@ std::string data_card(const BatchSummary& summary) {
                       summary.parts);
   }
   card += "## What was planned\n\n";
-  for (const std::string& axis : summary.axes) card += "- " + axis + "\n";
+  for (const std::string& axis : summary.axes) card += "- " + markdown_text(axis) + "\n";
   card += formatted("- parts: %zu, of which %zu failed\n\n", summary.parts, summary.failed_parts);
   card += "## Outcomes\n\n" + outcome_rows(summary) + "\n" + hand_rows(summary) + "\n";
   card +=
@@ -81,10 +95,12 @@ std::string data_card(const BatchSummary& summary) {
       "disturbance that it resists in every direction, for contact forces whose normals add up to "
       "1 N (Ferrari and Canny 1992). Nothing was executed on a real robot.\n\n";
   card += "## Files\n\n" + file_lines(summary) + "\n## Licence\n\n";
-  card += summary.licence.empty()
-              ? "The licence of the meshes was not stated. Poses refer to meshes that are not "
-                "part of the data set.\n"
-              : "Of the meshes, which are not part of the data set: " + summary.licence + "\n";
+  card +=
+      summary.licence.empty()
+          ? "The licence of the meshes was not stated. Poses refer to meshes that are not "
+            "part of the data set.\n"
+          : "Of the meshes, which are not part of the data set: " + markdown_text(summary.licence) +
+                "\n";
   card += "\n## Settings\n\n";
   for (const std::string& settings : summary.settings) {
     card += "```json\n" + settings + "\n```\n";

@@ -19,8 +19,7 @@
 #include "sim/base/pool.h"
 
 // Parts are read in groups, in parallel, and what is made of them is written in their order: the
-// same bytes on any number of threads, in the memory of one group. All is written into a new folder
-// that takes the place of the earlier one at the end.
+// same bytes on any number of threads, in the memory of one group.
 namespace prehend {
 namespace {
 
@@ -77,7 +76,6 @@ class Merge {
         options_(options),
         context_(context),
         progress_(progress),
-        target_(folder.path() / "merged.new"),
         stable_(options.pictures - options.pictures / 4),
         others_(options.pictures / 4) {
     count_.parts = part_count(batch);
@@ -85,8 +83,16 @@ class Merge {
 
   BatchCount run() {
     if (!options_.partial && !is_complete()) return count_;
-    fs::remove_all(target_);
-    make_folder(target_);
+    folder_.create();
+    write_folder(folder_.path() / "merged", [&](const fs::path& target) {
+      target_ = target;
+      write_all();
+    });
+    return count_;
+  }
+
+ private:
+  void write_all() {
     write_file(target_ / "failures.csv", [&](std::ostream& failures) {
       failures << "part,reason\n";
       if (!wants("csv")) {
@@ -102,11 +108,8 @@ class Merge {
     write_pictures();
     write_file(target_ / "CARD.md", data_card(summarized()));
     write_file(target_ / "index.html", batch_page(summarized()));
-    take_place();
-    return count_;
   }
 
- private:
   bool wants(std::string_view format) const {
     return std::find(options_.formats.begin(), options_.formats.end(), format) !=
            options_.formats.end();
@@ -229,22 +232,13 @@ class Merge {
     return summary_;
   }
 
-  void take_place() const {
-    const fs::path merged = folder_.path() / "merged";
-    const fs::path former = folder_.path() / "merged.old";
-    fs::remove_all(former);
-    if (fs::exists(merged)) fs::rename(merged, former);
-    fs::rename(target_, merged);
-    fs::remove_all(former);
-  }
-
   const Batch& batch_;
   const BatchInputs& inputs_;
   const BatchFolder& folder_;
   const MergeOptions& options_;
   const RunContext& context_;
   const std::function<void(const BatchCount&)>& progress_;
-  const fs::path target_;
+  fs::path target_;  // a temporary folder
   Pool<PartWorker> workers_;
   BatchCount count_;
   BatchSummary summary_;

@@ -33,8 +33,9 @@ struct MergeOptions {
 // depend on the number of grasps. Where parts are open and `partial` is not set, nothing is written
 // and the count says how many.
 //
-// `progress` is told of parts that were looked at; may be empty. Throws InputError where something
-// cannot be written or a result was damaged, and Cancelled: an earlier "merged" then stays.
+// Several may merge the same folder at once (write_folder). `progress` is told of parts that were
+// looked at; may be empty. Throws InputError where a result was damaged, what write_file throws,
+// and Cancelled: an earlier "merged" then stays.
 BatchCount merge_batch(const Batch& batch, const BatchInputs& inputs, const BatchFolder& folder,
                        const MergeOptions& options = {}, const RunContext& context = {},
                        const std::function<void(const BatchCount&)>& progress = {});

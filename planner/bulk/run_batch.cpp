@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <new>
+#include <stdexcept>
 
 #include "planner/bulk/part_worker.h"
 #include "planner/results/datasets/acronym_file.h"
@@ -12,7 +13,9 @@
 namespace prehend {
 namespace {
 
-// Of a part that was looked at: how it ended.
+constexpr const char* kNoMemory = "not enough memory";
+
+// Of a part that was looked at: how it ended; open where there was no memory for it.
 struct PartEnd {
   PartState state = PartState::open;
   std::size_t trials = 0;
@@ -67,7 +70,9 @@ class BatchRun {
     } catch (const InputError& error) {
       end = {PartState::failed, 0, true, error.what()};
     } catch (const std::bad_alloc&) {
-      end = {PartState::failed, 0, true, "out of memory"};
+      return {.reason = kNoMemory};
+    } catch (const std::length_error&) {
+      return {.reason = kNoMemory};
     }
     if (end.state == PartState::finished) {
       folder_.write_result(key, bytes);
@@ -88,10 +93,12 @@ class BatchRun {
 
   void add(const BatchPart& part, const PartEnd& end) {
     const std::lock_guard lock(lock_);
-    ++(end.state == PartState::finished ? count_.finished : count_.failed);
+    if (end.state == PartState::finished) ++count_.finished;
+    if (end.state == PartState::failed) ++count_.failed;
+    if (end.state == PartState::open) ++count_.short_of_memory;
     if (end.made) ++count_.made;
     count_.trials += end.trials;
-    if (end.state == PartState::failed && listener_.failed) {
+    if (end.state != PartState::finished && listener_.failed) {
       listener_.failed({part_name(batch_, part), end.reason});
     }
     tell();

@@ -18,8 +18,9 @@ struct BatchCount {
   std::size_t parts = 0;     // all of them
   std::size_t finished = 0;  // with a result
   std::size_t failed = 0;
-  std::size_t made = 0;    // of those finished or failed, in this run
-  std::size_t trials = 0;  // made in this run
+  std::size_t made = 0;             // of those finished or failed, in this run
+  std::size_t trials = 0;           // made in this run
+  std::size_t short_of_memory = 0;  // open parts that this run began and had no memory for
 
   std::size_t open() const { return parts - finished - failed; }
 };
@@ -43,10 +44,11 @@ struct BatchRunOptions {
 
 // Plans all open parts of the shard, one on each thread, and writes their results to the folder,
 // each as soon as it is there. What is already there is left out; a part whose mesh cannot be used
-// is entered as failed, and the others go on. Any number of processes may work on one folder.
+// is entered as failed, and the others go on; one that there is no memory for stays open. Any
+// number of processes may work on one folder.
 //
 // Cancelled or at the deadline of the context, it returns what was done until then: begun parts are
-// given up, and open again. Throws InputError where a result cannot be written.
+// given up, and open again. Throws what write_file throws where a result cannot be written.
 BatchCount run_batch(const Batch& batch, const BatchInputs& inputs, const BatchFolder& folder,
                      const BatchRunOptions& options = {}, const RunContext& context = {},
                      const BatchListener& listener = {});

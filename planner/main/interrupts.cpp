@@ -1,6 +1,7 @@
 #include "planner/main/interrupts.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -49,6 +50,10 @@ Interrupts::~Interrupts() {
   // A program that was told to end is about to: a second signal that came meanwhile would kill it
   // here, before it says so with its exit status.
   if (cancellation_.requested()) return;
+  // Nor does one that came too late to be waited for.
+  const timespec at_once{};
+  while (::sigtimedwait(&watched_, nullptr, &at_once) > 0) {
+  }
   ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
@@ -92,14 +97,14 @@ void Interrupts::end_at_once(const std::string& words) {
 }
 
 void Interrupts::write(const std::filesystem::path& file, const std::string& content) {
-  const std::lock_guard lock(lock_);
-  write_file(file, content);
+  write(file, [&](std::ostream& stream) { stream << content; });
 }
 
 void Interrupts::write(const std::filesystem::path& file,
                        const std::function<void(std::ostream&)>& write) {
   const std::lock_guard lock(lock_);
   write_file(file, write);
+  if (words_ == kNothing) words_ = "not all files may be written";
 }
 
 void Interrupts::wait() {
@@ -114,9 +119,12 @@ void Interrupts::wait() {
 }
 
 void Interrupts::react() {
-  // A second signal ends the program without waiting for the lock, that is, for a file that is
-  // being written.
-  if (cancellation_.requested()) std::_Exit(exit_status());
+  // A second signal ends the program, too, where a file that is being written takes longer than
+  // this.
+  if (cancellation_.requested()) {
+    const std::unique_lock patient(lock_, std::chrono::seconds(1));
+    std::_Exit(exit_status());
+  }
   const std::lock_guard lock(lock_);
   cancellation_.request();
   if (cancels_) return;

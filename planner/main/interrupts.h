@@ -66,9 +66,10 @@ class Interrupts {
   Deadline deadline_;
   std::atomic<int> signal_ = SIGINT;  // the last that came
   std::atomic<bool> is_over_ = false;
-  std::mutex lock_;  // of what follows, and held while a file is written
+  std::timed_mutex lock_;  // of what follows, and held while a file is written
   bool cancels_ = false;
-  std::string words_ = "nothing is written";
+  static constexpr const char* kNothing = "nothing is written";
+  std::string words_ = kNothing;
   std::thread waiter_;
 };
 

@@ -191,10 +191,9 @@ int run_evaluate(const EvaluateCommand& command, Interrupts& interrupts) {
   interrupts.write(command.common.out / "grasps.json", [&](std::ostream& stream) {
     write_grasps(stream, loaded.scene, result, record);
   });
+  remove_earlier_results(command.common.out, {"grasps.json"}, loaded.scene.scene, command.grasps);
   interrupts.write(command.common.out / "timings.json",
                    timings_json(watch.laps(), result.trial_seconds, command.common.threads));
-  remove_earlier_results(command.common.out, {"grasps.json", "timings.json"}, loaded.scene.scene,
-                         command.grasps);
   if (!report.empty()) interrupts.write(command.common.out / "report.html", report);
   print_result(given, result, command.common.out, !report.empty());
   return 0;

@@ -245,6 +245,12 @@ void need_no_picture(const InspectCommand& command) {
   require(command.picture.empty(), {.field = "--picture", .problem = "only for robots"});
 }
 
+// The folder of the file is made as well.
+void write(const std::filesystem::path& file, const std::string& content, Interrupts& interrupts) {
+  make_folder(std::filesystem::absolute(file).parent_path());
+  interrupts.write(file, content);
+}
+
 void inspect_platform(const Platform& platform, const InspectCommand& command,
                       Interrupts& interrupts) {
   need_plain(command);
@@ -257,14 +263,14 @@ void inspect_platform(const Platform& platform, const InspectCommand& command,
     rows.push_back(robot_picture(one.robot, telling_postures(one.robot), one.survey,
                                  {.width = 1200, .height = 800}));
   }
-  interrupts.write(command.picture, png_bytes(grid(rows, 1)));
+  write(command.picture, png_bytes(grid(rows, 1)), interrupts);
 }
 
 void inspect_scene(const Scene& scene, const InspectCommand& command, Interrupts& interrupts) {
   need_no_picture(command);
   print_notes(scene);
   print_scene(scene, command);
-  if (!command.save.empty()) interrupts.write(command.save, scene_text(scene));
+  if (!command.save.empty()) write(command.save, scene_text(scene), interrupts);
 }
 
 // The scene of a GraspIt! file. Where nothing can be derived of its hand, that is said and shown as

@@ -289,13 +289,13 @@ class PlanProgram {
 
   void write_files(const Scene& scene, const std::vector<ExportFile>& files) {
     make_folder(folder_);
-    std::vector<std::string> names = {"timings.json"};
     for (const ExportFile& file : files) {
       interrupts_.write(folder_ / file.name, file.content);
-      names.push_back(file.name);
+      // Once the first is written, all that is of earlier grasps goes.
+      if (&file == &files.front()) {
+        remove_earlier_results(folder_, {file.name}, scene, command_.scene);
+      }
     }
-    // Report and pictures are of earlier grasps, too, until this run writes its own.
-    remove_earlier_results(folder_, names, scene, command_.scene);
     written_ = joined(files, ", ", &ExportFile::name);
   }
 

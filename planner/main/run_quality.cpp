@@ -199,11 +199,13 @@ void write_slice(const QualityCommand& command, const ContactsFile& file,
 // Messages go to stderr, because the output of the command on stdout is JSON.
 void write_report(const QualityCommand& command, const std::string& report,
                   Interrupts& interrupts) {
-  remove_file(command.out / "report.html");
-  if (report.empty()) return;
+  if (report.empty()) {
+    remove_file(command.out / "report.html");
+    return;
+  }
   make_folder(command.out);
   interrupts.write(command.out / "report.html", report);
-  std::cerr << "wrote " << command.out.string() << ": report.html\n";
+  std::cerr << "wrote " + command.out.string() + ": report.html\n";
 }
 
 Json quality_json(const QualityCommand& command, const ContactsFile& file,

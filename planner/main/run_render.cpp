@@ -1,4 +1,6 @@
 #include <iostream>
+#include <mutex>
+#include <utility>
 
 #include "planner/main/requested_scene.h"
 #include "planner/main/shared_options.h"
@@ -102,13 +104,22 @@ void print_written(const std::filesystem::path& folder, const std::vector<std::s
   std::cout << "\n";
 }
 
+// With `alone`, pictures of earlier grasps are removed once the first is written.
 void write_each(const std::filesystem::path& folder, const CompiledScene& scene,
-                const std::vector<DrawnGrasp>& grasps, Interrupts& interrupts) {
+                const std::vector<DrawnGrasp>& grasps, bool alone, Interrupts& interrupts) {
   std::vector<std::string> names(grasps.size());
+  std::mutex writing;
+  bool is_first = alone;
   for_each_in_parallel(grasps.size(), 0, [&](std::size_t i) {
     names[i] = formatted("grasp_%03zu.png", grasps[i].number);
-    interrupts.write(folder / names[i],
-                     png_bytes(grasp_from_four_sides(scene, grasps[i].posed, {1400, 1100})));
+    const std::string picture =
+        png_bytes(grasp_from_four_sides(scene, grasps[i].posed, {1400, 1100}));
+    const std::lock_guard lock(writing);
+    interrupts.write(folder / names[i], picture);
+    if (!std::exchange(is_first, false)) return;
+    remove_regular_files(folder, [&](const std::string& name) {
+      return is_rendered_file(name) && name != names[i];
+    });
   });
   print_written(folder, names);
 }
@@ -178,8 +189,7 @@ int run_render(const RenderCommand& command, Interrupts& interrupts) {
   make_folder(folder);
   interrupts.end_at_once("pictures that were drawn are written");
   // All grasps are drawn: pictures of others must not stand beside them.
-  if (command.grasp == 0) remove_regular_files(folder, is_rendered_file);
-  write_each(folder, loaded.scene, grasps, interrupts);
+  write_each(folder, loaded.scene, grasps, command.grasp == 0, interrupts);
   if (command.grasp == 0) write_sheet(folder, loaded.scene, grasps, interrupts);
   write_frames(folder, loaded.scene, grasps.front(), command.frames, interrupts);
   return 0;

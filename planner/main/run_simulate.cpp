@@ -176,10 +176,12 @@ int run_simulate(const SimulateCommand& command, Interrupts& interrupts) {
   require_quantities(simulation.start, quantities);
 
   make_folder(command.common.out);
-  remove_regular_files(command.common.out, is_simulation_file);
   std::vector<std::string> written = {"simulation.json"};
   interrupts.write(command.common.out / written.front(),
                    [&](std::ostream& stream) { write_simulation(stream, asked.name, simulation); });
+  remove_regular_files(command.common.out, [&](const std::string& name) {
+    return is_simulation_file(name) && name != written.front();
+  });
   if (!command.quantities.empty()) {
     written.emplace_back("states.csv");
     interrupts.write(command.common.out / written.back(), [&](std::ostream& stream) {

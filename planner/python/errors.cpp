@@ -1,6 +1,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "sim/base/input_error.h"
 #include "sim/base/run_context.h"
@@ -43,6 +44,11 @@ void translate_errors() {
       raise("Cancelled", error.what());
     } catch (const InputError& error) {
       raise_input_error(error);
+    } catch (const std::system_error& error) {
+      const py::tuple arguments = py::make_tuple(error.code().value(), error.what());
+      PyErr_SetObject(PyExc_OSError, arguments.ptr());
+    } catch (const std::length_error& error) {  // of a container that no memory could hold
+      PyErr_SetString(PyExc_MemoryError, error.what());
     } catch (const std::invalid_argument& error) {
       raise("InputError", error.what());
     }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/base/data_folder.h"
+#include "sim/base/file_failure.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
@@ -15,8 +16,12 @@ DataLibrary::DataLibrary(std::filesystem::path folder, std::string suffix)
 
 std::vector<std::string> DataLibrary::names() const {
   std::set<std::string> names;
-  std::error_code missing;
-  for (const auto& entry : std::filesystem::directory_iterator(data_folder() / folder_, missing)) {
+  const std::filesystem::path folder = data_folder() / folder_;
+  std::error_code error;
+  std::filesystem::directory_iterator entries(folder, error);
+  // A library that is not installed has no names.
+  if (error && !is_of_the_name(error)) throw_file_failure(folder, "cannot be read", error);
+  for (const auto& entry : entries) {
     std::string name = entry.path().filename().string();
     // What follows the name in that of the entry: nothing, where each has a folder.
     const std::string ending = suffix_.substr(0, suffix_.find('/'));

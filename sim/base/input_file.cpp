@@ -4,13 +4,16 @@
 #include <fstream>
 #include <system_error>
 
+#include "sim/base/file_failure.h"
 #include "sim/base/input_error.h"
 
 namespace prehend {
 namespace {
 
+constexpr const char* kUnreadable = "cannot be read";
+
 [[noreturn]] void refuse_to_read(const std::filesystem::path& file, const std::string& why) {
-  throw InputError({.file = file.string(), .problem = "cannot be read: " + why});
+  throw InputError({.file = file.string(), .problem = std::string(kUnreadable) + ": " + why});
 }
 
 std::uintmax_t size_of_regular(const std::filesystem::path& file) {
@@ -18,11 +21,11 @@ std::uintmax_t size_of_regular(const std::filesystem::path& file) {
   const std::filesystem::file_status status = std::filesystem::status(file, error);
   // A missing file also sets `error`, so it is asked for first.
   if (status.type() == std::filesystem::file_type::not_found) refuse_to_read(file, "no such file");
-  if (error) refuse_to_read(file, error.message());
+  if (error) throw_file_failure(file, kUnreadable, error);
   if (std::filesystem::is_directory(status)) refuse_to_read(file, "is a folder");
   if (!std::filesystem::is_regular_file(status)) refuse_to_read(file, "is not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
-  if (error) refuse_to_read(file, error.message());
+  if (error) throw_file_failure(file, kUnreadable, error);
   return size;
 }
 
@@ -36,13 +39,13 @@ std::string read_file(const std::filesystem::path& file) {
   }
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
-  const auto reason = [] {
-    return std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message();
+  const auto fail = [&] {
+    throw_file_failure(file, kUnreadable, {errno != 0 ? errno : EIO, std::generic_category()});
   };
-  if (!stream) refuse_to_read(file, reason());
+  if (!stream) fail();
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (!stream) refuse_to_read(file, reason());
+  if (!stream) fail();
   return bytes;
 }
 

@@ -13,7 +13,8 @@ inline constexpr std::uintmax_t kLargestInputFile = std::uintmax_t{1} << 30;
 // The bytes of a regular file. Throws InputError that names the file and says why it cannot be
 // read: there is none, no permission, a name that is too long, a folder, a device or a FIFO (which
 // might never end), an empty file (also those of /proc, whose size is not known before), or one
-// larger than kLargestInputFile.
+// larger than kLargestInputFile. Throws std::system_error for a failure of the machine
+// (throw_file_failure).
 std::string read_file(const std::filesystem::path& file);
 
 // Whether something of this name is there, and whether it is a regular file. False also when that

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <stdexcept>
+#include <new>
 
 #include <libqhull_r/qhull_ra.h>
 
@@ -15,7 +15,7 @@ namespace {
 class MessageStream {
  public:
   MessageStream() : stream_(open_memstream(&text_, &size_)) {
-    if (stream_ == nullptr) throw std::runtime_error("qhull: no memory for its messages");
+    if (stream_ == nullptr) throw std::bad_alloc();
   }
   MessageStream(const MessageStream&) = delete;
   MessageStream& operator=(const MessageStream&) = delete;
@@ -128,6 +128,7 @@ PointHull point_hull(const Eigen::MatrixXd& points, HullInput input) {
   // qhull's exit codes: none is success, singular a flat set of points; all others are failures.
   if (code == qh_ERRnone) code = measure(qhull.get());
   if (code == qh_ERRsingular) return hull;
+  if (code == qh_ERRmem) throw std::bad_alloc();
   if (code != qh_ERRnone) {
     hull.status = PointHullStatus::failed;
     hull.message = messages.first_line() + " (exit " + std::to_string(code) + ")";

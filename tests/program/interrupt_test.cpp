@@ -248,7 +248,9 @@ TEST(Limits, MemoryEndsInOneLine) {
   const ProgramRun run = run_program("plan mug --no-report --memory-limit 20 --out '" +
                                      (folder / "out").string() + "'");
   EXPECT_EQ(run.status, 1);
-  EXPECT_EQ(run.err, "prehend: out of memory\n");
+  EXPECT_EQ(run.err,
+            "prehend: not enough memory: allow more (--memory-limit), or use fewer threads "
+            "(--threads)\n");
 }
 
 }  // namespace

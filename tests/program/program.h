@@ -44,12 +44,17 @@ inline ProgramRun run_program(const std::string& words,
   return {WIFEXITED(raw) ? WEXITSTATUS(raw) : -1, content(folder / "out"), content(folder / "err")};
 }
 
-// One line for the caller's mistake, and nothing else anywhere.
-inline void expect_refused(const ProgramRun& run, const std::string& complaint) {
-  EXPECT_EQ(run.status, 2) << run.err;
+// One line, and nothing else anywhere.
+inline void expect_ended(const ProgramRun& run, int status, const std::string& complaint) {
+  EXPECT_EQ(run.status, status) << run.err;
   EXPECT_EQ(run.err.find("prehend: "), 0U) << run.err;
   EXPECT_EQ(run.err.find('\n'), run.err.size() - 1) << run.err;
   EXPECT_NE(run.err.find(complaint), std::string::npos) << run.err;
+}
+
+// For the caller's mistake.
+inline void expect_refused(const ProgramRun& run, const std::string& complaint) {
+  expect_ended(run, 2, complaint);
 }
 
 }  // namespace prehend::test

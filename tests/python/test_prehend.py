@@ -1,10 +1,12 @@
 """Tests of the Python package: the same numbers as the program, arrays, errors, threads, signals."""
 
 import copy
+import errno
 import gc
 import json
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import sys
@@ -374,6 +376,20 @@ class Scenes(unittest.TestCase):
         np.testing.assert_array_equal(again.object.vertices, scene.object.vertices)
         record = json.loads(files.grasps_json(prehend.plan(scene, few_options())))["scene"]
         self.assertEqual(record["file"], str(file))
+
+    def test_a_file_that_cannot_be_written_is_an_error_of_the_system(self):
+        scene = prehend.make_scene(box_mesh(0.05, 0.05, 0.1), hand="franka_hand")
+        soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "box.json"
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10, hard))
+            try:
+                with self.assertRaisesRegex(OSError, "box.json: cannot be written") as caught:
+                    scene.save(file)
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+            self.assertEqual(caught.exception.errno, errno.EFBIG)
+            self.assertEqual(os.listdir(folder), [])
 
     def test_too_large_an_object_is_a_status(self):
         result = prehend.plan(prehend.make_scene(box_mesh(2.0, 2.0, 2.0)))

@@ -51,7 +51,7 @@ SubmittedJob submit_to_slurm(const ClusterJob& job) {
       submitted.ids.push_back(submit_merge(job, submitted.ids.front()));
       write_submitted_job(submitted, job);
     }
-  } catch (const InputError&) {
+  } catch (...) {
     run_words({"scancel", submitted.ids.front()});
     throw;
   }

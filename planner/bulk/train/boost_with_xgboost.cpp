@@ -1,5 +1,6 @@
 #include <limits>
 #include <memory>
+#include <new>
 #include <stdexcept>
 #include <string>
 #include <xgboost/c_api.h>
@@ -14,7 +15,10 @@ namespace prehend {
 namespace {
 
 void require_done(int status) {
-  if (status != 0) throw std::runtime_error(std::string("xgboost: ") + XGBGetLastError());
+  if (status == 0) return;
+  const std::string why = XGBGetLastError();
+  if (why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
+  throw std::runtime_error("xgboost: " + why);
 }
 
 struct FreeMatrix {

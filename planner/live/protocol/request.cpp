@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <new>
+#include <system_error>
 #include <utility>
 
 namespace prehend {
@@ -81,6 +82,8 @@ std::string reply_to(const Request& request, const CommandScope& scope) {
     return message_text(refusal(request, error_json(error)));
   } catch (const std::bad_alloc&) {
     return message_text(refusal(request, plain_error("out of memory")));
+  } catch (const std::system_error& error) {  // of a file or a thread
+    return message_text(refusal(request, plain_error(error.what())));
   } catch (const std::exception& error) {
     return message_text(
         refusal(request, plain_error(std::string("internal error: ") + error.what())));

@@ -83,6 +83,12 @@ int run_batch(const BatchCommand& command, Interrupts& interrupts) {
             << formatted("; %zu in this run, %zu trials in %.1f s, %.0f trials/s\n", count.made,
                          count.trials, seconds, static_cast<double>(count.trials) / seconds);
   if (count.open() == 0) return 0;
+  if (count.short_of_memory > 0 && !interrupts.cancellation().requested()) {
+    std::cerr << "prehend: not enough memory for " << count.short_of_memory
+              << " parts: allow more (--memory-limit), or use fewer threads (--threads), the same "
+                 "command goes on\n";
+    return 1;
+  }
   std::cerr << "prehend: " << interrupts.reason() << ", the same command goes on\n";
   return interrupts.exit_status();
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <functional>
+#include <memory>
+#include <new>
 #include <numeric>
-#include <stdexcept>
+#include <sys/mman.h>
 
 #include "planner/results/datasets/hdf5_id.h"
 
@@ -17,13 +19,25 @@ constexpr unsigned kDeflateLevel = 6;
 // cost more than the content of most data sets.
 constexpr unsigned kIndexNode = 4;
 
+// Throws std::bad_alloc unless there is memory for `bytes` and what HDF5 takes beside them. Where
+// HDF5 itself finds none, it may end the process.
+void require_memory(std::size_t bytes) {
+  constexpr std::size_t kBeside = std::size_t{16} << 20U;
+  // Of the copies in the file and in its image. An optimiser may leave out a new that nothing uses.
+  const std::size_t size = 2 * bytes + kBeside;
+  void* tried = ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (tried == MAP_FAILED) throw std::bad_alloc();
+  ::munmap(tried, size);
+}
+
+// All is made in memory: that is what calls fail for.
 Hdf5Id checked(hid_t id, Hdf5Id::Close close) {
-  if (id < 0) throw std::runtime_error("HDF5 could not make an object in memory");
+  if (id < 0) throw std::bad_alloc();
   return {id, close};
 }
 
 void check(herr_t status) {
-  if (status < 0) throw std::runtime_error("HDF5 could not write to memory");
+  if (status < 0) throw std::bad_alloc();
 }
 
 std::size_t product(const Hdf5Shape& shape) {
@@ -97,6 +111,7 @@ struct Hdf5Writer::File {
 
   void write(const std::string& path, const Hdf5Shape& shape, hid_t stored, hid_t given,
              const Hdf5Id& how, const void* values) const {
+    require_memory(product(shape) * sizeof(double));
     const Hdf5Id space = space_of(shape);
     const Hdf5Id data = checked(
         H5Dcreate2(id.id(), path.c_str(), stored, space.id(), H5P_DEFAULT, how.id(), H5P_DEFAULT),
@@ -106,7 +121,10 @@ struct Hdf5Writer::File {
   }
 };
 
-Hdf5Writer::Hdf5Writer() : file_(std::make_unique<File>()) {}
+Hdf5Writer::Hdf5Writer() {
+  require_memory(0);
+  file_ = std::make_unique<File>();
+}
 Hdf5Writer::~Hdf5Writer() = default;
 
 void Hdf5Writer::group(const std::string& path) {
@@ -160,6 +178,7 @@ void Hdf5Writer::texts(const std::string& path, const std::vector<std::string>& 
 }
 
 std::string Hdf5Writer::bytes() const {
+  require_memory(0);
   check(H5Fflush(file_->id.id(), H5F_SCOPE_GLOBAL));
   const ssize_t size = H5Fget_file_image(file_->id.id(), nullptr, 0);
   if (size < 0) check(-1);

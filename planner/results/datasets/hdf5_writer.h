@@ -15,7 +15,7 @@ namespace prehend {
 // there. What a call makes must not be there yet. Arrays of more than a few hundred bytes are
 // compressed. Files can be read by HDF5 1.8 and later. Nothing that the machine, the time or the
 // memory before says gets into the bytes. Several threads may write files at the same time, one
-// each: Debian's HDF5 takes turns. Throws std::runtime_error where HDF5 fails (no memory).
+// each: Debian's HDF5 takes turns. Throws std::bad_alloc where HDF5 fails: it writes to memory.
 class Hdf5Writer {
  public:
   Hdf5Writer();

@@ -1,6 +1,7 @@
 // Pictures as PNG files: the one place that knows libpng.
 #include <array>
 #include <cstdio>
+#include <new>
 #include <stdexcept>
 #include <string>
 
@@ -36,7 +37,7 @@ void flush_nothing(png_structp) {}
 bool encode(const Image& image, std::string& bytes, ErrorText& text) {
   png_structp png =
       png_create_write_struct(PNG_LIBPNG_VER_STRING, &text, keep_error, ignore_warning);
-  // `text` keeps what the caller put there ("out of memory"), unless libpng reported an error.
+  // `text` stays empty, unless libpng reported an error.
   if (png == nullptr) return false;
   png_infop info = png_create_info_struct(png);
   // Both ways of failing end here: png_destroy_write_struct accepts a null info.
@@ -72,9 +73,10 @@ std::string png_bytes(const Image& image) {
                                ", " + std::to_string(image.rgb.size()) + " bytes"});
   }
   std::string bytes;
-  ErrorText text = {"out of memory"};
-  if (!encode(image, bytes, text)) throw std::runtime_error(std::string("libpng: ") + text.data());
-  return bytes;
+  ErrorText text = {};
+  if (encode(image, bytes, text)) return bytes;
+  if (text.front() == '\0') throw std::bad_alloc();
+  throw std::runtime_error(std::string("libpng: ") + text.data());
 }
 
 void write_png(const std::filesystem::path& file, const Image& image) {

@@ -2,11 +2,13 @@
 #include "planner/bulk/batch_summary.h"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 #include <gtest/gtest.h>
 
 #include "planner/bulk/batch_pictures.h"
+#include "sim/base/input_error.h"
 #include "sim/base/random.h"
 
 namespace prehend {
@@ -92,6 +94,78 @@ TEST(DataCard, NothingOfANameBecomesMarkup) {
   EXPECT_EQ(page.find("<b>"), std::string::npos);
   EXPECT_EQ(page.find("<i>"), std::string::npos);
   EXPECT_NE(page.find("it &amp; that"), std::string::npos);
+}
+
+// Of Markdown as CommonMark and GitHub read it: the text as it stands, without its backslashes, and
+// whether any character of it would be read as markup.
+std::string read_as_text(const std::string& markdown, bool& has_markup) {
+  std::string text;
+  for (std::size_t i = 0; i < markdown.size(); ++i) {
+    if (markdown[i] == '\\' && i + 1 < markdown.size()) {
+      text += markdown[++i];
+      continue;
+    }
+    const bool is_inside = i > 0 && i + 1 < markdown.size() &&
+                           std::isalnum(static_cast<unsigned char>(markdown[i - 1])) != 0 &&
+                           std::isalnum(static_cast<unsigned char>(markdown[i + 1])) != 0;
+    if (std::string("\\`*~[]<>&|#$").find(markdown[i]) != std::string::npos ||
+        (markdown[i] == '_' && !is_inside)) {
+      has_markup = true;
+    }
+    text += markdown[i];
+  }
+  return text;
+}
+
+std::string line_after(const std::string& text, const std::string& start) {
+  const std::size_t at = text.find(start);
+  EXPECT_NE(at, std::string::npos) << start;
+  const std::size_t begin = at + start.size();
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST(DataCard, ShowsHostileNamesAsTheyAre) {
+  const std::vector<std::string> names = {"<script>alert(1)</script>",
+                                          "<img src=x onerror=alert(1)>",
+                                          "[a](javascript:alert(1))",
+                                          "![](http://host/pixel.png)",
+                                          "`code`",
+                                          "**bold** __also__ _x_ ~~gone~~",
+                                          "a | b |---|",
+                                          "&lt;b&gt; &#60;",
+                                          "name #",
+                                          "\\",
+                                          "\\<b>",
+                                          "$x$",
+                                          "_",
+                                          "a\n# heading\n\n```\n<b>",
+                                          "\r\n- x"};
+  for (const std::string& name : names) {
+    BatchSummary summary;
+    summary.name = name;
+    summary.licence = name;
+    summary.axes = {name};
+    summary.tally.hands[name] = {};
+    const std::string card = data_card(summary);
+    for (const std::string& line :
+         {line_after(card, "# "), line_after(card, "part of the data set: "),
+          line_after(card, "## What was planned\n\n- ")}) {
+      bool has_markup = false;
+      EXPECT_EQ(read_as_text(line, has_markup), on_one_line(name));
+      EXPECT_FALSE(has_markup) << line;
+    }
+    bool has_markup = false;
+    const std::string cell = line_after(card, "share |\n|---|---:|---:|---:|\n| ");
+    EXPECT_EQ(read_as_text(cell.substr(0, cell.find(" | 0 | 0 |")), has_markup), on_one_line(name));
+    EXPECT_FALSE(has_markup) << cell;
+  }
+}
+
+TEST(DataCard, LeavesPlainNamesPlain) {
+  BatchSummary summary;
+  summary.axes = {"hands: 2 (franka_hand, parallel-jaw.v2)"};
+  EXPECT_NE(data_card(summary).find("- hands: 2 (franka_hand, parallel-jaw.v2)\n"),
+            std::string::npos);
 }
 
 TEST(DataCard, SaysWhatIsMissing) {

@@ -1,12 +1,18 @@
 // Reading and writing whole files, and what is refused as one.
 #include <array>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <system_error>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -100,6 +106,141 @@ TEST(WriteFile, RemovesWhatKilledProgramsLeft) {
   write_file(folder / "grasps.json", "{}");
   EXPECT_FALSE(fs::exists(folder / gone));
   for (const std::string& name : others) EXPECT_TRUE(fs::exists(folder / name)) << name;
+}
+
+// The size of files that this process may write, for as long as this lives.
+class LargestFile {
+ public:
+  explicit LargestFile(rlim_t bytes) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  LargestFile(const LargestFile&) = delete;
+  LargestFile& operator=(const LargestFile&) = delete;
+  ~LargestFile() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
+
+std::ptrdiff_t files_in(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+}
+
+// A failure of the machine is no mistake of the caller, and leaves what was there.
+TEST(WriteFile, FailsWithTheErrorOfTheSystem) {
+  const fs::path folder = own_folder();
+  write_file(folder / "file", "old");
+  std::string said;
+  std::error_code code;
+  {
+    const LargestFile limit(1000);
+    try {
+      write_file(folder / "file", std::string(2000, 'x'));
+    } catch (const std::system_error& error) {
+      said = error.what();
+      code = error.code();
+    }
+  }
+  EXPECT_EQ(code, std::errc::file_too_large);
+  EXPECT_EQ(said, (folder / "file").string() + ": cannot be written: File too large");
+  EXPECT_EQ(content(folder / "file"), "old");
+  EXPECT_EQ(files_in(folder), 1);
+}
+
+TEST(WriteFile, ThrowsWhereItFailsAndNotAtTheEnd) {
+  const fs::path folder = own_folder();
+  const LargestFile limit(1000);
+  int lines = 0;
+  const auto endless = [&](std::ostream& stream) {
+    for (; lines < 1'000'000; ++lines) stream << "a line of the file\n";
+  };
+  EXPECT_THROW(write_file(folder / "file", endless), std::system_error);
+  EXPECT_LT(lines, 100'000);
+  EXPECT_EQ(files_in(folder), 0);
+}
+
+TEST(WriteFile, RefusesNames) {
+  const fs::path folder = own_folder();
+  for (const fs::path& bad : {folder / "none" / "file", folder / std::string(300, 'n')}) {
+    const InputError error = test::refusal_of([&] { write_file(bad, "text"); });
+    EXPECT_EQ(error.file(), bad.string());
+    EXPECT_TRUE(error.problem().starts_with("cannot be written: ")) << error.problem();
+  }
+}
+
+TEST(WriteFile, IsWrittenByManyThreadsAtOnce) {
+  const fs::path folder = own_folder();
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      const std::string text(100'000, static_cast<char>('a' + thread));
+      for (int i = 0; i < 10; ++i) EXPECT_NO_THROW(write_file(folder / "file", text));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const std::string text = content(folder / "file");
+  EXPECT_EQ(text, std::string(100'000, text.at(0)));
+  EXPECT_EQ(files_in(folder), 1);
+}
+
+TEST(WriteFolder, ReplacesAFolderAsAWhole) {
+  const fs::path folder = own_folder();
+  const auto with = [](const std::string& name) {
+    return [name](const fs::path& made) { write_file(made / name, name); };
+  };
+  write_folder(folder / "set", with("one"));
+  EXPECT_EQ(content(folder / "set" / "one"), "one");
+  write_folder(folder / "set", with("two"));
+  EXPECT_FALSE(fs::exists(folder / "set" / "one"));
+  EXPECT_EQ(content(folder / "set" / "two"), "two");
+  const auto half = [](const fs::path& made) {
+    write_file(made / "three", "three");
+    throw std::runtime_error("no more");
+  };
+  EXPECT_THROW(write_folder(folder / "set", half), std::runtime_error);
+  EXPECT_EQ(content(folder / "set" / "two"), "two");
+  EXPECT_EQ(files_in(folder), 1);
+  EXPECT_EQ(files_in(folder / "set"), 1);
+}
+
+TEST(WriteFolder, KeepsLinksAndRemovesWhatKilledProgramsLeft) {
+  const fs::path folder = own_folder();
+  std::array<char, 256> host{};
+  ASSERT_EQ(::gethostname(host.data(), host.size() - 1), 0);
+  const fs::path left = folder / ("set.part999999999.0@" + std::string(host.data()));
+  fs::create_directories(left / "below");
+  fs::create_directory(folder / "set");
+  fs::create_directory_symlink(folder / "set", folder / "link");
+  write_folder(folder / "link", [](const fs::path& made) { write_file(made / "one", "1"); });
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(content(folder / "set" / "one"), "1");
+  EXPECT_FALSE(fs::exists(left));
+}
+
+TEST(WriteFolder, IsWrittenByManyThreadsAtOnce) {
+  const fs::path folder = own_folder();
+  std::vector<std::thread> threads;
+  for (int thread = 0; thread < 4; ++thread) {
+    threads.emplace_back([&, thread] {
+      const auto write = [&](const fs::path& made) {
+        for (const char* name : {"one", "two", "three"}) {
+          write_file(made / name, std::to_string(thread));
+        }
+      };
+      for (int i = 0; i < 10; ++i) EXPECT_NO_THROW(write_folder(folder / "set", write));
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(files_in(folder), 1);
+  EXPECT_EQ(files_in(folder / "set"), 3);
+  EXPECT_EQ(content(folder / "set" / "one"), content(folder / "set" / "three"));
 }
 
 TEST(RequireWritable, LooksAtTheNearestFolderThatExists) {
