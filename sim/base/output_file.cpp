@@ -11,6 +11,7 @@
 
 #include "sim/base/host_name.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 
 namespace prehend {
 namespace {
@@ -91,6 +92,7 @@ void require_writable(const std::filesystem::path& folder) {
 }
 
 void make_folder(const std::filesystem::path& folder) {
+  require_plain_name(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error || !std::filesystem::is_directory(folder)) {
@@ -109,6 +111,7 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
 
 void write_file(const std::filesystem::path& file,
                 const std::function<void(std::ostream&)>& write) {
+  require_plain_name(file);
   // A link stays, and what it points to is written.
   std::error_code unlinked;
   const bool is_link = std::filesystem::is_symlink(file, unlinked);
