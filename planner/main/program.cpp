@@ -58,6 +58,8 @@ bool printed_all() {
 int run_program(int argc, char** argv, const AddCommands& add) {
   // Writing to a closed pipe fails then, and is reported like any other lost output.
   std::signal(SIGPIPE, SIG_IGN);
+  // So does writing beyond the largest size that files may have (ulimit -f).
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int status = run(argc, argv, add);
     if (printed_all()) return status;
