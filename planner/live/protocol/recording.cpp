@@ -45,6 +45,8 @@ class Replay {
 
  private:
   PlanListener listener() {
+    // What is asked for while something runs is refused, and does not end.
+    if (session_.is_planning() || session_.is_finding_path()) return {};
     ended_ = std::make_shared<std::promise<void>>();
     PlanListener listener;
     listener.ended = [ended = ended_] { ended->set_value(); };
