@@ -151,7 +151,14 @@ class Judge {
     judge_epsilon();
     for (int i = 0; i < 3; ++i) judge_undo();
   }
-  Json state() { return one_.state(); }
+  // The same session each time, so that its memory can be compared: one scene and no history.
+  void begin_anew() {
+    rest();
+    const Json state = one_.state();
+    for (const Json& pin : state["pins"])
+      one_.reply_to({{"command", "pin.remove"}, {"name", pin["name"]}});
+    one_.reply_to({{"command", "scene.load"}, {"scene", "mug"}, {"fresh", true}});
+  }
 
  private:
   // Until nothing runs: what is running would refuse changes, and make some of its own.
@@ -330,6 +337,7 @@ class LiveSoak {
         std::max(static_cast<double>(done) / static_cast<double>(options_.messages),
                  elapsed / options_.seconds);
     if (quarter <= 4 && share >= 0.25 * static_cast<double>(quarter)) {
+      judge_->begin_anew();
       findings_.count(
           [](LiveSoakResult& result) { result.resident.push_back(resident_megabytes()); });
     }

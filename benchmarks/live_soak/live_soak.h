@@ -39,7 +39,7 @@ struct LiveSoakResult {
   std::map<std::string, Fault> faults;
   // How often each command was refused for what problem.
   std::map<std::string, long> refusals;
-  // Resident memory of this process at the ends of quarters [MB].
+  // Resident memory of this process at the ends of quarters, each time of the same session [MB].
   std::vector<double> resident;
 
   long messages() const { return carried_out + refused; }
