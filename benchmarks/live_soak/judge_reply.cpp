@@ -24,7 +24,8 @@ std::string null_in(const Json& json, const std::string& place) {
     }
   } else if (json.is_object()) {
     for (const auto& [key, value] : json.items()) {
-      const std::string here = place + "." + key;
+      std::string here = place;
+      here.append(".").append(key);
       const bool may_be = std::find(kMayBeNull.begin(), kMayBeNull.end(), key) != kMayBeNull.end();
       if (value.is_null() && !may_be) return here;
       if (std::string inner = null_in(value, here); !inner.empty()) return inner;

@@ -285,6 +285,7 @@ class LiveSoak {
     SoakClient first(port_, findings_);
     names_ = names_of(first.result_of({{"command", "hello"}}));
     judge_.emplace(port_, names_, options_.seed, findings_);
+    // NOLINTNEXTLINE(bugprone-exception-escape): as meet()
     std::barrier pause(options_.clients, [this]() noexcept { meet(); });
     std::vector<std::thread> threads;
     for (int i = 0; i < options_.clients; ++i) {
@@ -322,7 +323,8 @@ class LiveSoak {
     pause.arrive_and_drop();
   }
 
-  // All clients wait.
+  // All clients wait. Whatever is thrown beyond the judge ends the program, as it should.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
   void meet() noexcept {
     try {
       judge_->judge();

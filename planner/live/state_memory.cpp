@@ -17,7 +17,7 @@ std::size_t bytes_of(const ShapeSource& source) {
 
 std::size_t bytes_of(const Trial& trial) {
   std::size_t bytes = bytes_of(trial.contacts) + bytes_of(trial.joints);
-  for (const DofValues& posture : trial.arm_line) bytes += sizeof(posture) + bytes_of(posture);
+  for (const DofValues& posture : trial.arm_line) bytes += sizeof(DofValues) + bytes_of(posture);
   return bytes;
 }
 
@@ -70,7 +70,8 @@ void StateMemory::add(const PlanResult* results) {
     bytes_ += sizeof(grasp) + bytes_of(grasp.trial);
     if (grasp.free) bytes_ += bytes_of(*grasp.free);
     if (!grasp.path) continue;
-    for (const auto& posture : grasp.path->positions) bytes_ += sizeof(posture) + bytes_of(posture);
+    for (const auto& posture : grasp.path->positions)
+      bytes_ += sizeof(DofValues) + bytes_of(posture);
   }
 }
 
