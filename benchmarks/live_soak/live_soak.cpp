@@ -151,16 +151,6 @@ class Judge {
     judge_epsilon();
     for (int i = 0; i < 3; ++i) judge_undo();
   }
-  // The same session each time, so that its memory can be compared: one scene and no history.
-  void begin_anew() {
-    rest();
-    const Json state = one_.state();
-    for (const Json& pin : state["pins"])
-      one_.reply_to({{"command", "pin.remove"}, {"name", pin["name"]}});
-    one_.reply_to({{"command", "scene.load"}, {"scene", "mug"}, {"fresh", true}});
-  }
-
- private:
   // Until nothing runs: what is running would refuse changes, and make some of its own.
   void rest() {
     one_.reply_to({{"command", "plan.cancel"}});
@@ -173,6 +163,18 @@ class Judge {
     }
   }
 
+  Json state() { return one_.state(); }
+
+  // The same session each time, so that its memory can be compared: one scene and no history.
+  void begin_anew() {
+    rest();
+    const Json state = one_.state();
+    for (const Json& pin : state["pins"])
+      one_.reply_to({{"command", "pin.remove"}, {"name", pin["name"]}});
+    one_.reply_to({{"command", "scene.load"}, {"scene", "mug"}, {"fresh", true}});
+  }
+
+ private:
   // Random edits often leave a scene in which no hand can close on anything.
   void repair() {
     const Json state = one_.state();
@@ -282,8 +284,8 @@ class LiveSoak {
         port_(server_.start().lines.at(0)) {}
 
   LiveSoakResult run() {
-    SoakClient first(port_, findings_);
-    names_ = names_of(first.result_of({{"command", "hello"}}));
+    // It leaves at once: what is told to a client that does not read is kept for it.
+    names_ = names_of(SoakClient(port_, findings_).result_of({{"command", "hello"}}));
     judge_.emplace(port_, names_, options_.seed, findings_);
     // NOLINTNEXTLINE(bugprone-exception-escape): as meet()
     std::barrier pause(options_.clients, [this]() noexcept { meet(); });
@@ -294,7 +296,7 @@ class LiveSoak {
       });
     }
     for (std::thread& thread : threads) thread.join();
-    if (options_.replays) judge_replay(first);
+    if (options_.replays) judge_replay();
     return findings_.result();
   }
 
@@ -347,12 +349,9 @@ class LiveSoak {
     if (options_.progress) options_.progress(findings_.result());
   }
 
-  void judge_replay(SoakClient& client) {
-    client.reply_to({{"command", "plan.cancel"}});
-    client.reply_to({{"command", "path.cancel"}});
-    Json state = client.state();
-    while (state.value("planning", false) || state.value("finding_path", false))
-      state = client.state();
+  void judge_replay() {
+    judge_->rest();
+    const Json state = judge_->state();
     server_.stop();
     const Replayed replayed = replay(
         recording_, "recording", SessionOptions{.threads = 1, .undo_memory = options_.undo_memory});
