@@ -139,6 +139,7 @@ class ObjectList {
                  const std::string& unit, bool repair) {
     const fs::path folder = fs::absolute(field.file()).parent_path();
     const fs::path path = (folder / words).lexically_normal();
+    with_field_errors(field, [&] { require_plain_name(path); });
     std::error_code ignored;
     const bool is_folder = fs::is_directory(path, ignored);
     std::vector<fs::path> files;

@@ -6,6 +6,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/robot/files/robot_file.h"
 
 namespace prehend {
 namespace {
@@ -14,6 +15,13 @@ constexpr std::array<std::string_view, 3> kNamesOfFiles = {"mesh", "hand", "plat
 
 bool names_a_file(const std::string& key) {
   return std::find(kNamesOfFiles.begin(), kNamesOfFiles.end(), key) != kNamesOfFiles.end();
+}
+
+// Whether find_robot may take a name that is none of the library for a file. What it does not find
+// it refuses with the names that there are.
+bool may_be_file(const std::string& name) {
+  const std::filesystem::path path(name);
+  return path.has_parent_path() || path.has_extension() || is_there(path);
 }
 
 std::filesystem::path canonical_path(const std::filesystem::path& file) {
@@ -43,6 +51,8 @@ bool OpenFolders::is_open(const std::filesystem::path& file) const {
 std::filesystem::path OpenFolders::path_of(const std::string& name,
                                            const std::string& field) const {
   const std::filesystem::path given(name);
+  require(is_plain_name(given),
+          {.field = field, .problem = "has a control character", .value = name});
   const bool relative = given.is_relative() && !folders_.empty();
   const std::filesystem::path path = canonical_path(relative ? folders_.front() / given : given);
   require(!path.empty() && is_open(path),
@@ -51,9 +61,9 @@ std::filesystem::path OpenFolders::path_of(const std::string& name,
 }
 
 std::string OpenFolders::robot_of(const std::string& name, const std::string& field) const {
-  // find_robot takes what is a file as a file, and all else as a name of the library.
-  const bool is_path = name.find('/') != std::string::npos || is_there(name);
-  return is_path ? path_of(name, field).string() : name;
+  if (is_library_robot(name)) return name;
+  const bool is_here = !folders_.empty() && is_there(folders_.front() / name);
+  return is_here || may_be_file(name) ? path_of(name, field).string() : name;
 }
 
 void OpenFolders::check_scene(const JsonField& root) const {
@@ -72,10 +82,12 @@ void OpenFolders::check_scene(const JsonField& root) const {
         if (!names_a_file(key) || !inner.is_text()) continue;
         const std::string name = inner.text();
         const std::filesystem::path beside = field.file().parent_path() / name;
+        // In this order a scene file looks for it. Relative names are not those of commands: they
+        // are not looked for in a folder that is open.
         if (is_there(beside)) {
-          (void)path_of(beside.string(), inner.name());
-        } else {
-          (void)robot_of(name, inner.name());
+          (void)path_of(std::filesystem::absolute(beside).string(), inner.name());
+        } else if (!is_library_robot(name) && may_be_file(name)) {
+          (void)path_of(std::filesystem::absolute(name).string(), inner.name());
         }
       }
     }

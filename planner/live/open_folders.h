@@ -23,7 +23,7 @@ class OpenFolders {
   // path outside of all folders.
   std::filesystem::path path_of(const std::string& name, const std::string& field) const;
 
-  // A robot or a platform: a name of the library as it is, another as path_of.
+  // A robot or a platform: a name of the library as it is, that of a file as path_of.
   std::string robot_of(const std::string& name, const std::string& field) const;
 
   // Looks through a scene file for files that it names: of meshes, robots and platforms. Relative

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "planner/live/state_memory.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
@@ -78,15 +79,19 @@ SessionState Session::restored(KeptState kept) {
   return std::move(kept.state);
 }
 
-// Forgets the oldest states where there are too many, or too many scenes among them.
+// Forgets the oldest states where there are too many, or they take too much memory. `state_` is the
+// present one.
 void Session::limit_undo() {
+  StateMemory memory;
+  memory.add(state_.world.get());
+  memory.add(state_.results.get());
+  const std::size_t present = memory.bytes();
   std::size_t states = 0;
-  std::size_t scenes = 0;
-  const EditedScene* last = nullptr;
   while (states < undo_.size() && states < kMostUndo) {
-    const EditedScene* world = undo_[undo_.size() - 1 - states].state.world.get();
-    if (world != last && ++scenes > kMostUndoScenes) break;
-    last = world;
+    const SessionState& state = undo_[undo_.size() - 1 - states].state;
+    memory.add(state.world.get());
+    memory.add(state.results.get());
+    if (memory.bytes() - present > options_.undo_memory) break;
     ++states;
   }
   undo_.erase(undo_.begin(), undo_.end() - static_cast<std::ptrdiff_t>(states));
@@ -96,10 +101,10 @@ void Session::push(SessionState next, const std::optional<Dragged>& dragged) {
   require_still(next);
   const bool goes_on = dragged && dragged_ == dragged;
   if (!goes_on) undo_.push_back(kept(std::move(state_)));
-  limit_undo();
   redo_.clear();
   dragged_ = dragged;
   state_ = std::move(next);
+  limit_undo();
   ++revision_;
 }
 

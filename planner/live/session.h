@@ -53,15 +53,18 @@ struct SessionState {
 };
 
 struct SessionOptions {
-  OpenFolders folders;  // whose files commands may name
-  int threads = 0;      // of plans; 0: one per processor
+  OpenFolders folders = {};  // whose files commands may name
+  int threads = 0;           // of plans; 0: one per processor
+  // That the states on the stacks of undo and redo may take together, besides the present one and
+  // what they share with it (StateMemory) [bytes].
+  std::size_t undo_memory = std::size_t{512} << 20U;
 };
 
-// How many states undo() goes back. Each holds what it does not share with its neighbours: after an
-// edit of the scene a compiled scene, else a few hundred bytes (of bodies that were moved, too).
+// How many states undo() goes back, and no farther than SessionOptions::undo_memory. Each holds
+// what it does not share with its neighbours: after an edit of the scene a compiled scene, which is
+// about a megabyte for small objects and 360 bytes a triangle for large ones, else a few hundred
+// bytes (of bodies that were moved, too).
 inline constexpr std::size_t kMostUndo = 1000;
-// Nor farther than so many compiled scenes, which are about a megabyte each for small objects.
-inline constexpr std::size_t kMostUndoScenes = 64;
 
 // A number that names a gesture, such as the dragging of one body: all motions of the same thing
 // that follow each other with the same number are one step for undo(). Nothing: a step of its own.

@@ -1,5 +1,6 @@
 #include "sim/base/input_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>
@@ -31,7 +32,21 @@ std::uintmax_t size_of_regular(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool is_plain_name(const std::filesystem::path& file) {
+  const std::string& name = file.native();
+  return std::none_of(name.begin(), name.end(), [](char c) {
+    constexpr char kDelete = 0x7F;
+    return static_cast<unsigned char>(c) < 0x20 || c == kDelete;
+  });
+}
+
+void require_plain_name(const std::filesystem::path& file) {
+  require(is_plain_name(file),
+          {.file = file.string(), .problem = "the name of the file has a control character"});
+}
+
 std::string read_file(const std::filesystem::path& file) {
+  require_plain_name(file);
   const std::uintmax_t size = size_of_regular(file);
   if (size == 0) refuse_to_read(file, "the file is empty");
   if (size > kLargestInputFile) {
@@ -51,12 +66,12 @@ std::string read_file(const std::filesystem::path& file) {
 
 bool is_there(const std::filesystem::path& name) {
   std::error_code unknown;
-  return std::filesystem::exists(name, unknown);
+  return is_plain_name(name) && std::filesystem::exists(name, unknown);
 }
 
 bool is_file(const std::filesystem::path& name) {
   std::error_code unknown;
-  return std::filesystem::is_regular_file(name, unknown);
+  return is_plain_name(name) && std::filesystem::is_regular_file(name, unknown);
 }
 
 }  // namespace prehend

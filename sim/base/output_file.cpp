@@ -17,6 +17,7 @@
 #include "sim/base/file_failure.h"
 #include "sim/base/host_name.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 
 namespace prehend {
 namespace {
@@ -239,6 +240,7 @@ void require_writable(const std::filesystem::path& folder) {
 
 void make_folder(const std::filesystem::path& folder) {
   constexpr const char* kProblem = "cannot make this folder";
+  require_plain_name(folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw_file_failure(folder, kProblem, error);
@@ -254,6 +256,7 @@ void write_file(const std::filesystem::path& file, const std::string& content) {
 
 void write_file(const std::filesystem::path& file,
                 const std::function<void(std::ostream&)>& write) {
+  require_plain_name(file);
   const std::filesystem::path target = behind_link(file);
   std::error_code error;
   const std::filesystem::file_status earlier = std::filesystem::status(target, error);

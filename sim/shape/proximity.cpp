@@ -221,6 +221,19 @@ const Vector3& ProximityMesh::ball_center() const { return data_->ball_center; }
 double ProximityMesh::ball_radius() const { return data_->ball_radius; }
 const std::vector<ConvexPoints>& ProximityMesh::parts() const { return data_->parts; }
 
+std::size_t ProximityMesh::memory() const {
+  const auto bytes_of = [](const auto& values) { return values.size() * sizeof(values[0]); };
+  std::size_t bytes = sizeof(Data) + bytes_of(data_->mesh.vertices) +
+                      bytes_of(data_->mesh.triangles) + bytes_of(data_->tree) +
+                      bytes_of(data_->wide.nodes) + bytes_of(data_->boundaries.nodes) +
+                      bytes_of(data_->boundaries.edges) + bytes_of(data_->triangles) +
+                      bytes_of(data_->first_triangle_at) + bytes_of(data_->triangles_at);
+  for (const ConvexPoints& part : data_->parts) {
+    bytes += sizeof(part) + part.points().size() * (sizeof(Vector3) + 3 * sizeof(float));
+  }
+  return bytes + data_->mesh.triangles.size() * sizeof(SmoothSurface::normals[0]);
+}
+
 const SmoothSurface& ProximityMesh::smooth() const {
   std::call_once(data_->smooth_once, [&] { data_->smooth = smooth_surface(*this); });
   return data_->smooth;

@@ -1,6 +1,7 @@
 // A triangle mesh made ready for distance queries (proximity.h).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -34,6 +35,10 @@ class ProximityMesh {
   // The smooth surface that the mesh stands for (smooth_surface.h), made when it is first
   // asked for.
   const SmoothSurface& smooth() const;
+
+  // Bytes of the mesh and of all search structures, those that are made later among them. Copies
+  // share them.
+  std::size_t memory() const;
 
   // Internal data, for the functions of this folder.
   struct Data;

@@ -104,7 +104,8 @@ void collect_below(const WideTree& tree, WideChild at, const WideBox& box,
     apart = max(apart, between - load_lanes(node.half[k].data()) - box.half[k]);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    if (apart[lane] > 0.0F) continue;
+    // An empty lane, which has the root, is far away, but a box may be as large as that.
+    if (apart[lane] > 0.0F || node.child[lane] == 0) continue;
     if (is_triangle(node.child[lane])) {
       triangles.push_back(~node.child[lane]);
     } else {

@@ -1,11 +1,13 @@
 // The program while it runs: a test reads what it says and interrupts it.
 #pragma once
 
+#include <algorithm>
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
 #include <iterator>
 #include <string>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -14,10 +16,12 @@
 
 namespace prehend::test {
 
-// Its stdout goes to the file `out` of the folder.
+// Its stdout goes to the file `out` of the folder. No file of it becomes larger than `largest_file`
+// bytes.
 class RunningProgram {
  public:
-  RunningProgram(const std::vector<std::string>& words, const std::filesystem::path& folder) {
+  RunningProgram(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                 rlim_t largest_file = RLIM_INFINITY) {
     int ends[2] = {-1, -1};
     if (::pipe(ends) != 0) ADD_FAILURE() << "no pipe";
     pid_ = ::fork();
@@ -30,6 +34,10 @@ class RunningProgram {
       std::vector<char*> arguments = {const_cast<char*>(PREHEND_PROGRAM)};
       for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
       arguments.push_back(nullptr);
+      rlimit limit{};
+      ::getrlimit(RLIMIT_FSIZE, &limit);
+      limit.rlim_cur = std::min(limit.rlim_max, largest_file);
+      ::setrlimit(RLIMIT_FSIZE, &limit);
       ::execv(PREHEND_PROGRAM, arguments.data());
       ::_exit(127);
     }

@@ -1,4 +1,5 @@
 // The program as a server of live sessions.
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -66,6 +67,72 @@ TEST(Serve, RefusesAPortThatIsTaken) {
   std::string rest;
   EXPECT_EQ(second.wait(rest), 2);
   EXPECT_NE(rest.find(port), std::string::npos) << rest;
+}
+
+// As on a full disk: the file may not become larger than that (ulimit -f counts KiB).
+TEST(Serve, ARecordingThatCannotGoOnIsToldOfAndEndsWithAWholeLine) {
+  const std::filesystem::path folder = fresh_folder("serve_full");
+  const std::filesystem::path recording = folder / "session.jsonl";
+  RunningProgram program({"serve", "--tcp", "0", "--record", recording.string()}, folder,
+                         rlim_t{4096});
+  ASSERT_TRUE(program.wait_for_line("Ctrl-C"));
+  SocketClient client(port_in(content_of(folder / "out")));
+  ASSERT_TRUE(client.is_connected());
+  const std::string request = R"({"id": ")" + std::string(600, 'x') + R"(", "command": "state"})";
+  bool was_told = false;
+  for (int i = 0; i < 20; ++i) {
+    client.send(request + "\n");
+    for (std::string line = client.line(); line.find("\"ok\":true") == std::string::npos;
+         line = client.line()) {
+      ASSERT_NE(line, "(closed)");
+      was_told = was_told || line.find("\"event\":\"recording\"") != std::string::npos;
+    }
+  }
+  EXPECT_TRUE(was_told);
+  program.send(SIGINT);
+  std::string rest;
+  EXPECT_EQ(program.wait(rest), 1);
+  // On the terminal once.
+  const std::size_t told = rest.find(recording.string() + ": the recording has ended");
+  EXPECT_NE(told, std::string::npos) << rest;
+  EXPECT_EQ(rest.find("the recording", told + recording.string().size() + 10), std::string::npos);
+  const std::string content = content_of(recording);
+  EXPECT_GT(content.size(), 3000U);
+  EXPECT_TRUE(content.ends_with("}\n")) << content;
+  std::istringstream lines(content);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(nlohmann::json::accept(line)) << line;
+  }
+}
+
+TEST(Serve, CommandsBehindAnotherProtocolAreNotCarriedOut) {
+  const std::filesystem::path folder = fresh_folder("serve_strangers");
+  RunningProgram program({"serve", "--tcp", "0", "--graspit", "0", "--scene", "mug"}, folder);
+  ASSERT_TRUE(program.wait_for_line("Ctrl-C"));
+  const std::string words = content_of(folder / "out");
+  const std::uint16_t lines = port_in(words);
+  const std::uint16_t graspit = port_in(words.substr(words.find('\n')));
+  const std::string command = R"({"command": "pin.add", "name": "a"})";
+  const std::string hello_of_tls = std::string("\x16\x03\x01\x02\x00\x01", 6) + "\n";
+  for (const std::string& before :
+       {hello_of_tls, std::string("POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"),
+        std::string("[]\n"), std::string("{\"command\": \n"), std::string("getDOFVals ALL\n")}) {
+    SocketClient client(lines);
+    client.send(before + command + "\n");
+    const std::string answer = client.rest();
+    EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 1) << answer;
+    EXPECT_NE(answer.find("\"ok\":false"), std::string::npos) << answer;
+  }
+  for (const std::string& before :
+       {hello_of_tls, std::string("POST / HTTP/1.1\r\n"), std::string("{}\n")}) {
+    SocketClient client(graspit);
+    client.send(before + "getDOFVals ALL\n");
+    const std::string answer = client.rest();
+    EXPECT_TRUE(answer.starts_with("Error: ")) << answer;
+    EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 1) << answer;
+  }
+  SocketClient client(lines);
+  EXPECT_EQ(reply_to(client, R"({"command": "state"})")["result"]["pins"].size(), 0U);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace prehend::test {
 
-// One of lines and one of HTTP, on free ports.
+// One of lines and one of HTTP, on free ports. Lines that begin with "?" are none of its protocol.
 struct EchoServer {
   static constexpr std::size_t kLargest = 100000;
 
@@ -25,6 +25,7 @@ struct EchoServer {
     options.lines.emplace_back();
     options.lines[0].endpoint = &endpoint;
     options.lines[0].largest_line = kLargest;
+    options.lines[0].is_request = [](const std::string& line) { return !line.starts_with('?'); };
     options.token = "secret";
     options.largest_waiting = std::size_t{1} << 20U;
     return options;

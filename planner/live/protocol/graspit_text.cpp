@@ -103,7 +103,21 @@ class GraspitLine {
 
   Lines carry_out() {
     const std::string_view name = words_.word("a command");
-    using Function = void (GraspitLine::*)();
+    const Function function = function_of(name);
+    if (function == nullptr) {
+      throw InputError("unknown command " + std::string(name.substr(0, 40)) + ".");
+    }
+    (this->*function)();
+    return std::move(lines_);
+  }
+
+  static bool knows(std::string_view command) { return function_of(command) != nullptr; }
+
+ private:
+  using Function = void (GraspitLine::*)();
+
+  // That of a command; null where there is none of this name.
+  static Function function_of(std::string_view command) {
     static constexpr std::pair<std::string_view, Function> kCommands[] = {
         {"getContacts", &GraspitLine::get_contacts},
         {"getAverageContacts", &GraspitLine::get_average_contacts},
@@ -117,14 +131,11 @@ class GraspitLine {
         {"moveToContacts", &GraspitLine::move_to_contacts},
         {"render", &GraspitLine::render}};
     for (const auto& [known, function] : kCommands) {
-      if (name != known) continue;
-      (this->*function)();
-      return std::move(lines_);
+      if (command == known) return function;
     }
-    throw InputError("unknown command " + std::string(name.substr(0, 40)) + ".");
+    return nullptr;
   }
 
- private:
   const Scene& scene() const { return session_.state().world->scene(); }
   const Robot& hand() const { return scene().hand; }
 
@@ -347,6 +358,11 @@ class GraspitLine {
 
 std::string graspit_error_line(const std::string& problem) {
   return "Error: " + on_one_line(problem);
+}
+
+bool is_graspit_command(const std::string& line) {
+  GraspitWords words(line);
+  return !words.at_end() && GraspitLine::knows(words.word("a command"));
 }
 
 std::vector<std::string> graspit_reply(Session& session, const std::string& line) {

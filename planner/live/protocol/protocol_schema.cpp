@@ -83,7 +83,8 @@ Json reply_schema() {
 
 Json event_schema() {
   return {{"type", "object"},
-          {"properties", {{"event", {{"enum", {"state", "progress", "grasps", "plan"}}}}}},
+          {"properties",
+           {{"event", {{"enum", {"state", "progress", "grasps", "plan", "path", "recording"}}}}}},
           {"required", {"event"}}};
 }
 

@@ -6,6 +6,7 @@
 //   {"recorded": "path.finished", "cancelled": true}   cut short, without a path
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@
 
 namespace prehend {
 
-// Takes one line without its end.
+// Takes one line without its end. Throws InputError where it cannot be kept; the recording has
+// ended then.
 using RecordLine = std::function<void(const std::string&)>;
 
 // The lines of a recording.
@@ -33,10 +35,14 @@ struct Replayed {
 // Is shown the session as it begins, and after each line that has changed it (Session::revision).
 using WatchSession = std::function<void(const Session&)>;
 
+// Bytes that the replies of a replayed session may have together, since all are kept.
+inline constexpr std::size_t kMostReplies = std::size_t{256} << 20U;
+
 // Carries out the lines of `recording` (empty ones are skipped) in a new session. The same
 // recording gives the same, byte for byte, on any number of threads, and the same as the session
 // that was recorded. `file` is what errors call it. Throws InputError for a line that no recording
-// has, and Cancelled between two lines.
+// has, or whose reply is one too many (kMostReplies), and Cancelled between two lines or while a
+// plan or a path is waited for.
 Replayed replay(const std::string& recording, const std::string& file, SessionOptions options,
                 const RunContext& context = {}, const WatchSession& watch = {});
 

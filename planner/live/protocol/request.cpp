@@ -54,6 +54,11 @@ std::string message_text(const ProtocolJson& json) {
   return json.dump(-1, ' ', false, ProtocolJson::error_handler_t::replace);
 }
 
+bool is_request(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string::npos && text[begin] == '{' && nlohmann::json::accept(text);
+}
+
 Request read_request(const std::string& message) {
   Request request;
   try {

@@ -22,6 +22,9 @@ struct Request {
   std::optional<InputError> error;       // why it cannot be carried out
 };
 
+// Whether a text is a JSON object, as every request is.
+bool is_request(const std::string& text);
+
 // Never throws InputError: what is wrong with the message stands in Request::error.
 Request read_request(const std::string& message);
 

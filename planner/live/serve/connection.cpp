@@ -68,8 +68,10 @@ void Connection::write_next() {
   if (!outbox_->overflowed() && outbox_->take(writing_)) {
     is_writing_ = true;
     write(writing_);
-  } else if (outbox_->overflowed() || is_finishing_) {
+  } else if (outbox_->overflowed()) {
     end();
+  } else if (is_finishing_ && !std::exchange(is_parting_, true)) {
+    part();
   }
 }
 

@@ -44,6 +44,9 @@ class Connection : public std::enable_shared_from_this<Connection> {
   // From now on nothing is read and written, and no more tasks are begun.
   virtual void close() = 0;
 
+  // All is written that will be, and nothing more is read: ends, at once or soon.
+  virtual void part() { end(); }
+
   // Makes it a client of the endpoint. False, and ended, where the endpoint throws.
   bool join();
   // Passes a message on. False, and ended, where the endpoint throws.
@@ -69,6 +72,7 @@ class Connection : public std::enable_shared_from_this<Connection> {
   std::string writing_;
   bool is_writing_ = false;
   bool is_finishing_ = false;
+  bool is_parting_ = false;
   bool is_over_ = false;
 };
 

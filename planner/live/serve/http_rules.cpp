@@ -1,7 +1,6 @@
 #include "planner/live/serve/http_rules.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "planner/live/serve/token.h"
@@ -45,6 +44,7 @@ std::string_view token_in(std::string_view query) {
 }  // namespace
 
 HttpAnswer answer_to(const HttpRequest& request, const HttpRules& rules, const Pages& pages) {
+  if (request.repeats) return {400};
   if (!is_this_server(request.host, rules)) return {403};
   if (request.origin && !is_own_page(*request.origin, rules)) return {403};
   const std::size_t query = request.target.find('?');
@@ -59,13 +59,6 @@ HttpAnswer answer_to(const HttpRequest& request, const HttpRules& rules, const P
   if (rules.token.empty() || !same_secret(token_in(shown), rules.token)) return {403};
   if (is_socket) return {.status = 101, .upgrade = true};
   return {.status = 200, .page = &page->second};
-}
-
-bool begins_as_http(std::string_view line) {
-  constexpr std::array<std::string_view, 9> kMethods = {
-      "GET ", "HEAD ", "POST ", "PUT ", "DELETE ", "CONNECT ", "OPTIONS ", "TRACE ", "PATCH "};
-  return std::any_of(kMethods.begin(), kMethods.end(),
-                     [&](std::string_view method) { return line.starts_with(method); });
 }
 
 }  // namespace prehend

@@ -31,9 +31,10 @@ struct HttpRules {
 struct HttpRequest {
   std::string_view method;
   std::string_view target;                 // path and query
-  std::string_view host;                   // empty where there is none, or more than one
+  std::string_view host;                   // empty where there is none
   std::optional<std::string_view> origin;  // the page that asks, where a browser says so
   bool is_upgrade = false;                 // to a WebSocket
+  bool repeats = false;                    // a header field that may come once only came twice
 };
 
 struct HttpAnswer {
@@ -46,6 +47,7 @@ struct HttpAnswer {
 inline constexpr std::string_view kSocketPath = "/socket";
 
 // The answer to a request:
+//   400  a header field came twice of which only one can be meant
 //   403  its Host is not this server. Another web page can have its own name lead to this address
 //        (DNS rebinding), but cannot make a browser say another name than that
 //   403  its Origin is another page than those of this server
@@ -54,9 +56,5 @@ inline constexpr std::string_view kSocketPath = "/socket";
 //   403  without "token=TOKEN" in the query
 //   200, or the upgrade, otherwise.
 HttpAnswer answer_to(const HttpRequest& request, const HttpRules& rules, const Pages& pages);
-
-// Whether a line, or its beginning, is the first of an HTTP request. A web page can make a browser
-// send one to any port, with lines of its own after it.
-bool begins_as_http(std::string_view line);
 
 }  // namespace prehend

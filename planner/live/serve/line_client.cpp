@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "planner/live/serve/http_rules.h"
 #include "planner/live/serve/token.h"
 #include "planner/live/serve/utf8.h"
 
@@ -30,14 +29,14 @@ void LineClient::use_end() {
 }
 
 void LineClient::use_line(std::string line, bool whole) {
-  if (std::exchange(is_first_, false)) {
-    if (begins_as_http(line)) return end();
-    if (listener_.needs_token) return use_token(line);
-  }
+  if (listener_.needs_token && !std::exchange(shows_token_, true)) return use_token(line);
+  const bool is_first = std::exchange(is_first_, false);
   if (!whole) {
-    refuse("longer than " + std::to_string(listener_.largest_line) + " bytes");
-  } else if (!is_utf8(line)) {
-    refuse("not UTF-8");
+    refuse("longer than " + std::to_string(listener_.largest_line) + " bytes", is_first);
+  } else if (!is_plain_text(line)) {
+    refuse("not text in UTF-8", true);
+  } else if (is_first && !listener_.is_request(line)) {
+    refuse("not a request of this protocol", true);
   } else {
     deliver(std::move(line));
   }
@@ -48,9 +47,15 @@ void LineClient::use_token(const std::string& shown) {
     unlimit_time();
     join();
   } else {
-    refuse("the token is wrong");
-    finish();
+    refuse("the token is wrong", true);
   }
+}
+
+void LineClient::refuse(const std::string& problem, bool for_good) {
+  say(listener_.refusal(problem));
+  if (!for_good) return;
+  limit_time();
+  finish();
 }
 
 }  // namespace prehend

@@ -32,12 +32,14 @@ class LineClient : public Connection {
  private:
   void use_line(std::string line, bool whole);
   void use_token(const std::string& shown);
-  void refuse(const std::string& problem) { say(listener_.refusal(problem)); }
+  // `for_good`: the connection ends, and nothing that follows is carried out.
+  void refuse(const std::string& problem, bool for_good);
 
   const LineListener& listener_;
   const std::string& token_;
   LineSplitter splitter_;
-  bool is_first_ = true;  // line
+  bool shows_token_ = false;  // whether it has
+  bool is_first_ = true;      // line, besides that with the token
 };
 
 }  // namespace prehend

@@ -1,5 +1,6 @@
 #include "planner/live/serve/server.h"
 
+#include <algorithm>
 #include <array>
 #include <boost/asio/dispatch.hpp>
 #include <boost/asio/io_context.hpp>
@@ -87,6 +88,22 @@ class LineConnection final : public LineClient {
                             });
   }
 
+  // Closing a socket with unread bytes would take the last lines back that are on their way. Its
+  // time is limited already.
+  void part() override {
+    ErrorCode ignored;
+    socket_.shutdown(Tcp::socket::shutdown_send, ignored);
+    drain();
+  }
+
+  void drain() {
+    socket_.async_read_some(net::buffer(piece_), [self = self()](ErrorCode error, std::size_t) {
+      if (self->is_over()) return;
+      if (error) return self->end();
+      self->drain();
+    });
+  }
+
   void limit_time() override {
     deadline_.expires_after(handshake_);
     deadline_.async_wait([self = self()](ErrorCode) {
@@ -123,6 +140,20 @@ void async_teardown(beast::role_type role, PromptStream& stream, Handler&& handl
   teardown(role, stream, error);
   net::post(stream.get_executor(),
             beast::bind_front_handler(std::forward<Handler>(handler), error));
+}
+
+// Whether a field came more than once that a request has one of (RFC 9110; of WebSockets RFC 6455).
+// What stands between a browser and this server may go by the other one.
+bool repeats_a_field(const http::fields& header) {
+  constexpr std::array kSingle = {http::field::host,
+                                  http::field::origin,
+                                  http::field::content_length,
+                                  http::field::transfer_encoding,
+                                  http::field::upgrade,
+                                  http::field::sec_websocket_key,
+                                  http::field::sec_websocket_version};
+  return std::any_of(kSingle.begin(), kSingle.end(),
+                     [&](http::field field) { return header.count(field) > 1; });
 }
 
 // One HTTP request, and its answer or a WebSocket.
@@ -171,8 +202,9 @@ class HttpConnection final : public Connection {
     HttpRequest request;
     request.method = {message.method_string().data(), message.method_string().size()};
     request.target = {message.target().data(), message.target().size()};
+    request.repeats = repeats_a_field(message);
     const auto host = message[http::field::host];
-    if (message.count(http::field::host) == 1) request.host = {host.data(), host.size()};
+    request.host = {host.data(), host.size()};
     if (message.count(http::field::origin) > 0) {
       const auto origin = message[http::field::origin];
       request.origin = {origin.data(), origin.size()};

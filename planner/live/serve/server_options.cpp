@@ -65,6 +65,8 @@ void check_options(const ServerOptions& options) {
     const std::string name = "lines[" + std::to_string(i) + "].";
     check_endpoint(name + "endpoint", listener.endpoint);
     check_size(name + "largest_line", listener.largest_line);
+    require(listener.is_request != nullptr,
+            {.field = name + "is_request", .problem = "is missing"});
     require(listener.needs_token || reach == Reach::this_machine,
             {.field = name + "needs_token",
              .problem = "must be set where other machines reach the address",

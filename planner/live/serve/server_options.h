@@ -24,8 +24,13 @@ struct LineListener {
   std::uint16_t port = 0;        // 0: any free one
   // Bytes of a line, without its end (> 0). What is longer is refused and not kept.
   std::size_t largest_line = std::size_t{16} << 20U;
-  // The line that says what was wrong with a line: "longer than 16777216 bytes", "not UTF-8" or
-  // "the token is wrong".
+  // Whether a client's first line is one of the protocol. One that sends another is told so and
+  // disconnected: it talks something else, such as a web page that makes a browser send HTTP, and
+  // what follows may be chosen to look like a command. Needed.
+  std::function<bool(const std::string& line)> is_request = {};
+  // The line that says what was wrong with a line: "longer than 16777216 bytes", "not text in
+  // UTF-8", "not a request of this protocol" or "the token is wrong". The client is disconnected
+  // then, unless it is a later line that is too long.
   std::function<std::string(const std::string& problem)> refusal = json_error_line;
   // The first line of each client must be the token, alone; others are refused and end it. To be
   // set where other machines reach the address.

@@ -1,5 +1,6 @@
 #include "planner/live/serve/utf8.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -46,6 +47,14 @@ bool is_utf8(std::string_view bytes) {
     i += form->more + 1;
   }
   return true;
+}
+
+bool is_plain_text(std::string_view bytes) {
+  constexpr char kDelete = 0x7F;
+  const auto is_control = [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == kDelete;
+  };
+  return is_utf8(bytes) && std::none_of(bytes.begin(), bytes.end(), is_control);
 }
 
 }  // namespace prehend

@@ -9,4 +9,7 @@ namespace prehend {
 // U+10FFFF. The empty text is.
 bool is_utf8(std::string_view bytes);
 
+// Whether the bytes are UTF-8 without control characters, but for tabs.
+bool is_plain_text(std::string_view bytes);
+
 }  // namespace prehend

@@ -1,7 +1,7 @@
 #include "planner/main/live/live_server.h"
 
+#include <atomic>
 #include <chrono>
-#include <fstream>
 #include <future>
 #include <iostream>
 #include <spawn.h>
@@ -12,12 +12,14 @@
 
 #include "planner/live/protocol/graspit_endpoint.h"
 #include "planner/live/protocol/graspit_text.h"
+#include "planner/live/protocol/recording_file.h"
+#include "planner/live/protocol/request.h"
 #include "planner/live/protocol/session_endpoint.h"
 #include "planner/live/serve/server.h"
 #include "planner/live/serve/token.h"
 #include "planner/live/studio/studio_page.h"
+#include "planner/main/live/live_options.h"
 #include "sim/base/input_error.h"
-#include "sim/base/output_file.h"
 
 namespace prehend {
 namespace {
@@ -25,29 +27,47 @@ namespace {
 // How soon an interrupt is noticed.
 constexpr std::chrono::milliseconds kLook{50};
 
-// Where the lines of the session go; they are on disk as soon as they are there, since a session
-// may end by a power cut.
-std::optional<std::ofstream> opened_recording(const std::filesystem::path& file) {
-  if (file.empty()) return std::nullopt;
-  require_writable(std::filesystem::absolute(file).parent_path());
-  std::ofstream stream(file, std::ios::binary);
-  if (!stream) {
-    throw InputError({.field = "--record", .problem = "cannot be written", .value = file.string()});
+constexpr int kRecordingFailed = 1;  // exit status
+
+// Where the lines of the session go. That a recording has ended is told here once, besides to the
+// clients.
+class Recorder {
+ public:
+  explicit Recorder(const std::filesystem::path& file) {
+    if (!file.empty()) file_.emplace(file);
   }
-  return stream;
-}
+
+  RecordLine taker() {
+    if (!file_) return {};
+    return [this](const std::string& line) { add(line); };
+  }
+  bool has_failed() const { return has_failed_; }
+
+ private:
+  void add(const std::string& line) {
+    try {
+      file_->add(line);
+    } catch (const InputError& error) {
+      if (!has_failed_.exchange(true)) std::cerr << "prehend: " << error.what() << "\n";
+      throw;
+    }
+  }
+
+  std::optional<RecordingFile> file_;
+  std::atomic<bool> has_failed_ = false;  // set by the thread of commands
+};
 
 // Of a scene that is a file, its absolute path; names of the library stay as they are.
 std::string scene_name(const std::string& scene) {
   return std::filesystem::exists(scene) ? std::filesystem::absolute(scene).string() : scene;
 }
 
-OpenFolders open_folders(const LiveServer& live) {
-  std::vector<std::filesystem::path> folders = live.session.folders;
+SessionOptions options_of(const LiveServer& live) {
+  SessionLimits limits = live.session.limits;
   if (std::filesystem::exists(live.scene)) {
-    folders.push_back(std::filesystem::absolute(live.scene).parent_path());
+    limits.folders.push_back(std::filesystem::absolute(live.scene).parent_path());
   }
-  return OpenFolders(folders);
+  return session_options(limits);
 }
 
 // Carries out a request as a client of its own, so that it is recorded with all others.
@@ -55,7 +75,8 @@ void request(SessionEndpoint& endpoint, const nlohmann::json& message) {
   std::promise<std::string> reply;
   bool came = false;
   const ClientId client = endpoint.connect([&](const std::string& text) {
-    if (!came) reply.set_value(text);  // events follow
+    if (came || nlohmann::json::parse(text).contains("event")) return;
+    reply.set_value(text);
     came = true;
   });
   endpoint.receive(client, message.dump());
@@ -79,11 +100,13 @@ ServerOptions server_options(const LiveServer& live, Endpoint& endpoint, Endpoin
   if (live.tcp) {
     options.lines.push_back({.endpoint = &endpoint,
                              .port = *live.tcp,
+                             .is_request = is_request,
                              .needs_token = !is_loopback(live.session.address)});
   }
   if (live.graspit) {
     options.lines.push_back({.endpoint = &graspit,
                              .port = *live.graspit,
+                             .is_request = is_graspit_command,
                              .refusal = graspit_error_line,
                              .needs_token = !is_loopback(live.session.address)});
   }
@@ -147,12 +170,8 @@ void say_where(const LiveServer& live, const ServerPorts& ports, const Server& s
 
 int run_live_server(const LiveServer& live, Interrupts& interrupts) {
   interrupts.cancel_first();
-  std::optional<std::ofstream> recording = opened_recording(live.session.record);
-  RecordLine record;
-  if (recording) {
-    record = [&recording](const std::string& line) { *recording << line << "\n" << std::flush; };
-  }
-  SessionEndpoint endpoint({open_folders(live), live.session.threads}, record);
+  Recorder recorder(live.session.record);
+  SessionEndpoint endpoint(options_of(live), recorder.taker());
   if (!live.scene.empty()) {
     request(endpoint,
             {{"command", "scene.load"}, {"scene", scene_name(live.scene)}, {"fresh", true}});
@@ -165,7 +184,8 @@ int run_live_server(const LiveServer& live, Interrupts& interrupts) {
   std::cerr << "Ctrl-C ends it\n";
   while (!interrupts.cancellation().requested()) std::this_thread::sleep_for(kLook);
   server.stop();
-  return interrupts.exit_status();
+  // Whoever relies on the recording has to hear of it, however the session was ended.
+  return recorder.has_failed() ? kRecordingFailed : interrupts.exit_status();
 }
 
 }  // namespace prehend

@@ -11,12 +11,18 @@
 
 namespace prehend {
 
-// What all commands that serve a session have.
-struct LiveOptions {
-  std::string address = "127.0.0.1";                // of this machine, to listen on
-  std::filesystem::path record = {};                // empty: nothing is recorded
+// What a session may have.
+struct SessionLimits {
   std::vector<std::filesystem::path> folders = {};  // whose files commands may name
   int threads = 0;                                  // of plans; 0: all processors
+  std::uint64_t undo_memory = 512;  // SessionOptions::undo_memory [MB of 2^20 bytes]
+};
+
+// What all commands that serve a session have.
+struct LiveOptions {
+  std::string address = "127.0.0.1";  // of this machine, to listen on
+  std::filesystem::path record = {};  // empty: nothing is recorded
+  SessionLimits limits = {};
 };
 
 struct LiveServer {

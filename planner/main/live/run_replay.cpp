@@ -17,9 +17,8 @@ namespace {
 struct ReplayCommand {
   std::filesystem::path file;
   std::filesystem::path out = "out/replay.json";
-  std::filesystem::path gltf;                  // an animation to write; empty: none
-  std::vector<std::filesystem::path> folders;  // whose files the recorded commands may name
-  int threads = 0;                             // of plans; 0: all processors
+  std::filesystem::path gltf;  // an animation to write; empty: none
+  SessionLimits session;
 };
 
 void declare(CLI::App& command, ReplayCommand& options) {
@@ -31,7 +30,7 @@ void declare(CLI::App& command, ReplayCommand& options) {
       ->capture_default_str();
   command.add_option("--gltf", options.gltf,
                      "write the session as an animation to this file (.glb)");
-  add_session(command, options.folders, options.threads);
+  add_session(command, options.session);
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& file) {
@@ -44,7 +43,7 @@ int run_replay(const ReplayCommand& command, Interrupts& interrupts) {
           {.field = "--gltf", .problem = "must end in .glb", .value = command.gltf.string()});
   require_writable(folder_of(command.out));
   if (filmed) require_writable(folder_of(command.gltf));
-  const SessionOptions options{OpenFolders(command.folders), command.threads};
+  const SessionOptions options = session_options(command.session);
   const std::string recording = read_file(command.file);
   interrupts.cancel_first();
   Replayed replayed;

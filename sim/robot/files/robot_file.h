@@ -27,5 +27,7 @@ Robot find_robot(const std::string& name_or_file, const ForeignRobotOptions& opt
 
 // Names of the robots that come with prehend, for find_robot.
 std::vector<std::string> library_robot_names();
+// Whether a robot or a platform that comes with prehend has this name.
+bool is_library_robot(const std::string& name);
 
 }  // namespace prehend

@@ -28,17 +28,19 @@ bool is_path(const std::string& name_or_file) {
 // The file of a library name, else the path as it is.
 std::filesystem::path file_of(const std::string& name_or_file) {
   if (is_path(name_or_file) && is_there(name_or_file)) return name_or_file;
-  const std::vector<std::string> names = library().names();
-  if (std::find(names.begin(), names.end(), name_or_file) != names.end()) {
-    return library().file(name_or_file);
-  }
+  if (is_library_robot(name_or_file)) return library().file(name_or_file);
   if (is_there(name_or_file)) return name_or_file;
   throw InputError({.field = "robot",
-                    .problem = "neither a file nor one of " + joined(names),
+                    .problem = "neither a file nor one of " + joined(library().names()),
                     .value = name_or_file});
 }
 
 }  // namespace
+
+bool is_library_robot(const std::string& name) {
+  const std::vector<std::string> names = library().names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 std::vector<std::string> library_robot_names() {
   std::vector<std::string> names = library().names();

@@ -1,10 +1,16 @@
 // Sessions: motions that end at contact, grasps that equal those of evaluate, undo of everything.
 #include "planner/live/session.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include "planner/live/state_memory.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/random.h"
@@ -154,19 +160,79 @@ TEST(Session, EpsilonIsThatOfEvaluate) {
 }
 
 // Compiled scenes are large; what shares one is not.
-TEST(Session, UndoGoesBackSoManyScenes) {
-  Session session = ball_session();
-  for (std::size_t k = 0; k < kMostUndoScenes + 5; ++k) {
-    const double mass = 0.1 + 0.01 * static_cast<double>(k);
+// A scene with a ball of so many triangles, whose mass was changed so many times; after each change
+// the hand was moved.
+Session changed_session(std::size_t undo_memory, int changes) {
+  Session session({.undo_memory = undo_memory});
+  session.set_scene(scene_of_hand("parallel_jaw"));
+  session.edit([](Scene& scene) {
+    set_object(scene, surface_of({.generate = "ball", .triangles = 2000}, {}), {});
+  });
+  session.forget_history();
+  for (int k = 0; k < changes; ++k) {
+    const double mass = 0.1 + 0.01 * k;
     session.edit([&](Scene& scene) { change_object(scene, {.mass = mass}); });
     session.back_off(0.001);
   }
-  // Each scene is that of two states, of which the newest is not on the stack.
-  EXPECT_EQ(session.undo_count(), 2 * kMostUndoScenes - 1);
-  while (session.undo()) {
+  return session;
+}
+
+TEST(Session, UndoKeepsTheNewestStatesThatFitIntoItsMemory) {
+  constexpr int kChanges = 12;
+  // Of one of the scenes, which differ in a number only.
+  StateMemory one;
+  one.add(changed_session(0, 1).state().world.get());
+  EXPECT_GT(one.bytes(), 2000 * 300U);
+  for (const int scenes : {0, 1, 2, 5, kChanges - 1, kChanges + 5}) {
+    const std::size_t room = static_cast<std::size_t>(scenes) * one.bytes() + one.bytes() / 2;
+    Session session = changed_session(room, kChanges);
+    // One state shares the present scene, which costs nothing; two are of each scene before that,
+    // one of the first.
+    const auto states = static_cast<std::size_t>(std::min(1 + 2 * scenes, 2 * kChanges));
+    EXPECT_EQ(session.undo_count(), states) << scenes;
+    // All that undo leads back to fits together.
+    StateMemory memory;
+    memory.add(session.state().world.get());
+    const std::size_t present = memory.bytes();
+    std::vector<EditedScenePtr> worlds;
+    while (session.undo()) {
+      worlds.push_back(session.state().world);
+      memory.add(worlds.back().get());
+    }
+    EXPECT_LE(memory.bytes() - present, room);
+    EXPECT_EQ(session.redo_count(), states);
   }
-  EXPECT_NEAR(session.state().world->scene().object.mass, 0.1 + 0.01 * 5, 1e-12);
-  EXPECT_EQ(session.redo_count(), 2 * kMostUndoScenes - 1);
+}
+
+TEST(Session, WhatStatesShareIsCountedOnce) {
+  Session session({.undo_memory = 0});
+  session.set_scene(load_scene("mug_on_table"));
+  // Motions of bodies and hands make no new scene, so that undo needs no memory for them.
+  session.forget_history();
+  for (int k = 0; k < 10; ++k) session.back_off(0.001);
+  EXPECT_EQ(session.undo_count(), 10U);
+  StateMemory memory;
+  memory.add(session.state().world.get());
+  const std::size_t once = memory.bytes();
+  memory.add(session.state().world.get());
+  EXPECT_EQ(memory.bytes(), once);
+  // The same bodies elsewhere: the trees are shared, the meshes of the scene are not.
+  const EditedScenePtr moved =
+      with_bodies_at(session.state().world, places_of(session.state().world->scene()));
+  memory.add(moved.get());
+  EXPECT_GT(memory.bytes(), once);
+  EXPECT_LT(memory.bytes() - once, once / 2);
+  StateMemory other;
+  other.add(moved.get());
+  EXPECT_EQ(other.bytes(), memory.bytes());
+  // It grows with what is there.
+  session.edit([](Scene& scene) {
+    add_obstacle(scene, surface_of({.generate = "ball"}, {}),
+                 {.name = "b", .X_WB = translation({0.0, 0.0, 2.0})});
+  });
+  StateMemory larger;
+  larger.add(session.state().world.get());
+  EXPECT_GT(larger.bytes(), once);
 }
 
 TEST(Session, ForcesBalanceTheLoad) {
@@ -285,11 +351,58 @@ TEST(Session, FilesOutsideOfOpenFoldersAreNotNamed) {
     EXPECT_EQ(refusal_of([&] { (void)open.path_of(name, "file"); }).field(), "file") << name;
   }
   EXPECT_EQ(open.robot_of("barrett", "hand"), "barrett");
+  // As all files, whether the name has a folder in it or not.
+  for (const char* name : {"x.json", "./x.json", "x.urdf"}) {
+    EXPECT_EQ(open.robot_of(name, "hand"),
+              (std::filesystem::canonical(folder) / name).lexically_normal())
+        << name;
+  }
+  std::ofstream(folder / "plain_name") << "{}";
+  EXPECT_EQ(open.robot_of("plain_name", "hand"), std::filesystem::canonical(folder) / "plain_name");
+  EXPECT_EQ(refusal_of([&] { (void)OpenFolders().robot_of("x.json", "hand"); }).field(), "hand");
   EXPECT_EQ(refusal_of([&] { (void)open.robot_of("/etc/passwd", "hand"); }).field(), "hand");
   EXPECT_EQ(refusal_of([&] { (void)OpenFolders().path_of("a", "file"); }).field(), "file");
   const InputError mesh =
       refusal_of([&] { (void)scene_of_text(R"({"object": {"mesh": "/etc/passwd"}})", open); });
   EXPECT_NE(std::string(mesh.what()).find("not in a folder that is open"), std::string::npos);
+}
+
+// The robot of a scene stands beside it, in the library or where the program was started, and is
+// not read there unless that is open.
+TEST(Session, ScenesNameNoRobotsOfTheWorkingFolder) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "prehend_beside";
+  const std::filesystem::path elsewhere = folder / "elsewhere";
+  std::filesystem::create_directories(elsewhere);
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(elsewhere);
+  std::ofstream(elsewhere / "secret.json") << "not a robot";
+  std::filesystem::create_directories(folder / "open");
+  const OpenFolders open({folder / "open"});
+  const std::string text = R"({"object": {"mesh": "secret.json"}, "hand": "secret.json"})";
+  const InputError error = refusal_of([&] { (void)scene_of_text(text, open); });
+  std::filesystem::current_path(before);
+  EXPECT_NE(std::string(error.what()).find("not in a folder that is open"), std::string::npos)
+      << error.what();
+}
+
+TEST(Session, NamesWithControlCharactersAreRefused) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "prehend_nul";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "pear.obj") << kTetrahedron;
+  const OpenFolders open({folder});
+  EXPECT_NO_THROW((void)surface_of({.mesh = "pear.obj"}, open));
+  for (const std::string& name :
+       {std::string("pear.obj\0.obj", 13), std::string("pear.obj\0", 9), std::string("a\nb.obj")}) {
+    EXPECT_EQ(refusal_of([&] { (void)surface_of({.mesh = name}, open); }).field(), "mesh");
+    EXPECT_EQ(refusal_of([&] { (void)open_scene(name, open); }).field(), "scene");
+    EXPECT_EQ(refusal_of([&] { (void)open.robot_of(name, "hand"); }).field(), "hand");
+    const std::string quoted = nlohmann::json(name).dump();
+    for (const std::string& text :
+         {R"({"object": {"mesh": )" + quoted + "}}",
+          R"({"object": {"generate": "ball"}, "hand": )" + quoted + "}"}) {
+      EXPECT_EQ(refusal_of([&] { (void)scene_of_text(text, open); }).field(), "text") << text;
+    }
+  }
 }
 
 }  // namespace

@@ -288,5 +288,31 @@ TEST(WriteFile, LeavesTheOldFileWhereMakingTheContentFails) {
   EXPECT_EQ(content(folder / "file"), "made 2");
 }
 
+// What is behind a NUL the system does not see.
+TEST(Files, NamesWithControlCharactersNameNothing) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "plain_names";
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path file = folder / "pear.obj";
+  write_file(file, "pear");
+  EXPECT_TRUE(is_there(file) && is_file(file));
+  for (int c = 0; c < 256; ++c) {
+    const char letter = static_cast<char>(c);
+    if (letter == '/') continue;
+    const bool is_plain = c >= 0x20 && c != 0x7F;
+    const std::filesystem::path other = file.string() + letter + ".obj";
+    EXPECT_EQ(is_plain_name(other), is_plain) << c;
+    if (is_plain) continue;
+    EXPECT_FALSE(is_there(other) || is_file(other)) << c;
+    for (const InputError& error :
+         {test::refusal_of([&] { (void)read_file(other); }), test::refusal_of([&] { write_file(other, "x"); }),
+          test::refusal_of([&] { make_folder(other); })}) {
+      EXPECT_EQ(error.file(), other.string());
+      EXPECT_NE(error.problem().find("control character"), std::string::npos);
+    }
+  }
+  EXPECT_EQ(read_file(file), "pear");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+}
+
 }  // namespace
 }  // namespace prehend

@@ -1,6 +1,7 @@
 // Every box holds what is below it, and distances of boxes never exceed what they bound.
 #include "sim/shape/wide_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -181,6 +182,19 @@ TEST(WideTree, FindsAllTrianglesWhoseBoxesMeetABox) {
         ASSERT_EQ(times[t], 0);
       }
     }
+  }
+}
+
+TEST(WideTree, FindsEachTriangleOnceInABoxHoweverLarge) {
+  const TriangleMesh mesh = generate_object("ball", 500);
+  const WideTree tree = build_wide_tree(build_box_tree(mesh));
+  for (const double half : {1.0, 1e9, 1e17, 1e18, 1e30, 1e38, 1e100}) {
+    const Bounds box{Vector3::Constant(-half), Vector3::Constant(half)};
+    std::vector<int> found;
+    collect_in_box(tree, box, found);
+    std::sort(found.begin(), found.end());
+    ASSERT_EQ(found.size(), mesh.triangles.size()) << half;
+    for (std::size_t t = 0; t < found.size(); ++t) EXPECT_EQ(found[t], static_cast<int>(t));
   }
 }
 

@@ -56,6 +56,7 @@ class Studio {
       byId('connection').hidden = there;
     });
     live.on('refused', (words) => this.say(words, true));
+    live.on('recording', ({problem}) => this.say(problem, true));
     live.on('said', (words) => this.say(words));
     this.handling.listeners.push(() => {
       byId('selected').textContent = this.handling.link || this.handling.selected || 'nothing';

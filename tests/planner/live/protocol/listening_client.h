@@ -66,6 +66,11 @@ class ListeningClient {
     return answer.value("result", Reply::object());
   }
 
+  std::ptrdiff_t events_left(const std::string& name) {
+    const std::lock_guard hold(lock_);
+    return std::count_if(events_.begin(), events_.end(),
+                         [&](const Reply& event) { return event["event"] == name; });
+  }
   std::size_t replies_left() {
     const std::lock_guard hold(lock_);
     return replies_.size();

@@ -1,13 +1,18 @@
 // Messages in, replies and events out: every message is answered once, whatever it is.
+#include <condition_variable>
 #include <cstdlib>
 #include <filesystem>
+#include <mutex>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "planner/live/protocol/graspit_text.h"
 #include "planner/live/protocol/protocol_schema.h"
+#include "planner/live/protocol/request.h"
 #include "planner/live/protocol/session_endpoint.h"
 #include "sim/base/input_file.h"
 #include "sim/base/output_file.h"
@@ -245,13 +250,140 @@ TEST(Protocol, ManyClientsAtOnceGetTheirOwnReplies) {
   for (std::thread& thread : threads) thread.join();
 }
 
-TEST(Protocol, WhatAClientSendsAheadIsBounded) {
-  SessionEndpoint endpoint({});
+// Holds the thread of commands at the first request, as one that takes long would.
+class Gate {
+ public:
+  RecordLine record() {
+    return [this](const std::string&) {
+      std::unique_lock hold(lock_);
+      has_come_ = true;
+      changed_.notify_all();
+      changed_.wait(hold, [this] { return is_open_; });
+    };
+  }
+  void wait_for_request() {
+    std::unique_lock hold(lock_);
+    changed_.wait(hold, [this] { return has_come_; });
+  }
+  void open() {
+    const std::lock_guard hold(lock_);
+    is_open_ = true;
+    changed_.notify_all();
+  }
+
+ private:
+  std::mutex lock_;
+  std::condition_variable changed_;
+  bool has_come_ = false;
+  bool is_open_ = false;
+};
+
+TEST(Protocol, RequestsThatAClientSendsAheadAreBounded) {
+  Gate gate;
+  SessionEndpoint endpoint({}, gate.record());
   ListeningClient client(endpoint);
-  constexpr int kSent = 3000;
-  for (int i = 0; i < kSent; ++i) endpoint.receive(client.id(), R"({"command": "contacts"})");
-  for (int i = 0; i < kSent; ++i) EXPECT_EQ(client.next_reply()["ok"], false);
-  endpoint.receive(client.id() + 1, "{}");  // of nobody
+  ListeningClient other(endpoint);
+  const std::string request = R"({"command": "state"})";
+  std::size_t taken = 0;
+  const auto send_until_refused = [&] {
+    try {
+      while (true) {
+        endpoint.receive(client.id(), request);
+        ++taken;
+      }
+    } catch (const std::runtime_error&) {
+    }
+  };
+  endpoint.receive(client.id(), request);
+  gate.wait_for_request();
+  send_until_refused();
+  // Each that was taken is answered once, in order; the others cost nothing but their refusals.
+  EXPECT_EQ(++taken, 2 * kMostWaiting);
+  gate.open();
+  for (std::size_t i = 0; i < taken; ++i) {
+    EXPECT_EQ(client.next_reply()["ok"], i < kMostWaiting) << i;
+  }
+  // After that there is room again.
+  EXPECT_EQ(client.reply_to_text(request)["ok"], true);
+  EXPECT_EQ(other.reply_to_text(request)["ok"], true);
+  endpoint.receive(other.id() + 1, "{}");  // of nobody
+}
+
+TEST(Protocol, BytesThatAClientSendsAheadAreBounded) {
+  Gate gate;
+  SessionEndpoint endpoint({}, gate.record());
+  ListeningClient client(endpoint);
+  ListeningClient other(endpoint);
+  endpoint.receive(client.id(), R"({"command": "state"})");
+  gate.wait_for_request();
+  const std::size_t size = kMostWaitingBytes / 4;
+  const std::string large = R"({"command": "state", "id": ")" + std::string(size, 'x') + R"("})";
+  for (int i = 0; i < 6; ++i) endpoint.receive(client.id(), large);
+  // What still fits is taken, also of others.
+  endpoint.receive(client.id(), R"({"command": "state"})");
+  endpoint.receive(other.id(), large);
+  gate.open();
+  EXPECT_EQ(client.next_reply()["ok"], true);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(client.next_reply()["ok"], true);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(client.next_reply()["error"]["problem"], "too many bytes waiting");
+  }
+  EXPECT_EQ(client.next_reply()["ok"], true);
+  EXPECT_EQ(other.next_reply()["ok"], true);
+}
+
+// Who comes, sends and leaves again and again leaves no more behind than all may have together.
+TEST(Protocol, WhatClientsLeaveBehindIsBounded) {
+  Gate gate;
+  SessionEndpoint endpoint({}, gate.record());
+  ListeningClient client(endpoint);
+  endpoint.receive(client.id(), R"({"command": "state"})");
+  gate.wait_for_request();
+  std::size_t taken = 0;
+  for (std::size_t k = 0; k < 3 * kWaitingOfAll; ++k) {
+    const ListeningClient passing(endpoint);
+    try {
+      for (std::size_t i = 0; i < 2 * kMostWaiting; ++i, ++taken)
+        endpoint.receive(passing.id(), "{}");
+    } catch (const std::runtime_error&) {
+    }
+  }
+  EXPECT_LE(taken, 2 * kWaitingOfAll * kMostWaiting);
+  gate.open();
+  EXPECT_EQ(client.next_reply()["ok"], true);
+  EXPECT_EQ(client.reply_to_text(R"({"command": "state"})")["ok"], true);
+}
+
+TEST(Protocol, WhereARecordingEndsAllAreToldOnce) {
+  int lines = 0;
+  SessionEndpoint endpoint({}, [&](const std::string&) {
+    if (++lines > 2) throw InputError("the disk is full");
+  });
+  ListeningClient client(endpoint);
+  ListeningClient other(endpoint);
+  for (int i = 0; i < 5; ++i) EXPECT_EQ(client.reply({{"command", "state"}})["ok"], true);
+  ListeningClient late(endpoint);
+  for (ListeningClient* one : {&client, &other, &late}) {
+    const Reply event = one->next_event("recording");
+    EXPECT_EQ(event["status"], "failed");
+    EXPECT_EQ(event["problem"], "the disk is full");
+    EXPECT_EQ(one->events_left("recording"), 0);
+  }
+  // A recording without a line in the middle would be that of another session.
+  EXPECT_EQ(lines, 3);
+}
+
+TEST(Protocol, RequestsAreObjects) {
+  EXPECT_TRUE(is_request(R"( {"command": "fly"})"));
+  for (const char* text : {"", " ", "[]", "3", "{", "{\"a\": 1} 2", "GET / HTTP/1.1", "null"}) {
+    EXPECT_FALSE(is_request(text)) << text;
+  }
+  EXPECT_FALSE(is_request(std::string(1000000, '{')));
+  EXPECT_TRUE(is_graspit_command("  getDOFVals ALL"));
+  EXPECT_TRUE(is_graspit_command("render"));
+  for (const char* text : {"", "GET / HTTP/1.1", "renderer", "getDOFVals2", "{}"}) {
+    EXPECT_FALSE(is_graspit_command(text)) << text;
+  }
 }
 
 // The documents in which the table of commands is written down. With PREHEND_WRITE_PROTOCOL in the

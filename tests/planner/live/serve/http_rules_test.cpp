@@ -88,13 +88,15 @@ TEST(HttpRules, TheSocketIsForThePagesOfThisServerAndForPrograms) {
   EXPECT_FALSE(answer_to(request, kRules, kPages).upgrade);
 }
 
-TEST(HttpRules, RequestsAreToldFromOtherLines) {
-  EXPECT_TRUE(begins_as_http("POST / HTTP/1.1"));
-  EXPECT_TRUE(begins_as_http("GET /very/long/pa"));
-  EXPECT_TRUE(begins_as_http("OPTIONS *"));
-  EXPECT_FALSE(begins_as_http(R"({"command":"GET "})"));
-  EXPECT_FALSE(begins_as_http("getContacts ALL"));
-  EXPECT_FALSE(begins_as_http(""));
+TEST(HttpRules, WhatIsSaidTwiceIsNotGuessed) {
+  HttpRequest request = asked("/?token=secret");
+  EXPECT_EQ(status_of(request), 200);
+  request.repeats = true;
+  EXPECT_EQ(status_of(request), 400);
+  request.target = "/socket?token=secret";
+  request.is_upgrade = true;
+  EXPECT_EQ(status_of(request), 400);
+  EXPECT_FALSE(answer_to(request, kRules, kPages).upgrade);
 }
 
 }  // namespace

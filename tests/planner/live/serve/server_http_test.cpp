@@ -40,12 +40,37 @@ TEST(ServerHttp, WhatIsNotForTheAskerIsRefused) {
   EXPECT_EQ(status(get(echo, "/other?token=secret")), "404");
   EXPECT_EQ(status(get(echo, "/../../etc/passwd?token=secret")), "404");
   EXPECT_EQ(status(get(echo, "/?token=secret", "Origin: http://evil.com\r\n")), "403");
-  EXPECT_EQ(status(get(echo, "/?token=secret", "Host: evil.com\r\n")), "403");
   EXPECT_EQ(status("GET /?token=secret HTTP/1.1\r\nHost: evil.com:" + port + "\r\n\r\n"), "403");
   EXPECT_EQ(status("GET /?token=secret HTTP/1.0\r\n\r\n"), "403");
   const std::string posted = echo.answer("POST /?token=secret HTTP/1.1\r\nHost: localhost:" + port +
                                          "\r\nContent-Length: 5\r\n\r\nhello");
   EXPECT_TRUE(posted.starts_with("HTTP/1.1 405")) << posted;
+}
+
+TEST(ServerHttp, FieldsThatMayComeOnceOnlyMustNotComeTwice) {
+  const EchoServer echo;
+  const std::string port = std::to_string(echo.ports.http);
+  const std::string own = "Origin: http://127.0.0.1:" + port + "\r\n";
+  const std::string upgrade =
+      "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+      "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+  const auto status = [&](const std::string& target, const std::string& more) {
+    SocketClient client = echo.http_client();
+    client.send(get(echo, target, more));
+    return client.bytes(12).substr(9);
+  };
+  EXPECT_EQ(status("/?token=secret", own), "200");
+  EXPECT_EQ(status("/socket?token=secret", upgrade + own), "101");
+  for (const std::string& target :
+       {std::string("/?token=secret"), std::string("/socket?token=secret")}) {
+    EXPECT_EQ(status(target, upgrade + own + own), "400") << target;
+    EXPECT_EQ(status(target, upgrade + own + "origin: http://evil.com\r\n"), "400") << target;
+    EXPECT_EQ(status(target, upgrade + "Origin: http://evil.com\r\n" + own), "400") << target;
+    for (const char* field : {"Host: evil.com", "Sec-WebSocket-Version: 13", "Upgrade: websocket",
+                              "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ=="}) {
+      EXPECT_EQ(status(target, upgrade + std::string(field) + "\r\n"), "400") << field;
+    }
+  }
 }
 
 TEST(ServerHttp, HeadIsThePageWithoutItsBody) {

@@ -13,7 +13,9 @@ namespace prehend::test {
 namespace {
 
 const std::string kTooLong = R"({"ok":false,"error":{"problem":"longer than 100000 bytes"}})";
-const std::string kNotText = R"({"ok":false,"error":{"problem":"not UTF-8"}})";
+const std::string kNotText = R"({"ok":false,"error":{"problem":"not text in UTF-8"}})";
+const std::string kNoRequest =
+    R"({"ok":false,"error":{"problem":"not a request of this protocol"}})";
 
 TEST(ServerLines, PipelinedLinesAreAnsweredInOrder) {
   const EchoServer echo;
@@ -45,6 +47,8 @@ TEST(ServerLines, ALineThatIsTooLongIsRefusedAndTheNextOneServed) {
 TEST(ServerLines, AHundredMegabytesAreRefusedBeforeTheirEndAndNotKept) {
   const EchoServer echo;
   SocketClient client = echo.line_client();
+  client.send("first\n");
+  EXPECT_EQ(client.line(), "first");
   const std::string piece(1000000, 'x');
   client.send(piece);
   EXPECT_EQ(client.line(), kTooLong);
@@ -56,27 +60,52 @@ TEST(ServerLines, AHundredMegabytesAreRefusedBeforeTheirEndAndNotKept) {
   EXPECT_LE(peak_memory() - before, 20000);
 }
 
-TEST(ServerLines, WhatIsNotTextIsRefused) {
+TEST(ServerLines, WhatIsNotTextEndsTheConnection) {
   EchoServer echo;
+  int clients = 0;
+  for (const std::string& bad : {std::string("\xFF\xFE"), std::string("a\0b", 3),
+                                 std::string("a\x1B[2Jb"), std::string("a\rb")}) {
+    for (const bool is_first : {true, false}) {
+      SocketClient client = echo.line_client();
+      client.send((is_first ? "" : "one\n") + bad + "\nnext\n");
+      EXPECT_EQ(client.rest(), (is_first ? "" : "one\n") + kNotText + "\n");
+      echo.endpoint.wait_for_disconnected(++clients);
+      EXPECT_EQ(echo.endpoint.clients().at(static_cast<ClientId>(clients)).received.size(),
+                is_first ? 0U : 1U);
+    }
+  }
   SocketClient client = echo.line_client();
-  client.send("\xFF\xFE\nnext\n");
-  EXPECT_EQ(client.line(), kNotText);
-  EXPECT_EQ(client.line(), "next");
-  EXPECT_EQ(echo.endpoint.clients().at(1).received, std::vector<std::string>{"next"});
+  client.send("a\tb\n");
+  EXPECT_EQ(client.line(), "a\tb");
 }
 
-TEST(ServerLines, RequestsOfBrowsersEndTheConnection) {
+// A web page can make a browser send requests to any port, with lines of its own inside.
+TEST(ServerLines, WhoBeginsWithAnotherProtocolIsDisconnected) {
   EchoServer echo;
   SocketClient client = echo.line_client();
-  client.send("POST / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n{\"command\":\"quit\"}\n");
-  EXPECT_EQ(client.rest(), "");
+  client.send("\n\r\n?ET / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n{\"command\":\"quit\"}\n" +
+              std::string(300000, 'x') + "\nlast\n");
+  EXPECT_EQ(client.rest(), kNoRequest + "\n");
   SocketClient long_one = echo.line_client();
-  long_one.send("POST /" + std::string(2 * EchoServer::kLargest, 'x') + " HTTP/1.1\r\nline\n");
-  EXPECT_EQ(long_one.rest(), "");
+  long_one.send(std::string(2 * EchoServer::kLargest, 'x') + "\nline\n");
+  EXPECT_EQ(long_one.rest(), kTooLong + "\n");
   echo.endpoint.wait_for_disconnected(2);
   for (const auto& [id, client_seen] : echo.endpoint.clients()) {
     EXPECT_TRUE(client_seen.received.empty());
   }
+  // Later lines may be anything that is text.
+  SocketClient other = echo.line_client();
+  other.send("one\n?two\n");
+  EXPECT_EQ(other.line(), "one");
+  EXPECT_EQ(other.line(), "?two");
+}
+
+TEST(ServerLines, TheFirstLineAfterATokenIsLookedAtAsWell) {
+  EchoServer echo([](ServerOptions& options) { options.lines[0].needs_token = true; });
+  SocketClient client = echo.line_client();
+  client.send("secret\n?ET /\nnext\n");
+  EXPECT_EQ(client.rest(), kNoRequest + "\n");
+  EXPECT_TRUE(echo.endpoint.clients().at(1).received.empty());
 }
 
 TEST(ServerLines, ACutLineIsNoMessageAndWhatWaitsIsStillSent) {
@@ -187,13 +216,14 @@ TEST(ServerLines, ListenersHaveTheirOwnEndpointsAndWords) {
   EchoEndpoint words;
   EchoServer echo([&](ServerOptions& options) {
     options.lines.push_back({.endpoint = &words, .largest_line = 10});
+    options.lines[1].is_request = [](const std::string& line) { return line == "render"; };
     options.lines[1].refusal = [](const std::string& problem) { return "Error: " + problem; };
   });
   SocketClient client(echo.ports.lines.at(1));
-  client.send("getDOFVals ALL\nrender\n\xFF\n");
-  EXPECT_EQ(client.line(), "Error: longer than 10 bytes");
+  client.send("render\ngetDOFVals ALL\n\xFF\n");
   EXPECT_EQ(client.line(), "render");
-  EXPECT_EQ(client.line(), "Error: not UTF-8");
+  EXPECT_EQ(client.line(), "Error: longer than 10 bytes");
+  EXPECT_EQ(client.line(), "Error: not text in UTF-8");
   EXPECT_TRUE(echo.endpoint.clients().empty());
   EXPECT_EQ(words.clients().size(), 1U);
 }

@@ -51,6 +51,8 @@ TEST(Server, OptionsOutOfTheirRangesAreRefused) {
   EXPECT_EQ(field_of([](ServerOptions& o) { o.lines[0].endpoint = nullptr; }), "lines[0].endpoint");
   EXPECT_EQ(field_of([](ServerOptions& o) { o.lines[0].largest_line = 0; }),
             "lines[0].largest_line");
+  EXPECT_EQ(field_of([](ServerOptions& o) { o.lines[0].is_request = nullptr; }),
+            "lines[0].is_request");
   EXPECT_EQ(field_of([](ServerOptions& o) { o.http->endpoint = nullptr; }), "http.endpoint");
   EXPECT_EQ(field_of([](ServerOptions& o) { o.http->largest_message = 0; }),
             "http.largest_message");

@@ -46,5 +46,14 @@ TEST(Utf8, CutAndStrayBytesAreNot) {
   EXPECT_FALSE(is_utf8("\xFF\xFE"));
 }
 
+TEST(Utf8, PlainTextHasNoControlCharactersButTabs) {
+  for (int byte = 0; byte < 256; ++byte) {
+    const std::string text = std::string("a") + static_cast<char>(byte) + "b";
+    EXPECT_EQ(is_plain_text(text), byte == '\t' || (byte >= 0x20 && byte < 0x7F)) << byte;
+  }
+  EXPECT_TRUE(is_plain_text("gr\xC3\xBC\xC3\x9F"));
+  EXPECT_TRUE(is_plain_text(""));
+}
+
 }  // namespace
 }  // namespace prehend

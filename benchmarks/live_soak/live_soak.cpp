@@ -1,0 +1,382 @@
+#include "benchmarks/live_soak/live_soak.h"
+
+#include <algorithm>
+#include <barrier>
+#include <boost/asio/ip/tcp.hpp>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <malloc.h>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+#include <unistd.h>
+
+#include "benchmarks/live_soak/judge_reply.h"
+#include "benchmarks/live_soak/random_request.h"
+#include "planner/live/protocol/request.h"
+#include "planner/live/protocol/session_endpoint.h"
+#include "planner/live/serve/server.h"
+#include "planner/plan/plan.h"
+#include "sim/base/json/json_pose.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/scene/scene_file.h"
+
+namespace prehend::live_soak {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Requests of each client between two pauses.
+constexpr int kBetweenPauses = 20;
+// Of the events that come to a client, so many are one that it looks at.
+constexpr std::size_t kLookAtEvery = 5;
+// Two computations of the same epsilon differ by rounding of the pose that a message has.
+constexpr double kSameEpsilon = 1e-9;
+
+double resident_megabytes() {
+  ::malloc_trim(0);
+  std::ifstream file("/proc/self/statm");
+  double size = 0.0;
+  double resident = 0.0;
+  file >> size >> resident;
+  return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+// What all clients have found, for several threads.
+class Findings {
+ public:
+  void fault(const std::string& words, const std::string& request) {
+    const std::lock_guard hold(lock_);
+    LiveSoakResult::Fault& fault = result_.faults[words];
+    if (fault.count++ == 0) fault.first = request.substr(0, 400);
+  }
+  void count(const std::function<void(LiveSoakResult&)>& add) {
+    const std::lock_guard hold(lock_);
+    add(result_);
+  }
+  LiveSoakResult result() const {
+    const std::lock_guard hold(lock_);
+    return result_;
+  }
+
+ private:
+  mutable std::mutex lock_;
+  LiveSoakResult result_;
+};
+
+class SoakClient {
+ public:
+  SoakClient(std::uint16_t port, Findings& findings)
+      : stream_(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), port)),
+        findings_(findings) {}
+
+  // The reply, which was judged.
+  Json reply_to(Json request) {
+    request["id"] = ++last_id_;
+    const std::string line = request.dump(-1, ' ', false, Json::error_handler_t::replace);
+    Json reply = next_reply(line);
+    const std::string fault = fault_of_reply(reply, last_id_);
+    if (!fault.empty()) findings_.fault(fault, line);
+    if (reply.contains("error") && request["command"].is_string()) {
+      const std::string problem = reply["error"].value("problem", "");
+      const std::string words =
+          request["command"].get<std::string>() + ": " + problem.substr(0, 60);
+      findings_.count([&](LiveSoakResult& result) { ++result.refusals[words]; });
+    }
+    return reply;
+  }
+  Json result_of(const Json& request) {
+    const Json reply = reply_to(request);
+    return reply.value("result", Json::object());
+  }
+  Json state() { return last_state_ = result_of({{"command", "state"}}); }
+  // That was heard last.
+  const Json& last_state() const { return last_state_; }
+
+  void send_nonsense(const std::string& line) {
+    const Json reply = next_reply(line);
+    if (reply.value("ok", true)) findings_.fault("nonsense was carried out", line);
+  }
+
+ private:
+  Json next_reply(const std::string& request) {
+    stream_ << request << '\n' << std::flush;
+    while (true) {
+      std::string line;
+      if (!std::getline(stream_, line)) {
+        findings_.fault("the client was disconnected", request);
+        throw std::runtime_error("disconnected");
+      }
+      // Most events are as many others: they need not be looked at by all clients.
+      const bool is_event = line.starts_with(R"({"event")");
+      if (is_event && ++events_ % kLookAtEvery != 0) continue;
+      Json message = Json::parse(line, nullptr, false);
+      if (message.is_discarded()) {
+        findings_.fault("no JSON came", request);
+      } else if (message.contains("event")) {
+        const std::string fault = fault_of_event(message);
+        if (!fault.empty()) findings_.fault(fault, line);
+        if (message["event"] == "state") last_state_ = std::move(message["state"]);
+      } else {
+        const bool well = message.value("ok", false);
+        findings_.count(
+            [&](LiveSoakResult& result) { ++(well ? result.carried_out : result.refused); });
+        return message;
+      }
+    }
+  }
+
+  boost::asio::ip::tcp::iostream stream_;
+  Findings& findings_;
+  int last_id_ = 0;
+  std::size_t events_ = 0;
+  Json last_state_;
+};
+
+// What is looked at while nobody else talks.
+class Judge {
+ public:
+  Judge(std::uint16_t port, const KnownNames& names, std::uint64_t seed, Findings& findings)
+      : one_(port, findings),
+        other_(port, findings),
+        names_(names),
+        random_(seed),
+        findings_(findings) {}
+
+  void judge() {
+    rest();
+    repair();
+    judge_epsilon();
+    for (int i = 0; i < 3; ++i) judge_undo();
+  }
+  // Until nothing runs: what is running would refuse changes, and make some of its own.
+  void rest() {
+    one_.reply_to({{"command", "plan.cancel"}});
+    one_.reply_to({{"command", "path.cancel"}});
+    one_.reply_to({{"command", "time.stop"}});
+    for (Json state = one_.state();
+         state.value("planning", false) || state.value("finding_path", false);
+         state = one_.state()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+
+  Json state() { return one_.state(); }
+
+  // The same session each time, so that its memory can be compared: one scene and no history.
+  void begin_anew() {
+    rest();
+    const Json state = one_.state();
+    for (const Json& pin : state["pins"])
+      one_.reply_to({{"command", "pin.remove"}, {"name", pin["name"]}});
+    one_.reply_to({{"command", "scene.load"}, {"scene", "mug"}, {"fresh", true}});
+  }
+
+ private:
+  // Random edits often leave a scene in which no hand can close on anything.
+  void repair() {
+    const Json state = one_.state();
+    if (state["object"].is_object() && state["problem"].is_null() && random_.index(4) != 0) return;
+    const bool is_library = random_.index(3) == 0;
+    if (is_library) {
+      one_.reply_to({{"command", "scene.load"},
+                     {"scene", names_.scenes[random_.index(names_.scenes.size())]}});
+    } else {
+      const std::string hand = names_.hands[random_.index(names_.hands.size())];
+      one_.reply_to({{"command", "scene.new"}, {"hand", hand}});
+      const char* objects[] = {"ball", "box", "cylinder"};
+      one_.reply_to(
+          {{"command", "object.set"}, {"generate", objects[random_.index(3)]}, {"triangles", 300}});
+      one_.reply_to({{"command", "hand.approach"}});
+      one_.reply_to({{"command", "hand.back_off"}, {"distance", 0.003}});
+    }
+  }
+
+  std::string scene_text() { return one_.result_of({{"command", "scene.text"}}).value("text", ""); }
+
+  void judge_undo() {
+    const Json before = one_.state();
+    const std::string scene = scene_text();
+    names_.state = before;
+    const Json change = random_change(random_, names_);
+    const bool changed = one_.reply_to(change)["ok"] == true;
+    const Json after = one_.state();
+    if (!changed) {
+      if (after != before) findings_.fault("a refused change has changed something", change.dump());
+      findings_.count([](LiveSoakResult& result) { ++result.unchanged; });
+      return;
+    }
+    // Not a step of its own, or one whose start did not fit into the memory of undo.
+    if (after["revision"] != before["revision"].get<int>() + 1 || after["undo"] == 0) return;
+    const std::string scene_after = scene_text();
+    other_.reply_to({{"command", "undo"}});
+    if (without_history(other_.state()) != without_history(before) || scene_text() != scene) {
+      findings_.fault("undo leads elsewhere: " + change["command"].get<std::string>(),
+                      change.dump());
+    }
+    other_.reply_to({{"command", "redo"}});
+    if (without_history(one_.state()) != without_history(after) || scene_text() != scene_after) {
+      findings_.fault("redo leads elsewhere: " + change["command"].get<std::string>(),
+                      change.dump());
+    }
+    findings_.count([](LiveSoakResult& result) { ++result.undone; });
+  }
+
+  void judge_epsilon() {
+    const Json state = one_.state();
+    if (!state["object"].is_object() || !state["problem"].is_null() ||
+        !state["platform"].is_null()) {
+      return;
+    }
+    const std::string text = scene_text();
+    const Json grasp = one_.result_of({{"command", "hand.auto_grasp"}});
+    if (grasp.empty()) return;
+    const JsonFile file("scene", text);
+    const JsonFile posed("state", state["hand"].dump());
+    const JsonField hand = posed.root();
+    const CompiledScene scene = compile(read_scene(file));
+    Candidate candidate;
+    candidate.X_OH = read_pose(hand["X_object_hand"]);
+    candidate.approach_O = candidate.X_OH.linear() * scene.scene.hand.hand->approach;
+    for (const Json& dof : state["hand"]["dofs"]) candidate.dofs.push_back(dof["value"]);
+    candidate.joints = state["hand"]["joints"].get<std::vector<double>>();
+    EvaluateOptions options;
+    options.trial.soft_fingers = state["switches"]["soft_fingers"];
+    const Trial trial = evaluate(scene, {candidate}, options).grasps.at(0).trial;
+    const double epsilon = grasp["epsilon"]["lower"];
+    const bool same = grasp["outcome"] == name_of(trial.outcome) &&
+                      std::abs(epsilon - trial.epsilon.lower) <= kSameEpsilon;
+    if (!same) {
+      findings_.fault("evaluate differs: " + grasp["outcome"].get<std::string>() + " " +
+                          std::string(name_of(trial.outcome)),
+                      std::to_string(epsilon) + " " + std::to_string(trial.epsilon.lower) + " " +
+                          state["hand"].dump() + " " + text);
+    }
+    findings_.count([&](LiveSoakResult& result) {
+      ++result.evaluated;
+      result.stable += trial.outcome == Outcome::stable ? 1 : 0;
+    });
+  }
+
+  SoakClient one_;
+  SoakClient other_;
+  KnownNames names_;
+  Random random_;
+  Findings& findings_;
+};
+
+// All that goes on, from the start of the server to its end.
+class LiveSoak {
+ public:
+  explicit LiveSoak(const LiveSoakOptions& options)
+      : options_(options),
+        endpoint_(SessionOptions{.threads = 2, .undo_memory = options.undo_memory},
+                  options.replays
+                      ? RecordLine([this](const std::string& line) { recording_ += line + "\n"; })
+                      : RecordLine()),
+        server_([this] {
+          ServerOptions server;
+          server.lines.push_back({.endpoint = &endpoint_, .is_request = is_request});
+          return server;
+        }()),
+        port_(server_.start().lines.at(0)) {}
+
+  LiveSoakResult run() {
+    // It leaves at once: what is told to a client that does not read is kept for it.
+    names_ = names_of(SoakClient(port_, findings_).result_of({{"command", "hello"}}));
+    judge_.emplace(port_, names_, options_.seed, findings_);
+    // NOLINTNEXTLINE(bugprone-exception-escape): as meet()
+    std::barrier pause(options_.clients, [this]() noexcept { meet(); });
+    std::vector<std::thread> threads;
+    for (int i = 0; i < options_.clients; ++i) {
+      threads.emplace_back([this, i, &pause] {
+        talk(options_.seed * 1000 + static_cast<std::uint64_t>(i) + 1, pause);
+      });
+    }
+    for (std::thread& thread : threads) thread.join();
+    if (options_.replays) judge_replay();
+    return findings_.result();
+  }
+
+ private:
+  template <typename Pause>
+  void talk(std::uint64_t seed, Pause& pause) {
+    try {
+      Random random(seed);
+      SoakClient client(port_, findings_);
+      KnownNames names = names_;
+      client.state();
+      while (!is_over_) {
+        for (int k = 0; k < kBetweenPauses; ++k) {
+          names.state = client.last_state();
+          if (random.index(25) == 0) {
+            client.send_nonsense(random_nonsense(random, names));
+          } else {
+            client.reply_to(random_request(random, names));
+          }
+        }
+        pause.arrive_and_wait();
+      }
+    } catch (const std::exception& error) {
+      findings_.fault(std::string("a client has ended: ") + error.what(), "");
+    }
+    pause.arrive_and_drop();
+  }
+
+  // All clients wait. Whatever is thrown beyond the judge ends the program, as it should.
+  // NOLINTNEXTLINE(bugprone-exception-escape)
+  void meet() noexcept {
+    try {
+      judge_->judge();
+    } catch (const std::exception& error) {
+      findings_.fault(std::string("the judge has ended: ") + error.what(), "");
+      is_over_ = true;
+    }
+    const long done = findings_.result().messages();
+    const long quarter = static_cast<long>(findings_.result().resident.size()) + 1;
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double share =
+        std::max(static_cast<double>(done) / static_cast<double>(options_.messages),
+                 elapsed / options_.seconds);
+    if (quarter <= 4 && share >= 0.25 * static_cast<double>(quarter)) {
+      judge_->begin_anew();
+      findings_.count(
+          [](LiveSoakResult& result) { result.resident.push_back(resident_megabytes()); });
+    }
+    if (share >= 1.0 || (options_.interrupted && options_.interrupted())) is_over_ = true;
+    if (options_.progress) options_.progress(findings_.result());
+  }
+
+  void judge_replay() {
+    judge_->rest();
+    const Json state = judge_->state();
+    server_.stop();
+    const Replayed replayed = replay(
+        recording_, "recording", SessionOptions{.threads = 1, .undo_memory = options_.undo_memory});
+    if (Json::parse(replayed.state) != state) findings_.fault("the replay ends elsewhere", "");
+  }
+
+  LiveSoakOptions options_;
+  Findings findings_;
+  std::string recording_;
+  SessionEndpoint endpoint_;
+  Server server_;
+  std::uint16_t port_ = 0;
+  KnownNames names_;
+  std::optional<Judge> judge_;
+  std::atomic<bool> is_over_ = false;
+  Clock::time_point start_ = Clock::now();
+};
+
+}  // namespace
+
+double LiveSoakResult::growth() const {
+  if (resident.size() < 2) return 0.0;
+  return *std::max_element(resident.begin() + 1, resident.end()) / resident.front() - 1.0;
+}
+
+LiveSoakResult run_live_soak(const LiveSoakOptions& options) { return LiveSoak(options).run(); }
+
+}  // namespace prehend::live_soak
