@@ -7,8 +7,8 @@
 
 namespace prehend {
 
-// Whether the name of a file is at fault, or its permissions: there is no such folder, access is not
-// allowed, the name is too long. Others are failures of the machine: a full disk, a device that
+// Whether the name of a file is at fault, or its permissions: there is no such folder, access is
+// not allowed, the name is too long. Others are failures of the machine: a full disk, a device that
 // fails, too many open files.
 bool is_of_the_name(const std::error_code& error);
 

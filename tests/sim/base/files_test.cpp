@@ -303,9 +303,9 @@ TEST(Files, NamesWithControlCharactersNameNothing) {
     EXPECT_EQ(is_plain_name(other), is_plain) << c;
     if (is_plain) continue;
     EXPECT_FALSE(is_there(other) || is_file(other)) << c;
-    for (const InputError& error :
-         {test::refusal_of([&] { (void)read_file(other); }), test::refusal_of([&] { write_file(other, "x"); }),
-          test::refusal_of([&] { make_folder(other); })}) {
+    for (const InputError& error : {test::refusal_of([&] { (void)read_file(other); }),
+                                    test::refusal_of([&] { write_file(other, "x"); }),
+                                    test::refusal_of([&] { make_folder(other); })}) {
       EXPECT_EQ(error.file(), other.string());
       EXPECT_NE(error.problem().find("control character"), std::string::npos);
     }
