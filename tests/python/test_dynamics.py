@@ -280,7 +280,7 @@ class Failing(unittest.TestCase):
             (r"gravity: must have the shape \(3,\)", lambda: dynamics.World(gravity=9.81)),
             ("Drive.stiffness: must be at least 0", lambda: dynamics.Drive(stiffness=-1)),
             (r"drives\[0\].dof: must be below 6", lambda: setattr(self.arm, "drives", [dynamics.Drive(dof=6)])),
-            ("step: must be at least 1e-05", lambda: self.world.step(0)),
+            ("step: must be at least 1e-5", lambda: self.world.step(0)),
             ("seconds: must not be negative", lambda: dynamics.run_controlled(self.world, self.weight, seconds=-1)),
             ("frequency: must be above 0", lambda: dynamics.stated_gains(self.arm, 0)),
             ("preshapes: has no preshape", lambda: dynamics.set_points("barrett", "fist")),
