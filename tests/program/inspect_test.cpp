@@ -142,10 +142,11 @@ TEST(Inspect, RefusesCoordinatesOutOfRange) {
                 .find("is farther out than 1e6 m"),
             std::string::npos);
   const std::string start = R"({"object": {"geometry": [{"shape": "box", "size": [)";
-  EXPECT_NE(refused("large.json", start + "1e29, 1, 1]}]}}").find("at most 2e6 m"),
+  EXPECT_NE(refused("large.json", start + "1e29, 1, 1]}]}}")
+                .find("size: each must be above 0 and at most 1e6"),
             std::string::npos);
   EXPECT_NE(refused("moved.json", start + R"(1, 1, 1]}], "pose": {"position": [0, 1e29, 0]}}})")
-                .find("object.pose.position: must be within 1e6 m of 0"),
+                .find("object.pose.position: each must be within 1e6 of 0"),
             std::string::npos);
 }
 

@@ -59,9 +59,9 @@ TEST(ProtocolFile, WhatIsWrongIsNamed) {
   EXPECT_EQ(refusal(with_phase(R"({"kind": "swing", "duration": 1, "amplitude": 1})")),
             "p.json: tests[0].phases[0].frequency: missing field");
   EXPECT_EQ(refusal(R"({"name": "p", "step": 10, "tests": []})"),
-            "p.json: step: must be at least 1e-05 and at most 0.1 (10)");
+            "p.json: step: must be at least 1e-5 and at most 0.1 (10)");
   EXPECT_EQ(refusal(R"({"name": "p", "step": 1e-12, "tests": []})"),
-            "p.json: step: must be at least 1e-05 and at most 0.1 (1e-12)");
+            "p.json: step: must be at least 1e-5 and at most 0.1 (1e-12)");
   EXPECT_EQ(refusal(R"({"name": "p", "tests": []})"), "p.json: tests: must not be empty ([])");
   EXPECT_EQ(refusal(R"({"name": "p", "object": {"mass": -1}, "tests": []})"),
             "p.json: object.mass: must be above 0 (-1)");
