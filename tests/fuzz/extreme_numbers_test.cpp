@@ -40,7 +40,8 @@ TEST_P(ExtremeNumbersIn, AreRefusedOrRead) {
     });
   }
   RecordProperty("cases", cases);
-  if (GetParam().grammar != Grammar::glb && GetParam().name != "stl") EXPECT_GT(cases, 0);
+  const bool is_text = GetParam().grammar != Grammar::glb && GetParam().name != "stl";
+  EXPECT_GT(cases, is_text ? 0 : -1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ExtremeNumbersIn,

@@ -136,8 +136,8 @@ std::vector<const Command*> commands_with_numbers() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, ExtremesOf, testing::ValuesIn(commands_with_numbers()),
-                         [](const auto& info) {
-                           std::string name(info.param->name);
+                         [](const auto& tested) {
+                           std::string name(tested.param->name);
                            std::replace(name.begin(), name.end(), '.', '_');
                            return name;
                          });
