@@ -95,9 +95,12 @@ Inertial read_urdf_inertial(const XmlElement& link, const TriangleMesh& mesh,
   const double xy = moments.number_or("ixy", 0.0);
   const double xz = moments.number_or("ixz", 0.0);
   const double yz = moments.number_or("iyz", 0.0);
-  inertial.inertia << moments.number("ixx"), xy, xz,  //
-      xy, moments.number("iyy"), yz,                  //
-      xz, yz, moments.number("izz");
+  const double xx = moments.number("ixx");
+  const double yy = moments.number("iyy");
+  const double zz = moments.number("izz");
+  inertial.inertia << xx, xy, xz,  //
+      xy, yy, yz,                  //
+      xz, yz, zz;
   const Pose X_LI = urdf_origin(*element);
   if (!inertia_defect(inertial.inertia).empty()) {
     massless.push_back(link.text("name"));
