@@ -132,13 +132,8 @@ class Part : public std::streambuf {
   }
 
   void write_out() {
-    const char* at = pbase();
-    while (at < pptr()) {
-      const ssize_t written = ::write(file_, at, static_cast<std::size_t>(pptr() - at));
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail(last_error());
-      at += written;
-    }
+    const auto count = static_cast<std::size_t>(pptr() - pbase());
+    if (const std::error_code error = write_all(file_, {pbase(), count})) fail(error);
     setp(buffer_.data(), buffer_.data() + buffer_.size());
   }
 
@@ -247,6 +242,16 @@ void make_folder(const std::filesystem::path& folder) {
   if (!std::filesystem::is_directory(folder, error)) refuse(folder, kProblem);
 }
 
+std::error_code write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return last_error();
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+  return {};
+}
+
 // The content is written to another file, which then takes the name of the target. The target is at
 // every time either as it was or complete, also where the program is interrupted or the disk is
 // full.
@@ -274,6 +279,7 @@ void write_file(const std::filesystem::path& file,
 
 void write_folder(const std::filesystem::path& folder,
                   const std::function<void(const std::filesystem::path&)>& write) {
+  require_plain_name(folder);
   const std::filesystem::path target = behind_link(folder);
   remove_old_parts(target);
   PartFolder part(target);

@@ -5,6 +5,8 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 namespace prehend {
 
@@ -37,6 +39,10 @@ void write_file(const std::filesystem::path& file, const std::function<void(std:
 // folder is missing for a moment.
 void write_folder(const std::filesystem::path& folder,
                   const std::function<void(const std::filesystem::path&)>& write);
+
+// Writes all bytes to an open file, or returns what the system says against it; some are written
+// then.
+std::error_code write_all(int descriptor, std::string_view bytes);
 
 // Removes the file, for instance one that an earlier run left. Does nothing where there is none;
 // other errors are ignored.

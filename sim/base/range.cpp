@@ -34,8 +34,8 @@ std::string Range::words() const {
 
 std::string Range::interval() const {
   if (!std::isfinite(lower)) return "";
-  if (!std::isfinite(upper)) return formatted(without_lower ? "> %g" : ">= %g", lower);
-  return formatted(without_lower ? "(%g, %g]" : "[%g, %g]", lower, upper);
+  if (!std::isfinite(upper)) return (without_lower ? "> " : ">= ") + short_text(lower);
+  return (without_lower ? "(" : "[") + short_text(lower) + ", " + short_text(upper) + "]";
 }
 
 void require_in(const Range& range, double value, std::string_view field) {

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "planner/live/protocol/session_json.h"
@@ -184,7 +185,7 @@ void SessionEndpoint::record(const std::string& line) {
   if (!record_) return;
   try {
     record_(line);
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {
     record_ = nullptr;
     const std::lock_guard hold(clients_lock_);
     end_of_recording_ = message_text(

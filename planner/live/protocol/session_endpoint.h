@@ -38,8 +38,8 @@ inline constexpr std::size_t kWaitingOfAll = 8;
 // Where a recording ends early, the event `recording` tells all clients, and those that come later.
 class SessionEndpoint : public Endpoint {
  public:
-  // `record` gets every line of the session (recording.h), one after the other, until it throws;
-  // may be empty. The `send` of clients must not throw.
+  // `record` gets every line of the session (recording.h), one after the other, until it throws
+  // std::system_error; may be empty. The `send` of clients must not throw.
   explicit SessionEndpoint(SessionOptions options, RecordLine record = {});
   // Ends a running plan; what waits is not answered any more.
   ~SessionEndpoint() override;

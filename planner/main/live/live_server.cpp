@@ -5,6 +5,7 @@
 #include <future>
 #include <iostream>
 #include <spawn.h>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 
@@ -47,7 +48,7 @@ class Recorder {
   void add(const std::string& line) {
     try {
       file_->add(line);
-    } catch (const InputError& error) {
+    } catch (const std::system_error& error) {
       if (!has_failed_.exchange(true)) std::cerr << "prehend: " << error.what() << "\n";
       throw;
     }

@@ -74,6 +74,11 @@ class RepeatedKeys {
   std::vector<std::set<std::string>> keys_;
 };
 
+// Ranges are in SI units, which need not be those of the file.
+std::string in_si(const std::string& words, double unit) {
+  return unit == 1.0 ? words : words + " in SI units";
+}
+
 Json parse(const std::filesystem::path& file, const std::string& text) {
   if (json_depth(text) > kDeepestJson) {
     throw InputError({.file = file.string(),
@@ -170,7 +175,7 @@ double JsonField::number() const {
 
 double JsonField::number(const Range& range, double unit) const {
   const double value = unit * number();
-  if (!range.contains(value)) fail(range.words());
+  if (!range.contains(value)) fail(in_si(range.words(), unit));
   return value;
 }
 
@@ -212,7 +217,7 @@ std::vector<double> JsonField::numbers(std::size_t count, const Range& range, do
   std::vector<double> values = numbers(count);
   for (double& value : values) {
     value *= unit;
-    if (!range.contains(value)) fail("each " + range.words());
+    if (!range.contains(value)) fail(in_si("each " + range.words(), unit));
   }
   return values;
 }

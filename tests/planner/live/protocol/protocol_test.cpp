@@ -357,7 +357,7 @@ TEST(Protocol, WhatClientsLeaveBehindIsBounded) {
 TEST(Protocol, WhereARecordingEndsAllAreToldOnce) {
   int lines = 0;
   SessionEndpoint endpoint({}, [&](const std::string&) {
-    if (++lines > 2) throw InputError("the disk is full");
+    if (++lines > 2) throw std::runtime_error("the disk is full");
   });
   ListeningClient client(endpoint);
   ListeningClient other(endpoint);

@@ -3,8 +3,11 @@
 
 #include <csignal>
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <string>
 #include <sys/resource.h>
+#include <system_error>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -41,6 +44,16 @@ class FullDisk {
   rlimit limit_{};
 };
 
+// What the system says against it; empty: nothing.
+std::string failure_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(RecordingFile, EndsWithAWholeLineHoweverMuchFits) {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "full.jsonl";
   Random random(5);
@@ -48,7 +61,7 @@ TEST(RecordingFile, EndsWithAWholeLineHoweverMuchFits) {
     const std::size_t room = 100 + random.index(2000);
     RecordingFile recording(file);
     std::string written;
-    InputError refusal("none");
+    std::string refusal;
     {
       const FullDisk full(room);
       while (true) {
@@ -56,8 +69,8 @@ TEST(RecordingFile, EndsWithAWholeLineHoweverMuchFits) {
             R"({"command":"state","id":")" + std::string(random.index(200), 'x') + R"("})";
         try {
           recording.add(line);
-        } catch (const InputError& error) {
-          refusal = error;
+        } catch (const std::system_error& error) {
+          refusal = error.what();
           break;
         }
         written += line + "\n";
@@ -65,10 +78,9 @@ TEST(RecordingFile, EndsWithAWholeLineHoweverMuchFits) {
       EXPECT_EQ(content_of(file), written);
     }
     EXPECT_LE(written.size(), room);
-    EXPECT_EQ(refusal.file(), file.string());
+    EXPECT_TRUE(refusal.starts_with(file.string() + ": ")) << refusal;
     // When there is room again nothing is added, for a line is missing.
-    const InputError again = refusal_of([&] { recording.add("{}"); });
-    EXPECT_STREQ(again.what(), refusal.what());
+    EXPECT_EQ(failure_of([&] { recording.add("{}"); }), refusal);
     EXPECT_EQ(content_of(file), written);
     EXPECT_NO_THROW((void)replay(written, "recording", {}));
   }
@@ -76,9 +88,9 @@ TEST(RecordingFile, EndsWithAWholeLineHoweverMuchFits) {
 
 TEST(RecordingFile, ADeviceThatTakesNothingIsNamed) {
   RecordingFile recording("/dev/full");
-  const InputError refusal = refusal_of([&] { recording.add("{}"); });
-  EXPECT_EQ(refusal.file(), "/dev/full");
-  EXPECT_NE(refusal.problem().find("No space left"), std::string::npos) << refusal.what();
+  const std::string failure = failure_of([&] { recording.add("{}"); });
+  EXPECT_TRUE(failure.starts_with("/dev/full: ")) << failure;
+  EXPECT_NE(failure.find("No space left"), std::string::npos) << failure;
 }
 
 TEST(RecordingFile, WhatCannotBeMadeIsRefusedAtOnce) {

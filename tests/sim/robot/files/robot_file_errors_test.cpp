@@ -103,7 +103,7 @@ std::vector<BadField> bad_fields() {
        "prism, loft, hull and triangles "
        R"(("torus"))"},
       {"FlatBox", "/geometries/bar/0/size", "[10, 0, 4]",
-       "geometries.bar[0].size: each must be above 0 and at most 1e6 ([10,0,4])"},
+       "geometries.bar[0].size: each must be above 0 and at most 1e6 in SI units ([10,0,4])"},
       {"FieldOfAnotherShape", "/geometries/bar/0/radius", "3",
        "geometries.bar[0].radius: unknown field, known here are shape, size, pose (3)"},
       {"CrossedProfile", "/base/geometry",
@@ -137,7 +137,7 @@ std::vector<BadField> bad_fields() {
        "base.geometry[0].points[3]: "},
       {"ThinCapsule", "/base/geometry",
        R"([{"shape": "capsule", "radius": 0, "from": [0, 0, 0], "to": [0, 0, 1]}])",
-       "base.geometry[0].radius: must be above 0 and at most 1e6 (0)"},
+       "base.geometry[0].radius: must be above 0 and at most 1e6 in SI units (0)"},
       {"TooFewSides", "/base/geometry",
        R"([{"shape": "cylinder", "radius": 1, "height": 1, "sides": 2}])",
        "base.geometry[0].sides: must be 3 to 360 (2)"},
@@ -169,7 +169,7 @@ std::vector<BadField> bad_fields() {
       {"WidthWrongWayRound", "/hand/preshapes/0/width", "[80, 0]",
        "hand.preshapes[0].width: must be two numbers, the lower one first ([80,0])"},
       {"NegativeDepth", "/hand/preshapes/0/depth", "-1",
-       "hand.preshapes[0].depth: must be at least 0 and at most 1e6 (-1)"},
+       "hand.preshapes[0].depth: must be at least 0 and at most 1e6 in SI units (-1)"},
   };
 }
 
