@@ -14,14 +14,11 @@
 #include <unistd.h>
 
 #include "benchmarks/live_soak/judge_reply.h"
+#include "benchmarks/live_soak/judge_session.h"
 #include "benchmarks/live_soak/random_request.h"
 #include "planner/live/protocol/request.h"
 #include "planner/live/protocol/session_endpoint.h"
 #include "planner/live/serve/server.h"
-#include "planner/plan/plan.h"
-#include "sim/base/json/json_pose.h"
-#include "sim/scene/compiled_scene.h"
-#include "sim/scene/scene_file.h"
 
 namespace prehend::live_soak {
 namespace {
@@ -32,8 +29,6 @@ using Clock = std::chrono::steady_clock;
 constexpr int kBetweenPauses = 20;
 // Of the events that come to a client, so many are one that it looks at.
 constexpr std::size_t kLookAtEvery = 5;
-// Two computations of the same epsilon differ by rounding of the pose that a message has.
-constexpr double kSameEpsilon = 1e-9;
 
 double resident_megabytes() {
   ::malloc_trim(0);
@@ -70,7 +65,10 @@ class SoakClient {
  public:
   SoakClient(std::uint16_t port, Findings& findings)
       : stream_(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), port)),
-        findings_(findings) {}
+        findings_(findings) {
+    // A long request is written in parts: the second would wait for the answer to the first.
+    stream_.socket().set_option(boost::asio::ip::tcp::no_delay(true));
+  }
 
   // The reply, which was judged.
   Json reply_to(Json request) {
@@ -194,70 +192,31 @@ class Judge {
     }
   }
 
-  std::string scene_text() { return one_.result_of({{"command", "scene.text"}}).value("text", ""); }
-
   void judge_undo() {
-    const Json before = one_.state();
-    const std::string scene = scene_text();
-    names_.state = before;
+    names_.state = one_.state();
     const Json change = random_change(random_, names_);
-    const bool changed = one_.reply_to(change)["ok"] == true;
-    const Json after = one_.state();
-    if (!changed) {
-      if (after != before) findings_.fault("a refused change has changed something", change.dump());
-      findings_.count([](LiveSoakResult& result) { ++result.unchanged; });
-      return;
+    const JudgedChange judged =
+        judge_change(ask(one_), ask(other_), [&] { return one_.reply_to(change); });
+    if (!judged.fault.empty()) {
+      findings_.fault(judged.fault + ": " + change["command"].get<std::string>(), change.dump());
     }
-    // Not a step of its own, or one whose start did not fit into the memory of undo.
-    if (after["revision"] != before["revision"].get<int>() + 1 || after["undo"] == 0) return;
-    const std::string scene_after = scene_text();
-    other_.reply_to({{"command", "undo"}});
-    if (without_history(other_.state()) != without_history(before) || scene_text() != scene) {
-      findings_.fault("undo leads elsewhere: " + change["command"].get<std::string>(),
-                      change.dump());
-    }
-    other_.reply_to({{"command", "redo"}});
-    if (without_history(one_.state()) != without_history(after) || scene_text() != scene_after) {
-      findings_.fault("redo leads elsewhere: " + change["command"].get<std::string>(),
-                      change.dump());
-    }
-    findings_.count([](LiveSoakResult& result) { ++result.undone; });
+    findings_.count([&](LiveSoakResult& result) {
+      result.unchanged += judged.end == ChangeEnd::refused ? 1 : 0;
+      result.undone += judged.end == ChangeEnd::one_step ? 1 : 0;
+    });
   }
 
   void judge_epsilon() {
-    const Json state = one_.state();
-    if (!state["object"].is_object() || !state["problem"].is_null() ||
-        !state["platform"].is_null()) {
-      return;
-    }
-    const std::string text = scene_text();
-    const Json grasp = one_.result_of({{"command", "hand.auto_grasp"}});
-    if (grasp.empty()) return;
-    const JsonFile file("scene", text);
-    const JsonFile posed("state", state["hand"].dump());
-    const JsonField hand = posed.root();
-    const CompiledScene scene = compile(read_scene(file));
-    Candidate candidate;
-    candidate.X_OH = read_pose(hand["X_object_hand"]);
-    candidate.approach_O = candidate.X_OH.linear() * scene.scene.hand.hand->approach;
-    for (const Json& dof : state["hand"]["dofs"]) candidate.dofs.push_back(dof["value"]);
-    candidate.joints = state["hand"]["joints"].get<std::vector<double>>();
-    EvaluateOptions options;
-    options.trial.soft_fingers = state["switches"]["soft_fingers"];
-    const Trial trial = evaluate(scene, {candidate}, options).grasps.at(0).trial;
-    const double epsilon = grasp["epsilon"]["lower"];
-    const bool same = grasp["outcome"] == name_of(trial.outcome) &&
-                      std::abs(epsilon - trial.epsilon.lower) <= kSameEpsilon;
-    if (!same) {
-      findings_.fault("evaluate differs: " + grasp["outcome"].get<std::string>() + " " +
-                          std::string(name_of(trial.outcome)),
-                      std::to_string(epsilon) + " " + std::to_string(trial.epsilon.lower) + " " +
-                          state["hand"].dump() + " " + text);
-    }
+    const JudgedGrasp judged = judge_grasp(ask(one_));
+    if (!judged.fault.empty()) findings_.fault(judged.fault, judged.detail);
     findings_.count([&](LiveSoakResult& result) {
-      ++result.evaluated;
-      result.stable += trial.outcome == Outcome::stable ? 1 : 0;
+      result.evaluated += judged.is_evaluated ? 1 : 0;
+      result.stable += judged.is_stable ? 1 : 0;
     });
+  }
+
+  static Ask ask(SoakClient& client) {
+    return [&client](const Json& request) { return client.reply_to(request); };
   }
 
   SoakClient one_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/fuzz/json_mutator.h"
+#include "tests/fuzz/session_messages.h"
 #include "tests/fuzz/untrusted_files.h"
 
 // The names are libFuzzer's.
@@ -41,6 +42,7 @@ std::size_t put(const std::optional<std::string>& text, std::uint8_t* data, std:
 std::optional<std::string> mutated(const std::string& text, std::uint32_t seed) {
   if (kind->grammar == Grammar::json) return mutated_json(text, "", seed, changed);
   if (kind->grammar == Grammar::glb) return mutated_glb(text, seed, changed);
+  if (kind->grammar == Grammar::messages) return mutated_messages(text, "", seed, changed);
   return std::nullopt;
 }
 
@@ -74,10 +76,15 @@ extern "C" std::size_t LLVMFuzzerCustomCrossOver(const std::uint8_t* data, std::
                                                  const std::uint8_t* other, std::size_t other_size,
                                                  std::uint8_t* out, std::size_t most,
                                                  unsigned seed) {
-  if (prehend::fuzz::kind->grammar != Grammar::json) return 0;
-  const auto text = prehend::fuzz::mutated_json(prehend::fuzz::text_of(data, size),
-                                                prehend::fuzz::text_of(other, other_size), seed,
-                                                prehend::fuzz::changed);
+  const std::string one = prehend::fuzz::text_of(data, size);
+  const std::string two = prehend::fuzz::text_of(other, other_size);
+  const Grammar grammar = prehend::fuzz::kind->grammar;
+  std::optional<std::string> text;
+  if (grammar == Grammar::json) {
+    text = prehend::fuzz::mutated_json(one, two, seed, prehend::fuzz::changed);
+  } else if (grammar == Grammar::messages) {
+    text = prehend::fuzz::mutated_messages(one, two, seed, prehend::fuzz::changed);
+  }
   return prehend::fuzz::put(text, out, most);
 }
 // NOLINTEND(readability-identifier-naming)

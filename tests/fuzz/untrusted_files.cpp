@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 21> kKinds{{
+constexpr std::array<FileKind, 22> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -30,6 +30,7 @@ constexpr std::array<FileKind, 21> kKinds{{
     {"truth", Grammar::json, read_executed_grasps_file},
     {"graspgen", Grammar::json, read_graspgen_file},
     {"acronym", Grammar::bytes, read_acronym_file},
+    {"session", Grammar::messages, read_session_messages},
 }};
 
 // A message is one line that can be printed to a terminal.

@@ -1,4 +1,5 @@
-// Reads files of every kind as users' files are read and checks what comes of them. The fuzz
+// Reads files of every kind as users' files are read, and messages as a live session gets them, and
+// checks what comes of them. The fuzz
 // targets call this with what libFuzzer makes up, the tests with the files of tests/corpus.
 #pragma once
 
@@ -17,8 +18,9 @@ class BrokenPromise : public std::logic_error {
 // How bytes become other bytes that a reader looks at more closely than at random ones.
 enum class Grammar {
   bytes,
-  json,  // JSON text
-  glb,   // JSON text in the first chunk of a binary glTF
+  json,      // JSON text
+  glb,       // JSON text in the first chunk of a binary glTF
+  messages,  // lines of JSON text
 };
 
 // A kind of file that prehend reads. `name` is that of its fuzz target and of its folder in
@@ -53,6 +55,7 @@ void read_contacts_file(std::string_view name, const std::string& bytes);
 void read_executed_grasps_file(std::string_view name, const std::string& bytes);
 void read_graspgen_file(std::string_view name, const std::string& bytes);
 void read_acronym_file(std::string_view name, const std::string& bytes);
+void read_session_messages(std::string_view name, const std::string& bytes);
 
 // The path that a file of this kind pretends to have: in its folder of tests/corpus, so that it can
 // name other files there.
