@@ -65,7 +65,11 @@ void Session::start_time(const TimeOptions& options) {
   ++revision_;
 }
 
-void Session::reset_time() { moving() = time_->start; }
+void Session::reset_time() {
+  // Before time_ is looked at, which is null while time does not run.
+  MovingWorld& now = moving();
+  now = time_->start;
+}
 
 void Session::stop_time(bool keep) {
   const MovingWorld& moved = moving();

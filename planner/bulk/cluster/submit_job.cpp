@@ -1,6 +1,8 @@
 #include "planner/bulk/cluster/submit_job.h"
 
 #include <algorithm>
+#include <boost/interprocess/sync/file_lock.hpp>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -9,6 +11,7 @@
 
 #include "planner/bulk/cluster/run_words.h"
 #include "planner/bulk/cluster/slurm_queue.h"
+#include "sim/base/file_failure.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
@@ -58,6 +61,19 @@ SubmittedJob submit_to_slurm(const ClusterJob& job) {
   return submitted;
 }
 
+// Asks the group of processes to end, again and again: GNU parallel waits for its jobs at first,
+// and stops them when it is asked once more.
+void stop_group(const ProcessMark& process) {
+  for (int look = 0; look < kMostLooks; ++look) {
+    ::kill(-process.pid, SIGTERM);
+    std::this_thread::sleep_for(kLook);
+    if (::kill(-process.pid, 0) != 0) return;
+  }
+  throw InputError({.field = "parallel",
+                    .problem = "does not stop",
+                    .value = "process " + std::to_string(process.pid)});
+}
+
 SubmittedJob start_parallel(const ClusterJob& job) {
   printed_by({"parallel", "--version"});  // says whether it is there
   const std::filesystem::path log = log_folder(job.out);
@@ -68,7 +84,12 @@ SubmittedJob start_parallel(const ClusterJob& job) {
   require(submitted.process.has_value(), {.field = "parallel",
                                           .problem = "ended at once, its log says why",
                                           .value = (log / "parallel.txt").string()});
-  write_submitted_job(submitted, job);
+  try {
+    write_submitted_job(submitted, job);
+  } catch (...) {
+    stop_group(*submitted.process);
+    throw;
+  }
   return submitted;
 }
 
@@ -135,18 +156,25 @@ void require_nothing_queued(const std::filesystem::path& out) {
                     .value = which});
 }
 
-// Asks the group of processes to end, again and again: GNU parallel waits for its jobs at first,
-// and stops them when it is asked once more.
-void stop_group(const ProcessMark& process) {
-  for (int look = 0; look < kMostLooks; ++look) {
-    ::kill(-process.pid, SIGTERM);
-    std::this_thread::sleep_for(kLook);
-    if (::kill(-process.pid, 0) != 0) return;
+// Held while a job of this folder is submitted: two at once would both find nothing queued, and the
+// second would make the first one unknown.
+class SubmitLock {
+ public:
+  explicit SubmitLock(const std::filesystem::path& out) {
+    const std::filesystem::path file = log_folder(out) / "submit.lock";
+    // Not replaced, as write_file would do: who waits has the same file open.
+    if (!std::ofstream(file, std::ios::app)) {
+      throw_file_failure(file, "cannot be written",
+                         std::error_code(errno, std::generic_category()));
+    }
+    lock_ = boost::interprocess::file_lock(file.c_str());
+    require(lock_.try_lock(), {.file = out.string(),
+                               .problem = "another program submits a job of this folder just now"});
   }
-  throw InputError({.field = "parallel",
-                    .problem = "does not stop",
-                    .value = "process " + std::to_string(process.pid)});
-}
+
+ private:
+  boost::interprocess::file_lock lock_;  // the system gives it up with the file
+};
 
 bool cancel_parallel(const ProcessMark& process) {
   const ProcessState state = state_of(process);
@@ -162,8 +190,9 @@ bool cancel_parallel(const ProcessMark& process) {
 SubmittedJob submit_job(const ClusterJob& job) {
   const std::string script = job_script(job);
   require(is_file(job.batch), {.file = job.batch.string(), .problem = "there is no such file"});
-  require_nothing_queued(job.out);
   make_folder(log_folder(job.out));
+  const SubmitLock lock(job.out);
+  require_nothing_queued(job.out);
   write_file(job.out / "job.sh", script);
   return job.engine == ClusterEngine::slurm ? submit_to_slurm(job) : start_parallel(job);
 }
