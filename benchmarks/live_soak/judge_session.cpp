@@ -57,6 +57,8 @@ JudgedChange judge_change(const Ask& ask, const Ask& other, const std::function<
   }
   // Not a step of its own, or one whose start did not fit into the memory of undo.
   if (after["revision"] != before["revision"].get<int>() + 1 || after["undo"] == 0) return judged;
+  // Nothing is undone while time runs.
+  if (!after["time"].is_null()) return judged;
   // One of undo and redo themselves, or of a gesture that goes on.
   if (after["undo"].get<int>() <= before["undo"].get<int>()) return judged;
   judged.end = ChangeEnd::one_step;
