@@ -24,6 +24,8 @@ using live_soak::Json;
 // Of the lines of a file so many are sent, and no longer ones: what takes long is not looked for.
 constexpr std::size_t kMostLines = 8;
 constexpr std::size_t kLongestLine = 4000;
+// The hand that a session begins with: hands of many parts take longer to compile.
+constexpr const char* kHand = "parallel_jaw";
 // Numbers that say how much there is to do end here.
 constexpr int kMostTriangles = 100;
 constexpr int kMostTrials = 3;
@@ -149,6 +151,7 @@ const std::set<std::string>& motions() {
 class Talk {
  public:
   void run(const std::string& bytes) {
+    one_.reply_to({{"command", "scene.new"}, {"hand", kHand}});
     std::vector<std::string> lines = lines_of(bytes);
     lines.resize(std::min(lines.size(), kMostLines));
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -230,7 +233,9 @@ const live_soak::KnownNames& known_names() {
     Client client(endpoint);
     live_soak::KnownNames known =
         live_soak::names_of(live_soak::result_of(client.ask(), {{"command", "hello"}}));
-    known.scenes = {"none"};  // those of the program take long to compile
+    // Those of the program take long to compile.
+    known.scenes = {"none"};
+    known.hands = {kHand, "franka_hand"};
     return known;
   }();
   return names;
