@@ -22,7 +22,7 @@ struct FakeSlurm : testing::Test {
   std::filesystem::path queue = folder / "queue";
 
   FakeSlurm() {
-    std::ofstream(folder / "b.json") << kFaultBatch;
+    write_fault_inputs(folder);
     std::filesystem::create_directories(queue);
     const std::string home = "cd '" + queue.string() + "'\n";
     script("sbatch", home + "sleep 0.2\nid=$$\n: > $id\necho $id\n");
@@ -40,7 +40,7 @@ struct FakeSlurm : testing::Test {
   std::vector<std::string> words() const {
     return {"batch",
             "submit",
-            (folder / "b.json").string(),
+            (folder / "batch.json").string(),
             "-o",
             (folder / "out").string(),
             "--shards",
