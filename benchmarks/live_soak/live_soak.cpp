@@ -26,7 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 // Requests of each client between two pauses.
-constexpr int kBetweenPauses = 20;
+constexpr int kBetweenPauses = 40;
 // Of the events that come to a client, so many are one that it looks at.
 constexpr std::size_t kLookAtEvery = 5;
 

@@ -191,6 +191,14 @@ bool is_vain(const Command& command, const Json& state) {
   return command.kind == CommandKind::world && (moves || state["planning"] == true);
 }
 
+// More than some milliseconds.
+bool takes_long(const Command& command) {
+  constexpr std::array<std::string_view, 7> kLong{
+      "hello", "quality", "scene.text", "plan.start", "path.plan", "grasp.refine", "plan.export"};
+  return command.kind == CommandKind::world ||
+         std::find(kLong.begin(), kLong.end(), command.name) != kLong.end();
+}
+
 Json request_of(Random& random, const Command& command, const KnownNames& names) {
   Json request{{"command", command.name}};
   for (const CommandField& field : command.fields) {
@@ -222,10 +230,11 @@ Json random_request(Random& random, const KnownNames& names) {
   if (is_vain(*command, names.state) && random.index(4) != 0) {
     command = &one_of(random, commands());
   }
-  // Motions are most of what happens, and big changes of the scene the rest of the work.
-  if (command->kind == CommandKind::world && random.index(2) == 0) {
-    command = find_command(one_of(random, std::array<std::string_view, 4>{
-                                              "hand.move", "hand.dofs", "hand.approach", "undo"}));
+  // Motions are most of what happens, and what takes long most of the work.
+  if (takes_long(*command) && random.index(12) != 0) {
+    command = find_command(
+        one_of(random, std::array<std::string_view, 6>{"hand.move", "hand.dofs", "hand.approach",
+                                                       "hand.back_off", "undo", "redo"}));
   }
   Json request = request_of(random, *command, names);
   if (!rarely(random, 10)) keep_one(random, request);

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "sim/base/random.h"
 #include "tests/program/program.h"
 #include "tests/program/running_program.h"
+#include "tests/support/repeats.h"
 #include "tests/support/socket_client.h"
 
 namespace prehend::test {
@@ -67,6 +69,41 @@ TEST(Serve, RefusesAPortThatIsTaken) {
   std::string rest;
   EXPECT_EQ(second.wait(rest), 2);
   EXPECT_NE(rest.find(port), std::string::npos) << rest;
+}
+
+TEST(Serve, KilledAtAnyMomentItLeavesAWholeSceneAndARecordingThatReplays) {
+  Random random(38);
+  int recorded = 0;
+  for (int i = 0; i < repeats(12); ++i) {
+    const std::filesystem::path folder = fresh_folder("serve_killed");
+    const std::filesystem::path recording = folder / "session.jsonl";
+    const std::filesystem::path scene = folder / "scene.json";
+    RunningProgram program({"serve", "--tcp", "0", "--scene", "hammer", "--record",
+                            recording.string(), "--folder", folder.string()},
+                           folder);
+    ASSERT_TRUE(program.wait_for_line("Ctrl-C"));
+    SocketClient client(port_in(content_of(folder / "out")));
+    ASSERT_TRUE(client.is_connected());
+    std::string requests;
+    for (int k = 1; k <= 100; ++k) {
+      requests += R"({"command": "object.change", "mass": )" + std::to_string(k) + "}\n" +
+                  R"({"command": "scene.save", "file": ")" + scene.string() + "\"}\n";
+    }
+    client.send(requests);
+    while (!std::filesystem::exists(scene)) ::usleep(200);
+    ::usleep(static_cast<unsigned>(random.integer(0, 30000)));
+    program.send(SIGKILL);
+    std::string rest;
+    EXPECT_EQ(program.wait(rest), -1);
+    EXPECT_EQ(run_program("inspect '" + scene.string() + "'").status, 0) << content_of(scene);
+    std::istringstream lines(content_of(recording));
+    for (std::string line; std::getline(lines, line); ++recorded) {
+      EXPECT_TRUE(nlohmann::json::accept(line)) << line;
+    }
+    const ProgramRun replayed = run_program("replay '" + recording.string() + "'");
+    EXPECT_EQ(replayed.status, 0) << replayed.err;
+  }
+  EXPECT_GT(recorded, 10);
 }
 
 // As on a full disk: the file may not become larger than that (ulimit -f counts KiB).
