@@ -13,7 +13,7 @@ namespace prehend::live_soak {
 
 struct LiveSoakOptions {
   int clients = 8;                                           // at once, at least 2
-  long messages = 100000;                                    // of all clients together
+  long messages = std::numeric_limits<long>::max();          // of all clients together
   double seconds = std::numeric_limits<double>::infinity();  // after which it ends
   std::uint64_t seed = 1;
   std::size_t undo_memory = std::size_t{16} << 20U;  // SessionOptions::undo_memory
