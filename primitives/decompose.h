@@ -33,10 +33,10 @@ void for_each_setting(Options& options, const Visit& visit) {
         "diagonal of some primitive's surface; larger: fewer, coarser primitives.");
   visit({"coverage", "primitive_coverage"}, coverage, kFractionAbove0, "",
         "Primitives are added until this part of the area is explained.");
-  visit({"points", "primitive_points"}, points, Range{.lower = 100.0}, "",
+  visit({"points", "primitive_points"}, points, kPointCount, "",
         "Points that stand for the surface; more take longer, and what is smaller than their "
         "spacing is not seen.");
-  visit("max_primitives", max_primitives, kAtLeast1, "",
+  visit("max_primitives", max_primitives, kCountAbove0, "",
         "Most primitives, also where they do not reach the coverage.");
   visit.unlisted("seed", seed, kAtLeast0, "", "Of the points on the surface.");
 }

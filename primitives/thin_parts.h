@@ -29,9 +29,9 @@ void for_each_setting(Options& options, const Visit& visit) {
   auto& [rim_width, bar_width, most_rims, most_bars, points, seed] = options;
   visit("rim_width", rim_width, kFraction, "", "Thickest wall whose edge is a rim; 0: no rims.");
   visit("bar_width", bar_width, kFraction, "", "Widest bar, such as a handle; 0: no bars.");
-  visit("most_rims", most_rims, kAtLeast0, "", "Most rims, the longest of them.");
-  visit("most_bars", most_bars, kAtLeast0, "", "Most bars, the longest of them.");
-  visit({"points", "thin_points"}, points, Range{.lower = 100.0}, "",
+  visit("most_rims", most_rims, kCount, "", "Most rims, the longest of them.");
+  visit("most_bars", most_bars, kCount, "", "Most bars, the longest of them.");
+  visit({"points", "thin_points"}, points, kPointCount, "",
         "Points of the surface that are looked at; more find shorter rims and bars, and take "
         "longer.");
   visit.unlisted("seed", seed, kAtLeast0, "", "Of these points.");

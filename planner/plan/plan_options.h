@@ -57,7 +57,7 @@ void for_each_setting(Options& options, const Visit& visit) {
         "How the best grasps of the search are improved, by at most two fifths of the trials that "
         "it made.");
   visit({"rank", ""}, rank, "Which grasps are returned.");
-  visit("free_closing", free_closing, kAtLeast0, "",
+  visit("free_closing", free_closing, kCount, "",
         "So many grasps come first that hold an object that is free to move firmly, by the epsilon "
         "where it ends; those that lose it are left out.");
   visit.unlisted(
@@ -71,7 +71,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("volumes", volumes,
         "Whether the volume, epsilon_nearby and the holding of the returned grasps are computed, "
         "which takes longer than the trials of all of them.");
-  visit.unlisted("sections", sections, kAtLeast0, "",
+  visit.unlisted("sections", sections, kCount, "",
                  "How many of the returned grasps, the first ones, get sections of their wrench "
                  "space.");
 }
@@ -93,10 +93,10 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit({"trial", ""}, trial, "How each grasp is tried.");
   visit("robustness", robustness, "As in PlanOptions.");
   visit("uncertainty", uncertainty, "As in PlanOptions.");
-  visit.unlisted("volumes", volumes, kAtLeast0, "",
+  visit.unlisted("volumes", volumes, kCount, "",
                  "For how many of the grasps, the first ones, the volume, epsilon_nearby and the "
                  "holding are computed: that may take 50 times as long as the trial itself.");
-  visit.unlisted("sections", sections, kAtLeast0, "", "As in PlanOptions; at most `volumes`.");
+  visit.unlisted("sections", sections, kCount, "", "As in PlanOptions; at most `volumes`.");
 }
 
 }  // namespace prehend

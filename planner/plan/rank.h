@@ -37,18 +37,18 @@ struct RankOptions {
 template <SettingsOf<RankOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [top, by, pool, same_distance, same_angle, same_contact] = options;
-  visit("top", top, kAtLeast1, "", "Most grasps that are returned.");
+  visit("top", top, kCountAbove0, "", "Most grasps that are returned.");
   visit.unlisted("by", by,
                  "What comes first; anything but epsilon takes the trials with errors "
                  "(PlanOptions.robustness).");
   visit(
-      "pool", pool, kAtLeast1, "",
+      "pool", pool, kCountAbove0, "",
       "At most so many times the grasps that are wanted are closed on a free object, or tried with "
       "errors where these rank them.");
-  visit("same_distance", same_distance, kAtLeast0, "m",
+  visit("same_distance", same_distance, kDistance, "m",
         "Grasps whose hands differ by no more than this and `same_angle` are the same.");
-  visit("same_angle", same_angle, kAtLeast0, "rad", "See `same_distance`.");
-  visit("same_contact", same_contact, kAtLeast0, "m",
+  visit("same_angle", same_angle, kAngle, "rad", "See `same_distance`.");
+  visit("same_contact", same_contact, kDistance, "m",
         "So are grasps of which each contact is within this distance of one of the other.");
 }
 

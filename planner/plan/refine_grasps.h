@@ -48,11 +48,11 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("objective", objective,
         "What is made larger: epsilon, by which grasps are ranked, or its mean under random "
         "errors.");
-  visit("grasps", grasps, kAtLeast1, "", "How many of the grasps, the best ones, are refined.");
-  visit("trials", trials, kAtLeast0, "", "Most trials for all of them together.");
-  visit("turn", turn, kAbove0, "rad",
+  visit("grasps", grasps, kCountAbove0, "", "How many of the grasps, the best ones, are refined.");
+  visit("trials", trials, kCount, "", "Most trials for all of them together.");
+  visit("turn", turn, kAngleAbove0, "rad",
         "First turn of the hand that is tried, about the middle of its contacts.");
-  visit("shift", shift, kAbove0, "m", "First shift of the hand that is tried.");
+  visit("shift", shift, kLengthAbove0, "m", "First shift of the hand that is tried.");
   visit("noise", noise, "The random errors of the objective `robust`.");
 }
 

@@ -40,25 +40,25 @@ template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [trials, most_blocked, enough, batch, local_fraction, followed, thin_parts_if_epsilon_below,
          trials_before_extra_back_offs, learned] = options;
-  visit("trials", trials, kAtLeast1, "",
+  visit("trials", trials, kCountAbove0, "",
         "Most trials; those whose hand is blocked on its way cost next to nothing and are not "
         "counted.");
-  visit("most_blocked", most_blocked, kAtLeast0, "",
+  visit("most_blocked", most_blocked, kCount, "",
         "Most candidates whose hand is blocked on its way, as a multiple of `trials`.");
-  visit("enough", enough, kAtLeast0, "",
+  visit("enough", enough, kCount, "",
         "The search ends after the batch in which it has so many stable grasps; 0: after all "
         "trials.");
-  visit("batch", batch, kAtLeast1, "",
+  visit("batch", batch, kCountAbove0, "",
         "Candidates that are chosen together; more: better use of many processors, later use of "
         "what was found.");
   visit("follow", local_fraction, kFraction, "",
         "Part of a batch that lies beside the best grasps so far; the others continue the sequence "
         "of proposals.");
-  visit("followed", followed, kAtLeast0, "", "How many of the best grasps are followed.");
-  visit("well_served", thin_parts_if_epsilon_below, kAtLeast0, "",
+  visit("followed", followed, kCount, "", "How many of the best grasps are followed.");
+  visit("well_served", thin_parts_if_epsilon_below, kRatio, "",
         "While no grasp has an epsilon of at least this, rims and bars are tried in turn with "
         "boxes, spheres, cylinders and cones.");
-  visit("patience", trials_before_extra_back_offs, kAtLeast0, "",
+  visit("patience", trials_before_extra_back_offs, kCount, "",
         "After so many trials of which none has held, the hand backs off more often.");
   visit.unlisted("learned", learned, "Set: a model orders the proposals of the sequence.");
 }

@@ -55,6 +55,20 @@ inline constexpr Range kRate{.upper = kLargestRate};
 // Of springs and controllers, and friction that grows with velocity.
 inline constexpr Range kGain{.upper = 1e15};
 inline constexpr Range kRateAbove0{.upper = kLargestRate, .without_lower = true};
+inline constexpr Range kAngle{.upper = kFarthest};
+inline constexpr Range kAngleAbove0{.upper = kFarthest, .without_lower = true};
+inline constexpr Range kTime{.upper = 1e6};  // s
+inline constexpr Range kTimeAbove0{.upper = 1e6, .without_lower = true};
+// Without a unit: shares, tolerances relative to something, deviations of logarithms.
+inline constexpr Range kRatio{.upper = 1e6};
+inline constexpr Range kRatioAbove0{.upper = 1e6, .without_lower = true};
+// Of steps and tries: more would be more than a machine makes.
+inline constexpr double kLargestCount = 1e9;
+inline constexpr Range kCount{.upper = kLargestCount};
+inline constexpr Range kCountAbove0{.lower = 1.0, .upper = kLargestCount};
+// Of what is kept in memory.
+inline constexpr Range kSampleCount{.lower = 1.0, .upper = 1e5};
+inline constexpr Range kPointCount{.lower = 100.0, .upper = 1e6};
 // Numbers that count from 0, or name something.
 inline constexpr Range kIndex{.upper = std::numeric_limits<int>::max()};
 inline constexpr Range kAnyNumber{.lower = -std::numeric_limits<double>::infinity()};

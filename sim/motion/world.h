@@ -48,10 +48,9 @@ struct Drive {
 template <SettingsOf<Drive> Options, typename Visit>
 void for_each_setting(Options& drive, const Visit& visit) {
   auto& [dof, stiffness, damping, target, target_rate, holds_rate, max_effort] = drive;
-  visit("dof", dof, kAtLeast0, "", "Number of the degree of freedom.");
-  visit("stiffness", stiffness, kAtLeast0, "N m/rad or N/m",
-        "Effort for each unit of target - value.");
-  visit("damping", damping, kAtLeast0, "N m s/rad or N s/m",
+  visit("dof", dof, kIndex, "", "Number of the degree of freedom.");
+  visit("stiffness", stiffness, kGain, "N m/rad or N/m", "Effort for each unit of target - value.");
+  visit("damping", damping, kGain, "N m s/rad or N s/m",
         "Effort for each unit of target_rate - rate.");
   visit("target", target, kAnyNumber, "rad or m", "Value that the stiffness pulls to.");
   visit("target_rate", target_rate, kAnyNumber, "rad/s or m/s", "Rate that the damping pulls to.");

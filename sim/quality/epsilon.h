@@ -46,14 +46,14 @@ struct EpsilonOptions {
 template <SettingsOf<EpsilonOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [relative_tolerance, cutoff, max_facets, descent_steps] = options;
-  visit("relative_tolerance", relative_tolerance, kAtLeast0, "",
+  visit("relative_tolerance", relative_tolerance, kRatio, "",
         "The search has converged when upper - lower is at most this part of upper.");
   visit("cutoff", cutoff, kAtLeast0, "",
         "Stop as soon as the upper bound is below this: for callers who rank and know a better "
         "grasp.");
-  visit("max_facets", max_facets, kAtLeast0, "",
+  visit("max_facets", max_facets, kCount, "",
         "Most facets made in all; checked before each expansion, which may exceed it.");
-  visit("descent_steps", descent_steps, kAtLeast0, "",
+  visit("descent_steps", descent_steps, kCount, "",
         "Steps of gradient descent on the support function from each new upper bound; they pay on "
         "smooth sets.");
 }

@@ -41,10 +41,10 @@ void for_each_setting(Options& options, const Visit& visit) {
         "What is made as small as it can be: each contact has its own actuator, or all share one.");
   visit("cone", cone, "The friction cone: exact, or a pyramid.");
   visit("edges", edges, kConeEdges, "", "Of a pyramid.");
-  visit("residual_tolerance", residual_tolerance, kAbove0, "",
+  visit("residual_tolerance", residual_tolerance, kRatioAbove0, "",
         "Forces count as balanced when they leave at most this part of the wrench over, and exceed "
         "no joint torque's limit by more than this part of it.");
-  visit("gap_tolerance", gap_tolerance, kAbove0, "",
+  visit("gap_tolerance", gap_tolerance, kRatioAbove0, "",
         "And when their measure is within this part of the proved lower bound.");
 }
 

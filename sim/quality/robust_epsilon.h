@@ -32,14 +32,14 @@ template <SettingsOf<NoiseOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [pose_position, pose_angle, contact_position, normal_angle, friction, samples, seed] =
       options;
-  visit("pose_position", pose_position, kAtLeast0, "r",
+  visit("pose_position", pose_position, kRatio, "r",
         "Of the object as a whole against the hand, along each axis.");
-  visit("pose_angle", pose_angle, kAtLeast0, "rad",
+  visit("pose_angle", pose_angle, kAngle, "rad",
         "Of the object as a whole, about each axis through the torque origin.");
-  visit("contact_position", contact_position, kAtLeast0, "r", "Of each contact by itself.");
-  visit("normal_angle", normal_angle, kAtLeast0, "rad", "Of the normal of each contact.");
-  visit("friction", friction, kAtLeast0, "", "Of the logarithm of each friction coefficient.");
-  visit("samples", samples, kAtLeast1, "", "Samples of these errors.");
+  visit("contact_position", contact_position, kRatio, "r", "Of each contact by itself.");
+  visit("normal_angle", normal_angle, kAngle, "rad", "Of the normal of each contact.");
+  visit("friction", friction, kRatio, "", "Of the logarithm of each friction coefficient.");
+  visit("samples", samples, kSampleCount, "", "Samples of these errors.");
   visit.unlisted("seed", seed, kAtLeast0, "", "Of the samples.");
 }
 

@@ -19,12 +19,12 @@ struct SetHullOptions {
 template <SettingsOf<SetHullOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [relative_tolerance, max_points, max_facets] = options;
-  visit("relative_tolerance", relative_tolerance, kAbove0, "",
+  visit("relative_tolerance", relative_tolerance, kRatioAbove0, "",
         "A facet is final when the set reaches beyond it by at most this part of its largest "
         "coordinate.");
-  visit("max_points", max_points, kAtLeast0, "",
+  visit("max_points", max_points, kCount, "",
         "Points after which the hull of these points is returned.");
-  visit("max_facets", max_facets, kAtLeast0, "",
+  visit("max_facets", max_facets, kCount, "",
         "No points are added that would probably give the hull more facets than this.");
 }
 

@@ -21,11 +21,14 @@ template <SettingsOf<IkOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [position_tolerance, angle_tolerance, max_iterations, restarts, max_solutions, seed] =
       options;
-  visit("position_tolerance", position_tolerance, kAbove0, "m", "Largest error of a position.");
-  visit("angle_tolerance", angle_tolerance, kAbove0, "rad", "Largest error of an orientation.");
-  visit("max_iterations", max_iterations, kAtLeast1, "", "Most iterations from one start.");
-  visit("restarts", restarts, kAtLeast0, "", "Most random starts after the given one.");
-  visit("max_solutions", max_solutions, kAtLeast1, "", "The search ends with so many solutions.");
+  visit("position_tolerance", position_tolerance, kLengthAbove0, "m",
+        "Largest error of a position.");
+  visit("angle_tolerance", angle_tolerance, kAngleAbove0, "rad",
+        "Largest error of an orientation.");
+  visit("max_iterations", max_iterations, kCountAbove0, "", "Most iterations from one start.");
+  visit("restarts", restarts, kCount, "", "Most random starts after the given one.");
+  visit("max_solutions", max_solutions, kCountAbove0, "",
+        "The search ends with so many solutions.");
   visit.unlisted("seed", seed, kAtLeast0, "", "Of the random starts.");
 }
 

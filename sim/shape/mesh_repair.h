@@ -24,13 +24,13 @@ struct RepairOptions {
 template <SettingsOf<RepairOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [dust_area, crack, hole_area] = options;
-  visit("dust_area", dust_area, kAtLeast0, "",
+  visit("dust_area", dust_area, kRatio, "",
         "Small shells (drop_dust.cpp) are dropped when all of them together have less than this "
         "part of the surface.");
-  visit("crack", crack, kAtLeast0, "",
+  visit("crack", crack, kRatio, "",
         "A boundary vertex within this distance of a boundary edge lies on it (a T-junction): the "
         "triangle of the edge is divided there.");
-  visit("hole_area", hole_area, kAtLeast0, "",
+  visit("hole_area", hole_area, kRatio, "",
         "Largest area of a hole that is closed, if it is flat or small (close_holes.cpp).");
 }
 

@@ -22,9 +22,9 @@ struct OverlapOptions {
 template <SettingsOf<OverlapOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [object, obstacle, deepest] = options;
-  visit("object", object, kAtLeast0, "m", "Deepest overlap of hand and object.");
-  visit("obstacle", obstacle, kAtLeast0, "m", "Deepest overlap of a hand with obstacles only.");
-  visit("deepest", deepest, kAtLeast0, "m",
+  visit("object", object, kDistance, "m", "Deepest overlap of hand and object.");
+  visit("obstacle", obstacle, kDistance, "m", "Deepest overlap of a hand with obstacles only.");
+  visit("deepest", deepest, kDistance, "m",
         "How deep an overlap that stays is measured; 0: it is not, as in plans, which leave such "
         "candidates out.");
 }
@@ -41,10 +41,10 @@ struct SettleOptions {
 template <SettingsOf<SettleOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [angle, slide, steps] = options;
-  visit("angle", angle, kAbove0, "rad", "Largest turn of a step.");
-  visit("slide", slide, kAbove0, "m",
+  visit("angle", angle, kAngleAbove0, "rad", "Largest turn of a step.");
+  visit("slide", slide, kLengthAbove0, "m",
         "Farthest that the object moves between the fingers in a step.");
-  visit("steps", steps, kAtLeast0, "", "Most steps that are tried; 0: the object does not settle.");
+  visit("steps", steps, kCount, "", "Most steps that are tried; 0: the object does not settle.");
 }
 
 struct TrialOptions {
@@ -75,19 +75,19 @@ void for_each_setting(Options& options, const Visit& visit) {
   auto& [contact, contact_gap, resolve_overlap, obstacle_clearance, back_off_step, back_off_tries,
          soft_fingers, settle, cone_edges, reach, formation] = options;
   visit("contact", contact, "What counts as a contact.");
-  visit("contact_gap", contact_gap, kAbove0, "m",
+  visit("contact_gap", contact_gap, kLengthAbove0, "m",
         "Gap at which a motion ends, up to 10 % more; at most 0.9 of the contact threshold.");
   // Within the threshold, 10 % more included.
   visit.relation("contact_gap", contact_gap <= 0.9 * contact.threshold,
                  "must be at most 0.9 of the contact threshold");
   visit("give_way", resolve_overlap, "Overlaps at the start that are resolved.");
-  visit("obstacle_clearance", obstacle_clearance, kAtLeast0, "m",
+  visit("obstacle_clearance", obstacle_clearance, kDistance, "m",
         "A hand that an obstacle stops on its approach, such as the table on which the object "
         "lies, moves back by this and closes there.");
-  visit("back_off_step", back_off_step, kAbove0, "m",
+  visit("back_off_step", back_off_step, kLengthAbove0, "m",
         "When a grasp does not hold, the hand backs off along its approach by this and closes "
         "again.");
-  visit("back_off_tries", back_off_tries, kAtLeast0, "",
+  visit("back_off_tries", back_off_tries, kCount, "",
         "How often it does; more: more grasps hold, seldom the best.");
   visit("soft_fingers", soft_fingers,
         "Whether compliant links make patch contacts that resist torque about the normal; if not, "

@@ -34,16 +34,16 @@ struct UncertaintyOptions {
 template <SettingsOf<UncertaintyOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [samples, across, along, angle, hand, hand_angle, friction, center_of_mass] = options;
-  visit("samples", samples, kAtLeast1, "",
+  visit("samples", samples, kSampleCount, "",
         "Trials with errors of each grasp: more make narrower intervals.");
-  visit("across", across, kAtLeast0, "m", "Of the object, along each horizontal axis.");
-  visit("along", along, kAtLeast0, "m", "Of the object, along gravity.");
-  visit("angle", angle, kAtLeast0, "rad",
+  visit("across", across, kDistance, "m", "Of the object, along each horizontal axis.");
+  visit("along", along, kDistance, "m", "Of the object, along gravity.");
+  visit("angle", angle, kAngle, "rad",
         "Of the object, about each axis through its centre of mass.");
-  visit("hand", hand, kAtLeast0, "m", "Of the hand, along each axis.");
-  visit("hand_angle", hand_angle, kAtLeast0, "rad", "Of the hand, about each axis.");
-  visit("friction", friction, kAtLeast0, "", "Of the logarithm of each friction coefficient.");
-  visit("center_of_mass", center_of_mass, kAtLeast0, "",
+  visit("hand", hand, kDistance, "m", "Of the hand, along each axis.");
+  visit("hand_angle", hand_angle, kAngle, "rad", "Of the hand, about each axis.");
+  visit("friction", friction, kRatio, "", "Of the logarithm of each friction coefficient.");
+  visit("center_of_mass", center_of_mass, kRatio, "",
         "Of the centre of mass, along each axis, as a part of the object's largest distance from "
         "it; a quarter where the centre is stated, three times along a long object of uniform "
         "mass.");

@@ -116,11 +116,8 @@ class Client {
       if (!message.contains("event")) return message;
       const std::string fault = live_soak::fault_of_event(message);
       promised(fault.empty(), fault.c_str());
-      if (message["event"] == "state") last_state_ = std::move(message["state"]);
     }
   }
-  // After the last change that was heard of; null at first.
-  const Json& last_state() const { return last_state_; }
   Json reply_to(Json request) {
     request["id"] = ++last_;
     Json reply = reply_to_text(request.dump(-1, ' ', false, Json::error_handler_t::replace));
@@ -136,7 +133,6 @@ class Client {
   SessionEndpoint& endpoint_;
   Inbox inbox_;
   ClientId id_;
-  Json last_state_;
   int last_ = 0;
 };
 
@@ -180,8 +176,9 @@ class Talk {
     // It reads the files of all robots, which takes as long as all else.
     if (name == "hello") return;
     const bool moves = name.is_string() && motions().contains(name.get<std::string>());
-    const bool stays_free = moves && !speaker.last_state().is_null() &&
-                            live_soak::promises_no_overlap(speaker.last_state()) &&
+    const bool stays_free = moves &&
+                            live_soak::promises_no_overlap(
+                                live_soak::result_of(speaker.ask(), {{"command", "state"}})) &&
                             live_soak::overlap_of(speaker.ask()).empty();
     const auto send = [&] { return reply_of(speaker, line, request); };
     bool is_done = false;

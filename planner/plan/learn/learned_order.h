@@ -30,19 +30,19 @@ struct LearnedOrder {
 template <SettingsOf<LearnedOrder> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [model, choose_from, variety, unordered, ordered_first, unknown_hand_first] = options;
-  visit("choose_from", choose_from, kAtLeast1, "",
+  visit("choose_from", choose_from, kCountAbove0, "",
         "Proposals of solids that wait at any time, and a quarter as many of curves; each next one "
         "is chosen among them.");
-  visit("variety", variety, kAtLeast0, "",
+  visit("variety", variety, kRatio, "",
         "What is chosen has the largest score, less this times the square of its likeness to the "
         "most alike that came before it.");
   visit("unordered", unordered, kFraction, "",
         "Part of the proposals that come in the order of the sequence: what the model scores badly "
         "is tried as well.");
-  visit("ordered_first", ordered_first, kAtLeast0, "",
+  visit("ordered_first", ordered_first, kCount, "",
         "Proposals that are ordered; behind them come all that wait, then the sequence goes on in "
         "its own order.");
-  visit("unknown_hand_first", unknown_hand_first, kAtLeast0, "",
+  visit("unknown_hand_first", unknown_hand_first, kCount, "",
         "Proposals in the order of the sequence that come first where the model was not trained on "
         "the scene's hand.");
 }

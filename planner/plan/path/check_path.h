@@ -36,7 +36,7 @@ struct PathCheckOptions {
 template <SettingsOf<PathCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [step] = options;
-  visit("step", step, kAbove0, "m",
+  visit("step", step, kLengthAbove0, "m",
         "Longest motion of any point of a link between two postures that are checked.");
 }
 

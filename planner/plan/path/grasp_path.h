@@ -35,7 +35,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit({"reach", ""}, reach, "How the arm follows the hand's approach.");
   visit({"transfer", ""}, transfer, "The way to the pre-grasp.");
   visit({"timing", ""}, timing, "How the path is timed.");
-  visit("alternatives", alternatives, kAtLeast1, "",
+  visit("alternatives", alternatives, kCountAbove0, "",
         "Postures of the arm at the pre-grasp that are tried.");
   visit("check", check, "The check of the finished path.");
   visit("lift", lift, "What comes after the grasp.");

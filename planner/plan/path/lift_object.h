@@ -32,7 +32,7 @@ struct LiftOptions {
 template <SettingsOf<LiftOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [height, retreat] = options;
-  visit("height", height, kAtLeast0, "m",
+  visit("height", height, kDistance, "m",
         "How far the hand moves straight up, away from gravity; 0: the path ends in the grasp.");
   visit("retreat", retreat, "Whether the arm then takes the object back to its start posture.");
 }

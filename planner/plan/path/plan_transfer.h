@@ -48,11 +48,11 @@ template <SettingsOf<TransferOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [planner, max_iterations, simplify_steps, corner_deviation, seed, motion] = options;
   visit("planner", planner, "The sampling-based planner: fast ways, many ways or short ways.");
-  visit("max_iterations", max_iterations, kAtLeast1, "",
+  visit("max_iterations", max_iterations, kCountAbove0, "",
         "Iterations after which the planner gives up.");
-  visit("simplify_steps", simplify_steps, kAtLeast0, "",
+  visit("simplify_steps", simplify_steps, kCount, "",
         "Attempts to shorten the path that was found.");
-  visit("corner_deviation", corner_deviation, kAtLeast0, "m",
+  visit("corner_deviation", corner_deviation, kDistance, "m",
         "How far the motion may pass from its corners, as the farthest that any point of the arm "
         "moves from where it is at the corner; 0: it stops at each of them.");
   visit.unlisted("seed", seed, kAtLeast0, "", "Of the search.");

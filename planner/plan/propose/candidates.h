@@ -26,7 +26,7 @@ struct CandidateOptions {
 template <SettingsOf<CandidateOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [start_clearance] = options;
-  visit("start_clearance", start_clearance, kAtLeast0, "m",
+  visit("start_clearance", start_clearance, kDistance, "m",
         "Smallest distance, along the approach, between hand and object at the pre-grasp.");
 }
 

@@ -32,7 +32,7 @@ struct TimePathOptions {
 template <SettingsOf<TimePathOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [sample_time] = options;
-  visit("sample_time", sample_time, kAbove0, "s", "Longest time between two samples.");
+  visit("sample_time", sample_time, kTimeAbove0, "s", "Longest time between two samples.");
 }
 
 // A motion at rest at both ends. Time starts at 0 and increases.

@@ -28,19 +28,18 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("dynamic", dynamic,
         "Whether a trial's hand closes in time, which takes a hundred times longer; else the "
         "object stands still, as in the closing of a hand in GraspIt!.");
-  visit("gravity", gravity, kAtLeast0, "m/s^2",
+  visit("gravity", gravity, kRate, "m/s^2",
         "Where the scene has obstacles to stand on; else there is none.");
-  visit("settle", settle, kAtLeast0, "s",
-        "Longest time in which the object comes to rest at first.");
-  visit("close", close, kAbove0, "s",
+  visit("settle", settle, kTime, "s", "Longest time in which the object comes to rest at first.");
+  visit("close", close, kTimeAbove0, "s",
         "Longest time in which the hand closes, or ends a stage of its strategy.");
-  visit("lift", lift, kAtLeast0, "m",
+  visit("lift", lift, kDistance, "m",
         "How far the closed hand rises, if the object stands on something; 0: not.");
-  visit("lift_time", lift_time, kAbove0, "s", "Time in which it rises.");
-  visit("hold", hold, kAtLeast0, "s",
+  visit("lift_time", lift_time, kTimeAbove0, "s", "Time in which it rises.");
+  visit("hold", hold, kTime, "s",
         "Longest time in which it is watched after that, until everything rests.");
   visit("step", step, kSteps, "s", "The longest of the simulation.");
-  visit("travel", travel, kAbove0, "m",
+  visit("travel", travel, kLengthAbove0, "m",
         "Steps are shorter where points of the hand or the object would move farther than this in "
         "one, down to those of other simulations.");
 }

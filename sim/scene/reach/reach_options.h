@@ -16,7 +16,7 @@ struct MotionCheckOptions {
 template <SettingsOf<MotionCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [tightest] = options;
-  visit("tightest", tightest, kAbove0, "m",
+  visit("tightest", tightest, kLengthAbove0, "m",
         "A stretch on which the bodies of a pair move by no more than this against each other is "
         "not divided further: a pair not yet proved free there counts as blocked.");
 }
@@ -37,8 +37,8 @@ template <SettingsOf<ReachOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [kinematics, line_step, largest_joint_step, motion] = options;
   visit("kinematics", kinematics, "The arm's inverse kinematics.");
-  visit("line_step", line_step, kAbove0, "m", "Longest step along the line.");
-  visit("largest_joint_step", largest_joint_step, kAbove0, "rad or m",
+  visit("line_step", line_step, kLengthAbove0, "m", "Longest step along the line.");
+  visit("largest_joint_step", largest_joint_step, kLengthAbove0, "rad or m",
         "More change of a joint in one step counts as a jump to another branch of the inverse "
         "kinematics, where the hand would leave the line.");
   visit("motion", motion, "How the arm's motion is proven free of collision.");

@@ -17,14 +17,14 @@ struct ContactOptions {
 template <SettingsOf<ContactOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [threshold, evenness, angular_tolerance, max_region_corners] = options;
-  visit("threshold", threshold, kAbove0, "m", "Surfaces closer than this touch.");
-  visit("evenness", evenness, kAtLeast0, "m",
+  visit("threshold", threshold, kLengthAbove0, "m", "Surfaces closer than this touch.");
+  visit("evenness", evenness, kDistance, "m",
         "Points of a face contact whose gap exceeds the smallest one by at most this belong to "
         "it.");
-  visit("angular_tolerance", angular_tolerance, kAtLeast0, "",
+  visit("angular_tolerance", angular_tolerance, kRatio, "",
         "Sine of the angle by which a surface may rise above the tangent plane of a contact, and "
         "within which normals count as equal.");
-  visit("max_region_corners", max_region_corners, Range{.lower = 3.0}, "",
+  visit("max_region_corners", max_region_corners, Range{.lower = 3.0, .upper = kLargestCount}, "",
         "Most corners of a region of contact; those go first whose removal costs the least area.");
 }
 
