@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <sstream>
 #include <tuple>
@@ -23,6 +22,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
+#include "sim/base/range.h"
 #include "sim/base/require_settings.h"
 
 namespace prehend {
@@ -224,10 +224,10 @@ int ranked_grasps(const PlanOptions& options, bool goes_on) {
   // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
   // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
   const bool by_epsilon = options.rank.by == RankBy::epsilon;
-  if (options.paths && goes_on && by_epsilon) return std::numeric_limits<int>::max();
+  if (options.paths && goes_on && by_epsilon) return static_cast<int>(kLargestCount);
   if (by_epsilon && !(goes_on && closes_freely(options))) return options.rank.top;
   const double pool = options.rank.pool * static_cast<double>(options.rank.top);
-  return static_cast<int>(std::min(pool, 1e9));
+  return static_cast<int>(std::min(pool, kLargestCount));
 }
 
 // The grasp of a trial, which it takes. Trial i is entry i of PlanResult::tried.

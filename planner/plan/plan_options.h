@@ -71,7 +71,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("volumes", volumes,
         "Whether the volume, epsilon_nearby and the holding of the returned grasps are computed, "
         "which takes longer than the trials of all of them.");
-  visit.unlisted("sections", sections, kCount, "",
+  visit.unlisted("sections", sections, kAtLeast0, "",
                  "How many of the returned grasps, the first ones, get sections of their wrench "
                  "space.");
 }
@@ -93,10 +93,10 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit({"trial", ""}, trial, "How each grasp is tried.");
   visit("robustness", robustness, "As in PlanOptions.");
   visit("uncertainty", uncertainty, "As in PlanOptions.");
-  visit.unlisted("volumes", volumes, kCount, "",
+  visit.unlisted("volumes", volumes, kAtLeast0, "",
                  "For how many of the grasps, the first ones, the volume, epsilon_nearby and the "
                  "holding are computed: that may take 50 times as long as the trial itself.");
-  visit.unlisted("sections", sections, kCount, "", "As in PlanOptions; at most `volumes`.");
+  visit.unlisted("sections", sections, kAtLeast0, "", "As in PlanOptions; at most `volumes`.");
 }
 
 }  // namespace prehend

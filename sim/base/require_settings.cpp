@@ -1,5 +1,7 @@
 #include "sim/base/require_settings.h"
 
+#include <limits>
+
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 
@@ -29,7 +31,13 @@ SettingFault fault_at(const SettingPlace& place, std::string problem, std::strin
 }  // namespace
 
 SettingFault fault_of_range(const SettingPlace& place, const Range& range, double value) {
-  return fault_at(place, range.words(), formatted("%.9g", value));
+  // Whoever is below the range is not told of an end that nobody comes near.
+  constexpr double kNobodyComesNear = 1e5;
+  Range told = range;
+  if (range.upper >= kNobodyComesNear && !(value > range.upper)) {
+    told.upper = std::numeric_limits<double>::infinity();
+  }
+  return fault_at(place, told.words(), formatted("%.9g", value));
 }
 
 SettingFault fault_of_relation(const SettingPlace& place, std::string_view problem) {

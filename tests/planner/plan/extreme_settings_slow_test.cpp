@@ -71,7 +71,8 @@ TEST(ExtremeSettings, HaveBothEnds) {
   const std::vector<NumberSetting> all = number_settings();
   EXPECT_GT(all.size(), 70U);
   for (const NumberSetting& setting : all) {
-    if (setting.name.ends_with("seed")) continue;
+    // A call from C++ says "all of them" by the largest number.
+    if (setting.name.ends_with("seed") || setting.name == "sections") continue;
     EXPECT_TRUE(std::isfinite(setting.range.upper)) << setting.name;
     EXPECT_TRUE(std::isfinite(setting.range.lower)) << setting.name;
   }
