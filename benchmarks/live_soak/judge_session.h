@@ -23,8 +23,8 @@ enum class ChangeEnd {
 
 struct JudgedChange {
   ChangeEnd end = ChangeEnd::no_step;
-  Json after;         // the state
-  std::string fault;  // empty: none
+  Json after = {};         // the state
+  std::string fault = {};  // empty: none
 };
 
 // Makes a change while nobody else does: refused it must leave all as it was; as one step of undo
@@ -34,8 +34,8 @@ JudgedChange judge_change(const Ask& ask, const Ask& other, const std::function<
 struct JudgedGrasp {
   bool is_evaluated = false;  // false: no hand that can close on an object
   bool is_stable = false;
-  std::string fault;   // empty: none
-  std::string detail;  // of the fault
+  std::string fault = {};   // empty: none
+  std::string detail = {};  // of the fault
 };
 
 // Closes the hand, which must have the outcome and the epsilon that evaluate() has for the file of
