@@ -54,25 +54,24 @@ void limit(Json& request, const char* field, double most) {
   }
 }
 
-// The request that asks for little work; lines that are none stay as they are.
-std::string made_small(const std::string& line) {
+// The request of a line, made to ask for little work; discarded where there is none.
+Json small_request(const std::string& line) {
   Json request = Json::parse(line, nullptr, false);
-  if (!request.is_object()) return line;
+  if (!request.is_object()) return request;
   limit(request, "triangles", kMostTriangles);
   limit(request, "trials", kMostTrials);
   limit(request, "seconds", kMostSeconds);
-  if (request.value("command", Json()) == "plan.start") {
+  const Json command = request.value("command", Json());
+  if (command == "plan.start") {
     request["accuracy"] = "draft";
     request["paths"] = false;
-    if (!request.contains("trials")) request["trials"] = kMostTrials;
   }
-  if (request.value("command", Json()) == "grasp.refine") request["trials"] = kMostTrials;
-  if (request.contains("mesh_text") || request.contains("mesh_base64") ||
-      !request.contains("generate")) {
-    return request.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const bool tries = command == "plan.start" || command == "grasp.refine";
+  if (tries && !request.contains("trials")) request["trials"] = kMostTrials;
+  if (request.contains("generate") && !request.contains("triangles")) {
+    request["triangles"] = kMostTriangles;
   }
-  if (!request.contains("triangles")) request["triangles"] = kMostTriangles;
-  return request.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return request;
 }
 
 // What one client is told.
@@ -171,7 +170,7 @@ class Talk {
     const bool second = line.front() == ' ';
     Client& speaker = second ? other_ : one_;
     Client& listener = second ? one_ : other_;
-    const Json request = Json::parse(made_small(line), nullptr, false);
+    const Json request = small_request(line);
     const Json name = request.is_object() ? request.value("command", Json()) : Json();
     // It reads the files of all robots, which takes as long as all else.
     if (name == "hello") return;
@@ -198,9 +197,14 @@ class Talk {
   }
 
   Json reply_of(Client& speaker, const std::string& line, const Json& request) {
-    // With an id of its own it is sent as it is, as is what is no request.
-    const bool is_ours = request.is_object() && !request.contains("id");
-    const Json reply = is_ours ? speaker.reply_to(request) : speaker.reply_to_text(line);
+    Json reply;
+    if (!request.is_object()) {
+      reply = speaker.reply_to_text(line);
+    } else if (request.contains("id")) {
+      reply = speaker.reply_to_text(request.dump(-1, ' ', false, Json::error_handler_t::replace));
+    } else {
+      reply = speaker.reply_to(request);
+    }
     if (reply.value("ok", false) || !refusal_.empty()) return reply;
     refusal_ = reply["error"].value("problem", "");
     return reply;
