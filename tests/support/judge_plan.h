@@ -22,19 +22,21 @@ inline bool same_pose(const Pose& a, const Pose& b, const RankOptions& options) 
 }
 
 // Grasps that hold a free object in force closure, its centre (if it stood on something) moved by
-// less than 20 mm, come first, then the others that were closed on one, both by the epsilon where
-// it ended; then the rest.
+// less than 20 mm, come first, then the others that keep one, both by the epsilon where it ended;
+// then the rest. Those that lose it are in a plan only if none keeps it.
 inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other,
                       const std::optional<Vector3>& center_O) {
   const auto place = [&](const ScoredGrasp& of) {
-    if (!of.free) return 2;
+    const bool keeps = of.free && (of.free->outcome == Outcome::stable ||
+                                   (of.free->outcome == Outcome::not_force_closure && center_O));
+    if (!keeps) return 2;
     const bool near =
         !center_O || (of.free->X_OC && (*of.free->X_OC * *center_O - *center_O).norm() < 0.02);
     return near && of.free->outcome == Outcome::stable ? 0 : 1;
   };
   if (place(grasp) != place(other)) return place(grasp) < place(other);
-  return grasp.free ? grasp.free->epsilon.lower > other.free->epsilon.lower
-                    : grasp.trial.epsilon.lower > other.trial.epsilon.lower;
+  return place(grasp) < 2 ? grasp.free->epsilon.lower > other.free->epsilon.lower
+                          : grasp.trial.epsilon.lower > other.trial.epsilon.lower;
 }
 
 inline void judge_order(const PlanResult& result, const PlanOptions& options,
