@@ -27,6 +27,10 @@ using Clock = std::chrono::steady_clock;
 
 // Requests of each client between two pauses.
 constexpr int kBetweenPauses = 40;
+// How often the memory is measured: what a heap keeps hangs on what was in it just before.
+constexpr std::size_t kMeasuredAQuarter = 10;
+// Least pauses between two measurements: each begins the session anew.
+constexpr int kPausesBetween = 5;
 // Of the events that come to a client, so many are one that it looks at.
 constexpr std::size_t kLookAtEvery = 5;
 
@@ -47,7 +51,8 @@ class Findings {
     LiveSoakResult::Fault& fault = result_.faults[words];
     if (fault.count++ == 0) fault.first = request.substr(0, 400);
   }
-  void count(const std::function<void(LiveSoakResult&)>& add) {
+  template <typename Add>
+  void count(const Add& add) {
     const std::lock_guard hold(lock_);
     add(result_);
   }
@@ -293,19 +298,26 @@ class LiveSoak {
       findings_.fault(std::string("the judge has ended: ") + error.what(), "");
       is_over_ = true;
     }
-    const long done = findings_.result().messages();
-    const long quarter = static_cast<long>(findings_.result().resident.size()) + 1;
+    long done = 0;
+    std::size_t measured = 0;
+    findings_.count([&](const LiveSoakResult& result) {
+      done = result.messages();
+      measured = result.resident.size();
+    });
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
     const double share =
         std::max(static_cast<double>(done) / static_cast<double>(options_.messages),
                  elapsed / options_.seconds);
-    if (quarter <= 4 && share >= 0.25 * static_cast<double>(quarter)) {
+    const auto in_all = static_cast<double>(4 * kMeasuredAQuarter);
+    if (++pauses_ >= kPausesBetween && measured < 4 * kMeasuredAQuarter &&
+        share >= static_cast<double>(measured + 1) / in_all) {
+      pauses_ = 0;
       judge_->begin_anew();
       findings_.count(
           [](LiveSoakResult& result) { result.resident.push_back(resident_megabytes()); });
     }
     if (share >= 1.0 || (options_.interrupted && options_.interrupted())) is_over_ = true;
-    if (options_.progress) options_.progress(findings_.result());
+    if (options_.progress) findings_.count(options_.progress);
   }
 
   void judge_replay() {
@@ -325,15 +337,28 @@ class LiveSoak {
   std::uint16_t port_ = 0;
   KnownNames names_;
   std::optional<Judge> judge_;
+  int pauses_ = 0;  // since memory was measured
   std::atomic<bool> is_over_ = false;
   Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace
 
+std::vector<double> LiveSoakResult::quarters() const {
+  std::vector<double> medians;
+  for (std::size_t i = 0; i + kMeasuredAQuarter <= resident.size(); i += kMeasuredAQuarter) {
+    const auto begin = resident.begin() + static_cast<std::ptrdiff_t>(i);
+    std::vector<double> quarter(begin, begin + static_cast<std::ptrdiff_t>(kMeasuredAQuarter));
+    std::sort(quarter.begin(), quarter.end());
+    medians.push_back(quarter[kMeasuredAQuarter / 2]);
+  }
+  return medians;
+}
+
 double LiveSoakResult::growth() const {
-  if (resident.size() < 2) return 0.0;
-  return *std::max_element(resident.begin() + 1, resident.end()) / resident.front() - 1.0;
+  const std::vector<double> medians = quarters();
+  if (medians.size() < 2) return 0.0;
+  return *std::max_element(medians.begin() + 1, medians.end()) / medians.front() - 1.0;
 }
 
 LiveSoakResult run_live_soak(const LiveSoakOptions& options) { return LiveSoak(options).run(); }

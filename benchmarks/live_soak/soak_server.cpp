@@ -1,7 +1,7 @@
 // Lets clients that try everything talk to a live server for long, and judges what it answers.
 //   live_soak [--messages N] [--hours H] [--clients N] [--seed S]
-// Prints each kind of fault with the first request that showed it, and the resident memory at the
-// ends of quarters. Exit status 1 after a fault, or where memory grows by more than 5 % after the
+// Prints each kind of fault with the first request that showed it, and the resident memory in each
+// quarter. Exit status 1 after a fault, or where memory grows by more than 5 % after the
 // first quarter (under sanitizers it does: they keep what was freed).
 #include <algorithm>
 #include <csignal>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "benchmarks/live_soak/live_soak.h"
+#include "planner/live/serve/few_heaps.h"
 
 namespace {
 
@@ -67,7 +68,7 @@ int print(const LiveSoakResult& result) {
   refusals.resize(std::min<std::size_t>(refusals.size(), 15));
   for (const auto& [count, words] : refusals)
     std::printf("refused %ld times: %s\n", count, words.c_str());
-  for (const double megabytes : result.resident) std::printf("%.1f MB\n", megabytes);
+  for (const double megabytes : result.quarters()) std::printf("%.1f MB\n", megabytes);
   std::printf("memory after the first quarter: %+.1f %%\n", 100.0 * result.growth());
   return result.faults.empty() && result.growth() <= kMostGrowth ? 0 : 1;
 }
@@ -76,6 +77,7 @@ int print(const LiveSoakResult& result) {
 
 int main(int argc, char** argv) {
   try {
+    prehend::use_few_heaps();
     LiveSoakOptions options = read_arguments(argc, argv);
     for (const int signal : {SIGINT, SIGTERM}) (void)std::signal(signal, interrupt);
     options.interrupted = [] { return interrupted != 0; };

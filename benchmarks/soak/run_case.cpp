@@ -157,23 +157,28 @@ class CaseRun {
                                 std::to_string(searched_before));
     }
     Random random(made_.seed);
-    std::vector<const Tried*> again;
+    std::vector<std::size_t> again;
     std::vector<Candidate> candidates;
     for (int i = 0; i < kAgain; ++i) {
-      again.push_back(&result.tried[random.index(searched_before)]);
-      const auto which = static_cast<std::size_t>(again.back()->candidate);
+      again.push_back(random.index(searched_before));
+      const auto which = static_cast<std::size_t>(result.tried[again.back()].candidate);
       candidates.push_back(searched.proposed.at(which).candidate);
     }
     EvaluateOptions options;
     options.seed = made_.options.seed;
     options.trial = made_.options.trial;
-    PlanResult evaluated = evaluate(*scene_, candidates, options, {.threads = 2});
-    if (!options.trial.formation.dynamic)
-      close_freely(*scene_, options.trial, {.threads = 2}, evaluated);
+    const std::vector<ScoredGrasp> evaluated = evaluate_freely(candidates, options);
+    options.trial.back_off_tries = std::max(options.trial.back_off_tries, kExtraBackOffs);
     for (std::size_t i = 0; i < again.size(); ++i) {
-      const Trial& trial = evaluated.grasps.at(i).trial;
-      const std::string name = "candidate " + std::to_string(again[i]->candidate);
-      compare(name, *again[i], evaluated.grasps[i], result);
+      const Trial& trial = evaluated.at(i).trial;
+      const Tried& tried = result.tried[again[i]];
+      const std::string name = "candidate " + std::to_string(tried.candidate);
+      // Where none of the first trials held, later ones back off more often than is asked for.
+      if (is_same(tried, evaluated[i]) || !may_back_off_more(searched, again[i])) {
+        compare(name, tried, evaluated[i], result);
+      } else {
+        compare(name, tried, evaluate_freely({candidates[i]}, options).at(0), result);
+      }
       if (trial.outcome != Outcome::not_force_closure) continue;
       // Centring may have moved the hand to where the arm cannot follow. Such a trial has no
       // posture to judge (Trial::arm_line).
@@ -181,6 +186,29 @@ class CaseRun {
       ++findings_.other_trials;
       judge_trial(name, trial);
     }
+  }
+
+  std::vector<ScoredGrasp> evaluate_freely(const std::vector<Candidate>& candidates,
+                                           const EvaluateOptions& options) const {
+    const RunContext context{.threads = 2};
+    PlanResult result = evaluate(*scene_, candidates, options, context);
+    if (!options.trial.formation.dynamic) close_freely(*scene_, options.trial, context, result);
+    return std::move(result.grasps);
+  }
+
+  bool may_back_off_more(const SearchResult& searched, std::size_t trial) const {
+    int counted = 0;  // before the first that held
+    for (std::size_t i = 0; i < trial && searched.trials[i].outcome != Outcome::stable; ++i) {
+      counted += is_blocked(searched.trials[i].outcome) ? 0 : 1;
+    }
+    return counted >= made_.options.search.trials_before_extra_back_offs;
+  }
+
+  static bool is_same(const Tried& tried, const ScoredGrasp& evaluated) {
+    // A plan counts what loses a free object under how it does so.
+    const bool is_lost = evaluated.trial.outcome == Outcome::stable && evaluated.free &&
+                         evaluated.free->outcome == tried.outcome;
+    return is_lost || tried.outcome == evaluated.trial.outcome || tried.outcome == Outcome::no_path;
   }
 
   static std::size_t refined_of(const PlanResult& result) {
@@ -193,12 +221,7 @@ class CaseRun {
   void compare(const std::string& name, const Tried& tried, const ScoredGrasp& evaluated,
                const PlanResult& result) {
     const Trial& trial = evaluated.trial;
-    // A plan counts what loses a free object under how it does so.
-    const bool is_lost = trial.outcome == Outcome::stable && evaluated.free &&
-                         evaluated.free->outcome == tried.outcome;
-    const bool same =
-        is_lost || tried.outcome == trial.outcome || tried.outcome == Outcome::no_path;
-    if (!same) {
+    if (!is_same(tried, evaluated)) {
       fault("again", name + " ended as " + std::string(name_of(tried.outcome)) + ", then as " +
                          std::string(name_of(trial.outcome)));
     }

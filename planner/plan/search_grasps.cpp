@@ -21,8 +21,6 @@ constexpr double kThinPartsAfter = 0.2;
 // at least for this part of them, and longer where some of them are among the grasps that are
 // followed.
 constexpr double kThinPartsLeast = 0.06;
-// How often the hand backs off where none of the first trials has held.
-constexpr int kExtraBackOffs = 4;
 
 class GraspSearch {
  public:

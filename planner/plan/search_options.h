@@ -12,6 +12,9 @@ namespace prehend {
 struct Candidate;
 struct Trial;
 
+// How often the hand backs off where none of the first trials has held.
+constexpr int kExtraBackOffs = 4;
+
 struct SearchOptions {
   static constexpr AboutSettings kAbout{
       "SearchOptions",

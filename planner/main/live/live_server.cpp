@@ -16,6 +16,7 @@
 #include "planner/live/protocol/recording_file.h"
 #include "planner/live/protocol/request.h"
 #include "planner/live/protocol/session_endpoint.h"
+#include "planner/live/serve/few_heaps.h"
 #include "planner/live/serve/server.h"
 #include "planner/live/serve/token.h"
 #include "planner/live/studio/studio_page.h"
@@ -171,6 +172,7 @@ void say_where(const LiveServer& live, const ServerPorts& ports, const Server& s
 
 int run_live_server(const LiveServer& live, Interrupts& interrupts) {
   interrupts.cancel_first();
+  use_few_heaps();
   Recorder recorder(live.session.record);
   SessionEndpoint endpoint(options_of(live), recorder.taker());
   if (!live.scene.empty()) {

@@ -68,7 +68,11 @@ TEST(LiveSoak, JudgesSeeWhatIsWrong) {
 
 TEST(LiveSoak, GrowthIsThatAfterTheFirstQuarter) {
   LiveSoakResult result;
-  result.resident = {100.0, 90.0, 110.0, 105.0};
+  for (const double megabytes : {100.0, 90.0, 110.0}) {
+    for (int i = 0; i < 10; ++i) result.resident.push_back(i == 3 ? 200.0 : megabytes);
+  }
+  result.resident.push_back(300.0);
+  EXPECT_EQ(result.quarters(), (std::vector{100.0, 90.0, 110.0}));
   EXPECT_NEAR(result.growth(), 0.1, 1e-12);
 }
 
