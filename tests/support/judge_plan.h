@@ -21,15 +21,18 @@ inline bool same_pose(const Pose& a, const Pose& b, const RankOptions& options) 
          angle <= 0.999999 * options.same_angle;
 }
 
+inline bool keeps_free(const ScoredGrasp& grasp, const std::optional<Vector3>& center_O) {
+  return grasp.free && (grasp.free->outcome == Outcome::stable ||
+                        (grasp.free->outcome == Outcome::not_force_closure && center_O));
+}
+
 // Grasps that hold a free object in force closure, its centre (if it stood on something) moved by
 // less than 20 mm, come first, then the others that keep one, both by the epsilon where it ended;
 // then the rest. Those that lose it are in a plan only if none keeps it.
 inline bool is_better(const ScoredGrasp& grasp, const ScoredGrasp& other,
                       const std::optional<Vector3>& center_O) {
   const auto place = [&](const ScoredGrasp& of) {
-    const bool keeps = of.free && (of.free->outcome == Outcome::stable ||
-                                   (of.free->outcome == Outcome::not_force_closure && center_O));
-    if (!keeps) return 2;
+    if (!keeps_free(of, center_O)) return 2;
     const bool near =
         !center_O || (of.free->X_OC && (*of.free->X_OC * *center_O - *center_O).norm() < 0.02);
     return near && of.free->outcome == Outcome::stable ? 0 : 1;
@@ -44,10 +47,16 @@ inline void judge_order(const PlanResult& result, const PlanOptions& options,
   if (result.grasps.size() > static_cast<std::size_t>(options.rank.top)) {
     faults.push_back({"rank", "more grasps than were asked for"});
   }
+  const bool any_keeps =
+      std::any_of(result.grasps.begin(), result.grasps.end(),
+                  [&](const ScoredGrasp& grasp) { return keeps_free(grasp, center_O); });
   for (std::size_t i = 0; i < result.grasps.size(); ++i) {
     const Trial& trial = result.grasps[i].trial;
     const std::string name = "grasp " + std::to_string(i);
     if (trial.outcome != Outcome::stable) faults.push_back({"rank", name + " is not stable"});
+    if (any_keeps && result.grasps[i].free && !keeps_free(result.grasps[i], center_O)) {
+      faults.push_back({"rank", name + " loses a free object, which others keep"});
+    }
     if (!result.grasps[i].volume || !(*result.grasps[i].volume > 0.0)) {
       faults.push_back({"rank", name + " has no volume"});
     }
