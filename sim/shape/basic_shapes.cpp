@@ -1,5 +1,6 @@
 #include "sim/shape/basic_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -172,16 +173,24 @@ TriangleMesh make_geodesic_sphere(double radius, int frequency) {
     if (fresh) mesh.vertices.push_back(radius * p.normalized());
     return place->second;
   };
+  // Six small triangles share a point: it is looked up once.
+  const int row = frequency + 1;
+  std::vector<int> known(static_cast<std::size_t>(row) * static_cast<std::size_t>(row));
   for (const Triangle& t : base.triangles) {
+    std::fill(known.begin(), known.end(), -1);
+    const auto at = [&](int i, int j) {
+      int& vertex = known[static_cast<std::size_t>(i * row + j)];
+      if (vertex < 0) vertex = point(t, {frequency - i - j, i, j});
+      return vertex;
+    };
     for (int i = 0; i < frequency; ++i) {
       for (int j = 0; i + j < frequency; ++j) {
-        const int k = frequency - i - j;
-        const int a = point(t, {k, i, j});
-        const int b = point(t, {k - 1, i + 1, j});
-        const int c = point(t, {k - 1, i, j + 1});
+        const int a = at(i, j);
+        const int b = at(i + 1, j);
+        const int c = at(i, j + 1);
         mesh.triangles.push_back({a, b, c});
         // The triangle that points the other way, where there is room for one.
-        if (k >= 2) mesh.triangles.push_back({b, point(t, {k - 2, i + 1, j + 1}), c});
+        if (i + j + 2 <= frequency) mesh.triangles.push_back({b, at(i + 1, j + 1), c});
       }
     }
   }
