@@ -10,9 +10,9 @@
 #include "sim/base/input_error.h"
 #include "sim/base/range.h"
 #include "sim/base/require_settings.h"
+#include "sim/quality/barrier_forces.h"
 #include "sim/quality/conic/conic_program.h"
 #include "sim/quality/force_program.h"
-#include "sim/quality/generated_forces.h"
 #include "sim/quality/ranges.h"
 #include "sim/quality/wrench.h"
 
@@ -28,24 +28,28 @@
 namespace prehend {
 namespace {
 
-// Above these numbers of contacts column generation is faster than one program of all contacts:
-// measured on random grasps, five times and more at 48 pyramids of 8 edges (which cross near 24),
-// while exact cones, whose curved border takes more points, cross near 100.
-constexpr std::size_t kManyPyramids = 48;
-constexpr std::size_t kManyExactCones = 100;
-// Nor are pyramids with more corners in all, however few, unknowns of one program: its matrices
-// grow with the square of their number.
-constexpr int kManyCorners = 1000;
+// The time of one program of all contacts grows with the cube of their number, and its matrices
+// with the square.
+constexpr std::size_t kMostProgramContacts = 100;
+constexpr int kMostProgramCorners = 1000;
 
-// The corners of all pyramids; 0 for exact cones.
-int corners_of(std::span<const Contact> contacts, const ForceOptions& options) {
+// Of times_borne: the price of what is missing, in sums of the least normal forces for the whole;
+// what is tried after a weight that was borne; where that starts from nothing; and the part that
+// counts as the whole.
+constexpr double kMissing = 1e6;
+constexpr double kLoadStep = 8.0;
+constexpr double kSmallestTimes = 1e-6;
+constexpr double kWhole = 1.0 - 1e-4;
+
+// Whether the contacts are few enough for one program.
+bool has_program(std::span<const Contact> contacts, const ForceOptions& options) {
+  if (contacts.size() > kMostProgramContacts) return false;
+  if (options.cone == FrictionCone::exact) return true;
   int corners = 0;
   for (const Contact& contact : contacts) {
-    if (options.cone == FrictionCone::exact) break;
     corners += pyramid_corners(contact.model, options.edges);
-    if (corners > kMostCorners) break;  // enough to know, and no overflow
   }
-  return corners;
+  return corners <= kMostProgramCorners;
 }
 
 [[noreturn]] void refuse(const std::string& field, const std::string& problem, double value) {
@@ -124,7 +128,7 @@ ContactForces no_forces(Eigen::Index contacts, ForceOutcome outcome) {
 // The forces of the second-order cone program. The solver's tolerances are well below those of
 // ForceOptions. That of certificates is below 1 / kLargestForce, because a certificate with an
 // error e only excludes solutions smaller than 1 / e.
-GeneratedForces program_forces(const ForceBalance& balance, const ForceOptions& options) {
+ProposedForces program_forces(const ForceBalance& balance, const ForceOptions& options) {
   const ForceProgram program(balance, options);
   const ConicSolution solution =
       solve(program.program(), {.tolerance = 1e-11, .infeasible_tolerance = 1e-12});
@@ -143,26 +147,15 @@ ForceBalance::Separation best_separation(const ForceBalance& balance, const Forc
   return better ? plain : found;
 }
 
-// Solves for the unit wrench and judges what was found, however the search ended. The program takes
-// time with the cube of the number of contacts, and more memory than there is for thousands.
-ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
-                           const Wrench& external, const HandTorques* hand,
-                           const ForceOptions& options) {
-  // The squares of small forces are not doubles.
-  const double size = external.stableNorm();
-  const ForceBalance balance(contacts, frame, external / size, size, hand, options);
-  const std::size_t few = options.cone == FrictionCone::exact ? kManyExactCones : kManyPyramids;
-  const bool many =
-      hand == nullptr && (contacts.size() > few || corners_of(contacts, options) > kManyCorners);
-  const GeneratedForces found =
-      many ? generate_forces(balance, options.measure, options.gap_tolerance)
-           : program_forces(balance, options);
+// The forces for a wrench of one unit, however the search for them ended.
+ContactForces judged(const ForceBalance& balance, const ForceOptions& options,
+                     const ProposedForces& found) {
   const ForceBalance::Separation separation = best_separation(balance, options, found.separation);
   // Also forces that leave over as much as the tolerance allows would have to be this large.
   const double smallest_sum =
       balance.lower_bound(separation, ForceMeasure::sum_of_normals, options.residual_tolerance);
   if (smallest_sum > kLargestForce) {
-    ContactForces result = no_forces(std::ssize(contacts), ForceOutcome::impossible);
+    ContactForces result = no_forces(balance.contacts(), ForceOutcome::impossible);
     const double length = separation.wrench.norm();
     result.separating = separation.wrench / length;
     result.torque_multipliers = separation.torques / length;
@@ -173,7 +166,21 @@ ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame&
   result.lowest = balance.lower_bound(separation, options.measure);
   result.components = found.components;
   if (judge_forces(balance, options, result)) result.outcome = ForceOutcome::balanced;
-  finish(contacts, size, result);
+  return result;
+}
+
+// The barrier answers for all but degenerate contacts, in a fraction of the time of the program.
+ContactForces solve_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
+                           const Wrench& external, const HandTorques* hand,
+                           const ForceOptions& options) {
+  // The squares of small forces are not doubles.
+  const double size = external.stableNorm();
+  const ForceBalance balance(contacts, frame, external / size, size, hand, options);
+  ContactForces result = judged(balance, options, barrier_forces(balance, options));
+  if (result.outcome == ForceOutcome::limit && has_program(contacts, options)) {
+    result = judged(balance, options, program_forces(balance, options));
+  }
+  if (result.outcome != ForceOutcome::impossible) finish(contacts, size, result);
   return result;
 }
 
@@ -183,14 +190,7 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
   check_contacts(contacts, frame);
   check_external(external, frame);
   require_settings(options);
-  if (hand != nullptr) {
-    check(*hand, std::ssize(contacts));
-    require(corners_of(contacts, options) <= kMostCorners,
-            {.field = "edges",
-             .problem = "with joint limits, the pyramids of all contacts may have " +
-                        std::to_string(kMostCorners) + " corners: fewer edges, or exact cones",
-             .value = std::to_string(options.edges)});
-  }
+  if (hand != nullptr) check(*hand, std::ssize(contacts));
   if (external.isZero(0.0)) return no_forces(std::ssize(contacts), ForceOutcome::balanced);
   if (!contacts.empty()) return solve_forces(contacts, frame, external, hand, options);
   ContactForces result = no_forces(0, ForceOutcome::impossible);
@@ -199,6 +199,32 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
   result.lowest = std::numeric_limits<double>::infinity();
   if (hand != nullptr) result.torque_multipliers.setZero(hand->limits.size());
   return result;
+}
+
+// How many times the forces can be taken before a joint torque exceeds its limit.
+double times_within_limits(const ContactForces& forces, const HandTorques& hand) {
+  Eigen::VectorXd torques = hand.jacobian.transpose() * forces.forces.reshaped();
+  if (hand.spin.size() > 0) torques += hand.spin.transpose() * forces.components.row(3).transpose();
+  double times = std::numeric_limits<double>::infinity();
+  for (Eigen::Index j = 0; j < torques.size(); ++j) {
+    if (torques[j] != 0.0) times = std::min(times, hand.limits[j] / std::abs(torques[j]));
+  }
+  return times;
+}
+
+// The part of the unit wrench that the forces balance; 0 where they are out of balance otherwise,
+// or beyond the joint limits.
+double balanced_part(const ForceBalance& balance, const ForceOptions& options,
+                     const ProposedForces& found) {
+  Wrench sum = Wrench::Zero();
+  for (Eigen::Index i = 0; i < balance.contacts(); ++i) {
+    sum += balance.map(i) * found.components.col(i);
+  }
+  const double part = -sum.dot(balance.wrench());
+  const double rest = (sum + part * balance.wrench()).norm();
+  const bool is_good = rest <= options.residual_tolerance * part &&
+                       balance.torque_excess(found.components) <= options.residual_tolerance;
+  return is_good ? part : 0.0;
 }
 
 }  // namespace
@@ -212,6 +238,32 @@ ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFr
                                const Wrench& external, const HandTorques& hand,
                                const ForceOptions& options) {
   return checked_forces(contacts, frame, external, &hand, options);
+}
+
+double times_borne(std::span<const Contact> contacts, const WrenchFrame& frame,
+                   const Wrench& external, const HandTorques& hand, double most) {
+  const ForceOptions options{.measure = ForceMeasure::sum_of_normals};
+  const ContactForces least = balancing_forces(contacts, frame, external, options);
+  check(hand, std::ssize(contacts));
+  // Forces may be good although the solver could not prove how good.
+  const bool balances =
+      least.outcome != ForceOutcome::impossible && least.residual <= options.residual_tolerance;
+  if (!balances) return 0.0;
+  if (external.isZero(0.0)) return most;
+  // Forces scale with the wrench, so the least bear as much as the joint that they load the most
+  // allows. Others may load the joints more evenly.
+  double borne = std::min(most, times_within_limits(least, hand));
+  const double size = external.stableNorm();
+  const double price = kMissing * least.sum_of_normals / size;
+  while (borne < most) {
+    const double times = std::min(most, std::max(kLoadStep * borne, kSmallestTimes));
+    const ForceBalance balance(contacts, frame, external / size, times * size, &hand, options);
+    const double part = balanced_part(balance, options, partial_forces(balance, options, price));
+    if (times * part <= borne) break;
+    borne = times * part;
+    if (part < kWhole) break;
+  }
+  return borne;
 }
 
 Resistance wrench_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,

@@ -96,25 +96,26 @@ struct ContactForces {
 // as impossible: solutions so large are rounding errors of a grasp that cannot balance the wrench.
 inline constexpr double kLargestForce = 1e10;
 
-// With joint limits all corners of pyramids are unknowns of one program, whose time grows with the
-// cube of their number.
-inline constexpr int kMostCorners = 2000;
-
 // The forces inside the friction cones whose wrenches and `external` add up to zero, with the
 // smallest measure; with a `hand`, within its joint torque limits too. `external` is
 // [force; torque * torque_scale] in `frame`. A zero wrench needs no force; without contacts any
-// other is impossible. Solved as one second-order cone program. Source: Boyd and Wegbreit, "Fast
+// other is impossible. Solved as a second-order cone program. Source: Boyd and Wegbreit, "Fast
 // computation of optimal contact forces", 2007; Lobo et al., "Applications of second-order cone
 // programming", 1998, section 3.7; joint torques as in Buss, Hashimoto and Moore 1996.
 //
 // Throws InputError as check_contacts does, for a wrench, options, joint limits or entries of the
-// matrices that are out of range (ranges.h), for matrices of the wrong shape, and for joint limits
-// together with pyramids of more corners in all than kMostCorners.
+// matrices that are out of range (ranges.h), and for matrices of the wrong shape.
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const ForceOptions& options = {});
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const HandTorques& hand,
                                const ForceOptions& options = {});
+
+// How many times `external` the forces within the friction cones and joint limits of `hand` balance,
+// at most `most` times. From below, for forces were found that do it, and within 1e-5 of itself
+// unless rounding stands in the way. 0: no forces balance it. Throws as balancing_forces.
+double times_borne(std::span<const Contact> contacts, const WrenchFrame& frame,
+                   const Wrench& external, const HandTorques& hand, double most);
 
 // Bounds lower <= k <= upper of the multiple k of a wrench that contacts can resist. Where it
 // cannot be balanced, both are 0; for a zero wrench both are infinite.

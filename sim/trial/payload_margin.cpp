@@ -20,9 +20,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// The strength is known to this part of itself.
-constexpr double kStrengthStep = 1.01;
-
 // The axis of a joint, unit, and a point on it, in the hand's base frame.
 struct JointAxis {
   Vector3 direction_H;
@@ -161,28 +158,28 @@ class Weighed {
     if (!balances(forces, kSum)) return load_case;
     load_case.sum_of_normals = forces.sum_of_normals;
     load_case.largest_normal = least_largest(down_O);
-    load_case.strength = strength(down_O, forces);
+    load_case.strength = strength(down_O);
     return load_case;
   }
 
-  // Burden::strength alone.
+  // LoadCase::strength.
   double strength(const Vector3& down_O) const {
-    const ContactForces forces = balancing_forces(contacts_, frame_, wrench(down_O), kSum);
-    return balances(forces, kSum) ? strength(down_O, forces) : 0.0;
+    const double most = std::min(kMostTimes, kLargestLoad / weight_);
+    const double times = times_borne(contacts_, frame_, wrench(down_O), hand_, most);
+    return times < most ? times : kInfinite;
   }
 
-  bool bears_times(const Vector3& down_O, double times) const {
-    const ContactForces forces =
-        balancing_forces(contacts_, frame_, wrench(down_O, times), hand_, kSum);
-    return forces.outcome == ForceOutcome::balanced;
+  bool is_borne(const Vector3& down_O) const {
+    // A little more than the whole, so that rounding does not decide.
+    return times_borne(contacts_, frame_, wrench(down_O), hand_, 1.01) >= 1.0;
   }
 
  private:
   static constexpr ForceOptions kSum{.measure = ForceMeasure::sum_of_normals};
 
-  Wrench wrench(const Vector3& down_O, double times = 1.0) const {
+  Wrench wrench(const Vector3& down_O) const {
     Wrench wrench = Wrench::Zero();
-    wrench.head<3>() = times * weight_ * down_O;
+    wrench.head<3>() = weight_ * down_O;
     wrench.tail<3>() = frame_.torque_scale * center_of_mass_O_.cross(Vector3(wrench.head<3>()));
     return wrench;
   }
@@ -197,32 +194,6 @@ class Weighed {
     const ForceOptions options;
     const ContactForces forces = balancing_forces(contacts_, frame_, wrench(down_O), options);
     return balances(forces, options) ? forces.largest_normal : kInfinite;
-  }
-
-  // Forces scale with the weight, so those of the least sum bear as much as the joint that they
-  // load the most allows. Other forces may load the joints more evenly: larger weights are tried,
-  // with the limits, until one cannot be borne.
-  double strength(const Vector3& down_O, const ContactForces& forces) const {
-    double borne = times_within_limits(forces);
-    double too_much = kInfinite;
-    // The first step answers for the usual grasp, of which the least forces are the best.
-    double next = kStrengthStep * borne;
-    const double most = std::min(kMostTimes, kLargestLoad / weight_);
-    while (borne < most && too_much > kStrengthStep * borne) {
-      (bears_times(down_O, next) ? borne : too_much) = next;
-      next = std::isfinite(too_much) ? std::sqrt(borne * too_much) : std::min(2.0 * borne, most);
-    }
-    return borne < most ? borne : kInfinite;
-  }
-
-  double times_within_limits(const ContactForces& forces) const {
-    const Eigen::VectorXd torques = hand_.jacobian.transpose() * forces.forces.reshaped() +
-                                    hand_.spin.transpose() * forces.components.row(3).transpose();
-    double times = kInfinite;
-    for (Eigen::Index j = 0; j < torques.size(); ++j) {
-      if (torques[j] != 0.0) times = std::min(times, hand_.limits[j] / std::abs(torques[j]));
-    }
-    return times;
   }
 
   // A weight that is borne so many times loads no drive but by rounding.
@@ -292,7 +263,7 @@ double weight_strength(const CompiledScene& scene, const Trial& trial) {
 
 bool can_lift(const CompiledScene& scene, const Trial& trial, double friction,
               const Vector3& center_of_mass_O) {
-  return Weighed(scene, trial, friction, center_of_mass_O).bears_times(given_down(scene), 1.0);
+  return Weighed(scene, trial, friction, center_of_mass_O).is_borne(given_down(scene));
 }
 
 }  // namespace prehend

@@ -17,8 +17,7 @@ struct LoadCase {
   Vector3 down_O = -Vector3::UnitZ();  // where gravity pulls, unit, object's frame
   double sum_of_normals = 0.0;  // of all contacts; infinite: no forces balance the weight [N]
   double largest_normal = 0.0;  // of a contact; infinite as above [N]
-  // How many times the weight the drives can hold, within 1 %: from below, for forces were found
-  // that do it. 0: no forces balance the weight; infinite: it loads no drive whose effort is known.
+  // How many times the weight the drives can hold (times_borne). 0: no forces balance the weight; infinite: it loads no drive whose effort is known.
   double strength = 0.0;
 };
 
@@ -43,7 +42,7 @@ HandTorques hand_torques(const CompiledScene& scene, const Trial& trial);
 PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,
                              const RunContext& context = {});
 
-// How many times the weight the drives hold as the object lies (Burden::strength).
+// How many times the weight the drives hold as the object lies (LoadCase::strength).
 double weight_strength(const CompiledScene& scene, const Trial& trial);
 
 // Whether the drives hold the weight as the object lies, with all friction coefficients times a

@@ -11,6 +11,7 @@
 #include "sim/quality/epsilon.h"
 #include "tests/sim/quality/force_checks.h"
 #include "tests/support/grasp_families.h"
+#include "tests/support/repeats.h"
 
 namespace prehend::test {
 namespace {
@@ -281,22 +282,62 @@ TEST(Forces, RejectsWhatMakesNoSense) {
   rejects_hand({Eigen::MatrixXd::Constant(6, 2, kInfinity), good.limits, {}});
 }
 
-// Without joint limits the corners are made as they are needed; with limits their number is capped.
+// Each finger pushes with a joint at an arm of 0.1 m.
+TEST(Forces, TimesBorneByTwoFingers) {
+  const double friction = 0.5;
+  const Contacts fingers = two_fingers(friction);
+  HandTorques hand{Eigen::MatrixXd::Zero(6, 2), Eigen::Vector2d(0.3, 0.2), {}};
+  for (int i = 0; i < 2; ++i) {
+    hand.jacobian.block<3, 1>(3 * i, i) = 0.1 * fingers[static_cast<std::size_t>(i)].normal;
+  }
+  // The weaker finger pushes with 2 N, and so does the other against it.
+  const double times = 2.0 * friction * 2.0 / 7.0;
+  EXPECT_NEAR(times_borne(fingers, {}, kWeight, hand, 1e6), times, 1e-5 * times);
+  EXPECT_EQ(times_borne(fingers, {}, kWeight, hand, 0.25), 0.25);
+  hand.limits.setConstant(kInfinity);
+  EXPECT_EQ(times_borne(fingers, {}, kWeight, hand, 1e6), 1e6);
+  EXPECT_EQ(times_borne(fingers, {}, wrench_of(0, 0, 0, 1, 0, 0), hand, 1e6), 0.0);
+  EXPECT_EQ(times_borne(fingers, {}, Wrench::Zero(), hand, 3.0), 3.0);
+}
+
+// So many times the wrench are balanced, a little more are not. The limits bind: each contact force
+// loads joints, as those of a hand do.
+TEST(Forces, TimesBorneAreTheMost) {
+  Random random(12);
+  int limited = 0;
+  for (int round = 0; round < repeats(40); ++round) {
+    const Contacts grasp = random_grasp(random, 4, 0.6);
+    HandTorques hand{Eigen::MatrixXd::Zero(12, 10), Eigen::VectorXd::Constant(10, 0.5), {}};
+    for (double& entry : hand.jacobian.reshaped()) entry = random.uniform(-0.1, 0.1);
+    const Wrench wrench = (Wrench() << random.direction(), random.vector(0.0, 0.1)).finished();
+    const double times = times_borne(grasp, {}, wrench, hand, 1e6);
+    if (times == 0.0 || times == 1e6) continue;
+    ++limited;
+    const ForceOptions sum{.measure = ForceMeasure::sum_of_normals};
+    EXPECT_EQ(balancing_forces(grasp, {}, 0.999 * times * wrench, hand, sum).outcome,
+              ForceOutcome::balanced);
+    EXPECT_NE(balancing_forces(grasp, {}, 1.001 * times * wrench, hand, sum).outcome,
+              ForceOutcome::balanced);
+  }
+  EXPECT_GT(limited, repeats(8));
+}
+
+// Thousands of corners, with joint limits and without.
 TEST(Forces, OfPyramidsWithManyEdges) {
   const std::vector<Contact> contacts = ring_grasp(4, 0.5);
   Wrench weight = Wrench::Zero();
   weight[2] = -3.0;
-  ForceOptions many{.cone = FrictionCone::pyramid, .edges = 1024};
+  const ForceOptions many{.cone = FrictionCone::pyramid, .edges = 1024};
   const ContactForces pyramids = balancing_forces(contacts, {}, weight, many);
   const ContactForces cones = balancing_forces(contacts, {}, weight);
   EXPECT_EQ(pyramids.outcome, ForceOutcome::balanced);
   EXPECT_GE(pyramids.largest_normal, cones.lowest);
   // The pyramids are narrower by 1 - cos(pi / 1024) = 5e-6.
   EXPECT_LE(pyramids.largest_normal, (1.0 + 1e-5) * cones.largest_normal);
-  HandTorques hand{Eigen::MatrixXd::Ones(12, 1), Eigen::VectorXd::Constant(1, 100.0), {}};
-  EXPECT_THROW(balancing_forces(contacts, {}, weight, hand, many), InputError);
-  many.edges = 16;
-  EXPECT_EQ(balancing_forces(contacts, {}, weight, hand, many).outcome, ForceOutcome::balanced);
+  const HandTorques hand{Eigen::MatrixXd::Ones(12, 1), Eigen::VectorXd::Constant(1, 100.0), {}};
+  const ContactForces held = balancing_forces(contacts, {}, weight, hand, many);
+  EXPECT_EQ(held.outcome, ForceOutcome::balanced);
+  EXPECT_NEAR(held.largest_normal, pyramids.largest_normal, 1e-6);
 }
 
 }  // namespace
