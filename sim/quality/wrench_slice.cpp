@@ -17,11 +17,14 @@ namespace {
 // The section of a hull given by half-spaces is the intersection of the half-spaces cut by the
 // fixed coordinates. Its corners are found by duality: about a point strictly inside, each
 // half-space becomes a point (its pole), and the facets of the hull of the poles are the corners of
-// the intersection. The point inside is the centre of the largest inscribed ball, which keeps all
-// poles as short as possible.
+// the intersection. The point inside is the section's origin where that is well inside, and the
+// centre of the largest inscribed ball otherwise, which keeps all poles as short as possible.
 
 // Sections thinner than this part of the hull's size are flat.
 constexpr double kFlat = 1e-9;
+
+// A point so far inside, as a part of the hull's size, leaves poles short enough.
+constexpr double kWellInside = 1e-3;
 
 // normals.col(i) . x <= offsets[i]; normals are unit.
 struct HalfSpaces {
@@ -201,7 +204,9 @@ WrenchSlice wrench_slice(const PointHull& hull, const FixedCoordinates& fixed) {
   // The cube of 1.1 times this size contains the hull, so that it does not cut the ball.
   const double size = std::frexp(hull.reach, &exponent);
   scale(cut->offsets, -exponent);
-  const Ball ball = inscribed_ball(*cut, 1.1 * size);
+  const double depth = cut->offsets.minCoeff();  // of the origin
+  const Ball ball = depth > kWellInside * size ? Ball{Eigen::Vector3d::Zero(), depth}
+                                               : inscribed_ball(*cut, 1.1 * size);
   if (!(ball.radius > kFlat * size)) return slice;
   add_surface(corners(*cut, ball.center), slice);
   scale(slice.vertices, exponent);
