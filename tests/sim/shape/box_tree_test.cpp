@@ -1,6 +1,7 @@
 // Every box holds what is below it.
 #include "sim/shape/box_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -43,8 +44,7 @@ TEST(BoxTree, EveryBoxHoldsItsTrianglesAndEveryTriangleIsALeafOnce) {
     };
     descend(0, {});
     EXPECT_EQ(seen, std::vector<int>(mesh.triangles.size(), 1)) << name;
-    // Halving at the median: the depth is the logarithm of the count, also for equal centres.
-    EXPECT_LE(deepest, 2 + static_cast<int>(std::log2(mesh.triangles.size()))) << name;
+    EXPECT_LE(deepest, 2 * static_cast<int>(std::log2(mesh.triangles.size()))) << name;
   }
 }
 
@@ -52,6 +52,45 @@ TEST(BoxTree, SplitsTrianglesThatLieOnTopOfEachOther) {
   TriangleMesh mesh = make_box({0.1, 0.1, 0.1});
   mesh.triangles.assign(64, mesh.triangles.front());
   EXPECT_EQ(build_box_tree(mesh).size(), 127U);
+}
+
+int depth_below(const std::vector<BoxNode>& tree, int at) {
+  const BoxNode& node = tree[static_cast<std::size_t>(at)];
+  if (node.is_leaf()) return 1;
+  return 1 + std::max(depth_below(tree, node.left), depth_below(tree, node.left + 1));
+}
+
+// Triangles that shrink towards a point by a factor of 20 each: every split by surface takes the
+// largest away.
+TEST(BoxTree, IsNotDeepWhereTrianglesShrink) {
+  TriangleMesh mesh;
+  for (int i = 0; i < 200; ++i) {
+    const double size = std::pow(20.0, -i);
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {Vector3(size, 0, 0), Vector3(size, size, 0), Vector3(size, 0, size)});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  }
+  const int depth = depth_below(build_box_tree(mesh), 0);
+  EXPECT_GT(depth, 40);
+  EXPECT_LE(depth, 60);
+}
+
+// The neighbours of a large triangle are in boxes of their own, not in one as large as it is.
+TEST(BoxTree, SetsALargeTriangleApart) {
+  TriangleMesh mesh;
+  const auto add = [&](const Vector3& at, double size) {
+    const int first = static_cast<int>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(),
+                         {at, at + size * Vector3::UnitX(), at + size * Vector3::UnitY()});
+    mesh.triangles.push_back({first, first + 1, first + 2});
+  };
+  for (int i = 0; i < 31; ++i) add(Vector3(0.01 * i, 0.0, 0.0), 0.01);
+  add(Vector3(0.32, 0.0, 0.0), 10.0);
+  const std::vector<BoxNode> tree = build_box_tree(mesh);
+  const BoxNode& left = tree[static_cast<std::size_t>(tree[0].left)];
+  const BoxNode& right = tree[static_cast<std::size_t>(tree[0].left) + 1];
+  EXPECT_TRUE(left.is_leaf() || right.is_leaf());
 }
 
 TEST(BoxTree, OfNothingIsEmpty) { EXPECT_TRUE(build_box_tree({}).empty()); }
