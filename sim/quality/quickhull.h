@@ -12,6 +12,8 @@ namespace prehend {
 // The result is either solid, and proved as in proved_volume.h, or `failed`, which says nothing
 // about the wrenches: point_hull is then to be asked. That happens where they are thinner than
 // about 1e-6 of their size. Most facets in one plane have equal normals and offsets, bit by bit.
+// A facet between near-duplicates, too thin to have a plane of its own, has some plane that leaves
+// all columns on one side.
 // Deterministic, but where more than six columns are in one plane, the facets there depend on the
 // order of the columns.
 //

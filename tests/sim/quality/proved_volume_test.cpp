@@ -73,6 +73,19 @@ TEST(ProvedVolume, RefusesAPlaneThatIsOff) {
   }
 }
 
+// What is rounding in a cube changes the volume of a box that is 1e-5 thick.
+TEST(ProvedVolume, RefusesAnErrorThatTheVolumeShows) {
+  Wrench half = Wrench::Ones();
+  for (const double thickness : {1.0, 1e-5}) {
+    half[1] = thickness;
+    const Wrenches wrenches = box(half).wrenches;
+    PointHull hull = point_hull(wrenches);
+    EXPECT_TRUE(proved_volume(wrenches, hull)) << thickness;
+    hull.offsets[0] += 1e-11;
+    EXPECT_EQ(proved_volume(wrenches, hull).has_value(), thickness == 1.0);
+  }
+}
+
 TEST(ProvedVolume, RefusesAWrongCorner) {
   const Wrenches wrenches = simplex().wrenches;
   PointHull hull = point_hull(wrenches);
