@@ -19,11 +19,12 @@ namespace prehend {
 // rounding, the boundary of the convex hull of the points added so far. Two neighbouring facets
 // share a ridge, the 4-simplex of five common corners.
 //
-// Whatever the rounding, the following holds. Every ridge is shared by exactly two facets. No point
-// of a facet is nearer to the origin than the facet's offset, if that is positive. A surface that
-// encloses the origin, with all offsets positive, keeps enclosing it, because points are added only
-// beyond facets that have the origin behind them. The smallest offset is therefore the radius of a
-// ball inside the hull of the points, even where rounding has made the surface slightly non-convex.
+// Whatever the rounding, the following holds. Every ridge is shared by exactly two facets. With
+// Planes::below_corners no point of a facet is nearer to the origin than the facet's offset, if
+// that is positive. A surface that encloses the origin, with all offsets positive, keeps enclosing
+// it, because points are added only beyond facets that have the origin behind them. The smallest
+// offset is therefore the radius of a ball inside the hull of the points, even where rounding has
+// made the surface slightly non-convex.
 class ExpandingPolytope {
  public:
   // Rounding error of a point's height above a plane, relative to the scale: a point no higher than
