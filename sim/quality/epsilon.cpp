@@ -126,8 +126,9 @@ class Growth {
 };
 
 // A lower bound from the facets of the full hull: the smallest distance of one of its simplices
-// from the origin. qhull merges facets that are nearly in one plane, so that its planes may miss
-// corners by far more than rounding; what counts here is the lowest corner (fit_offset).
+// from the origin. Where the hull comes from qhull, facets that are nearly in one plane were merged,
+// so that planes may miss corners by far more than rounding; what counts here is the lowest corner
+// (fit_offset).
 Hyperplane lowest_simplex(const Eigen::Ref<const Wrenches>& wrenches, const PointHull& hull) {
   std::vector<Wrench> points;
   for (const auto& column : wrenches.colwise()) points.emplace_back(column);
@@ -146,8 +147,8 @@ Hyperplane lowest_simplex(const Eigen::Ref<const Wrenches>& wrenches, const Poin
   return lowest;
 }
 
-// The bounds with the help of the full hull by qhull, for wrenches on which the search stalled at
-// `bracket`. If qhull fails too, the bracket remains the answer.
+// The bounds with the help of the full hull, for wrenches on which the search stalled at `bracket`.
+// If there is no full hull either, the bracket remains the answer.
 EpsilonBracket from_hull(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
                          EpsilonBracket bracket) {
   WrenchHull hull;

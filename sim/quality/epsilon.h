@@ -21,7 +21,7 @@ enum class EpsilonStatus {
   below_cutoff,      // upper fell below the caller's cutoff; lower is what was proved until then
   limit,             // facets used up; the bracket stands
   stalled,           // rounding leaves no better polytope; the bracket stands. From epsilon_l1 only
-                     // where the full hull by qhull brings the bounds no closer either
+                     // where the full hull brings the bounds no closer either
 };
 
 // The enumerator's name, as it is written in files.

@@ -14,7 +14,7 @@ struct EpsilonWorkspace {
 };
 
 // As epsilon_l1 in epsilon.h. Once the buffers have grown it allocates only for wrenches whose size
-// has to be scaled, and where rounding stalls the search and qhull has to help.
+// has to be scaled, and where rounding stalls the search and the full hull has to help.
 EpsilonBracket epsilon_l1(const Eigen::Ref<const Wrenches>& wrenches, const EpsilonOptions& options,
                           EpsilonWorkspace& workspace);
 

@@ -14,11 +14,12 @@
 namespace prehend {
 namespace {
 
-// A new plane is refitted to its corners where it misses one of them by more than this multiple of
-// the rounding of heights,
-constexpr double kRefit = 0.25;
-// or where the two planes combined in it almost cancel each other.
+// A new plane is fitted to its corners where the two planes combined in it almost cancel each
+// other,
 constexpr double kCancellation = 1e-4;
+constexpr double kCancellationShared = 1e-2;
+// or, below its corners, where it misses one by more than this multiple of the rounding of heights.
+constexpr double kRefit = 0.25;
 // Below this nothing is left of them, and one of the two serves as a guess.
 constexpr double kOpposite = 1e-14;
 
@@ -34,8 +35,10 @@ int position(const std::array<int, 6>& corners, int corner) {
 
 }  // namespace
 
-void ExpandingPolytope::start(const std::array<Wrench, 7>& corners, double scale) {
-  rounding_ = kRounding * scale;
+void ExpandingPolytope::start(const std::array<Wrench, 7>& corners, double scale, double rounding,
+                              Planes planes) {
+  rounding_ = rounding * scale;
+  planes_ = planes;
   bound_ = std::numeric_limits<double>::infinity();
   facets_.clear();
   facets_.reserve(512);
@@ -111,7 +114,7 @@ bool ExpandingPolytope::is_corner(const Wrench& point) const {
 bool ExpandingPolytope::sees(int facet, const Wrench& point) {
   Facet& f = facets_[index(facet)];
   f.visit = visit_;
-  f.height = f.plane.normal.dot(point) - f.plane.offset;
+  f.height = height(facet, point);
   f.visible = f.height > rounding_;
   return f.visible;
 }
@@ -138,15 +141,34 @@ void ExpandingPolytope::collect_visible(int facet, const Wrench& point) {
   }
 }
 
+// The plane of the facet that joins the point to the ridge between these two.
+//
+// All planes through the ridge are combinations of those of the two facets that share it; the point
+// lies at height h_s > 0 above the seen facet's plane and h_h <= 0 below the hidden one's, so h_s
+// (hidden plane) - h_h (seen plane) has it at height 0. That costs a few products, where a fit to
+// six corners would need an orthogonalisation. No weight is negative, so the new offset is at least
+// the smaller of the two: the lower bound of epsilon does not fall. And what is below both planes
+// is below the new one, even where the facet is so thin that its corners do not determine a plane.
+// A fit to them would lose that.
+Hyperplane ExpandingPolytope::plane_between(const Facet& seen, const Facet& hidden,
+                                            const FacetCorners& corners) const {
+  const bool shared = planes_ == Planes::shared;
+  if (shared && -hidden.height <= rounding_) return hidden.plane;
+  // A hidden facet may be below the point by no more than rounding, hence the maximum with 0.
+  const double hidden_weight = seen.height;
+  const double seen_weight = std::max(-hidden.height, 0.0);
+  Wrench normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
+                  (hidden_weight + seen_weight);
+  const double length = normal.norm();
+  if (length < kOpposite) normal = seen.plane.normal;
+  const FittedPlane fitted = fit_offset(normal, corners);
+  const bool cancels = length < (shared ? kCancellationShared : kCancellation);
+  const bool misses = !shared && fitted.spread > kRefit * rounding_;
+  return cancels || misses ? fit_plane(fitted.plane.normal, corners).plane : fitted.plane;
+}
+
 // Makes the facet that joins the point to one ridge of the border, and links it to the neighbour
 // across that ridge.
-//
-// Its plane contains the ridge and the point. All planes through the ridge are combinations of
-// those of the two facets that share it; the point lies at height h_s > 0 above the seen facet's
-// plane and h_h <= 0 below the hidden one's, so h_s (hidden plane) - h_h (seen plane) has it at
-// height 0. That costs a few products, where a fit to six corners would need an orthogonalisation.
-// No weight is negative, so the child's offset is at least the smaller of the two: the lower bound
-// of epsilon does not fall.
 int ExpandingPolytope::make_child(Side border, int point) {
   const int made = make_facet();
   const int side = corner_of(border);
@@ -160,20 +182,7 @@ int ExpandingPolytope::make_child(Side border, int point) {
   child.beyond[index(side)] = across;
   hidden.beyond[index(corner_of(across))] = side_of(made, side);
   seen.beyond[index(side)] = -1 - made;
-
-  // A hidden facet may be below the point by no more than rounding, hence the maximum with 0.
-  const double hidden_weight = seen.height;
-  const double seen_weight = std::max(-hidden.height, 0.0);
-  Wrench normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
-                  (hidden_weight + seen_weight);
-  const double length = normal.norm();
-  if (length < kOpposite) normal = seen.plane.normal;
-  const FacetCorners corners = corners_of(child);
-  FittedPlane fitted = fit_offset(normal, corners);
-  if (fitted.spread > kRefit * rounding_ || length < kCancellation) {
-    fitted = fit_plane(fitted.plane.normal, corners);
-  }
-  child.plane = fitted.plane;
+  child.plane = plane_between(seen, hidden, corners_of(child));
   return made;
 }
 
@@ -215,7 +224,11 @@ bool ExpandingPolytope::expand(int facet, const Wrench& point) {
   }
   const int corner = static_cast<int>(points_.size());
   points_.push_back(point);
-  for (const Side border : border_) offer(make_child(border, corner));
+  made_.clear();
+  for (const Side border : border_) {
+    made_.push_back(make_child(border, corner));
+    offer(made_.back());
+  }
   for (const Side border : border_) link_child(border);
   for (const int seen : visible_) {
     facets_[index(seen)].plane.offset = std::numeric_limits<double>::quiet_NaN();

@@ -1,10 +1,12 @@
 // A polytope in wrench space that grows, point by point, inside a convex set: the data structure of
-// the expanding polytope algorithm in epsilon.cpp.
+// the expanding polytope algorithm in epsilon.cpp, and of quickhull.cpp.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,20 +19,34 @@ namespace prehend {
 // rounding, the boundary of the convex hull of the points added so far. Two neighbouring facets
 // share a ridge, the 4-simplex of five common corners.
 //
-// Whatever the rounding, the following holds. Every ridge is shared by exactly two facets. No point
-// of a facet is nearer to the origin than the facet's offset, if that is positive. A surface that
-// encloses the origin, with all offsets positive, keeps enclosing it, because points are added only
-// beyond facets that have the origin behind them. The smallest offset is therefore the radius of a
-// ball inside the hull of the points, even where rounding has made the surface slightly non-convex.
+// Whatever the rounding, the following holds. Every ridge is shared by exactly two facets. With
+// Planes::below_corners no point of a facet is nearer to the origin than the facet's offset, if
+// that is positive. A surface that encloses the origin, with all offsets positive, keeps enclosing
+// it, because points are added only beyond facets that have the origin behind them. The smallest
+// offset is therefore the radius of a ball inside the hull of the points, even where rounding has
+// made the surface slightly non-convex.
 class ExpandingPolytope {
  public:
   // Rounding error of a point's height above a plane, relative to the scale: a point no higher than
   // this above a facet's plane counts as one that does not see the facet.
   static constexpr double kRounding = 1e-14;
 
+  // How the planes of new facets are made.
+  enum class Planes {
+    // So that no corner is below the plane of its facet: the offset is a lower bound of the
+    // distance between the facet and the origin.
+    below_corners,
+    // Facets that are in one plane up to the rounding have the same plane, bit by bit: a new facet
+    // takes over that of its hidden neighbour where the point is in it. Of such facets a point sees
+    // all or none, and no new facet folds back over them.
+    shared,
+  };
+
   // Makes it the simplex of `corners`, which are affinely independent, in the memory that it has.
-  // `scale` is the set's largest coordinate. To be called before anything else.
-  void start(const std::array<Wrench, 7>& corners, double scale);
+  // `scale` is the set's largest coordinate, `rounding` the height relative to it that counts as
+  // rounding. To be called before anything else.
+  void start(const std::array<Wrench, 7>& corners, double scale, double rounding = kRounding,
+             Planes planes = Planes::below_corners);
 
   // Lets nearest() ignore facets with an offset of `bound` or more. The bound must only decrease:
   // facets ignored once are not kept for later.
@@ -52,6 +68,24 @@ class ExpandingPolytope {
   // How many facets were made so far, those replaced since included.
   int facets_made() const { return facets_made_; }
 
+  // The facets that the last expansion has replaced, and those that it has made. The number of a
+  // facet that was replaced is used again by later expansions.
+  std::span<const int> replaced() const { return visible_; }
+  std::span<const int> made() const { return made_; }
+
+  // Numbers of facets are below this. Some may be those of replaced facets.
+  int facet_end() const { return static_cast<int>(facets_.size()); }
+  bool exists(int facet) const { return !std::isnan(plane(facet).offset); }
+  const Hyperplane& plane(int facet) const { return facets_[index(facet)].plane; }
+  // Points are numbered in the order in which they were added, from 0: those of start() first.
+  const std::array<int, 6>& corners(int facet) const { return facets_[index(facet)].corners; }
+
+  // Height above the facet's plane. The facet sees points that are higher than rounding().
+  double height(int facet, const Wrench& point) const {
+    return plane(facet).normal.dot(point) - plane(facet).offset;
+  }
+  double rounding() const { return rounding_; }
+
  private:
   // A side of a facet is the ridge opposite one of its six corners, stored as one number,
   // 8 facet + corner. While a facet is being replaced, a negative number stands for a side that
@@ -72,6 +106,8 @@ class ExpandingPolytope {
   };
 
   FacetCorners corners_of(const Facet& facet) const;
+  Hyperplane plane_between(const Facet& seen, const Facet& hidden,
+                           const FacetCorners& corners) const;
   bool sees(int facet, const Wrench& point);
   void collect_visible(int facet, const Wrench& point);
   int make_facet();
@@ -81,6 +117,7 @@ class ExpandingPolytope {
   bool is_corner(const Wrench& point) const;
 
   double rounding_ = 0.0;
+  Planes planes_ = Planes::below_corners;
   double bound_ = std::numeric_limits<double>::infinity();
   std::vector<Wrench> points_;
   std::vector<Facet> facets_;
@@ -88,6 +125,7 @@ class ExpandingPolytope {
   std::vector<std::pair<double, int>> heap_;  // offsets; entries of replaced facets are stale
   std::vector<int> visible_;
   std::vector<Side> border_;
+  std::vector<int> made_;
   std::uint32_t visit_ = 0;
   int facets_made_ = 0;
 };

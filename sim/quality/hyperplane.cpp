@@ -10,7 +10,7 @@ namespace {
 // reliable direction. With such directions the normals of neighbouring facets scatter, and the
 // growth of the polytope stalls on points that are nearly equal.
 constexpr double kShortRemainder = 1e-10;
-// Remainders of a unit vector below this are rounding.
+// Remainders of a vector below this part of its length are rounding.
 constexpr double kNoDirection = 1e-15;
 
 using Directions = Eigen::Matrix<double, 6, 5>;
@@ -68,12 +68,14 @@ FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners) {
   // What is left of the guess after subtracting its part in the facet is the normal. Where little
   // is left the remainder is inaccurate, and the next pass repairs it.
   Wrench normal = guess;
+  double before = guess.norm();
   for (int pass = 0; pass < 3; ++pass) {
     normal -= span * (span.transpose() * normal);
     const double length = normal.norm();
     // The guess lies in the facet: nothing better to say than the guess itself.
-    if (!(length > kNoDirection)) return fit_offset(guess, corners);
+    if (!(length > kNoDirection * before)) return fit_offset(guess, corners);
     normal /= length;
+    before = 1.0;
   }
   return fit_offset(normal, corners);
 }

@@ -25,9 +25,9 @@ using FacetCorners = std::array<const Wrench*, 6>;
 // however inexact the normal is.
 FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners);
 
-// The plane through the corners, with its normal on the side of `guess` (unit): `guess` less its
-// components along the facet. Where a facet is so thin that its edges do not determine the normal,
-// `guess` decides among those possible.
+// The plane through the corners, with its normal on the side of `guess` (not zero): `guess` less
+// its components along the facet. Where a facet is so thin that its edges do not determine the
+// normal, `guess` decides among those possible.
 FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners);
 
 }  // namespace prehend

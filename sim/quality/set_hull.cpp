@@ -11,6 +11,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/require_settings.h"
+#include "sim/quality/quickhull.h"
 #include "sim/quality/start_simplex.h"
 
 // Each round computes the hull of the points known so far, and asks for the set's support point
@@ -47,11 +48,12 @@ Points first_points(const SupportMap& set, const StartSimplex& start) {
   return points;
 }
 
-// The start simplex has shown that the points span six dimensions, so a hull that qhull calls flat
-// is a failure of precision just like one it cannot compute: both are tried again with joggled
-// points.
-PointHull hull_of(const Wrenches& points) {
-  PointHull hull = point_hull(points);
+// Where quickhull fails, qhull is asked. The start simplex has shown that the points span six
+// dimensions, so a hull that qhull calls flat is a failure of precision just like one it cannot
+// compute: both are tried again with joggled points.
+PointHull hull_of(const Wrenches& points, const StartSimplex& start) {
+  PointHull hull = quickhull(points, start);
+  if (hull.status != PointHullStatus::solid) hull = point_hull(points);
   if (hull.status != PointHullStatus::solid) hull = point_hull(points, HullInput::joggled);
   if (hull.status != PointHullStatus::solid || !std::isfinite(hull.volume)) {
     hull.status = PointHullStatus::failed;
@@ -156,7 +158,7 @@ SetHull set_hull(const SupportMap& set, const SetHullOptions& options) {
   Points points = first_points(set, start);
   while (true) {
     const Wrenches columns = columns_of(points);
-    PointHull hull = hull_of(columns);
+    PointHull hull = hull_of(columns, start);
     if (hull.status != PointHullStatus::solid) return result;
     result.hull = std::move(hull);
     const Beyond beyond =

@@ -12,7 +12,8 @@ struct SetHullOptions {
   static constexpr AboutSettings kAbout{"SetHullOptions", "How closely the volume is bracketed."};
   double relative_tolerance = 1e-9;
   int max_points = 500;
-  // A hull of n points in six dimensions can have n^3 facets; 30,000 take about a second.
+  // A hull of n points in six dimensions can have n^3 facets. 30,000 take some hundredths of a
+  // second, or about a second where qhull has to be asked.
   int max_facets = 30000;
 };
 

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sim/quality/quickhull.h"
 #include "sim/quality/start_simplex.h"
 #include "sim/quality/wrench_size.h"
 
@@ -37,7 +38,8 @@ WrenchHull wrench_hull(const Wrenches& wrenches) {
   // origin is outside: there is a volume even then.
   const StartSimplex start = start_simplex(ColumnSupport(wrenches), false);
   if (start.flat) return {};
-  PointHull points = point_hull(wrenches);
+  PointHull points = quickhull(wrenches, start);
+  if (points.status == PointHullStatus::failed) points = point_hull(wrenches);
   if (points.status == PointHullStatus::failed) points = point_hull(wrenches, HullInput::joggled);
   if (points.status == PointHullStatus::failed) {
     throw std::runtime_error("qhull: " + points.message);

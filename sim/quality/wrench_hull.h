@@ -1,4 +1,4 @@
-// The full convex hull of wrenches by qhull: its volume, and an independent computation of epsilon.
+// The full convex hull of wrenches: its volume, and an independent computation of epsilon.
 #pragma once
 
 #include "sim/quality/point_hull.h"
@@ -6,8 +6,8 @@
 
 namespace prehend {
 
-// Of friction pyramids with more edges the full hull of a grasp of a few contacts takes a minute
-// and more: set_hull bounds its volume in about a second.
+// Of friction pyramids with more edges the full hull of a grasp of a few contacts takes qhull,
+// where it has to be asked, a minute and more: set_hull bounds its volume in about a second.
 inline constexpr int kMostHullEdges = 16;
 
 enum class HullStatus {
@@ -30,11 +30,12 @@ struct WrenchHull {
   bool force_closure() const { return status == HullStatus::solid && min_offset > doubt; }
 };
 
-// Wrenches thinner than kFlatness times their size in some direction are flat. Where qhull fails on
-// others (near-duplicates), it is asked again with joggled input (QJ), of which min_offset and
-// volume are then taken; a joggled hull shows force closure only beyond the joggle.
+// Wrenches thinner than kFlatness times their size in some direction are flat. The hull of others
+// comes from quickhull(). Where that cannot prove its result (the wrenches are nearly flat), it
+// comes from qhull, and where qhull fails (near-duplicates), from qhull with joggled input (QJ); a
+// joggled hull shows force closure only beyond the joggle.
 //
-// Thread-safe (one qhull state a call). Throws InputError on a value that is not finite,
+// Thread-safe. Throws InputError on a value that is not finite,
 // std::runtime_error (with qhull's message) where qhull fails for another reason than flatness.
 WrenchHull wrench_hull(const Wrenches& wrenches);
 

@@ -26,9 +26,9 @@ Trial run_trial(const CompiledScene& scene, const Candidate& candidate,
 
 // The memory that trials need besides their results: one for each thread, for any number of trials
 // of any scenes. It grows to what the largest trial needs; from then on the trials of a free hand
-// do not allocate, except in the rare case in which rounding stalls epsilon and qhull has to help
-// (epsilon_l1). Inverse kinematics and the checks of an arm do allocate. Trials leave nothing in it
-// that the next one could depend on.
+// do not allocate, except in the rare case in which rounding stalls epsilon and the full hull has
+// to help (epsilon_l1). Inverse kinematics and the checks of an arm do allocate. Trials leave
+// nothing in it that the next one could depend on.
 class TrialWorkspace {
  public:
   TrialWorkspace();

@@ -52,6 +52,19 @@ TEST(WrenchSize, ExtremeSizesHaveTheSameQuality) {
   }
 }
 
+// Sizes that are not scaled: powers of two do not round.
+TEST(WrenchSize, OrdinarySizesHaveTheSameDigits) {
+  for (const NamedGrasp& grasp : grasp_families(61, 1)) {
+    const Wrenches wrenches = contact_wrenches(grasp.contacts, {}, grasp.edges);
+    const EpsilonBracket bracket = epsilon_l1(wrenches);
+    for (const int exponent : {-140, -60, 60, 140}) {
+      const EpsilonBracket other = epsilon_l1(times_power_of_two(wrenches, exponent));
+      EXPECT_EQ(std::ldexp(other.lower, -exponent), bracket.lower) << grasp.name << exponent;
+      EXPECT_EQ(std::ldexp(other.upper, -exponent), bracket.upper) << grasp.name << exponent;
+    }
+  }
+}
+
 TEST(WrenchSize, CutoffIsOfTheSameSize) {
   const Wrenches wrenches = times_power_of_two(cube(), 600);
   const double upper = epsilon_l1(wrenches).upper;
