@@ -18,10 +18,14 @@ namespace {
 
 // Looks at simplified bodies from each of a fixed set of directions, counts how many pixels of each
 // link and each friction cone are visible, and takes the direction with the best score
-// (best_viewpoint.h).
+// (best_viewpoint.h). Rough pictures of all directions tell which few are worth finer ones.
 
-// In which pixels are counted; it is not shown.
-constexpr PictureSize kCounted{120, 96};
+// Pictures in which pixels are counted; they are not shown.
+constexpr PictureSize kRough{64, 51};
+constexpr PictureSize kFine{160, 128};
+
+// Directions that are looked from again.
+constexpr std::size_t kMostFine = 6;
 
 // Weight of seeing the hand, against seeing the contacts.
 constexpr double kHandPart = 0.5;
@@ -37,7 +41,7 @@ constexpr double kSameScore = 1e-9;
 
 // What is seen from one direction.
 struct View {
-  std::vector<double> links;     // pixels of each link
+  std::vector<double> links;     // the part of the picture that shows each link
   std::vector<double> contacts;  // of each cone, the part that is not hidden, less along its axis
   double clear = 1.0;            // the part of the hand that no obstacle stands before
 };
@@ -61,9 +65,10 @@ std::vector<Vector3> framed_points(const GraspBodies& bodies) {
 
 // `axes` are those of the cones.
 View view_from(const Vector3& direction, const GraspBodies& bodies,
-               const std::vector<Vector3>& framed, const std::vector<Vector3>& axes) {
-  VisiblePixels picture(camera_around(framed, direction, kCounted.width, kCounted.height),
-                        kCounted.width, kCounted.height);
+               const std::vector<Vector3>& framed, const std::vector<Vector3>& axes,
+               const PictureSize& size) {
+  VisiblePixels picture(camera_around(framed, direction, size.width, size.height), size.width,
+                        size.height);
   for (const DrawnBody& link : bodies.hand) picture.add(link);
   std::vector<double> alone;
   for (const DrawnBody& cone : bodies.contacts) alone.push_back(picture.add(cone));
@@ -80,7 +85,9 @@ View view_from(const Vector3& direction, const GraspBodies& bodies,
     pixels = picture.counts();
     view.clear = free == 0.0 ? 0.0 : sum(std::span(pixels).first(links)) / free;
   }
-  view.links.assign(pixels.begin(), pixels.begin() + static_cast<std::ptrdiff_t>(links));
+  for (std::size_t l = 0; l < links; ++l) {
+    view.links.push_back(pixels[l] / (size.width * size.height));
+  }
   for (std::size_t c = 0; c < alone.size(); ++c) {
     // The visible part of the cone: its pixels over those that it covers. Seen along its axis a
     // cone looks like a disc and does not show where it points, hence the sine of the angle between
@@ -126,42 +133,71 @@ double hand_score(const View& view, const std::vector<double>& largest) {
   return largest.empty() ? 0.0 : sum / static_cast<double>(largest.size());
 }
 
-// A direction and its score.
+// A direction, by its place among viewing_directions(), and its score.
 struct Choice {
-  Vector3 direction = Vector3::UnitZ();
+  std::size_t place = 0;
   double score = 0.0;
 };
 
-Choice best_side(const GraspBodies& bodies, const PosedGrasp& grasp, const RunContext& context) {
-  const std::size_t links = bodies.hand.size();
-  const std::vector<Vector3> framed = framed_points(bodies);
-  std::vector<Vector3> axes;
-  for (std::size_t c = 0; c < grasp.contacts.size(); ++c) {
-    axes.push_back(bodies.contacts[c].X_WB.linear() * grasp.contacts[c].point.normal.normalized());
-  }
-  const std::vector<Vector3> directions = viewing_directions();
-  // All views come first, because hand_score compares each with the largest of them.
-  std::vector<View> views;
-  std::vector<double> largest(links, 0.0);
-  for (const Vector3& direction : directions) {
-    context.cancellation.check();
-    views.push_back(view_from(direction, bodies, framed, axes));
-    for (std::size_t l = 0; l < links; ++l) {
-      largest[l] = std::max(largest[l], views.back().links[l]);
+// Looks at one grasp.
+class SideSearch {
+ public:
+  SideSearch(const GraspBodies& bodies, const PosedGrasp& grasp)
+      : bodies_(bodies),
+        grasp_(grasp),
+        framed_(framed_points(bodies)),
+        largest_(bodies.hand.size(), 0.0) {
+    for (std::size_t c = 0; c < grasp.contacts.size(); ++c) {
+      axes_.push_back(bodies.contacts[c].X_WB.linear() *
+                      grasp.contacts[c].point.normal.normalized());
     }
   }
-  Choice best{directions.front()};
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    const double told =
-        contact_score(views[d], grasp, links) + kHandPart * hand_score(views[d], largest);
-    // What an obstacle covers counts as hidden in both parts already. The factor prefers, among
-    // sides that tell as much, one on which nothing stands before the hand: an obstacle is drawn
-    // translucent, but what is behind it is dim.
-    const double score = told * views[d].clear;
-    if (score > best.score + kSameScore) best = {directions[d], score};
+
+  Choice best(const RunContext& context) {
+    std::vector<Choice> choices;
+    for (std::size_t d = 0; d < directions_.size(); ++d) choices.push_back({d});
+    look(kRough, context, choices);
+    std::stable_sort(choices.begin(), choices.end(),
+                     [](const Choice& a, const Choice& b) { return a.score > b.score; });
+    choices.resize(std::min(choices.size(), kMostFine));
+    std::sort(choices.begin(), choices.end(),
+              [](const Choice& a, const Choice& b) { return a.place < b.place; });
+    look(kFine, context, choices);
+    Choice best = choices.front();
+    for (const Choice& choice : choices) {
+      if (choice.score > best.score + kSameScore) best = choice;
+    }
+    return best;
   }
-  return best;
-}
+
+ private:
+  void look(const PictureSize& size, const RunContext& context, std::vector<Choice>& choices) {
+    // All views come first, because hand_score compares each with the largest of them.
+    std::vector<View> views;
+    for (const Choice& choice : choices) {
+      context.cancellation.check();
+      views.push_back(view_from(directions_[choice.place], bodies_, framed_, axes_, size));
+      for (std::size_t l = 0; l < largest_.size(); ++l) {
+        largest_[l] = std::max(largest_[l], views.back().links[l]);
+      }
+    }
+    for (std::size_t c = 0; c < choices.size(); ++c) {
+      const double told = contact_score(views[c], grasp_, largest_.size()) +
+                          kHandPart * hand_score(views[c], largest_);
+      // What an obstacle covers counts as hidden in both parts already. The factor prefers, among
+      // sides that tell as much, one on which nothing stands before the hand: an obstacle is drawn
+      // translucent, but what is behind it is dim.
+      choices[c].score = told * views[c].clear;
+    }
+  }
+
+  const GraspBodies& bodies_;
+  const PosedGrasp& grasp_;
+  std::vector<Vector3> framed_;
+  std::vector<Vector3> axes_;    // of the cones
+  std::vector<double> largest_;  // of View::links, of all views so far
+  std::vector<Vector3> directions_ = viewing_directions();
+};
 
 }  // namespace
 
@@ -212,11 +248,13 @@ Vector3 ViewpointSearch::best(const PosedGrasp& grasp, const RunContext& context
   }
   // Obstacles are translucent in pictures, but what is behind them is hard to see.
   for (DrawnBody& body : bodies.obstacles) body.color.opacity = 1.0;
-  const Choice side = best_side(bodies, grasp, context);
+  Choice side = SideSearch(bodies, grasp).best(context);
   // Where obstacles hide the grasp from every side, as a closed box does, they are left out.
-  if (side.score > 0.0 || bodies.obstacles.empty()) return side.direction;
-  bodies.obstacles.clear();
-  return best_side(bodies, grasp, context).direction;
+  if (side.score == 0.0 && !bodies.obstacles.empty()) {
+    bodies.obstacles.clear();
+    side = SideSearch(bodies, grasp).best(context);
+  }
+  return viewing_directions()[side.place];
 }
 
 Vector3 best_viewpoint(const CompiledScene& scene, const PosedGrasp& grasp,

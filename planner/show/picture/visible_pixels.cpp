@@ -1,6 +1,7 @@
 #include "planner/show/picture/visible_pixels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -52,7 +53,7 @@ double VisiblePixels::add(const DrawnBody& body) {
     const Corner& c = corners_[index(t[2])];
     if (a.z() > 0.0 && b.z() > 0.0 && c.z() > 0.0) {
       // Counter-clockwise to the eye is the other sense here, as y points down.
-      fill({a, b, c}, cross(b - a, c - a) < 0.0 ? look.front_opacity : look.back_opacity);
+      fill(a, b, c, cross(b - a, c - a) < 0.0 ? look.front_opacity : look.back_opacity);
     } else {
       add_clipped(body, t, X_CB);
     }
@@ -71,18 +72,23 @@ void VisiblePixels::add_clipped(const DrawnBody& body, const Triangle& triangle,
   for (const ScreenTriangle& part : parts) {
     std::array<Corner, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) corners[k] << part.corners[k], part.inverse_depths[k];
-    fill(corners, part.opacity);
+    fill(corners[0], corners[1], corners[2], part.opacity);
   }
 }
 
 // Row by row: the pixels whose centers are from one side of the triangle to before the other. A
 // side is followed from its upper end whichever triangle it belongs to, so that a center on the
 // border of two triangles belongs to one of them.
-void VisiblePixels::fill(std::array<Corner, 3> corners, float opacity) {
-  if (corners[1].y() < corners[0].y()) std::swap(corners[0], corners[1]);
-  if (corners[2].y() < corners[1].y()) std::swap(corners[1], corners[2]);
-  if (corners[1].y() < corners[0].y()) std::swap(corners[0], corners[1]);
-  const auto& [top, middle, bottom] = corners;
+void VisiblePixels::fill(const Corner& a, const Corner& b, const Corner& c, float opacity) {
+  const auto [low_x, high_x] = std::minmax({a.x(), b.x(), c.x()});
+  if (first_center(low_x, width_) >= first_center(high_x, width_)) return;
+  std::array<const Corner*, 3> corners = {&a, &b, &c};
+  if (b.y() < a.y()) std::swap(corners[0], corners[1]);
+  if (corners[2]->y() < corners[1]->y()) std::swap(corners[1], corners[2]);
+  if (corners[1]->y() < corners[0]->y()) std::swap(corners[0], corners[1]);
+  const Corner& top = *corners[0];
+  const Corner& middle = *corners[1];
+  const Corner& bottom = *corners[2];
   const int first_y = first_center(top.y(), height_);
   const int end_y = first_center(bottom.y(), height_);
   if (first_y >= end_y) return;

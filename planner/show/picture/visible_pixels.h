@@ -1,7 +1,6 @@
 // Visibility: how many pixels of each body a camera sees.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -39,7 +38,7 @@ class VisiblePixels {
   };
 
   void add_clipped(const DrawnBody& body, const Triangle& triangle, const Pose& X_CB);
-  void fill(std::array<Corner, 3> corners, float opacity);
+  void fill(const Corner& a, const Corner& b, const Corner& c, float opacity);
   void touch(float inverse_depth, float opacity, Pixel& pixel);
 
   Projection projection_;
