@@ -32,7 +32,8 @@ class ViewpointSearch {
   // the root of a link's pixels over its pixels from where it is largest. `clear` is the part of
   // the hand's pixels before which no obstacle stands. The hand, the arm and obstacles hide what is
   // behind them, the object dims it. Where every score is 0 because of obstacles, they do not
-  // count. Throws Cancelled.
+  // count. Scores are those of small pictures: the few best of rough ones are compared again in
+  // finer ones. Throws Cancelled.
   Vector3 best(const PosedGrasp& grasp, const RunContext& context = {}) const;
 
  private:
