@@ -1,4 +1,6 @@
+#include <cstdint>
 #include <iostream>
+#include <optional>
 
 #include "planner/main/option_values.h"
 #include "planner/main/print_notes.h"
@@ -50,6 +52,7 @@ struct PlanCommand {
   bool dynamic = false;                       // hands close in time, on an object that gives way
   bool still = false;                         // hands are judged on an object that stands still
   std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
+  std::optional<bool> picture;                // of the best grasp; empty: where there is a report
   CommonOptions common;
 };
 
@@ -98,16 +101,21 @@ void declare(CLI::App& command, PlanCommand& options) {
   add_accuracy(command, options.common);
   add_contacts(command, options.common);
   add_no_report(command, options.common.no_report);
+  command.add_flag_function(
+      "--picture,!--no-picture", [&options](std::int64_t count) { options.picture = count > 0; },
+      "draw best.png or do without; else it is there where the report is");
 }
 
-// Pictures of the best grasp, by file name.
+// Pictures of the best grasp, by file name, from `side` if it is known already.
 std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& scene,
-                                                         const PlanResult& result) {
+                                                         const PlanResult& result,
+                                                         const std::optional<Vector3>& side) {
   std::vector<std::pair<std::string, Image>> pictures;
   if (result.grasps.empty()) return pictures;
   const ScoredGrasp& best = result.grasps.front();
   const PosedGrasp posed = posed_grasp(scene, best, grasp_title(best, 1));
-  pictures.emplace_back("best.png", grasp_picture(scene, posed, best_viewpoint(scene, posed)));
+  pictures.emplace_back("best.png",
+                        grasp_picture(scene, posed, side ? *side : best_viewpoint(scene, posed)));
   if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
   return pictures;
 }
@@ -271,15 +279,17 @@ class PlanProgram {
   void write_report(const CompiledScene& scene, const PlanResult& result, const RunRecord& record) {
     if (command_.common.no_report) return;
     const RunContext context{.threads = command_.common.threads};
-    interrupts_.write(folder_ / "report.html",
-                      report_html(plan_report(scene, result, record, kMostDetailed, context)));
+    const Report report = plan_report(scene, result, record, kMostDetailed, context);
+    interrupts_.write(folder_ / "report.html", report_html(report));
+    if (!report.grasps.empty()) best_side_ = report.grasps.front().side;
     written_ += ", report.html";
     watch_.lap(Stage::report);
   }
 
   std::string write_pictures(const CompiledScene& scene, const PlanResult& result) {
+    if (!command_.picture.value_or(!command_.common.no_report)) return "";
     std::string names;
-    for (const auto& [name, image] : best_pictures(scene, result)) {
+    for (const auto& [name, image] : best_pictures(scene, result, best_side_)) {
       interrupts_.write(folder_ / name, png_bytes(image));
       names += ", " + name;
     }
@@ -324,7 +334,8 @@ class PlanProgram {
   Interrupts& interrupts_;
   const std::filesystem::path folder_;
   Stopwatch watch_;
-  std::string written_;  // names of the files, with commas
+  std::string written_;               // names of the files, with commas
+  std::optional<Vector3> best_side_;  // of the best grasp, where the report has found it
 };
 
 int run_plan(const PlanCommand& command, Interrupts& interrupts) {

@@ -5,10 +5,9 @@
 #include <numbers>
 #include <numeric>
 #include <span>
-#include <utility>
 
 #include "planner/show/grasp_bodies.h"
-#include "planner/show/picture/draw.h"
+#include "planner/show/picture/image.h"
 #include "planner/show/picture/simplified_mesh.h"
 #include "planner/show/picture/visible_pixels.h"
 #include "sim/base/index.h"
@@ -17,62 +16,32 @@
 namespace prehend {
 namespace {
 
-// Renders a small picture from each of a fixed set of directions, counts how many pixels of each
+// Looks at simplified bodies from each of a fixed set of directions, counts how many pixels of each
 // link and each friction cone are visible, and takes the direction with the best score
-// (best_viewpoint.h).
+// (best_viewpoint.h). Rough pictures of all directions tell which few are worth finer ones.
+
+// Pictures in which pixels are counted; they are not shown.
+constexpr PictureSize kRough{64, 51};
+constexpr PictureSize kFine{160, 128};
+
+// Directions that are looked from again.
+constexpr std::size_t kMostFine = 6;
 
 // Weight of seeing the hand, against seeing the contacts.
 constexpr double kHandPart = 0.5;
 
 // More triangles of a body would not show in the small pictures.
-constexpr std::size_t kMostTriangles = 2000;
+constexpr std::size_t kMostTriangles = 500;
+
+// Of the friction cones, for the same reason.
+constexpr int kConeSides = 12;
 
 // Scores closer than this count as equal, so that rounding does not choose between symmetric sides.
 constexpr double kSameScore = 1e-9;
 
-// The bodies of the small pictures, by their role.
-struct SmallScene {
-  std::vector<DrawnBody> framed;     // fills the picture: object, hand and cones
-  std::vector<DrawnBody> seen;       // the hand's links, then the cones
-  std::size_t links = 0;             // of the hand
-  std::vector<DrawnBody> around;     // object and arm
-  std::vector<DrawnBody> obstacles;  // drawn solid here; empty when they are not to count
-};
-
-// The body with a simplified mesh where it has many triangles.
-DrawnBody coarse(DrawnBody body) {
-  if (body.mesh->triangles.size() > kMostTriangles) {
-    body.mesh = simplified(*body.mesh, kMostTriangles);
-  }
-  return body;
-}
-
-std::vector<DrawnBody> coarse(std::vector<DrawnBody> bodies) {
-  for (DrawnBody& body : bodies) body = coarse(std::move(body));
-  return bodies;
-}
-
-SmallScene small_scene(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles) {
-  const GraspBodies bodies = grasp_bodies(scene, grasp);
-  const DrawnBody object = coarse(bodies.object);
-  SmallScene small;
-  small.links = bodies.hand.size();
-  small.seen = coarse(bodies.hand);
-  small.seen.insert(small.seen.end(), bodies.contacts.begin(), bodies.contacts.end());
-  // The arm and the obstacles are not framed: they may be far larger than the grasp.
-  small.framed = small.seen;
-  small.framed.push_back(object);
-  small.around = coarse(bodies.arm);
-  small.around.push_back(object);
-  if (with_obstacles) small.obstacles = coarse(bodies.obstacles);
-  // Obstacles are translucent in pictures, but what is behind them is hard to see.
-  for (DrawnBody& body : small.obstacles) body.color.opacity = 1.0;
-  return small;
-}
-
 // What is seen from one direction.
 struct View {
-  std::vector<double> links;     // pixels of each link
+  std::vector<double> links;     // the part of the picture that shows each link
   std::vector<double> contacts;  // of each cone, the part that is not hidden, less along its axis
   double clear = 1.0;            // the part of the hand that no obstacle stands before
 };
@@ -81,37 +50,50 @@ double sum(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-View view_from(const Vector3& direction, const SmallScene& small, const CompiledScene& scene,
-               const PosedGrasp& grasp, const PictureSize& size) {
-  const Camera camera =
-      camera_around(small.framed, direction, {.width = size.width, .height = size.height});
-  const auto pixels_of = [&](const std::vector<DrawnBody>& seen,
-                             const std::vector<DrawnBody>& around) {
-    return visible_pixels(seen, around, camera, size.width, size.height);
+// What the pictures have to show of a grasp: the vertices of object, hand and cones in the world.
+// The arm and the obstacles are not framed: they may be far larger than the grasp.
+std::vector<Vector3> framed_points(const GraspBodies& bodies) {
+  std::vector<Vector3> points;
+  const auto add = [&](const DrawnBody& body) {
+    for (const Vector3& p_B : body.mesh->vertices) points.push_back(body.X_WB * p_B);
   };
+  std::for_each(bodies.hand.begin(), bodies.hand.end(), add);
+  std::for_each(bodies.contacts.begin(), bodies.contacts.end(), add);
+  add(bodies.object);
+  return points;
+}
+
+// `axes` are those of the cones.
+View view_from(const Vector3& direction, const GraspBodies& bodies,
+               const std::vector<Vector3>& framed, const std::vector<Vector3>& axes,
+               const PictureSize& size) {
+  VisiblePixels picture(camera_around(framed, direction, size.width, size.height), size.width,
+                        size.height);
+  for (const DrawnBody& link : bodies.hand) picture.add(link);
+  std::vector<double> alone;
+  for (const DrawnBody& cone : bodies.contacts) alone.push_back(picture.add(cone));
+  for (const DrawnBody& link : bodies.arm) picture.add(link);
+  picture.add(bodies.object);
+  const std::size_t links = bodies.hand.size();
   // Pixels are counted twice where there are obstacles: without them, for the part of the hand that
   // they hide, and with them, for everything else.
-  std::vector<double> pixels = pixels_of(small.seen, small.around);
+  std::vector<double> pixels = picture.counts();
   View view;
-  if (!small.obstacles.empty()) {
-    const double free = sum(std::span(pixels).first(small.links));
-    std::vector<DrawnBody> around = small.around;
-    around.insert(around.end(), small.obstacles.begin(), small.obstacles.end());
-    pixels = pixels_of(small.seen, around);
-    view.clear = free == 0.0 ? 0.0 : sum(std::span(pixels).first(small.links)) / free;
+  if (!bodies.obstacles.empty()) {
+    const double free = sum(std::span(pixels).first(links));
+    for (const DrawnBody& obstacle : bodies.obstacles) picture.add(obstacle);
+    pixels = picture.counts();
+    view.clear = free == 0.0 ? 0.0 : sum(std::span(pixels).first(links)) / free;
   }
-  const auto cones = pixels.begin() + static_cast<std::ptrdiff_t>(small.links);
-  view.links.assign(pixels.begin(), cones);
-  for (std::size_t c = 0; c < grasp.contacts.size(); ++c) {
-    // The visible part of the cone: its pixels over those it has with nothing around it. Seen along
-    // its axis a cone looks like a disc and does not show where it points, hence the sine of the
-    // angle between axis and viewing direction.
-    const double alone = pixels_of({small.seen[small.links + c]}, {})[0];
-    const Vector3 axis =
-        scene.scene.object.X_WO.linear() * grasp.contacts[c].point.normal.normalized();
-    const double aside = axis.cross(direction).norm();
-    view.contacts.push_back(alone == 0.0 ? 0.0
-                                         : aside * cones[static_cast<std::ptrdiff_t>(c)] / alone);
+  for (std::size_t l = 0; l < links; ++l) {
+    view.links.push_back(pixels[l] / (size.width * size.height));
+  }
+  for (std::size_t c = 0; c < alone.size(); ++c) {
+    // The visible part of the cone: its pixels over those that it covers. Seen along its axis a
+    // cone looks like a disc and does not show where it points, hence the sine of the angle between
+    // axis and viewing direction.
+    const double aside = axes[c].cross(direction).norm();
+    view.contacts.push_back(alone[c] == 0.0 ? 0.0 : aside * pixels[links + c] / alone[c]);
   }
   return view;
 }
@@ -151,38 +133,71 @@ double hand_score(const View& view, const std::vector<double>& largest) {
   return largest.empty() ? 0.0 : sum / static_cast<double>(largest.size());
 }
 
-// A direction and its score.
+// A direction, by its place among viewing_directions(), and its score.
 struct Choice {
-  Vector3 direction = Vector3::UnitZ();
+  std::size_t place = 0;
   double score = 0.0;
 };
 
-Choice best_side(const CompiledScene& scene, const PosedGrasp& grasp, bool with_obstacles,
-                 const PictureSize& size, const RunContext& context) {
-  const SmallScene small = small_scene(scene, grasp, with_obstacles);
-  const std::vector<Vector3> directions = viewing_directions();
-  // All views come first, because hand_score compares each with the largest of them.
-  std::vector<View> views;
-  std::vector<double> largest(small.links, 0.0);
-  for (const Vector3& direction : directions) {
-    context.cancellation.check();
-    views.push_back(view_from(direction, small, scene, grasp, size));
-    for (std::size_t l = 0; l < small.links; ++l) {
-      largest[l] = std::max(largest[l], views.back().links[l]);
+// Looks at one grasp.
+class SideSearch {
+ public:
+  SideSearch(const GraspBodies& bodies, const PosedGrasp& grasp)
+      : bodies_(bodies),
+        grasp_(grasp),
+        framed_(framed_points(bodies)),
+        largest_(bodies.hand.size(), 0.0) {
+    for (std::size_t c = 0; c < grasp.contacts.size(); ++c) {
+      axes_.push_back(bodies.contacts[c].X_WB.linear() *
+                      grasp.contacts[c].point.normal.normalized());
     }
   }
-  Choice best{directions.front()};
-  for (std::size_t d = 0; d < directions.size(); ++d) {
-    const double told =
-        contact_score(views[d], grasp, small.links) + kHandPart * hand_score(views[d], largest);
-    // What an obstacle covers counts as hidden in both parts already. The factor prefers, among
-    // sides that tell as much, one on which nothing stands before the hand: an obstacle is drawn
-    // translucent, but what is behind it is dim.
-    const double score = told * views[d].clear;
-    if (score > best.score + kSameScore) best = {directions[d], score};
+
+  Choice best(const RunContext& context) {
+    std::vector<Choice> choices;
+    for (std::size_t d = 0; d < directions_.size(); ++d) choices.push_back({d});
+    look(kRough, context, choices);
+    std::stable_sort(choices.begin(), choices.end(),
+                     [](const Choice& a, const Choice& b) { return a.score > b.score; });
+    choices.resize(std::min(choices.size(), kMostFine));
+    std::sort(choices.begin(), choices.end(),
+              [](const Choice& a, const Choice& b) { return a.place < b.place; });
+    look(kFine, context, choices);
+    Choice best = choices.front();
+    for (const Choice& choice : choices) {
+      if (choice.score > best.score + kSameScore) best = choice;
+    }
+    return best;
   }
-  return best;
-}
+
+ private:
+  void look(const PictureSize& size, const RunContext& context, std::vector<Choice>& choices) {
+    // All views come first, because hand_score compares each with the largest of them.
+    std::vector<View> views;
+    for (const Choice& choice : choices) {
+      context.cancellation.check();
+      views.push_back(view_from(directions_[choice.place], bodies_, framed_, axes_, size));
+      for (std::size_t l = 0; l < largest_.size(); ++l) {
+        largest_[l] = std::max(largest_[l], views.back().links[l]);
+      }
+    }
+    for (std::size_t c = 0; c < choices.size(); ++c) {
+      const double told = contact_score(views[c], grasp_, largest_.size()) +
+                          kHandPart * hand_score(views[c], largest_);
+      // What an obstacle covers counts as hidden in both parts already. The factor prefers, among
+      // sides that tell as much, one on which nothing stands before the hand: an obstacle is drawn
+      // translucent, but what is behind it is dim.
+      choices[c].score = told * views[c].clear;
+    }
+  }
+
+  const GraspBodies& bodies_;
+  const PosedGrasp& grasp_;
+  std::vector<Vector3> framed_;
+  std::vector<Vector3> axes_;    // of the cones
+  std::vector<double> largest_;  // of View::links, of all views so far
+  std::vector<Vector3> directions_ = viewing_directions();
+};
 
 }  // namespace
 
@@ -206,12 +221,45 @@ std::vector<Vector3> viewing_directions() {
   return directions;
 }
 
-Vector3 best_viewpoint(const CompiledScene& scene, const PosedGrasp& grasp, const PictureSize& size,
-                       const RunContext& context) {
-  const Choice side = best_side(scene, grasp, true, size, context);
+ViewpointSearch::ViewpointSearch(const CompiledScene& scene) : scene_(scene) {
+  const auto prepare = [&](const TriangleMesh& mesh) {
+    if (mesh.triangles.size() > kMostTriangles) coarse_[&mesh] = simplified(mesh, kMostTriangles);
+  };
+  prepare(scene.scene.object.mesh);
+  for (const Link& link : scene.scene.hand.links) prepare(link.mesh);
+  for (const StaticBody& body : scene.scene.obstacles) prepare(body.mesh);
+  if (!scene.arm) return;
+  const std::vector<Link>& platform = scene.arm->robot().links;
+  for (std::size_t l = 0; l < platform.size(); ++l) {
+    // Those of the hand are scene.hand's.
+    if (!scene.arm->is_hand_link(link_id(l))) prepare(platform[l].mesh);
+  }
+}
+
+Vector3 ViewpointSearch::best(const PosedGrasp& grasp, const RunContext& context) const {
+  GraspBodies bodies = grasp_bodies(scene_, grasp, kConeSides);
+  const auto coarsen = [&](DrawnBody& body) {
+    const auto coarse = coarse_.find(&*body.mesh);
+    if (coarse != coarse_.end()) body.mesh = coarse->second;
+  };
+  coarsen(bodies.object);
+  for (std::vector<DrawnBody>* group : {&bodies.hand, &bodies.arm, &bodies.obstacles}) {
+    std::for_each(group->begin(), group->end(), coarsen);
+  }
+  // Obstacles are translucent in pictures, but what is behind them is hard to see.
+  for (DrawnBody& body : bodies.obstacles) body.color.opacity = 1.0;
+  Choice side = SideSearch(bodies, grasp).best(context);
   // Where obstacles hide the grasp from every side, as a closed box does, they are left out.
-  if (side.score > 0.0 || !scene.has_obstacles()) return side.direction;
-  return best_side(scene, grasp, false, size, context).direction;
+  if (side.score == 0.0 && !bodies.obstacles.empty()) {
+    bodies.obstacles.clear();
+    side = SideSearch(bodies, grasp).best(context);
+  }
+  return viewing_directions()[side.place];
+}
+
+Vector3 best_viewpoint(const CompiledScene& scene, const PosedGrasp& grasp,
+                       const RunContext& context) {
+  return ViewpointSearch(scene).best(grasp, context);
 }
 
 }  // namespace prehend

@@ -43,6 +43,7 @@ Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& g
   for (const PosedGrasp& grasp : grasps) {
     strip = std::max(strip, text_size(grasp.title, kTextScale).height);
   }
+  const ViewpointSearch search(scene);
   std::vector<Image> cells(grasps.size());
   // Drawing and the search for the side use one thread each, so the grasps are distributed.
   for_each_in_parallel(grasps.size(), context.threads, [&](std::size_t i) {
@@ -51,8 +52,7 @@ Image contact_sheet(const CompiledScene& scene, const std::vector<PosedGrasp>& g
     PosedGrasp untitled = grasps[i];
     untitled.title.clear();
     const Image picture =
-        grasp_picture(scene, untitled, best_viewpoint(scene, untitled, kViewpointPicture, context),
-                      size, context);
+        grasp_picture(scene, untitled, search.best(untitled, context), size, context);
     cells[i] = cell(picture, grasps[i].title, strip);
   });
   return grid(cells, columns);

@@ -5,7 +5,6 @@
 #include <initializer_list>
 
 #include "planner/show/palette.h"
-#include "planner/show/picture/marks.h"
 #include "sim/scene/compiled_scene.h"
 
 namespace prehend {
@@ -63,13 +62,14 @@ std::vector<DrawnBody> arm_bodies(const CompiledScene& scene, const PosedGrasp& 
   return bodies;
 }
 
-DrawnBody contact_body(const CompiledScene& scene, const Pose& X_WC, const Contact& point) {
+DrawnBody contact_body(const CompiledScene& scene, const Pose& X_WC, const Contact& point,
+                       int cone_sides) {
   // The cone of a frictionless contact has no width and would be invisible.
   const double slope = std::max(0.05, point.friction);
   // All cones are equally long along their sides, however wide they are.
   const double length = kConeLength * object_radius(scene) / std::sqrt(1.0 + slope * slope);
-  return {cone_mesh(point.position, point.normal, slope, length), X_WC, palette::kContact,
-          "contact"};
+  return {cone_mesh(point.position, point.normal, slope, length, cone_sides), X_WC,
+          palette::kContact, "contact"};
 }
 
 // Two arrows from the torque origin (the centre of mass), for force and torque. Torques of a wrench
@@ -111,14 +111,14 @@ std::vector<DrawnBody> GraspBodies::grasp_and_arm() const {
   return bodies;
 }
 
-GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp) {
+GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp, int cone_sides) {
   const GraspableBody& object = scene.scene.object;
   GraspBodies bodies;
   const Pose X_WC = object.X_WO * grasp.X_OC;
   bodies.object = {SharedMesh::borrowed(object.mesh), X_WC, palette::kObject, object.name};
   bodies.hand = hand_bodies(scene, grasp);
   for (const GraspContact& contact : grasp.contacts) {
-    bodies.contacts.push_back(contact_body(scene, X_WC, contact.point));
+    bodies.contacts.push_back(contact_body(scene, X_WC, contact.point, cone_sides));
   }
   bodies.weakest = weakest_bodies(scene, X_WC, grasp.weakest);
   for (const StaticBody& body : scene.scene.obstacles) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/show/picture/drawn_body.h"
+#include "planner/show/picture/marks.h"
 #include "planner/show/posed_grasp.h"
 
 namespace prehend {
@@ -34,6 +35,8 @@ struct GraspBodies {
   std::vector<DrawnBody> grasp_and_arm() const;
 };
 
-GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp);
+// Friction cones have `cone_sides` sides.
+GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp,
+                         int cone_sides = kRoundSides);
 
 }  // namespace prehend

@@ -29,12 +29,18 @@ double sum(const std::vector<double>& values) {
 // The part of the hand (0 to 1) that obstacles and the arm leave to be seen: its visible pixels
 // over those that it has with nothing around it.
 double hand_seen(const GraspBodies& bodies, const Camera& camera) {
-  const double alone = sum(visible_pixels(bodies.hand, {}, camera, kCountWidth, kCountHeight));
+  VisiblePixels picture(camera, kCountWidth, kCountHeight);
+  for (const DrawnBody& link : bodies.hand) picture.add(link);
+  const double alone = sum(picture.counts());
   // Outside the picture or too small to be seen.
   if (alone == 0.0) return 0.0;
-  std::vector<DrawnBody> around = bodies.surroundings();
-  for (DrawnBody& body : around) body.color.opacity = 1.0;  // little is seen through an obstacle
-  return sum(visible_pixels(bodies.hand, around, camera, kCountWidth, kCountHeight)) / alone;
+  for (DrawnBody& body : bodies.surroundings()) {
+    body.color.opacity = 1.0;  // little is seen through an obstacle
+    picture.add(body);
+  }
+  std::vector<double> pixels = picture.counts();
+  pixels.resize(bodies.hand.size());
+  return sum(pixels) / alone;
 }
 
 // The viewing direction for a motion: the hand is visible at the start, half way and at the end,
@@ -91,8 +97,7 @@ MotionView motion_view(const CompiledScene& scene, const std::vector<MotionFrame
     }
     append_points(grasp_bodies(scene, moment).grasp(), close);
   }
-  view.close = camera_around(close, best_viewpoint(scene, grasp, kViewpointPicture, context),
-                             size.width, size.height);
+  view.close = camera_around(close, best_viewpoint(scene, grasp, context), size.width, size.height);
   if (!view.with_arm) return view;
   view.whole =
       camera_around(whole, side_of_way(scene, frames, whole, context), size.width, size.height);

@@ -22,9 +22,14 @@
 namespace prehend {
 namespace {
 
-// Edge length of a grid cell in tolerances. The wider the cell, the rarer a search ball extends
-// into a neighbouring cell; the narrower, the fewer points there are to compare.
-constexpr double kCellInTolerances = 32.0;
+// Edge length of a grid cell. The wider the cell, the rarer a search ball extends into a
+// neighbouring cell; the narrower, the fewer points there are to compare. As wide as the vertices
+// of a surface are apart, within bounds in tolerances. It does not change what is found.
+double cell_size(const TriangleMesh& mesh, double tolerance) {
+  const double apart =
+      bounds(mesh).diagonal() / std::sqrt(static_cast<double>(mesh.vertices.size()));
+  return std::clamp(apart, 4.0 * tolerance, 32.0 * tolerance);
+}
 
 using Cell = std::array<std::int64_t, 3>;
 
@@ -43,7 +48,8 @@ struct CellHash {
 // Kept vertices by grid cell.
 class PointGrid {
  public:
-  PointGrid(const Vector3& origin, double tolerance) : origin_(origin), tolerance_(tolerance) {}
+  PointGrid(const Vector3& origin, double tolerance, double cell_size)
+      : origin_(origin), tolerance_(tolerance), cell_size_(cell_size) {}
 
   // Index of the first kept vertex within the tolerance of p; -1: none. Looks at the cells that the
   // cube of half size `tolerance_` about p touches: one to eight.
@@ -75,14 +81,14 @@ class PointGrid {
     Cell c;
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Index axis = static_cast<Eigen::Index>(k);
-      c[k] = static_cast<std::int64_t>(
-          std::floor((p[axis] - origin_[axis]) / (kCellInTolerances * tolerance_)));
+      c[k] = static_cast<std::int64_t>(std::floor((p[axis] - origin_[axis]) / cell_size_));
     }
     return c;
   }
 
   Vector3 origin_;
   double tolerance_;
+  double cell_size_;
   std::unordered_map<Cell, std::vector<int>, CellHash> cells_;
 };
 
@@ -187,7 +193,7 @@ bool is_degenerate(const TriangleMesh& mesh, std::size_t triangle) {
 
 WeldedMesh weld(const TriangleMesh& mesh, double tolerance) {
   WeldedMesh result;
-  PointGrid grid(bounds(mesh).lower, tolerance);
+  PointGrid grid(bounds(mesh).lower, tolerance, cell_size(mesh, tolerance));
   std::vector<int> kept_as;
   kept_as.reserve(mesh.vertices.size());
   for (const Vector3& p : mesh.vertices) {

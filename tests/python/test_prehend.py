@@ -179,6 +179,19 @@ class Mug(unittest.TestCase):
         with self.assertRaisesRegex(prehend.InputError, "csv"):
             files.export_files(self.result, "docx")
 
+    def test_report_and_picture_are_written_where_wanted(self):
+        for wanted, names in (
+            ({}, ["best.png", "report.html"]),
+            ({"picture": False}, ["report.html"]),
+            ({"report": False}, []),
+            ({"report": False, "picture": True}, ["best.png"]),
+        ):
+            with self.subTest(**wanted), tempfile.TemporaryDirectory() as folder:
+                prehend.write_grasps(self.result, folder, **wanted)
+                self.assertEqual(
+                    sorted(os.listdir(folder)), sorted([*names, "grasps.json", "timings.json"])
+                )
+
     def test_nothing_leaks(self):
         mesh = box_mesh(0.05, 0.05, 0.1)
         counts = None

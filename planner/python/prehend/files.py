@@ -150,18 +150,20 @@ def write_grasps(
     folder: PathLike,
     *,
     report: bool = True,
+    picture: Optional[bool] = None,
     exports: Sequence[str] = (),
     threads: int = 0,
     progress: Optional[ProgressCallback] = None,
 ) -> List[str]:
     """Writes what the program writes of a plan.
 
-    That is grasps.json, timings.json, best.png (and best_arm.png), with `report` report.html, and
-    the files of the formats in `exports`. Everything is made before anything is written. What an
+    That is grasps.json, timings.json, with `report` report.html, with `picture` best.png (and
+    best_arm.png), and the files of the formats in `exports`. Everything is made before anything is written. What an
     earlier result left in the folder is removed (docs/reference/exports.md).
 
     Args:
         folder: made where it is missing.
+        picture: None stands for the value of `report`.
         exports: see export_formats().
 
     Returns:
@@ -174,7 +176,7 @@ def write_grasps(
         files["report.html"] = _core.report_html(
             result._core, call_options(threads, progress, None)
         )
-    if result.grasps:
+    if result.grasps and (report if picture is None else picture):
         best = result.grasps[0]
         title = _title(best, 1)
         files["best.png"] = png_bytes(grasp_picture(best, title=title))

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <tuple>
 
 #include "planner/show/picture/screen_triangle.h"
 #include "planner/show/picture/surface_detail.h"
@@ -119,18 +121,22 @@ void append_body(const DrawnBody& body, const DrawOptions& options, const Projec
 
 // The triangles whose bounding box touches each tile, solid ones first, tiles in reading order.
 // Solid triangles come first because a translucent one is compared with the nearest solid surface
-// (Tile::add).
+// (Tile::add). Of each kind the nearest are first: few are shaded that others hide, and layers come
+// in order.
 class TileLists {
  public:
   TileLists(const std::vector<ScreenTriangle>& triangles, int width, int height)
       : columns_((width + Tile::kSize - 1) / Tile::kSize),
         rows_((height + Tile::kSize - 1) / Tile::kSize),
         lists_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {
-    for (const bool solid : {true, false}) {
-      for (const ScreenTriangle& triangle : triangles) {
-        if (triangle.solid() == solid) add(triangle);
-      }
+    std::vector<std::tuple<bool, double, const ScreenTriangle*>> order;
+    order.reserve(triangles.size());
+    for (const ScreenTriangle& triangle : triangles) {
+      const auto& depths = triangle.inverse_depths;
+      order.emplace_back(triangle.solid(), std::max({depths[0], depths[1], depths[2]}), &triangle);
     }
+    std::sort(order.begin(), order.end(), std::greater<>());
+    for (const auto& each : order) add(*std::get<2>(each));
   }
 
   int columns() const { return columns_; }
@@ -164,6 +170,16 @@ class TileLists {
   std::vector<std::vector<const ScreenTriangle*>> lists_;
 };
 
+// The background.
+Image plain(const DrawOptions& options) {
+  Image image{options.width, options.height, {}};
+  image.rgb.resize(3 * static_cast<std::size_t>(options.width) *
+                   static_cast<std::size_t>(options.height));
+  const Light light = light_of(options.background);
+  for (std::size_t at = 0; at < image.rgb.size(); ++at) image.rgb[at] = display_byte(light[at % 3]);
+  return image;
+}
+
 }  // namespace
 
 Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const DrawOptions& options,
@@ -179,14 +195,13 @@ Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const Dra
   }
 
   const TileLists lists(triangles, options.width, options.height);
-  Image image{options.width, options.height, {}};
-  image.rgb.resize(3 * static_cast<std::size_t>(options.width) *
-                   static_cast<std::size_t>(options.height));
+  Image image = plain(options);
   // One tile serves the whole picture in turn, on one thread: callers that draw many pictures
   // distribute those over threads (contact_sheet).
   Tile tile(projection, lights, options.samples, light_of(options.background));
   for (int row = 0; row < lists.rows(); ++row) {
     for (int column = 0; column < lists.columns(); ++column) {
+      if (lists.at(column, row).empty()) continue;
       context.cancellation.check();
       tile.move_to(column * Tile::kSize, row * Tile::kSize);
       for (const ScreenTriangle* triangle : lists.at(column, row)) tile.add(*triangle);

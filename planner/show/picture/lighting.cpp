@@ -9,8 +9,8 @@ namespace {
 // Lambert's cosine, shifted so that it reaches 0 at an angle where the cosine is -width, and scaled
 // to 1 at normal incidence. A large lamp lights surfaces a little beyond 90 degrees in this way,
 // and the border to the shade is soft.
-double softened(double cosine, double width) {
-  return std::max(0.0, (cosine + width) / (1.0 + width));
+constexpr double softened(double cosine, double width) {
+  return std::max(0.0, (cosine + width) * (1.0 / (1.0 + width)));
 }
 
 }  // namespace
@@ -31,10 +31,12 @@ Light Lights::reflected(const Light& albedo, const Vector3& normal, const Vector
                          lighting_.key * softened(normal.dot(to_key_), kKeyWidth) +
                          lighting_.fill * softened(normal.dot(to_fill_), kFillWidth);
   // Blinn's highlight: the cosine between the normal and the bisector of light and eye, to the
-  // power of 32 by squaring five times.
-  const double half = std::max(0.0, normal.dot((to_key_ + to_eye).normalized()));
-  double highlight = half;
-  for (int i = 0; i < 5; ++i) highlight *= highlight;
+  // power of 32: its square, by squaring four times.
+  const Vector3 between = to_key_ + to_eye;
+  const double along = std::max(0.0, normal.dot(between));
+  const double length = between.squaredNorm();
+  double highlight = length > 0.0 ? along * along / length : 0.0;
+  for (int i = 0; i < 4; ++i) highlight *= highlight;
   const double white = lighting_.gloss * highlight;
   Light light{};
   for (std::size_t k = 0; k < 3; ++k) {

@@ -8,12 +8,16 @@
 namespace prehend {
 namespace {
 
-// Rasterisation with several samples a pixel. For each triangle and each pixel of its bounding box:
-// find the samples that lie inside (edge functions, Pineda 1988), shade once if any of them is
-// visible, and store colour and depth at these samples. Solid surfaces keep the nearest only;
-// translucent ones are kept as a sorted list and blended when the tile is finished.
+// Rasterisation with several samples a pixel. For each triangle and each pixel of its bounding box
+// that may show it: find the samples that lie inside (edge functions, Pineda 1988), shade once if
+// any of them is visible, and store colour and depth at these samples. Solid surfaces keep the
+// nearest only; translucent ones are kept as a sorted list and blended when the tile is finished.
 
 constexpr std::size_t kMostSamples = 64;  // of a pixel
+
+// A translucent surface in the same plane as a solid one counts as in front of it. Otherwise
+// rounding would decide for each sample, which shows as a speckled pattern.
+constexpr float kSamePlane = 1.0F + 2e-4F;
 
 // The edge function a x + b y + c of a side: positive on the inner side of the line through two
 // corners, and proportional to the distance from it. Divided by their sum, the three values of a
@@ -46,19 +50,102 @@ struct PixelRange {
   int end = 0;
 };
 
-// Pixels within `size` of `start` that the interval from `low` to `high` touches.
-PixelRange touched(double low, double high, int start, int size) {
-  const double first = std::clamp(std::floor(low), double(start), double(start + size));
-  const double end = std::clamp(std::floor(high) + 1.0, double(start), double(start + size));
-  return {static_cast<int>(first), static_cast<int>(end)};
+// Pixels of `range` that the interval from `low` to `high` touches. Neither may be below 0, so that
+// casts round down.
+PixelRange touched(double low, double high, const PixelRange& range) {
+  if (!(low < range.end) || high < range.first) return {};
+  return {static_cast<int>(std::max(low, double(range.first))),
+          static_cast<int>(std::min(high, range.end - 1.0)) + 1};
 }
+
+// A triangle within one tile.
+class FlatTriangle {
+ public:
+  FlatTriangle(const ScreenTriangle& triangle, int right, int bottom)
+      : sides_{Side(triangle.corners[1], triangle.corners[2]),
+               Side(triangle.corners[2], triangle.corners[0]),
+               Side(triangle.corners[0], triangle.corners[1])},
+        first_(triangle.corners[0]),
+        at_first_(triangle.inverse_depths[0]),
+        least_(std::min({at_first_, triangle.inverse_depths[1], triangle.inverse_depths[2]})),
+        most_(std::max({at_first_, triangle.inverse_depths[1], triangle.inverse_depths[2]})) {
+    // 1 / depth is linear across the picture.
+    const double area = sides_[0].at(first_.x(), first_.y());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Side& side = sides_[k];
+      along_ += triangle.inverse_depths[k] / area * Eigen::Vector2d(side.a, side.b);
+      slacks_[k] =
+          1e-12 * (std::abs(side.a) * right + std::abs(side.b) * bottom + std::abs(side.c));
+    }
+    if (!along_.allFinite()) along_.setZero();
+  }
+
+  // Of the pixels of a row, those that the triangle may touch. Of the box around a long and thin
+  // one, such as a line's, most pixels are far from it.
+  PixelRange touched_in_row(int y, const PixelRange& columns) const {
+    double low = columns.first;
+    double high = columns.end;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Side& side = sides_[k];
+      // In this row the side's value at x is at most a x + top.
+      const double top = side.at(0.0, y) + std::max(side.b, 0.0) + slacks_[k];
+      if (side.a > 0.0) low = std::max(low, -top / side.a);
+      if (side.a < 0.0) high = std::min(high, -top / side.a);
+      if (side.a == 0.0 && top < 0.0) return {};
+    }
+    return touched(low, high, columns);
+  }
+
+  // Whether all samples of the pixel whose upper left corner is at (x, y) lie inside, decided by
+  // the smallest value of each side in it.
+  bool contains_pixel(int x, int y) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Side& side = sides_[k];
+      const double least = side.at(x, y) + std::min(side.a, 0.0) + std::min(side.b, 0.0);
+      if (!(least > slacks_[k])) return false;
+    }
+    return true;
+  }
+
+  bool covers(const Eigen::Vector2d& p) const {
+    return std::all_of(sides_.begin(), sides_.end(),
+                       [&](const Side& side) { return side.takes(side.at(p.x(), p.y())); });
+  }
+
+  // Limited to that of the corners where a triangle is so thin that rounding spoils the slopes.
+  float inverse_depth(const Eigen::Vector2d& p) const {
+    const double value = at_first_ + along_.dot(p - first_);
+    return static_cast<float>(std::clamp(value, least_, most_));
+  }
+
+  double nearest() const { return most_; }  // 1 / depth
+
+  // Barycentric coordinates.
+  Vector3 weights(const Eigen::Vector2d& p) const {
+    Vector3 inner;
+    for (std::size_t k = 0; k < 3; ++k) {
+      inner[static_cast<Eigen::Index>(k)] = std::max(sides_[k].at(p.x(), p.y()), 0.0);
+    }
+    const double sum = inner.sum();
+    return sum > 0.0 ? Vector3(inner / sum) : Vector3::Constant(1.0 / 3.0);
+  }
+
+ private:
+  std::array<Side, 3> sides_;
+  std::array<double, 3> slacks_{};
+  Eigen::Vector2d first_;  // corner
+  double at_first_;        // 1 / depth there
+  double least_;           // 1 / depth of the farthest and the nearest corner
+  double most_;
+  Eigen::Vector2d along_ = Eigen::Vector2d::Zero();  // change of 1 / depth a pixel
+};
 
 // The samples of one pixel that a triangle covers, with their depths.
 struct Covered {
   std::array<std::size_t, kMostSamples> samples;
   std::array<float, kMostSamples> inverse_depths;
   std::size_t count = 0;
-  Vector3 weights = Vector3::Zero();  // of the corners, summed over the samples
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();  // summed over the samples
 };
 
 }  // namespace
@@ -79,6 +166,7 @@ Tile::Tile(const Projection& projection, const Lights& lights, int samples, cons
   surfaces_.resize(count);
   layers_.resize(count * std::size_t{kMostLayers});
   layer_counts_.resize(count);
+  farthest_.resize(std::size_t{kSize} * std::size_t{kSize});
 }
 
 void Tile::move_to(int left, int top) {
@@ -86,47 +174,46 @@ void Tile::move_to(int left, int top) {
   top_ = top;
   std::fill(surfaces_.begin(), surfaces_.end(), Surface{0.0F, background_});
   std::fill(layer_counts_.begin(), layer_counts_.end(), std::uint8_t{0});
+  std::fill(farthest_.begin(), farthest_.end(), 0.0F);
 }
 
 void Tile::add(const ScreenTriangle& triangle) {
   const auto& corners = triangle.corners;
-  const Side sides[3] = {
-      {corners[1], corners[2]}, {corners[2], corners[0]}, {corners[0], corners[1]}};
   const auto [low_x, high_x] = std::minmax({corners[0].x(), corners[1].x(), corners[2].x()});
   const auto [low_y, high_y] = std::minmax({corners[0].y(), corners[1].y(), corners[2].y()});
-  const PixelRange columns = touched(low_x, high_x, left_, kSize);
-  const PixelRange rows = touched(low_y, high_y, top_, kSize);
-  const Vector3 inverse_depths(triangle.inverse_depths.data());
+  const PixelRange columns = touched(low_x, high_x, {left_, left_ + kSize});
+  const PixelRange rows = touched(low_y, high_y, {top_, top_ + kSize});
+  const FlatTriangle flat(triangle, left_ + kSize, top_ + kSize);
+  // No sample counts as nearer (visible); the last factor is above the rounding.
+  const auto nearest = static_cast<float>(flat.nearest() * double{kSamePlane} * (1.0 + 1e-6));
   for (int y = rows.first; y < rows.end; ++y) {
-    for (int x = columns.first; x < columns.end; ++x) {
+    const PixelRange row = flat.touched_in_row(y, columns);
+    for (int x = row.first; x < row.end; ++x) {
       const auto pixel = static_cast<std::size_t>((y - top_) * kSize + (x - left_));
+      if (nearest < farthest_[pixel]) continue;
+      const bool all = flat.contains_pixel(x, y);
       Covered covered;
       bool any_visible = false;
       for (std::size_t s = 0; s < offsets_.size(); ++s) {
-        const double at_x = x + offsets_[s].x();
-        const double at_y = y + offsets_[s].y();
-        const Vector3 inner(sides[0].at(at_x, at_y), sides[1].at(at_x, at_y),
-                            sides[2].at(at_x, at_y));
-        if (!sides[0].takes(inner[0]) || !sides[1].takes(inner[1]) || !sides[2].takes(inner[2])) {
-          continue;
-        }
-        const double sum = inner.sum();
-        if (!(sum > 0.0)) continue;
+        const Eigen::Vector2d p = Eigen::Vector2d(x, y) + offsets_[s];
+        if (!all && !flat.covers(p)) continue;
         const std::size_t sample = pixel * offsets_.size() + s;
-        const auto inverse_depth = static_cast<float>(inner.dot(inverse_depths) / sum);
+        const float inverse_depth = flat.inverse_depth(p);
         covered.samples[covered.count] = sample;
         covered.inverse_depths[covered.count] = inverse_depth;
         ++covered.count;
-        covered.weights += inner / sum;
+        covered.center += p;
         any_visible = any_visible || visible(triangle, sample, inverse_depth);
       }
       if (!any_visible) continue;
       // Shading is the expensive part, so it is done once for all covered samples of the pixel, at
       // their mean position. That lies inside the triangle, and depends on no other triangle.
-      const Look look = look_at(triangle, covered.weights / static_cast<double>(covered.count));
+      const Look look =
+          look_at(triangle, flat.weights(covered.center / static_cast<double>(covered.count)));
       for (std::size_t i = 0; i < covered.count; ++i) {
         put(triangle, look, covered.samples[i], covered.inverse_depths[i]);
       }
+      if (triangle.solid()) note_farthest(pixel);
     }
   }
 }
@@ -145,9 +232,10 @@ Tile::Look Tile::look_at(const ScreenTriangle& triangle, const Vector3& weights)
     normal += weight * triangle.inverse_depths[k] * triangle.normals[k];
     pixel += weight * triangle.corners[k];
   }
-  const Vector3 to_eye = -projection_.line_of_sight(pixel).normalized();
+  const Vector3 sight = projection_.line_of_sight(pixel);
+  const Vector3 to_eye = sight * (-1.0 / sight.norm());
   const double norm = normal.norm();
-  normal = norm > 0.0 ? Vector3(normal / norm) : to_eye;
+  normal = norm > 0.0 ? Vector3(normal * (1.0 / norm)) : to_eye;
   double cosine = normal.dot(to_eye);
   if (cosine < 0.0) {
     // An interpolated normal may point away from the viewer near the outline, where light would
@@ -175,11 +263,17 @@ bool Tile::before(const Surface& a, const Surface& b) {
 
 // Whether a surface at this depth would be seen in a sample, given the solid surfaces so far.
 bool Tile::visible(const ScreenTriangle& triangle, std::size_t sample, float inverse_depth) const {
-  // A translucent surface in the same plane as a solid one counts as in front of it. Otherwise
-  // rounding would decide for each sample, which shows as a speckled pattern.
-  constexpr float kSamePlane = 1.0F + 2e-4F;
   const float solid = surfaces_[sample].inverse_depth;
   return triangle.solid() ? inverse_depth >= solid : inverse_depth * kSamePlane >= solid;
+}
+
+void Tile::note_farthest(std::size_t pixel) {
+  const Surface* const first = &surfaces_[pixel * offsets_.size()];
+  float farthest = first->inverse_depth;
+  for (std::size_t s = 1; s < offsets_.size(); ++s) {
+    farthest = std::min(farthest, first[s].inverse_depth);
+  }
+  farthest_[pixel] = farthest;
 }
 
 void Tile::put(const ScreenTriangle& triangle, const Look& look, std::size_t sample,

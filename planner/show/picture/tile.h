@@ -50,6 +50,7 @@ class Tile {
   bool visible(const ScreenTriangle& triangle, std::size_t sample, float inverse_depth) const;
   void put(const ScreenTriangle& triangle, const Look& look, std::size_t sample,
            float inverse_depth);
+  void note_farthest(std::size_t pixel);
   void insert(const Layer& layer, std::size_t sample);
   Light seen(std::size_t sample) const;
 
@@ -62,6 +63,7 @@ class Tile {
   std::vector<Surface> surfaces_;         // by sample; the samples of a pixel are together
   std::vector<Layer> layers_;             // kMostLayers a sample, nearest first
   std::vector<std::uint8_t> layer_counts_;
+  std::vector<float> farthest_;  // by pixel: the smallest inverse depth of its surfaces
 };
 
 }  // namespace prehend

@@ -14,10 +14,6 @@
 namespace prehend {
 namespace {
 
-// Pictures in which visible pixels are counted. Smaller than by default, because a report needs a
-// side for each of its detailed grasps.
-constexpr PictureSize kSmall{96, 80};
-
 // They keep a report small and quick to make.
 constexpr std::size_t kMostGrasps = 1000;      // that are listed
 constexpr std::size_t kMostCandidates = 4000;  // that are drawn
@@ -131,6 +127,7 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
   report.primitives = result.primitives;
   report.grasps_in_all = result.grasps.size();
   report.grasps.resize(std::min(result.grasps.size(), kMostGrasps));
+  const ViewpointSearch search(scene);
   // Each grasp has its own place in the list, so the report is the same on any number of threads.
   // Only the first ones are analysed in detail.
   for_each_in_parallel(report.grasps.size(), context.threads, [&](std::size_t i) {
@@ -139,8 +136,7 @@ Report plan_report(const CompiledScene& scene, const PlanResult& result, const R
     if (i < most_detailed) {
       report.grasps[i].detail =
           detail_of(scene, report.grasps[i], result.grasps[i], record, context);
-      report.grasps[i].side =
-          best_viewpoint(scene, posed_grasp(scene, result.grasps[i]), kSmall, context);
+      report.grasps[i].side = search.best(posed_grasp(scene, result.grasps[i]), context);
     }
   });
   add_why_not(scene, result, report);

@@ -72,6 +72,23 @@ TEST(TellingSide, PrefersTheSideOnWhichLessStandsBeforeTheHand) {
   }
 }
 
+// Whose triangles are fewer where pixels are counted.
+TEST(TellingSide, OfMeshesWithManyTrianglesIsTheSame) {
+  const Vector3 size(1.0, 0.02, 1.0);
+  for (const double y : {0.15, -0.15}) {
+    const HeldCube plain = held_cube({test::obstacle(make_box(size), {0, y, 0})});
+    const HeldCube fine = held_cube({test::obstacle(make_box(size, 60), {0, y, 0})});
+    const Vector3 side = best_viewpoint(plain.scene, plain.grasp);
+    EXPECT_EQ(best_viewpoint(fine.scene, fine.grasp), side);
+    // Nor does it depend on what was looked at before.
+    const ViewpointSearch search(fine.scene);
+    PosedGrasp turned = fine.grasp;
+    turned.X_OH = turned.X_OH * Eigen::AngleAxisd(1.0, Vector3::UnitZ());
+    search.best(turned);
+    EXPECT_EQ(search.best(fine.grasp), side);
+  }
+}
+
 TEST(TellingSide, IsThereInAClosedBoxAndWithoutContacts) {
   HeldCube held = held_cube({test::obstacle(make_box({0.26, 0.26, 0.02}), {0, 0, 0.18}),
                              test::obstacle(make_box({0.26, 0.26, 0.02}), {0, 0, -0.18}),

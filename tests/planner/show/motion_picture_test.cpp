@@ -50,7 +50,7 @@ TEST(CancelledBeforehand, PicturesThrow) {
   const Vector3 side = Vector3::UnitX();
   EXPECT_THROW(grasp_picture(held.scene, held.grasp, side, size, context), Cancelled);
   EXPECT_THROW(grasp_from_four_sides(held.scene, held.grasp, size, context), Cancelled);
-  EXPECT_THROW(best_viewpoint(held.scene, held.grasp, size, context), Cancelled);
+  EXPECT_THROW(best_viewpoint(held.scene, held.grasp, context), Cancelled);
   EXPECT_THROW(contact_sheet(held.scene, {held.grasp}, 2, size, context), Cancelled);
   EXPECT_THROW(motion_view(held.scene, frames, held.grasp, size, context), Cancelled);
   EXPECT_THROW(motion_picture(held.scene, posed_at(frames.front()), view, size, context),

@@ -1,5 +1,8 @@
 #include "sim/shape/weld.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "sim/shape/object_generator.h"
@@ -56,6 +59,29 @@ TEST(Weld, FindsPairsAcrossCellBordersAtAnyPlace) {
   }
   const WeldedMesh welded = weld(mesh, tolerance);
   EXPECT_EQ(welded.vertices_merged, 300);
+}
+
+// By comparing each vertex with all that are kept.
+std::size_t kept_one_by_one(const TriangleMesh& mesh, double tolerance) {
+  std::vector<Vector3> kept;
+  for (const Vector3& p : mesh.vertices) {
+    const bool merged = std::any_of(kept.begin(), kept.end(), [&](const Vector3& q) {
+      return (q - p).squaredNorm() <= tolerance * tolerance;
+    });
+    if (!merged) kept.push_back(p);
+  }
+  return kept.size();
+}
+
+// From far below the distance of neighbours to a large part of the mesh.
+TEST(Weld, MergesTheSameVerticesWhateverTheirDistance) {
+  const TriangleMesh mug = generate_object("mug", 2000);
+  for (const double part : {1e-6, 1e-4, 3e-3, 0.01, 0.03, 0.1, 0.3}) {
+    const double tolerance = part * bounds(mug).diagonal();
+    EXPECT_EQ(static_cast<std::size_t>(weld(mug, tolerance).vertices_merged),
+              mug.vertices.size() - kept_one_by_one(mug, tolerance))
+        << part;
+  }
 }
 
 TEST(Weld, CountsDegenerateTriangles) {

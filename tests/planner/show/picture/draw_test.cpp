@@ -455,16 +455,19 @@ TEST(MarksTest, ConeIsClosedAndHasItsVolume) {
   const Vector3 axis(1, -2, 0.5);
   const double slope = 0.6;
   const double length = 0.02;
-  const TriangleMesh cone = cone_mesh(apex, axis, slope, length);
-  EXPECT_TRUE(closed(cone));
-  // A polygon with n corners on a circle has the area n / 2 sin(2 pi / n) r^2.
-  const double base = 16.0 * std::sin(std::numbers::pi / 16.0) * std::pow(slope * length, 2);
-  EXPECT_NEAR(volume(cone), base * length / 3.0, 1e-12);
-  for (const Vector3& p : cone.vertices) {
-    const double along = (p - apex).dot(axis.normalized());
-    const double aside = (p - apex - along * axis.normalized()).norm();
-    EXPECT_LE(along, length + 1e-12);
-    EXPECT_NEAR(aside, p.isApprox(apex) || aside < 1e-12 ? aside : slope * along, 1e-12);
+  for (const int sides : {3, 12, kRoundSides}) {
+    const TriangleMesh cone = cone_mesh(apex, axis, slope, length, sides);
+    EXPECT_TRUE(closed(cone));
+    // A polygon with n corners on a circle has the area n / 2 sin(2 pi / n) r^2.
+    const double base =
+        0.5 * sides * std::sin(2.0 * std::numbers::pi / sides) * std::pow(slope * length, 2);
+    EXPECT_NEAR(volume(cone), base * length / 3.0, 1e-12);
+    for (const Vector3& p : cone.vertices) {
+      const double along = (p - apex).dot(axis.normalized());
+      const double aside = (p - apex - along * axis.normalized()).norm();
+      EXPECT_LE(along, length + 1e-12);
+      EXPECT_NEAR(aside, p.isApprox(apex) || aside < 1e-12 ? aside : slope * along, 1e-12);
+    }
   }
 }
 
