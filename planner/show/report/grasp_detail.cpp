@@ -14,9 +14,8 @@ namespace {
 // Corners of the polyhedron that approximates a smooth set: enough for a drawing.
 constexpr int kMostPoints = 200;
 
-// Samples of perturbed contacts for robust epsilon, which take most of the time of a report. It
-// shows two digits of the result; of grasps of the mug, the mean over so many is off by 1 %.
-constexpr int kSamples = 50;
+// Samples of perturbed contacts for robust epsilon. A report shows two digits of the result.
+constexpr int kSamples = 100;
 
 // Polytope of the wrench space. With the L1 norm and pyramids the space is the convex hull of the
 // wrenches of the pyramids' edges, which is exact; other spaces, those of many edges, and those on
