@@ -86,9 +86,8 @@ BatchPicture batch_picture(const Batch& batch, const BatchInputs& inputs, const 
   }
   BatchPicture picture;
   picture.title = title_of(batch, chosen);
-  picture.image =
-      grasp_picture(scene, posed, best_viewpoint(scene, posed, context),
-                    {kPictureWidth, kPictureHeight}, context);
+  picture.image = grasp_picture(scene, posed, best_viewpoint(scene, posed, context),
+                                {kPictureWidth, kPictureHeight}, context);
   return picture;
 }
 

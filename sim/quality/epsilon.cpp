@@ -126,9 +126,9 @@ class Growth {
 };
 
 // A lower bound from the facets of the full hull: the smallest distance of one of its simplices
-// from the origin. Where the hull comes from qhull, facets that are nearly in one plane were merged,
-// so that planes may miss corners by far more than rounding; what counts here is the lowest corner
-// (fit_offset).
+// from the origin. Where the hull comes from qhull, facets that are nearly in one plane were
+// merged, so that planes may miss corners by far more than rounding; what counts here is the lowest
+// corner (fit_offset).
 Hyperplane lowest_simplex(const Eigen::Ref<const Wrenches>& wrenches, const PointHull& hull) {
   std::vector<Wrench> points;
   for (const auto& column : wrenches.colwise()) points.emplace_back(column);

@@ -68,8 +68,8 @@ class ForceBalance {
   std::vector<Eigen::Index> limited_;
 };
 
-// What a search for the smallest forces found: forces in the friction cones, and the multipliers that
-// bound the measure of all others from below. Both are judged by ForceBalance.
+// What a search for the smallest forces found: forces in the friction cones, and the multipliers
+// that bound the measure of all others from below. Both are judged by ForceBalance.
 struct ProposedForces {
   Eigen::Matrix4Xd components;
   ForceBalance::Separation separation;

@@ -111,9 +111,9 @@ ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFr
                                const Wrench& external, const HandTorques& hand,
                                const ForceOptions& options = {});
 
-// How many times `external` the forces within the friction cones and joint limits of `hand` balance,
-// at most `most` times. From below, for forces were found that do it, and within 1e-5 of itself
-// unless rounding stands in the way. 0: no forces balance it. Throws as balancing_forces.
+// How many times `external` the forces within the friction cones and joint limits of `hand`
+// balance, at most `most` times. From below, for forces were found that do it, and within 1e-5 of
+// itself unless rounding stands in the way. 0: no forces balance it. Throws as balancing_forces.
 double times_borne(std::span<const Contact> contacts, const WrenchFrame& frame,
                    const Wrench& external, const HandTorques& hand, double most);
 

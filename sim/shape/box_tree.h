@@ -18,10 +18,10 @@ struct BoxNode {
   bool is_leaf() const { return left < 0; }
 };
 
-// Builds the tree, one triangle per leaf; node 0 is the root. A node is split where the surface areas
-// of both boxes, times their numbers of triangles, add up to the least (the surface area heuristic;
-// Goldsmith and Salmon 1987, in bins as by Wald 2007). At most about 50 + log2 of the number of
-// triangles deep. Empty for an empty mesh. Throws Cancelled.
+// Builds the tree, one triangle per leaf; node 0 is the root. A node is split where the surface
+// areas of both boxes, times their numbers of triangles, add up to the least (the surface area
+// heuristic; Goldsmith and Salmon 1987, in bins as by Wald 2007). At most about 50 + log2 of the
+// number of triangles deep. Empty for an empty mesh. Throws Cancelled.
 std::vector<BoxNode> build_box_tree(const TriangleMesh& mesh, const RunContext& context = {});
 
 }  // namespace prehend

@@ -17,7 +17,8 @@ struct LoadCase {
   Vector3 down_O = -Vector3::UnitZ();  // where gravity pulls, unit, object's frame
   double sum_of_normals = 0.0;  // of all contacts; infinite: no forces balance the weight [N]
   double largest_normal = 0.0;  // of a contact; infinite as above [N]
-  // How many times the weight the drives can hold (times_borne). 0: no forces balance the weight; infinite: it loads no drive whose effort is known.
+  // How many times the weight the drives can hold (times_borne). 0: no forces balance the weight;
+  // infinite: it loads no drive whose effort is known.
   double strength = 0.0;
 };
 
