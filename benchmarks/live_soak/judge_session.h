@@ -34,12 +34,15 @@ JudgedChange judge_change(const Ask& ask, const Ask& other, const std::function<
 struct JudgedGrasp {
   bool is_evaluated = false;  // false: no hand that can close on an object
   bool is_stable = false;
+  // Another epsilon, that of a hand less than a picometre away: contacts are found or not there by
+  // the rounding of the pose in the message.
+  bool is_at_an_edge = false;
   std::string fault = {};   // empty: none
   std::string detail = {};  // of the fault
 };
 
 // Closes the hand, which must have the outcome and the epsilon that evaluate() has for the file of
-// the scene.
+// the scene, or has a rounding error beside.
 JudgedGrasp judge_grasp(const Ask& ask);
 
 // Whether motions in this state promise to end before bodies overlap: with stop_at_contact, in a

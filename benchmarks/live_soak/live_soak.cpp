@@ -49,7 +49,7 @@ class Findings {
   void fault(const std::string& words, const std::string& request) {
     const std::lock_guard hold(lock_);
     LiveSoakResult::Fault& fault = result_.faults[words];
-    if (fault.count++ == 0) fault.first = request.substr(0, 400);
+    if (fault.count++ == 0) fault.first = request.substr(0, 20000);
   }
   template <typename Add>
   void count(const Add& add) {
@@ -217,6 +217,7 @@ class Judge {
     findings_.count([&](LiveSoakResult& result) {
       result.evaluated += judged.is_evaluated ? 1 : 0;
       result.stable += judged.is_stable ? 1 : 0;
+      result.at_edges += judged.is_at_an_edge ? 1 : 0;
     });
   }
 

@@ -31,6 +31,7 @@ struct LiveSoakResult {
   int unchanged = 0;  // refused changes after which all was as before
   int evaluated = 0;  // grasps that evaluate() closed as well
   int stable = 0;     // of these
+  int at_edges = 0;   // of these: JudgedGrasp::is_at_an_edge
   // How often each fault was found, and the first request that showed it.
   struct Fault {
     int count = 0;

@@ -51,9 +51,9 @@ LiveSoakOptions read_arguments(int argc, char** argv) {
 void print_line(const LiveSoakResult& result) {
   std::printf(
       "%ld messages: %ld carried out, %ld refused; %d undone, %d unchanged, %d evaluated (%d "
-      "stable)\n",
+      "stable, %d at edges)\n",
       result.messages(), result.carried_out, result.refused, result.undone, result.unchanged,
-      result.evaluated, result.stable);
+      result.evaluated, result.stable, result.at_edges);
   std::fflush(stdout);
 }
 
