@@ -71,7 +71,7 @@ TEST(FreeGrasps, LeaveOutWhatLosesTheObject) {
 
 // Some of these are held firmly by another strategy of the hand, and only by that.
 TEST(FreeGrasps, CloseByAnotherStrategyWhereAllAtOnceDoesNotHoldFirmly) {
-  const CompiledScene scene = test::compiled_library_scene("mug_on_table");
+  const CompiledScene scene = test::compiled_library_scene("cluttered_table");
   PlanOptions options = few_trials();
   options.free_closing = 0;
   options.search.trials = 400;
