@@ -65,7 +65,7 @@ TEST(FreeGrasps, LeaveOutWhatLosesTheObject) {
   EXPECT_EQ(before.outcomes[Outcome::stable] - result.outcomes[Outcome::stable],
             static_cast<int>(lost));
   for (const ScoredGrasp& grasp : result.grasps) {
-    if (grasp.free) EXPECT_TRUE(keeps_object(scene, *grasp.free));
+    EXPECT_TRUE(!grasp.free || keeps_object(scene, *grasp.free));
   }
 }
 
