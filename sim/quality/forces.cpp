@@ -243,8 +243,8 @@ ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFr
 double times_borne(std::span<const Contact> contacts, const WrenchFrame& frame,
                    const Wrench& external, const HandTorques& hand, double most) {
   const ForceOptions options{.measure = ForceMeasure::sum_of_normals};
-  const ContactForces least = balancing_forces(contacts, frame, external, options);
   check(hand, std::ssize(contacts));
+  const ContactForces least = balancing_forces(contacts, frame, external, options);
   // Forces may be good although the solver could not prove how good.
   const bool balances =
       least.outcome != ForceOutcome::impossible && least.residual <= options.residual_tolerance;

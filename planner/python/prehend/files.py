@@ -158,8 +158,8 @@ def write_grasps(
     """Writes what the program writes of a plan.
 
     That is grasps.json, timings.json, with `report` report.html, with `picture` best.png (and
-    best_arm.png), and the files of the formats in `exports`. Everything is made before anything is written. What an
-    earlier result left in the folder is removed (docs/reference/exports.md).
+    best_arm.png), and the files of the formats in `exports`. Everything is made before anything is
+    written. What an earlier result left in the folder is removed (docs/reference/exports.md).
 
     Args:
         folder: made where it is missing.
