@@ -167,14 +167,15 @@ class CaseRun {
     EvaluateOptions options;
     options.seed = made_.options.seed;
     options.trial = made_.options.trial;
+    options.trial.back_off_tries = 0;
     const std::vector<ScoredGrasp> evaluated = evaluate_freely(candidates, options);
-    options.trial.back_off_tries = std::max(options.trial.back_off_tries, kExtraBackOffs);
+    options.trial.back_off_tries = kBackOffs;
     for (std::size_t i = 0; i < again.size(); ++i) {
       const Trial& trial = evaluated.at(i).trial;
       const Tried& tried = result.tried[again[i]];
       const std::string name = "candidate " + std::to_string(tried.candidate);
-      // Where none of the first trials held, later ones back off more often than is asked for.
-      if (is_same(tried, evaluated[i]) || !may_back_off_more(searched, again[i])) {
+      // Where none of the first trials held, later ones back off.
+      if (is_same(tried, evaluated[i]) || !may_back_off(searched, again[i])) {
         compare(name, tried, evaluated[i], result);
       } else {
         compare(name, tried, evaluate_freely({candidates[i]}, options).at(0), result);
@@ -196,12 +197,12 @@ class CaseRun {
     return std::move(result.grasps);
   }
 
-  bool may_back_off_more(const SearchResult& searched, std::size_t trial) const {
+  bool may_back_off(const SearchResult& searched, std::size_t trial) const {
     int counted = 0;  // before the first that held
     for (std::size_t i = 0; i < trial && searched.trials[i].outcome != Outcome::stable; ++i) {
       counted += is_blocked(searched.trials[i].outcome) ? 0 : 1;
     }
-    return counted >= made_.options.search.trials_before_extra_back_offs;
+    return counted >= made_.options.search.trials_before_back_offs;
   }
 
   static bool is_same(const Tried& tried, const ScoredGrasp& evaluated) {

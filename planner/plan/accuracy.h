@@ -12,9 +12,9 @@ namespace prehend {
 
 // How much work a plan does.
 enum class Accuracy {
-  draft,     // a first impression: hands close once, nothing is refined, no volumes
+  draft,     // a first impression: half the trials and half the refinement, no volumes
   standard,  // the defaults of all options
-  fine,      // four times the trials, more back-offs and refinement, rounder friction cones
+  fine,      // four times the trials, more refinement, rounder friction cones
 };
 
 // The same word as the enumerator.

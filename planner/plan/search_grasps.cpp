@@ -34,7 +34,9 @@ class GraspSearch {
         options_(options),
         trial_(trial),
         context_(context),
-        found_(found) {}
+        found_(found) {
+    trial_.back_off_tries = 0;
+  }
 
   SearchResult run() {
     result_.families = sequence_.families();
@@ -144,10 +146,12 @@ class GraspSearch {
     return !waiting_.empty();
   }
 
-  // Adds the trials of the batch that were finished in time; false where some were not.
+  // Adds the trials of the batch that were finished in time; false where some were not. A hand that
+  // backs off closes again, which costs as much as another candidate and seldom leads to one of the
+  // best grasps. So it does only where nothing has held.
   bool try_batch(const std::vector<ProposedGrasp>& batch) {
-    if (stable_ == 0 && counted_ >= options_.trials_before_extra_back_offs) {
-      trial_.back_off_tries = std::max(trial_.back_off_tries, kExtraBackOffs);
+    if (stable_ == 0 && counted_ >= options_.trials_before_back_offs) {
+      trial_.back_off_tries = kBackOffs;
     }
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp : batch) candidates.push_back(grasp.candidate);

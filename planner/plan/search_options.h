@@ -13,7 +13,7 @@ struct Candidate;
 struct Trial;
 
 // How often the hand backs off where none of the first trials has held.
-constexpr int kExtraBackOffs = 4;
+constexpr int kBackOffs = 4;
 
 struct SearchOptions {
   static constexpr AboutSettings kAbout{
@@ -32,7 +32,7 @@ struct SearchOptions {
   double thin_parts_if_epsilon_below = 0.15;
   // Fingers that swing while they close, as those of the Robotiq 2F-85, may hold a box only at
   // their tips.
-  int trials_before_extra_back_offs = 100;
+  int trials_before_back_offs = 100;
   // Set: a model that was learnt from earlier trials orders the proposals of the sequence
   // (docs/how-to/learning.md).
   std::optional<LearnedOrder> learned = {};
@@ -42,7 +42,7 @@ struct SearchOptions {
 template <SettingsOf<SearchOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [trials, most_blocked, enough, batch, local_fraction, followed, thin_parts_if_epsilon_below,
-         trials_before_extra_back_offs, learned] = options;
+         trials_before_back_offs, learned] = options;
   visit("trials", trials, kCountAbove0, "",
         "Most trials; those whose hand is blocked on its way cost next to nothing and are not "
         "counted.");
@@ -61,8 +61,9 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("well_served", thin_parts_if_epsilon_below, kRatio, "",
         "While no grasp has an epsilon of at least this, rims and bars are tried in turn with "
         "boxes, spheres, cylinders and cones.");
-  visit("patience", trials_before_extra_back_offs, kCount, "",
-        "After so many trials of which none has held, the hand backs off more often.");
+  visit("patience", trials_before_back_offs, kCount, "",
+        "After so many trials of which none has held, the hand backs off; until then a search tries "
+        "its candidates once.");
   visit.unlisted("learned", learned, "Set: a model orders the proposals of the sequence.");
 }
 

@@ -156,16 +156,16 @@ TEST(SearchGrasps, EndsOnceEnoughGraspsHold) {
 
 // The knuckles of the open Robotiq 2F-85 meet the upper edges of a wide box before its pads do: it
 // holds the box only farther out than a trial backs off.
-TEST(SearchGrasps, BacksOffMoreWhereNothingHolds) {
+TEST(SearchGrasps, BacksOffWhereNothingHolds) {
   const CompiledScene scene = compile(make_scene(
       make_graspable("box", make_box({0.06, 0.1, 0.16}), Material::plastic), "robotiq_2f85"));
   const Searched box{scene, decompose(scene.scene.object.mesh).primitives};
-  const SearchResult never = box.search({.trials = 120, .trials_before_extra_back_offs = 120});
+  const SearchResult never = box.search({.trials = 120, .trials_before_back_offs = 120});
   EXPECT_EQ(std::count_if(never.trials.begin(), never.trials.end(),
                           [](const Trial& t) { return t.outcome == Outcome::stable; }),
             0);
   const SearchResult soon =
-      box.search({.trials = 120, .trials_before_extra_back_offs = 60}, {.threads = 2});
+      box.search({.trials = 120, .trials_before_back_offs = 60}, {.threads = 2});
   expect_same(never, soon, 64);
   for (std::size_t i = 64; i < soon.trials.size(); ++i) {
     const Trial& trial = soon.trials[i];
