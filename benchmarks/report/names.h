@@ -8,9 +8,11 @@ namespace prehend::bench {
 // Parts of the suite; also words of its command line.
 inline constexpr const char* kKernels = "kernels";
 inline constexpr const char* kTrials = "trials";
+inline constexpr const char* kPlans = "plans";
 inline constexpr const char* kTrade = "trade";
 inline constexpr const char* kScaling = "scaling";
-inline constexpr std::array<const char*, 4> kParts = {kKernels, kTrials, kTrade, kScaling};
+inline constexpr std::array<const char*, 5> kParts = {kKernels, kTrials, kPlans, kTrade,
+                                                      kScaling};
 
 // Of kernels.
 inline constexpr const char* kCall = "call";
@@ -31,6 +33,11 @@ inline constexpr const char* kReach = "reach of a grasp";
 inline constexpr const char* kPath = "path with its check";
 inline constexpr const char* kPathCheck = "check of a path";
 inline constexpr const char* kMotion = "duration of the motion";
+
+// Of plans, by scene and options ("mug, draft"): runs of the program from its start to the last file,
+// on one thread. Stages are those of run_context.h, as groups "time of STAGE".
+inline constexpr const char* kRun = "whole run";
+inline constexpr const char* kTimeOf = "time of ";
 
 // Of trade, by object and setting ("mug, draft").
 inline constexpr const char* kTimePerTrial = "time per trial";

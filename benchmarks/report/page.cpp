@@ -35,6 +35,7 @@ std::vector<PageFile> page_of(const Results& results) {
   }
   add_kernels(results, page);
   add_trials(results, page);
+  add_plans(results, page);
   add_trade(results, page);
   add_scaling(results, page);
   add_peers(results, page);

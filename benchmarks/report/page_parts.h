@@ -8,6 +8,7 @@ namespace prehend::bench {
 
 void add_kernels(const Results& results, PageWriter& page);
 void add_trials(const Results& results, PageWriter& page);
+void add_plans(const Results& results, PageWriter& page);
 void add_trade(const Results& results, PageWriter& page);
 void add_scaling(const Results& results, PageWriter& page);
 void add_peers(const Results& results, PageWriter& page);

@@ -59,6 +59,7 @@ int run(const Arguments& arguments, const std::string& program) {
     measure_trials(sizes, results.entries);
     measure_paths(sizes, results.entries);
   }
+  if (wanted(kPlans)) measure_plans(sizes, results.entries);
   if (wanted(kTrade)) measure_trade(sizes, results.entries);
   if (wanted(kScaling)) {
     measure_scaling(sizes, program, results.machine.cores, results.entries);

@@ -29,6 +29,7 @@ Sizes quick_sizes() {
   sizes.trials = 60;
   sizes.arm_scenes = {"mug_on_table", "living_room"};
   sizes.paths = 6;
+  sizes.plan_runs = 2;
   sizes.trade_objects = {"mug", "phone"};
   sizes.trade_candidates = 60;
   sizes.plan_trials = {50, 100, 200, 400};
@@ -55,6 +56,8 @@ Sizes smoke_sizes() {
   sizes.arm_scenes = {"mug_on_table"};
   sizes.path_trials = 40;
   sizes.paths = 1;
+  sizes.plans = 1;
+  sizes.plan_runs = 1;
   sizes.trade_objects = {"mug"};
   sizes.trade_candidates = 4;
   sizes.plan_trials = {8, 12, 16};

@@ -31,6 +31,9 @@ struct Sizes {
   std::vector<std::string> arm_scenes;
   int path_trials = 800;  // of the plan that finds these
   int paths = 20;
+  // Plans: the first so many of the list in plans.cpp, each run so often.
+  int plans = 8;
+  int plan_runs = 5;
   // The trade.
   std::vector<std::string> trade_objects;
   int trade_candidates = 200;

@@ -16,6 +16,9 @@ void measure_kernels(const Sizes& sizes, std::vector<Entry>& entries);
 void measure_trials(const Sizes& sizes, std::vector<Entry>& entries);
 void measure_paths(const Sizes& sizes, std::vector<Entry>& entries);
 
+// Whole runs of `prehend plan`, with all their stages, beside those of trials: what users wait for.
+void measure_plans(const Sizes& sizes, std::vector<Entry>& entries);
+
 // Time against accuracy.
 void measure_trade(const Sizes& sizes, std::vector<Entry>& entries);
 

@@ -61,9 +61,10 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("well_served", thin_parts_if_epsilon_below, kRatio, "",
         "While no grasp has an epsilon of at least this, rims and bars are tried in turn with "
         "boxes, spheres, cylinders and cones.");
-  visit("patience", trials_before_back_offs, kCount, "",
-        "After so many trials of which none has held, the hand backs off; until then a search tries "
-        "its candidates once.");
+  visit(
+      "patience", trials_before_back_offs, kCount, "",
+      "After so many trials of which none has held, the hand backs off; until then a search tries "
+      "its candidates once.");
   visit.unlisted("learned", learned, "Set: a model orders the proposals of the sequence.");
 }
 

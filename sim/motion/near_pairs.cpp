@@ -44,26 +44,29 @@ double fastest_point(const Solid& solid) {
          solid.angular.norm() * solid.shape->mesh.ball_radius();
 }
 
-// Pairs whose bounding balls come near each other within the step: by sweeping along x.
+Ball ball_of(const Solid& solid, int place, double time) {
+  return {solid.X_WS * solid.shape->mesh.ball_center(),
+          solid.shape->mesh.ball_radius() + kMargin + time * fastest_point(solid), place};
+}
+
+// Pairs whose bounding balls come near each other within the step. What moves is little beside what
+// may stand around it: each moving solid is compared with all others, in one pass over these.
 std::vector<std::pair<int, int>> ball_pairs(const Solids& solids, const World& world, double time) {
-  std::vector<Ball> balls;
-  for (const Solid& solid : solids.all()) {
-    balls.push_back({solid.X_WS * solid.shape->mesh.ball_center(),
-                     solid.shape->mesh.ball_radius() + kMargin + time * fastest_point(solid),
-                     static_cast<int>(balls.size())});
+  const std::vector<Solid>& all = solids.all();
+  std::vector<Ball> moving;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].moves) moving.push_back(ball_of(all[i], static_cast<int>(i), time));
   }
-  const auto low = [](const Ball& ball) { return ball.center.x() - ball.radius; };
-  std::sort(balls.begin(), balls.end(), [&](const Ball& a, const Ball& b) {
-    return low(a) != low(b) ? low(a) < low(b) : a.solid < b.solid;
-  });
   std::vector<std::pair<int, int>> pairs;
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    const double end = balls[i].center.x() + balls[i].radius;
-    for (std::size_t j = i + 1; j < balls.size() && low(balls[j]) <= end; ++j) {
-      const double reach = balls[i].radius + balls[j].radius;
-      if ((balls[i].center - balls[j].center).squaredNorm() > reach * reach) continue;
-      const auto pair = std::minmax(balls[i].solid, balls[j].solid);
-      if (is_checked(world, solids.all()[index(pair.first)], solids.all()[index(pair.second)])) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Ball other = ball_of(all[i], static_cast<int>(i), time);
+    for (const Ball& ball : moving) {
+      // A pair of two that move is met from both sides.
+      if (ball.solid == other.solid || (all[i].moves && ball.solid > other.solid)) continue;
+      const double reach = ball.radius + other.radius;
+      if ((ball.center - other.center).squaredNorm() > reach * reach) continue;
+      const auto pair = std::minmax(ball.solid, other.solid);
+      if (is_checked(world, all[index(pair.first)], all[index(pair.second)])) {
         pairs.emplace_back(pair.first, pair.second);
       }
     }

@@ -91,6 +91,9 @@ RobotState state_of(const WorldRobot& robot) {
 }
 
 Solids::Solids(const World& world) : world_(&world) {
+  std::size_t count = world.bodies.size();
+  for (const WorldRobot& robot : world.robots) count += robot.model->shapes.size();
+  solids_.reserve(count);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     solids_.push_back(solid_of(world.bodies[i], static_cast<int>(i)));
   }

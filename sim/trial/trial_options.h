@@ -88,7 +88,8 @@ void for_each_setting(Options& options, const Visit& visit) {
         "When a grasp does not hold, the hand backs off along its approach by this and closes "
         "again.");
   visit("back_off_tries", back_off_tries, kCount, "",
-        "How often it does, in trials of given grasps. A search backs off only where it finds nothing "
+        "How often it does, in trials of given grasps. A search backs off only where it finds "
+        "nothing "
         "(`patience`).");
   visit("soft_fingers", soft_fingers,
         "Whether compliant links make patch contacts that resist torque about the normal; if not, "

@@ -104,10 +104,10 @@ Robot RobotReader::read() {
 void RobotReader::read_named_geometry() {
   const JsonField all = root_["geometries"];
   for (const std::string& name : all.keys()) {
-    const std::size_t before = budget_.spent();
+    const std::size_t before = budget_.made();
     // Named geometries do not refer to each other.
     TriangleMesh mesh = read_geometry(all[name], units_, {}, budget_);
-    named_.emplace(name, Geometry{std::move(mesh), budget_.spent() - before});
+    named_.emplace(name, Geometry{std::move(mesh), budget_.made() - before});
   }
 }
 

@@ -259,6 +259,12 @@ Pose read_pose(const JsonField& steps, const FileUnits& units) {
   return pose;
 }
 
+void ShapeBudget::spend_on_shape(const JsonField& field, std::size_t triangles) {
+  constexpr std::size_t kFree = 12;  // a box
+  made_ += triangles;
+  spend(field, triangles - std::min(triangles, kFree));
+}
+
 void ShapeBudget::spend(const JsonField& field, std::size_t triangles) {
   constexpr std::size_t kMost = 50'000;
   spent_ += triangles;
@@ -278,7 +284,9 @@ TriangleMesh read_geometry(const JsonField& field, const FileUnits& units,
   TriangleMesh mesh;
   for (const JsonField& part : field.items()) {
     TriangleMesh piece = read_part(part, units);
-    if (!part.has("mesh") && !part.has("triangles")) budget.spend(part, piece.triangles.size());
+    if (!part.has("mesh") && !part.has("triangles")) {
+      budget.spend_on_shape(part, piece.triangles.size());
+    }
     if (part.has("pose")) piece = transformed(piece, read_pose(part["pose"], units));
     append(mesh, piece);
   }

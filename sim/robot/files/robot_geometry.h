@@ -27,15 +27,21 @@ FileUnits read_units(const JsonField& root);
 Pose read_pose(const JsonField& steps, const FileUnits& units);
 
 // How many triangles a file may still make of shapes: one sphere of some fifty bytes can become
-// 20,000, so that a small file could fill the memory.
+// 20,000, so that a small file could fill the memory. Both throw InputError for the field where
+// more than 50,000 are spent.
 class ShapeBudget {
  public:
-  // Throws InputError for the field where a file's shapes come to more than 50,000 triangles.
+  // On a shape that the field describes. The 12 of a box are free: they take little more memory
+  // than the text that asks for it.
+  void spend_on_shape(const JsonField& field, std::size_t triangles);
+  // On shapes that the field takes from elsewhere by their name.
   void spend(const JsonField& field, std::size_t triangles);
-  std::size_t spent() const { return spent_; }
+  // Triangles of all shapes that were described, the free ones too.
+  std::size_t made() const { return made_; }
 
  private:
   std::size_t spent_ = 0;
+  std::size_t made_ = 0;
 };
 
 // A geometry to be used by several links, and what each use of it spends of the budget.

@@ -92,6 +92,27 @@ Scene hammer_with(const std::string& fields) {
   return load_scene(write(std::string(R"({"object": {)") + kHammer + fields + "}}"));
 }
 
+// Boxes take little more memory than their text; rounder shapes take much more.
+TEST(SceneFile, ThousandsOfBoxesAreReadAndNotThousandsOfSpheres) {
+  const auto scene_of = [](const std::string& shape, int count) {
+    std::string text = std::string("{") + kBall + R"(, "obstacles": [)";
+    for (int i = 0; i < count; ++i) {
+      text += std::string(i == 0 ? "" : ", ") + R"({"name": "o)" + std::to_string(i) +
+              R"(", "geometry": [)" + shape + R"(], "pose": {"position": [)" +
+              std::to_string(1 + i) + ", 0, 0]}}";
+    }
+    return text + "]}";
+  };
+  const Scene scene =
+      load_scene(write(scene_of(R"({"shape": "box", "size": [0.1, 0.1, 0.1]})", 5000)));
+  EXPECT_EQ(scene.obstacles.size(), 5000U);
+  const InputError refusal = test::refusal_of([&] {
+    (void)load_scene(write(scene_of(R"({"shape": "sphere", "radius": 0.1})", 5000)));
+  });
+  EXPECT_NE(refusal.problem().find("more than 50000 triangles"), std::string::npos)
+      << refusal.what();
+}
+
 TEST(SceneFile, PartsSayWhereTheMassIs) {
   const double handle = 0.02 * 0.3 * 0.02;
   const double head = 0.1 * 0.03 * 0.03;
