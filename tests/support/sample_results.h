@@ -33,6 +33,13 @@ inline bench::Results sample_results() {
         bench_entry(bench::kTrials, std::string(bench::kShareOf) + stage, mug, "%", 100.0 / 6.0));
   }
   entries.push_back(bench_entry(bench::kTrials, bench::kPath, "shelf", "ms", 120.0));
+  const auto add_plan = [&](const std::string& group, const char* series, double value) {
+    entries.push_back(bench_entry(bench::kPlans, group, series, "ms", value));
+  };
+  add_plan(bench::kRun, "mug", 900.0);
+  add_plan(bench::kRun, "mug, draft", 400.0);
+  add_plan(bench::kTimeOf + std::string("trials"), "mug", 500.0);
+  add_plan(bench::kTimeOf + std::string("report"), "mug, draft", 150.0);
   entries.push_back(bench_entry(bench::kTrade, bench::kDefault, "standard", "trials", 800.0));
   for (const char* series : {"mug, draft", "mug, standard"}) {
     entries.push_back(bench_entry(bench::kTrade, bench::kTimePerTrial, series, "ms", 5.0));

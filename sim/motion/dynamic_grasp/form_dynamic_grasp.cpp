@@ -1,7 +1,10 @@
 #include "sim/motion/dynamic_grasp/form_dynamic_grasp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
+#include <optional>
 
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
@@ -16,29 +19,77 @@
 namespace prehend {
 namespace {
 
+// As far as this from where it stood, the object meets no obstacle that is not near [m].
+constexpr double kNearWay = 0.1;
+
+// A bound on how far a point of the hand is from the origin of its base, in any posture [m].
+double hand_reach(const Robot& hand) {
+  double farthest = 0.0;
+  for (const Link& link : hand.links) {
+    double reach = 0.0;
+    for (const Vector3& p : link.mesh.vertices) reach = std::max(reach, p.norm());
+    for (const int j : joints_to(hand, link.joint)) {
+      const Joint& joint = hand.joints[index(j)];
+      reach += joint.X_PJ.translation().norm() + joint.X_JA.translation().norm();
+      if (joint.type == JointType::prismatic) {
+        reach += std::abs(joint.zero) + std::max(std::abs(joint.lower), std::abs(joint.upper));
+      }
+    }
+    farthest = std::max(farthest, reach);
+  }
+  return farthest;
+}
+
+// The obstacles that the hand can touch, and the object within kNearWay of where it stands: few of
+// thousands, each of which would cost time in every step.
+std::vector<BodyId> obstacles_near(const CompiledScene& scene, const Pose& X_WH,
+                                   const DynamicGraspOptions& options) {
+  const ProximityMesh& object = scene.object().mesh;
+  const Vector3 p_OH = (scene.scene.object.X_WO.inverse() * X_WH).translation();
+  const double more = options.lift + kNearWay;
+  std::vector<BodyId> near;
+  NearBodies found;
+  const auto add = [&](const Vector3& center_O, double radius) {
+    scene.near_obstacles.find({center_O, center_O, radius + more}, found);
+    near.insert(near.end(), found.found.begin(), found.found.end());
+  };
+  add(object.ball_center(), object.ball_radius());
+  add(p_OH, hand_reach(scene.scene.hand));
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
 class DynamicGraspRun {
  public:
+  // `leash`: how far the object may go before the run ends, since there is more than what the world
+  // holds [m].
   DynamicGraspRun(World world, const WorldHand& hand, const CompiledScene& scene,
-                  const DynamicGraspStart& start, const DynamicGraspOptions& options,
+                  const DynamicGraspStart& start, double leash, const DynamicGraspOptions& options,
                   const RunContext& context)
       : world_(std::move(world)),
         hand_(hand),
         as_hand_(scene.scene.hand),
+        has_obstacles_(scene.has_obstacles()),
         closing_(as_hand_, start.strategy),
         center_O_(scene.wrench_frame.torque_origin),
         farthest_(start.farthest),
+        leash_(leash),
         options_(options),
         context_(context),
         watch_(world_, hand) {}
 
-  DynamicGrasp run() {
+  // None where the object reached the end of the leash.
+  std::optional<DynamicGrasp> run() {
     center_W_ = object_center();
+    ball_W_ = ball_center();
     const bool closed = wait(options_.settle) && close();
     formation_.X_WO = world_.bodies[index(kObjectBody)].motion.X_WB;
     formation_.X_WH = hand_pose(world_, hand_);
     formation_.dofs = hand_dofs(world_, hand_);
     formation_.joints = hand_joints(world_, hand_);
     if (closed && stands_on_something()) lift();
+    if (is_off_leash_) return std::nullopt;
     formation_.end = went_far_ ? ObjectEnd::pushed_away : watch_.end();
     formation_.events = watch_.events();
     return std::move(formation_);
@@ -47,7 +98,7 @@ class DynamicGraspRun {
  private:
   WorldRobot& robot() { return world_.robots[index(hand_.robot)]; }
 
-  bool stands_on_something() const { return world_.bodies.size() > 1 && options_.lift > 0.0; }
+  bool stands_on_something() const { return has_obstacles_ && options_.lift > 0.0; }
 
   // One step of at most this time; what it took, 0 where it failed.
   double step(double longest) {
@@ -63,7 +114,8 @@ class DynamicGraspRun {
     formation_.seconds += result.time;
     ++formation_.steps;
     watch_.look(world_, formation_.seconds);
-    return result.time;
+    is_off_leash_ = (ball_center() - ball_W_).norm() > leash_;
+    return is_off_leash_ ? 0.0 : result.time;
   }
 
   // The longest step in which no point of the hand, its base held still, or of the object moves by
@@ -85,6 +137,11 @@ class DynamicGraspRun {
 
   Vector3 object_center() const {
     return world_.bodies[index(kObjectBody)].motion.X_WB * center_O_;
+  }
+
+  Vector3 ball_center() const {
+    const WorldBody& object = world_.bodies[index(kObjectBody)];
+    return object.motion.X_WB * object.shape.mesh.ball_center();
   }
 
   bool is_lost() const {
@@ -152,10 +209,14 @@ class DynamicGraspRun {
   World world_;
   const WorldHand& hand_;
   const Robot& as_hand_;
+  bool has_obstacles_;
   Closing closing_;
   Vector3 center_O_;
   Vector3 center_W_ = Vector3::Zero();  // at the start
+  Vector3 ball_W_ = Vector3::Zero();    // centre of the ball about the object, at the start
   double farthest_;
+  double leash_;
+  bool is_off_leash_ = false;
   bool went_far_ = false;
   const DynamicGraspOptions& options_;
   const RunContext& context_;
@@ -163,14 +224,14 @@ class DynamicGraspRun {
   DynamicGrasp formation_;
 };
 
-}  // namespace
-
-DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
-                                const std::shared_ptr<const RobotModel>& hand,
-                                const DynamicGraspStart& start, const DynamicGraspOptions& options,
-                                const RunContext& context) {
-  require_settings(options);
-  World world = make_scene_world(scene, true);
+// With these obstacles.
+std::optional<DynamicGrasp> form_among(const std::vector<BodyId>& obstacles, double leash,
+                                       const CompiledScene& scene,
+                                       const std::shared_ptr<const RobotModel>& hand,
+                                       const DynamicGraspStart& start,
+                                       const DynamicGraspOptions& options,
+                                       const RunContext& context) {
+  World world = make_scene_world(scene, obstacles);
   world.gravity = {0.0, 0.0, scene.has_obstacles() ? -options.gravity : 0.0};
   const WorldHand place = add_hand(world, scene, hand, start.X_WH, start.dofs, start.joints);
   StepOptions step;
@@ -185,7 +246,28 @@ DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
     formation.last = StepOutcome::blocked;
     return formation;
   }
-  return DynamicGraspRun(std::move(world), place, scene, start, options, context).run();
+  return DynamicGraspRun(std::move(world), place, scene, start, leash, options, context).run();
+}
+
+}  // namespace
+
+DynamicGrasp form_dynamic_grasp(const CompiledScene& scene,
+                                const std::shared_ptr<const RobotModel>& hand,
+                                const DynamicGraspStart& start, const DynamicGraspOptions& options,
+                                const RunContext& context) {
+  require_settings(options);
+  const auto among = [&](const std::vector<BodyId>& obstacles, double leash) {
+    return form_among(obstacles, leash, scene, hand, start, options, context);
+  };
+  std::vector<BodyId> near = obstacles_near(scene, start.X_WH, options);
+  if (near.size() < scene.scene.obstacles.size()) {
+    if (auto formation = among(near, options.lift + kNearWay)) return std::move(*formation);
+  }
+  near.clear();
+  for (std::size_t i = 0; i < scene.scene.obstacles.size(); ++i) {
+    near.push_back(BodyId::obstacle(static_cast<int>(i)));
+  }
+  return *among(near, std::numeric_limits<double>::infinity());
 }
 
 }  // namespace prehend

@@ -40,11 +40,19 @@ std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene) {
 }
 
 World make_scene_world(const CompiledScene& scene, bool obstacles) {
+  std::vector<BodyId> all;
+  for (std::size_t i = 0; obstacles && i < scene.scene.obstacles.size(); ++i) {
+    all.push_back(BodyId::obstacle(static_cast<int>(i)));
+  }
+  return make_scene_world(scene, all);
+}
+
+World make_scene_world(const CompiledScene& scene, const std::vector<BodyId>& obstacles) {
   World world;
   world.laws = laws_of(scene.scene);
   world.bodies.push_back(object_body(scene));
-  if (!obstacles) return world;
-  for (std::size_t i = 0; i < scene.scene.obstacles.size(); ++i) {
+  for (const BodyId id : obstacles) {
+    const std::size_t i = index(id) - 1;  // behind the object
     const StaticBody& obstacle = scene.scene.obstacles[i];
     WorldBody fixed{obstacle.name, scene.obstacles()[i], obstacle.material};
     fixed.is_fixed = true;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/motion/world.h"
+#include "sim/scene/ids.h"
 
 namespace prehend {
 
@@ -44,6 +45,8 @@ std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene);
 // which are fixed; no robot. Friction and soft materials are the scene's, gravity is the world's
 // default. Throws InputError for an object without a positive mass.
 World make_scene_world(const CompiledScene& scene, bool obstacles);
+// The same with these of its obstacles.
+World make_scene_world(const CompiledScene& scene, const std::vector<BodyId>& obstacles);
 
 // Adds the hand (a hand_model) with its base at X_WH and all of its drives holding what is.
 // `joints` empty: as the degrees of freedom say.

@@ -59,6 +59,13 @@ TEST(Page, SaysWhereTheKneeIs) {
       << markdown_of(results);
 }
 
+TEST(Page, HasTheStagesThatARunHas) {
+  const std::string page = markdown_of(test::sample_results());
+  EXPECT_TRUE(has(page, "| scene, options | runs | whole run | trials | report |")) << page;
+  EXPECT_TRUE(has(page, "| mug | 1 | 900 ms | 500 ms |  |")) << page;
+  EXPECT_TRUE(has(page, "| mug, draft | 1 | 400 ms |  | 150 ms |")) << page;
+}
+
 TEST(Page, WarnsOfWhatIsNotToBeQuoted) {
   Results results = test::sample_results();
   results.effort = "smoke";

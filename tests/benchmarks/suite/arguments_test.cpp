@@ -15,7 +15,7 @@ using Words = std::vector<std::string>;
 TEST(Arguments, WithoutWordsAllIsMeasuredAndKept) {
   const Arguments arguments = read_arguments({});
   EXPECT_EQ(arguments.command, Command::run);
-  EXPECT_EQ(arguments.parts, (Words{"kernels", "trials", "trade", "scaling"}));
+  EXPECT_EQ(arguments.parts, (Words{"kernels", "trials", "plans", "trade", "scaling"}));
   EXPECT_EQ(arguments.effort, Effort::full);
   EXPECT_EQ(arguments.folder, "benchmarks/results");
 }

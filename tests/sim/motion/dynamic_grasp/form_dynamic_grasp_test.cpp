@@ -156,6 +156,42 @@ TEST(FormGrasp, TheSameStartGivesTheSameBytes) {
   EXPECT_EQ(once.steps, again.steps);
 }
 
+// Only what is near takes part, as long as the object stays there.
+TEST(FormGrasp, WhatIsFarAwayChangesNothing) {
+  const CompiledScene scene = compile(cube_scene(true));
+  Scene crowded = cube_scene(true);
+  for (int i = 0; i < 20; ++i) {
+    StaticBody box{"box " + std::to_string(i), make_box({0.1, 0.1, 0.1})};
+    box.X_WB = translation({2.0, 0.2 * i, 0.0});
+    crowded.obstacles.push_back(box);
+  }
+  const CompiledScene more = compile(std::move(crowded));
+  for (const double aside : {0.004, 0.02}) {
+    const DynamicGraspStart start = from_above(scene, aside);
+    const DynamicGrasp alone = form_dynamic_grasp(scene, hand_model(scene), start, {});
+    const DynamicGrasp among = form_dynamic_grasp(more, hand_model(more), start, {});
+    EXPECT_EQ(alone.X_WO.matrix(), among.X_WO.matrix());
+    EXPECT_EQ(alone.joints, among.joints);
+    EXPECT_EQ(alone.steps, among.steps);
+    EXPECT_EQ(alone.end, among.end);
+  }
+}
+
+// The floor is far below the cube, which nothing carries: it falls there and lies on it.
+TEST(FormGrasp, WhatFallsLandsOnWhatWasFarAway) {
+  Scene high = cube_scene(false);
+  StaticBody floor{"floor", make_box({2.0, 2.0, 0.02})};
+  floor.X_WB = translation({0.0, 0.0, -0.6});
+  high.obstacles = {floor};
+  const CompiledScene scene = compile(std::move(high));
+  DynamicGraspOptions options;
+  options.settle = 1.0;
+  const DynamicGrasp formation =
+      form_dynamic_grasp(scene, hand_model(scene), from_above(scene, 0.0), options);
+  EXPECT_EQ(formation.end, ObjectEnd::untouched);
+  EXPECT_NEAR(formation.X_WO.translation().z(), -0.6 + 0.01 + 0.5 * kCube, 1e-3);
+}
+
 TEST(FormGrasp, MovesNothingWhereBodiesOverlapAtTheStart) {
   const CompiledScene scene = compile(cube_scene(true));
   DynamicGraspStart start = from_above(scene, 0.0);
