@@ -11,8 +11,7 @@ inline constexpr const char* kTrials = "trials";
 inline constexpr const char* kPlans = "plans";
 inline constexpr const char* kTrade = "trade";
 inline constexpr const char* kScaling = "scaling";
-inline constexpr std::array<const char*, 5> kParts = {kKernels, kTrials, kPlans, kTrade,
-                                                      kScaling};
+inline constexpr std::array<const char*, 5> kParts = {kKernels, kTrials, kPlans, kTrade, kScaling};
 
 // Of kernels.
 inline constexpr const char* kCall = "call";
@@ -34,8 +33,8 @@ inline constexpr const char* kPath = "path with its check";
 inline constexpr const char* kPathCheck = "check of a path";
 inline constexpr const char* kMotion = "duration of the motion";
 
-// Of plans, by scene and options ("mug, draft"): runs of the program from its start to the last file,
-// on one thread. Stages are those of run_context.h, as groups "time of STAGE".
+// Of plans, by scene and options ("mug, draft"): runs of the program from its start to the last
+// file, on one thread. Stages are those of run_context.h, as groups "time of STAGE".
 inline constexpr const char* kRun = "whole run";
 inline constexpr const char* kTimeOf = "time of ";
 

@@ -106,9 +106,8 @@ TEST(SceneFile, ThousandsOfBoxesAreReadAndNotThousandsOfSpheres) {
   const Scene scene =
       load_scene(write(scene_of(R"({"shape": "box", "size": [0.1, 0.1, 0.1]})", 5000)));
   EXPECT_EQ(scene.obstacles.size(), 5000U);
-  const InputError refusal = test::refusal_of([&] {
-    (void)load_scene(write(scene_of(R"({"shape": "sphere", "radius": 0.1})", 5000)));
-  });
+  const InputError refusal = test::refusal_of(
+      [&] { (void)load_scene(write(scene_of(R"({"shape": "sphere", "radius": 0.1})", 5000))); });
   EXPECT_NE(refusal.problem().find("more than 50000 triangles"), std::string::npos)
       << refusal.what();
 }
