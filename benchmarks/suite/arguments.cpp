@@ -112,7 +112,7 @@ Arguments read_arguments(const std::vector<std::string>& words) {
 }
 
 std::string usage() {
-  return "bench [kernels] [trials] [trade] [scaling] [--quick | --smoke] [--out FOLDER]\n"
+  return "bench [kernels] [trials] [plans] [trade] [scaling] [--quick | --smoke] [--out FOLDER]\n"
          "    measures these parts, or all; writes results.json, results.md and plots\n"
          "bench hands FOLDER|MESH... [--out FOLDER]\n"
          "    every hand of the library on every object; writes hands.md\n"
