@@ -58,8 +58,8 @@ void take(const std::vector<std::string>& words, std::size_t& i, Arguments& argu
 void take_parts(Arguments& arguments) {
   for (const std::string& word : arguments.words) {
     const bool known = std::find(kParts.begin(), kParts.end(), word) != kParts.end();
-    require(known,
-            {.field = word, .problem = "is no part of the suite: kernels, trials, trade, scaling"});
+    require(known, {.field = word,
+                    .problem = "is no part of the suite: kernels, trials, plans, trade, scaling"});
   }
   for (const char* part : kParts) {
     const bool named =
