@@ -62,8 +62,8 @@ TEST(Page, SaysWhereTheKneeIs) {
 TEST(Page, HasTheStagesThatARunHas) {
   const std::string page = markdown_of(test::sample_results());
   EXPECT_TRUE(has(page, "| scene, options | runs | whole run | trials | report |")) << page;
-  EXPECT_TRUE(has(page, "| mug | 1 | 900 ms | 500 ms |  |")) << page;
-  EXPECT_TRUE(has(page, "| mug, draft | 1 | 400 ms |  | 150 ms |")) << page;
+  EXPECT_TRUE(has(page, "| mug | 3 | 900 ms | 500 ms |  |")) << page;
+  EXPECT_TRUE(has(page, "| mug, draft | 3 | 400 ms |  | 150 ms |")) << page;
 }
 
 TEST(Page, WarnsOfWhatIsNotToBeQuoted) {
