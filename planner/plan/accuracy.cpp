@@ -5,9 +5,9 @@
 namespace prehend {
 namespace {
 
-// Settling takes most of the time of candidates that do not hold, and rarely leads to one of the
-// best grasps. The second half of the trials adds neighbours of grasps that the first half found;
-// half a refinement raises the best epsilon more than that half.
+// Settling takes time for candidates that do not hold, and rarely leads to one of the best. The
+// second half of the trials adds neighbours of grasps that the first half found; half a refinement
+// raises the best epsilon more than that half.
 PlanOptions draft_options() {
   PlanOptions options;
   options.search.trials /= 2;

@@ -89,8 +89,7 @@ void for_each_setting(Options& options, const Visit& visit) {
         "again.");
   visit("back_off_tries", back_off_tries, kCount, "",
         "How often it does, in trials of given grasps. A search backs off only where it finds "
-        "nothing "
-        "(`patience`).");
+        "nothing (`patience`).");
   visit("soft_fingers", soft_fingers,
         "Whether compliant links make patch contacts that resist torque about the normal; if not, "
         "all contacts are hard points with friction.");

@@ -23,7 +23,7 @@ namespace {
 constexpr double kNearWay = 0.1;
 
 // A bound on how far a point of the hand is from the origin of its base, in any posture [m].
-double hand_reach(const Robot& hand) {
+double farthest_of_hand(const Robot& hand) {
   double farthest = 0.0;
   for (const Link& link : hand.links) {
     double reach = 0.0;
@@ -54,7 +54,7 @@ std::vector<BodyId> obstacles_near(const CompiledScene& scene, const Pose& X_WH,
     near.insert(near.end(), found.found.begin(), found.found.end());
   };
   add(object.ball_center(), object.ball_radius());
-  add(p_OH, hand_reach(scene.scene.hand));
+  add(p_OH, farthest_of_hand(scene.scene.hand));
   std::sort(near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;
