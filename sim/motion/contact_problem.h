@@ -21,10 +21,12 @@
 
 namespace prehend {
 
-// The part of a contact's Jacobian that belongs to some of the velocities: those from `first` on.
+// The part of a condition's Jacobian that belongs to some of the velocities: those from `first` on.
+// It is kept as its transpose, whose columns are the rows of the condition: J' p and J' D J are
+// then sums of columns. A row that the condition does not have is 0.
 struct JacobianBlock {
   int first = 0;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, Eigen::Dynamic> rows;
+  Eigen::Matrix<double, Eigen::Dynamic, 4> transposed;
 };
 
 // A condition on velocities, with the impulse that holds it up: of a contact, or of a joint.
@@ -37,13 +39,13 @@ struct JacobianBlock {
 // for dry friction, a clutch or a drive that gives way at f. While it is inside, w = 0; with a
 // compliance, w = -compliance * impulse, which is a spring with a damper, or a controller.
 struct ContactCondition {
-  std::vector<JacobianBlock> blocks;  // all with 1, 3 or 4 rows; no velocity twice
-  double friction = 0.0;              // mu >= 0 of a contact
-  ConeVector offset =
-      ConeVector::Zero(1);  // added to J v: w = J v + offset; shorter: the rest is 0
+  std::vector<JacobianBlock> blocks;       // no velocity twice
+  double friction = 0.0;                   // mu >= 0 of a contact
+  int rows = 3;                            // 3 or 4 of a contact, 1 of a joint
+  ConeVector offset = ConeVector::Zero();  // added to J v: w = J v + offset
   // Added as well, where the conditions can be met with it: what takes a contact back to where it
   // should be. Fingers that jam an object may have no velocities that do so.
-  ConeVector correction = ConeVector::Zero(1);
+  ConeVector correction = ConeVector::Zero();
   double lower = 0.0;  // of the impulse of a joint [N s, N m s]
   double upper = std::numeric_limits<double>::infinity();
   double compliance = 0.0;  // >= 0, of a joint [velocity per impulse]

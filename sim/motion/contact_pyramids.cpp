@@ -54,7 +54,7 @@ ConditionRows rows_of(const ContactProblem& problem) {
   Index count = 0;
   for (const ContactCondition& condition : problem.contacts) {
     rows.first.push_back(count);
-    count += condition.blocks.front().rows.rows();
+    count += condition.rows;
   }
   rows.scale.resize(count);
   rows.free.resize(count);
@@ -62,14 +62,15 @@ ConditionRows rows_of(const ContactProblem& problem) {
   VectorXd compliance = VectorXd::Zero(count);
   for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
     const ContactCondition& condition = problem.contacts[i];
-    const Index size = condition.blocks.front().rows.rows();
+    const Index size = condition.rows;
     const double scale = std::sqrt(inertias[i]);
     rows.scale.segment(rows.first[i], size).setConstant(scale);
-    rows.free.segment(rows.first[i], size) = scale * relative_velocity(condition, problem.free);
+    rows.free.segment(rows.first[i], size) =
+        scale * relative_velocity(condition, problem.free).head(size);
     compliance.segment(rows.first[i], size).setConstant(scale * scale * condition.compliance);
     for (const JacobianBlock& block : condition.blocks) {
-      rows.whitened.block(block.first, rows.first[i], block.rows.cols(), size) =
-          scale * block.rows.transpose();
+      rows.whitened.block(block.first, rows.first[i], block.transposed.rows(), size) =
+          scale * block.transposed.leftCols(size);
     }
   }
   for (const MassFactor& mass : rows.masses) {
@@ -89,11 +90,10 @@ class PyramidVariables {
       : edges_(edges), base(VectorXd::Zero(rows.scale.size())) {
     for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
       const ContactCondition& condition = problem.contacts[i];
-      const Index size = condition.blocks.front().rows.rows();
-      if (size == 1) {
+      if (condition.rows == 1) {
         add_joint(condition, rows.first[i], rows.scale[rows.first[i]]);
       } else {
-        add_contact(condition, rows.first[i], size - 1);
+        add_contact(condition, rows.first[i], condition.rows - 1);
       }
     }
   }
@@ -207,7 +207,7 @@ ContactSolution solve_with_pyramids(const ContactProblem& problem, int edges) {
       solution.violation <= kExact ? ContactOutcome::solved : ContactOutcome::not_converged;
   p = p.cwiseProduct(rows.scale);
   for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
-    const Index count = problem.contacts[i].blocks.front().rows.rows();
+    const Index count = problem.contacts[i].rows;
     solution.impulses.emplace_back(Eigen::Vector4d::Zero());
     solution.impulses.back().head(count) = p.segment(rows.first[i], count);
   }

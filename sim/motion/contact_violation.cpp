@@ -15,13 +15,12 @@ double violation_of(const ContactCondition& condition, double inertia, const Vec
                     const ConeVector& impulse) {
   ConeVector w = relative_velocity(condition, v);
   // Steep cones are nearly half-spaces, from whose borders a velocity into the surface is not far.
-  const double closing = w.size() > 1 ? std::max(-w[0], 0.0) : 0.0;
+  const double closing = condition.rows > 1 ? std::max(-w[0], 0.0) : 0.0;
   w[0] += condition.friction * slip_of(w) + condition.compliance * impulse[0];
   // Where a spring is softer than the inertia, it sets how large an impulse is.
   const double stiffness =
       condition.compliance > 0.0 ? std::min(inertia, 1.0 / condition.compliance) : inertia;
-  const ConeVector projected =
-      allowed_impulse(condition, ConeVector(impulse - stiffness * w)).point;
+  const ConeVector projected = allowed_impulse(condition, impulse - stiffness * w).point;
   return std::max(closing, (impulse - projected).norm() / stiffness);
 }
 
@@ -31,8 +30,8 @@ double momentum_violation(const ContactProblem& problem, const std::vector<MassF
   VectorXd push = VectorXd::Zero(v.size());
   for (std::size_t i = 0; i < impulses.size(); ++i) {
     for (const JacobianBlock& block : problem.contacts[i].blocks) {
-      push.segment(block.first, block.rows.cols()) +=
-          block.rows.transpose().lazyProduct(impulses[i]);
+      push.segment(block.first, block.transposed.rows()) +=
+          block.transposed.lazyProduct(impulses[i]);
     }
   }
   double most = 0.0;
@@ -69,11 +68,7 @@ double violation_of(const ContactProblem& problem, const std::vector<MassFactor>
 double contact_violation(const ContactProblem& problem, const VectorXd& velocity,
                          const std::vector<Eigen::Vector4d>& impulses) {
   const std::vector<MassFactor> masses = mass_factors(problem);
-  std::vector<ConeVector> used;
-  for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
-    used.emplace_back(impulses[i].head(problem.contacts[i].blocks.front().rows.rows()));
-  }
-  return violation_of(problem, masses, felt_inertias(problem, masses), velocity, used);
+  return violation_of(problem, masses, felt_inertias(problem, masses), velocity, impulses);
 }
 
 }  // namespace prehend

@@ -74,7 +74,7 @@ class IslandImpact {
     ContactCondition condition;
     condition.friction = friction_of(world_.laws, held, a, b);
     const double arm = arm_of(world_.laws, a, b, condition.friction);
-    condition.offset = ConeVector::Zero(arm > 0.0 ? 4 : 3);
+    condition.rows = arm > 0.0 ? 4 : 3;
     condition.offset[0] = -restitution * closing;
     for (const auto& [solid, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
       const int first = solid->mover >= 0 ? first_of(solid->mover) : -1;

@@ -8,6 +8,7 @@
 #include "sim/motion/joint_conditions.h"
 #include "sim/motion/placed_contact.h"
 #include "sim/motion/robot_kick.h"
+#include "sim/motion/smoothed_contacts.h"
 #include "sim/motion/solve_contacts.h"
 #include "sim/motion/spatial.h"
 
@@ -74,15 +75,11 @@ class IslandStep {
 
   // Whether all conditions hold without an impulse.
   bool asks_for_nothing() const {
-    return std::all_of(
-        problem_.contacts.begin(), problem_.contacts.end(), [&](const ContactCondition& condition) {
-          if (condition.lower < 0.0) return false;  // friction in joints, drives
-          double opening = condition.offset[0] + condition.correction[0];
-          for (const JacobianBlock& block : condition.blocks) {
-            opening += block.rows.row(0).dot(problem_.free.segment(block.first, block.rows.cols()));
-          }
-          return opening >= 0.0;
-        });
+    return std::all_of(problem_.contacts.begin(), problem_.contacts.end(),
+                       [&](const ContactCondition& condition) {
+                         const bool pulls = condition.lower < 0.0;  // friction in joints, drives
+                         return !pulls && relative_velocity(condition, problem_.free)[0] >= 0.0;
+                       });
   }
 
   const WorldRobot& robot_at(int mover) const {
@@ -189,13 +186,12 @@ class IslandStep {
       ContactCondition condition;
       condition.friction = friction_of(world_.laws, held, a, b);
       const double arm = arm_of(world_.laws, a, b, condition.friction);
-      condition.offset = ConeVector::Zero(arm > 0.0 ? 4 : 3);
+      condition.rows = arm > 0.0 ? 4 : 3;
       condition.offset[0] = approach_of(a, b, at);
-      condition.correction = ConeVector::Zero(3);
       condition.correction[0] = opening_of(at, pair.crosses);
       // Contacts that stick go back to where they stuck, so that what steps lose on curved ways
       // does not add up.
-      if (!held.slides) condition.correction.tail<2>() = kReturn / options_.step * at.drift;
+      if (!held.slides) condition.correction.segment<2>(1) = kReturn / options_.step * at.drift;
       for (const auto& [solid, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {
         const int first = solid->mover >= 0 ? first_of(solid->mover) : -1;
         solids_.add_rows(*solid, first, at.p_W, at.directions, arm, sign, condition);
@@ -221,13 +217,9 @@ class IslandStep {
                           impulse[2] * place.directions[2];
       contact.spin_impulse = place.arm * impulse[3];
       const ContactCondition& condition = problem_.contacts[place.condition];
-      Eigen::Vector2d slip = condition.offset.segment<2>(1);
-      if (motion_.solution.corrected) slip += condition.correction.tail<2>();
-      for (const JacobianBlock& block : condition.blocks) {
-        slip += block.rows.middleRows<2>(1) *
-                motion_.solution.velocity.segment(block.first, block.rows.cols());
-      }
-      contact.slip = slip.norm();
+      ConeVector w = relative_velocity(condition, motion_.solution.velocity);
+      if (!motion_.solution.corrected) w -= condition.correction;
+      contact.slip = w.segment<2>(1).norm();
     }
   }
 

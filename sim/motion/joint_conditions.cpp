@@ -10,12 +10,21 @@ namespace {
 
 using Eigen::Index;
 
+// A row on velocities from `first` on.
+JacobianBlock row_on(int first, const Eigen::RowVectorXd& row) {
+  JacobianBlock block{first, Eigen::MatrixX4d::Zero(row.size(), 4)};
+  block.transposed.col(0) = row.transpose();
+  return block;
+}
+
 // A row on a single velocity.
-JacobianBlock unit_row(int velocity) { return {velocity, Eigen::MatrixXd::Ones(1, 1)}; }
+JacobianBlock unit_row(int velocity) { return row_on(velocity, Eigen::RowVectorXd::Ones(1)); }
+
+ContactCondition condition_on(JacobianBlock row) { return {.blocks = {std::move(row)}, .rows = 1}; }
 
 ContactCondition drive_condition(const WorldRobot& robot, const Drive& drive, int first,
                                  double time) {
-  ContactCondition condition{.blocks = {unit_row(first + drive.dof)}};
+  ContactCondition condition = condition_on(unit_row(first + drive.dof));
   condition.lower = -time * drive.max_effort;
   condition.upper = time * drive.max_effort;
   if (drive.holds_rate) {
@@ -60,7 +69,7 @@ class JointConditions {
     }
     for (std::size_t c = 0; c < model_.clutches.size(); ++c, ++place_) {
       const int slip = static_cast<int>(model_.dofs()) + static_cast<int>(c);
-      add_dry({unit_row(first_ + slip)}, model_.clutches[c].effort);
+      add_dry(unit_row(first_ + slip), model_.clutches[c].effort);
     }
     const Eigen::VectorXd q = joints_of(robot_);
     for (std::size_t c = 0; c < model_.clutches.size(); ++c, ++place_) {
@@ -70,7 +79,7 @@ class JointConditions {
     for (std::size_t j = 0; j < model_.robot.joints.size(); ++j) {
       const Joint& joint = model_.robot.joints[j];
       const auto at = static_cast<Index>(j);
-      if (joint.friction.coulomb > 0.0) add_dry({row_of(at, 1.0)}, joint.friction.coulomb);
+      if (joint.friction.coulomb > 0.0) add_dry(row_of(at, 1.0), joint.friction.coulomb);
       ++place_;
       add_limit(at, 1.0, q[at] - joint.lower, v[at]);
       ++place_;
@@ -82,7 +91,7 @@ class JointConditions {
 
  private:
   JacobianBlock row_of(Index joint, double sign) const {
-    return {first_, sign * model_.joints_of.row(joint)};
+    return row_on(first_, sign * model_.joints_of.row(joint));
   }
 
   double stop_of(std::size_t clutch, const Eigen::VectorXd& q) const {
@@ -94,7 +103,7 @@ class JointConditions {
   // of the step: impulse = time stiffness (way back - time rate).
   void add_gear(const Clutch& clutch, double stop, const Eigen::VectorXd& q) {
     const Index joint = first_joint(clutch);
-    ContactCondition condition{.blocks = {row_of(joint, clutch.locks)}};
+    ContactCondition condition = condition_on(row_of(joint, clutch.locks));
     condition.compliance = 1.0 / (time_ * time_ * clutch.gear_stiffness);
     condition.offset[0] = -clutch.locks * (stop - q[joint]) / time_;
     condition.upper = time_ * clutch.gear_effort;
@@ -104,8 +113,8 @@ class JointConditions {
   void add(ContactCondition condition) { conditions_.push_back({std::move(condition), place_}); }
 
   // Keeps a velocity at 0 with up to an effort.
-  void add_dry(std::vector<JacobianBlock> blocks, double effort) {
-    ContactCondition condition{.blocks = std::move(blocks)};
+  void add_dry(JacobianBlock row, double effort) {
+    ContactCondition condition = condition_on(std::move(row));
     condition.lower = -time_ * effort;
     condition.upper = time_ * effort;
     add(std::move(condition));
@@ -116,7 +125,7 @@ class JointConditions {
   void add_limit(Index joint, double sign, double room, double rate) {
     constexpr double kNear = 0.05;  // [rad or m]: steps that speed up do not pass this far
     if (room > kNear + 2.0 * time_ * std::abs(rate)) return;
-    ContactCondition condition{.blocks = {row_of(joint, sign)}};
+    ContactCondition condition = condition_on(row_of(joint, sign));
     condition.offset[0] = std::max(room, 0.0) / time_;
     add(std::move(condition));
   }

@@ -1,6 +1,7 @@
 #include "sim/motion/multiplier_method.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -57,30 +58,42 @@ int minimise(const SmoothedContacts& smoothed, int most, double scale, VectorXd&
 
 // Newton's method for momentum with the lifts that the velocities cause. There is no energy to go
 // down, so steps are shortened until the residual shrinks; false, and v as it was, where that
-// fails.
+// fails or leads forward slowly: softer contacts then get there in fewer steps. Multipliers change
+// after it, so a step that is small beside the first one ends it, too.
 bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, VectorXd& v) {
-  constexpr int kSteps = 25;
-  constexpr double kShortest = 1e-3;
+  constexpr std::size_t kSteps = 25;
+  constexpr double kSmall = 1e-3;  // of the first step
+  constexpr double kShorten = 0.3;
+  constexpr double kShortest = 0.01;
+  // What must be left of the residual at most after so many steps.
+  constexpr std::size_t kLookBack = 4;
+  constexpr double kSlow = 0.8;
   VectorXd at = v;
   VectorXd residual;
   VectorXd next;
   NewtonMatrix matrix;
+  std::array<double, kSteps> sizes;
+  double small = 0.0;
   smoothed.linearise_coupled(at, residual, matrix);
-  for (int step = 0; step < kSteps; ++step) {
+  for (std::size_t step = 0; step < kSteps; ++step) {
     ++steps;
     const VectorXd d = -matrix.solve(residual);
     if (!d.allFinite()) return false;
     next = at + d;
-    if (d.lpNorm<Eigen::Infinity>() <= kConverged * scale) {
+    const double change = d.lpNorm<Eigen::Infinity>();
+    if (step == 0) small = std::max(kConverged * scale, kSmall * change);
+    if (change <= small) {
       v = next;
       return true;
     }
-    const double size = residual.norm();
+    sizes[step] = residual.norm();
+    if (step >= kLookBack && sizes[step] > kSlow * sizes[step - kLookBack]) return false;
+    const double size = sizes[step];
     smoothed.linearise_coupled(next, residual, matrix);
     if (!(residual.norm() < size)) {
       double length = 1.0;
       while (!(residual.norm() < size) && length > kShortest) {
-        length *= 0.5;
+        length *= kShorten;
         next = at + length * d;
         smoothed.residual_coupled(next, residual);
       }
@@ -90,12 +103,6 @@ bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, V
     at = next;
   }
   return false;
-}
-
-Eigen::Vector4d filled(const ConeVector& impulse) {
-  Eigen::Vector4d all = Eigen::Vector4d::Zero();
-  all.head(impulse.size()) = impulse;
-  return all;
 }
 
 // Successive estimates of the lifts mu |w_t|, which depend on themselves through the velocities:
@@ -139,8 +146,7 @@ class MultiplierRounds {
         stiffness_(is_cold_ ? kFirstStiffness
                             : std::clamp(warm.stiffness, kFirstStiffness, kStiffness)) {
     for (std::size_t i = 0; i < warm.impulses.size(); ++i) {
-      smoothed_.set_centre(i,
-                           warm.impulses[i].head(problem.contacts[i].blocks.front().rows.rows()));
+      smoothed_.set_centre(i, warm.impulses[i]);
     }
     impulses_.resize(problem.contacts.size());
     is_near_ = !is_cold_;
@@ -167,11 +173,10 @@ class MultiplierRounds {
       adapt_stiffness();
       update_lifts();
     }
-    if (impulses_at_best_.empty()) keep(best.violation, best);
+    if (best.impulses.empty()) keep(best.violation, best);
     const bool is_solved = best.violation <= options_.acceptable;
     best.outcome = is_solved ? ContactOutcome::solved : ContactOutcome::not_converged;
     best.newton_steps = steps_;
-    for (const ConeVector& impulse : impulses_at_best_) best.impulses.push_back(filled(impulse));
     return best;
   }
 
@@ -188,7 +193,7 @@ class MultiplierRounds {
   void keep(double violation, ContactSolution& best) {
     best.violation = violation;
     best.velocity = velocity_;
-    impulses_at_best_ = impulses_;
+    best.impulses = impulses_;
   }
 
   // Velocities at the multipliers as they are. Stiff contacts may keep Newton's steps for the
@@ -247,7 +252,6 @@ class MultiplierRounds {
   std::vector<double> inertias_;
   SmoothedContacts smoothed_;
   std::vector<ConeVector> impulses_;
-  std::vector<ConeVector> impulses_at_best_;
   VectorXd velocity_;
   VectorXd lifts_;
   double scale_;  // of the velocities that occur

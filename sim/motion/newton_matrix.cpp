@@ -33,6 +33,40 @@ void NewtonMatrix::start(Index size) {
   }
 }
 
+void NewtonMatrix::add(Index row, Index column, const MatrixXd& block) {
+  if (!is_sparse_) {
+    dense_.block(row, column, block.rows(), block.cols()) += block;
+    return;
+  }
+  for (Index c = 0; c < block.cols(); ++c) {
+    for (Index r = 0; r < block.rows(); ++r) add_entry(row + r, column + c, block(r, c));
+  }
+}
+
+// A plain loop: most of a step is spent here, in columns of a few rows, for which the general
+// product costs more to set up than to carry out.
+void NewtonMatrix::add_to_column(Index row, Index column, const Eigen::MatrixX4d& columns,
+                                 const Eigen::Vector4d& factors) {
+  const Index rows = columns.rows();
+  const double* a = columns.data();
+  const double* b = a + rows;
+  const double* c = b + rows;
+  const double* d = c + rows;
+  const auto entry = [&](Index r) {
+    return (a[r] * factors[0] + b[r] * factors[1]) + (c[r] * factors[2] + d[r] * factors[3]);
+  };
+  if (is_sparse_) {
+    for (Index r = 0; r < rows; ++r) add_entry(row + r, column, entry(r));
+    return;
+  }
+  double* sum = &dense_(row, column);
+  for (Index r = 0; r < rows; ++r) sum[r] += entry(r);
+}
+
+void NewtonMatrix::add_entry(Index row, Index column, double value) {
+  entries_.emplace_back(static_cast<int>(row), static_cast<int>(column), value);
+}
+
 VectorXd NewtonMatrix::solve_symmetric(const VectorXd& b) {
   if (!is_sparse_) {
     const Eigen::LLT<Eigen::Ref<MatrixXd>, Eigen::Lower> factor(dense_);

@@ -14,18 +14,12 @@ class NewtonMatrix {
   // Zero, for so many velocities.
   void start(Eigen::Index size);
 
-  template <typename Derived>
-  void add(Eigen::Index row, Eigen::Index column, const Eigen::MatrixBase<Derived>& block) {
-    if (!is_sparse_) {
-      dense_.block(row, column, block.rows(), block.cols()) += block;
-      return;
-    }
-    for (Eigen::Index c = 0; c < block.cols(); ++c) {
-      for (Eigen::Index r = 0; r < block.rows(); ++r) {
-        entries_.emplace_back(static_cast<int>(row + r), static_cast<int>(column + c), block(r, c));
-      }
-    }
-  }
+  // Adds a block that begins there.
+  void add(Eigen::Index row, Eigen::Index column, const Eigen::MatrixXd& block);
+
+  // Adds `columns` times `factors`, below each other from `row` on.
+  void add_to_column(Eigen::Index row, Eigen::Index column, const Eigen::MatrixX4d& columns,
+                     const Eigen::Vector4d& factors);
 
   // The solution x of (this) x = b. Of a symmetric matrix, which is positive definite, only what is
   // on and below the diagonal counts. Not finite where the matrix is singular.
@@ -33,6 +27,7 @@ class NewtonMatrix {
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
 
  private:
+  void add_entry(Eigen::Index row, Eigen::Index column, double value);
   Eigen::SparseMatrix<double> sparse() const;
 
   bool is_sparse_ = false;

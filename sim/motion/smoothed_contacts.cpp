@@ -9,8 +9,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Index rows_of(const ContactCondition& condition) { return condition.blocks.front().rows.rows(); }
-
 // Momentum that a mass takes up between the free velocities and v.
 VectorXd taken_up(const ContactProblem& problem, const ContactProblem::Mass& mass,
                   const VectorXd& v) {
@@ -22,19 +20,17 @@ VectorXd taken_up(const ContactProblem& problem, const ContactProblem::Mass& mas
 }  // namespace
 
 ConeVector relative_velocity(const ContactCondition& condition, const VectorXd& v) {
-  ConeVector w = ConeVector::Zero(rows_of(condition));
-  w.head(condition.offset.size()) = condition.offset;
-  w.head(condition.correction.size()) += condition.correction;
+  ConeVector w = condition.offset + condition.correction;
   for (const JacobianBlock& block : condition.blocks) {
-    w += block.rows.lazyProduct(v.segment(block.first, block.rows.cols()));
+    w += block.transposed.transpose().lazyProduct(v.segment(block.first, block.transposed.rows()));
   }
   return w;
 }
 
-double slip_of(const ConeVector& w) { return w.size() > 1 ? w.tail(w.size() - 1).norm() : 0.0; }
+double slip_of(const ConeVector& w) { return w.tail<3>().norm(); }
 
 ConeProjection allowed_impulse(const ContactCondition& condition, const ConeVector& impulse) {
-  if (impulse.size() == 1) return project_to_interval(impulse, condition.lower, condition.upper);
+  if (condition.rows == 1) return project_to_interval(impulse, condition.lower, condition.upper);
   return project_to_cone(impulse, condition.friction);
 }
 
@@ -62,23 +58,22 @@ std::vector<double> felt_inertias(const ContactProblem& problem,
     double trace = 0.0;
     for (const JacobianBlock& block : condition.blocks) {
       const MassFactor& mass = *mass_at[static_cast<std::size_t>(block.first)];
-      rows.setZero(mass.factor.cols(), block.rows.rows());
-      rows.middleRows(block.first - mass.first, block.rows.cols()) = block.rows.transpose();
+      rows.setZero(mass.factor.cols(), condition.rows);
+      rows.middleRows(block.first - mass.first, block.transposed.rows()) =
+          block.transposed.leftCols(condition.rows);
       mass.factor.matrixL().solveInPlace(rows);
       trace += rows.squaredNorm();
     }
-    inertias.push_back(static_cast<double>(rows_of(condition)) / trace);
+    inertias.push_back(condition.rows / trace);
   }
   return inertias;
 }
 
 SmoothedContacts::SmoothedContacts(const ContactProblem& problem, std::vector<double> inertias)
-    : problem_(problem), inertia_(std::move(inertias)), lift_(problem.contacts.size(), 0.0) {
-  centre_.reserve(problem.contacts.size());
-  for (const ContactCondition& condition : problem.contacts) {
-    centre_.emplace_back(ConeVector::Zero(rows_of(condition)));
-  }
-}
+    : problem_(problem),
+      inertia_(std::move(inertias)),
+      centre_(problem.contacts.size(), ConeVector::Zero()),
+      lift_(problem.contacts.size(), 0.0) {}
 
 void SmoothedContacts::set_centre(std::size_t i, const ConeVector& impulse) {
   if (problem_.contacts[i].compliance == 0.0) centre_[i] = impulse;
@@ -129,20 +124,22 @@ void SmoothedContacts::start(const VectorXd& v, VectorXd& gradient) const {
 void SmoothedContacts::add_force(std::size_t i, const ConeVector& impulse,
                                  VectorXd& gradient) const {
   for (const JacobianBlock& block : problem_.contacts[i].blocks) {
-    gradient.segment(block.first, block.rows.cols()) -= block.rows.transpose().lazyProduct(impulse);
+    gradient.segment(block.first, block.transposed.rows()) -= block.transposed.lazyProduct(impulse);
   }
 }
 
 void SmoothedContacts::add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
                                      NewtonMatrix& matrix) const {
   if (derivative.isZero(0.0)) return;
+  const ConeMatrix stiff = stiffness(i) * derivative;
   const std::vector<JacobianBlock>& blocks = problem_.contacts[i].blocks;
   for (const JacobianBlock& b : blocks) {
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, Eigen::Dynamic> pulled =
-        stiffness(i) * derivative.lazyProduct(b.rows);
-    for (const JacobianBlock& a : blocks) {
-      if (symmetric && a.first < b.first) continue;
-      matrix.add(a.first, b.first, a.rows.transpose().lazyProduct(pulled));
+    for (Index column = 0; column < b.transposed.rows(); ++column) {
+      const ConeVector pulled = stiff * b.transposed.row(column).transpose();
+      for (const JacobianBlock& a : blocks) {
+        if (symmetric && a.first < b.first) continue;
+        matrix.add_to_column(a.first, b.first + column, a.transposed, pulled);
+      }
     }
   }
 }
@@ -182,9 +179,8 @@ void SmoothedContacts::linearise_coupled(const VectorXd& v, VectorXd& residual,
     const ConeProjection p = allowed_impulse(condition, pull(i, w, condition.friction * slip));
     ConeMatrix derivative = p.derivative;
     if (slip > 0.0) {
-      const Index tangents = w.size() - 1;
-      derivative.rightCols(tangents) +=
-          condition.friction / slip * p.derivative.col(0) * w.tail(tangents).transpose();
+      derivative.rightCols<3>() +=
+          condition.friction / slip * p.derivative.col(0) * w.tail<3>().transpose();
     }
     add_force(i, p.point, residual);
     add_stiffness(i, derivative, false, matrix);

@@ -13,7 +13,7 @@ namespace prehend {
 // J v + offset.
 ConeVector relative_velocity(const ContactCondition& condition, const Eigen::VectorXd& v);
 
-// |w_t|; 0 for a joint.
+// |w_t|; 0 of a joint.
 double slip_of(const ConeVector& w);
 
 // The nearest impulse that the condition allows.

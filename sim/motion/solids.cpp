@@ -46,10 +46,8 @@ Solid solid_of(const WorldRobot& robot, const RobotState& state, int r, int link
 // The velocity of p_W along the directions, and the spin about the first.
 ConeVector rows_of(const std::array<Vector3, 3>& directions, double arm, const Vector3& linear,
                    const Vector3& angular) {
-  ConeVector rows(arm > 0.0 ? 4 : 3);
-  for (int k = 0; k < 3; ++k) rows[k] = directions[static_cast<std::size_t>(k)].dot(linear);
-  if (arm > 0.0) rows[3] = arm * directions[0].dot(angular);
-  return rows;
+  return {directions[0].dot(linear), directions[1].dot(linear), directions[2].dot(linear),
+          arm * directions[0].dot(angular)};
 }
 
 }  // namespace
@@ -119,7 +117,6 @@ const Solid& Solids::at(const SolidId& id) const { return solids_[index(place(id
 void Solids::add_rows(const Solid& solid, int first, const Vector3& p_W,
                       const std::array<Vector3, 3>& directions, double arm, double sign,
                       ContactCondition& condition) const {
-  const Eigen::Index rows = arm > 0.0 ? 4 : 3;
   if (solid.id.robot >= 0) {
     const WorldRobot& robot = world_->robots[index(solid.id.robot)];
     const Vector3 base_velocity =
@@ -130,34 +127,33 @@ void Solids::add_rows(const Solid& solid, int first, const Vector3& p_W,
   if (solid.id.robot < 0) {
     const WorldBody& body = world_->bodies[index(solid.id.index)];
     const Vector3 lever = p_W - center_in_world(body.inertial, body.motion.X_WB);
-    JacobianBlock block{first, Eigen::MatrixXd::Zero(rows, 6)};
+    JacobianBlock block{first, Eigen::MatrixX4d::Zero(6, 4)};
     for (int k = 0; k < 3; ++k) {
       const Vector3& direction = directions[static_cast<std::size_t>(k)];
-      block.rows.block<1, 3>(k, 0) = sign * lever.cross(direction).transpose();
-      block.rows.block<1, 3>(k, 3) = sign * direction.transpose();
+      block.transposed.col(k) << sign * lever.cross(direction), sign * direction;
     }
-    if (arm > 0.0) block.rows.block<1, 3>(3, 0) = sign * arm * directions[0].transpose();
+    block.transposed.col(3).head<3>() = sign * arm * directions[0];
     condition.blocks.push_back(std::move(block));
     return;
   }
   const RobotModel& model = *world_->robots[index(solid.id.robot)].model;
   const RobotState& state = robots_[index(solid.id.robot)];
-  JacobianBlock block{first, Eigen::MatrixXd::Zero(rows, model.coordinates())};
+  JacobianBlock block{first, Eigen::MatrixX4d::Zero(model.coordinates(), 4)};
   for (int j = model.robot.links[index(solid.id.index)].joint; j >= 0;
        j = model.robot.joints[index(j)].parent) {
     const Vector3& axis = state.axis_W[index(j)];
     const bool turns = model.robot.joints[index(j)].type == JointType::revolute;
     const Vector3 linear = turns ? Vector3(axis.cross(p_W - state.origin_W[index(j)])) : axis;
     const Vector3 angular = turns ? axis : Vector3::Zero();
-    const ConeVector column = sign * rows_of(directions, arm, linear, angular);
+    const ConeVector rows = sign * rows_of(directions, arm, linear, angular);
     for (Eigen::Index c = 0; c < model.coordinates(); ++c) {
       const double part = model.joints_of(j, c);
-      if (part != 0.0) block.rows.col(c) += part * column;
+      if (part != 0.0) block.transposed.row(c) += part * rows.transpose();
     }
   }
   // Two links of one robot that touch each other share its velocities.
   if (!condition.blocks.empty() && condition.blocks.back().first == first) {
-    condition.blocks.back().rows += block.rows;
+    condition.blocks.back().transposed += block.transposed;
   } else {
     condition.blocks.push_back(std::move(block));
   }

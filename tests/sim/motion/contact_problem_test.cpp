@@ -18,29 +18,29 @@ TEST(FrictionCone, ProjectionIsTheNearestPoint) {
   Random random(1);
   for (int i = 0; i < 2000; ++i) {
     const double mu = random.uniform(0.0, 2.0);
-    ConeVector x(3);
-    for (double& value : x) value = random.uniform(-1.0, 1.0);
+    ConeVector x = ConeVector::Zero();
+    for (int k = 0; k < 3; ++k) x[k] = random.uniform(-1.0, 1.0);
     const ConeVector p = project_to_cone(x, mu).point;
-    EXPECT_LE(p.tail(2).norm(), mu * p[0] + 1e-15);
+    EXPECT_LE(p.tail<3>().norm(), mu * p[0] + 1e-15);
     // Moreau: what is cut off is orthogonal to the projection, and in the polar cone.
     const ConeVector q = x - p;
     EXPECT_NEAR(p.dot(q), 0.0, 1e-15);
-    EXPECT_LE(q[0] + mu * q.tail(2).norm(), 1e-15);
+    EXPECT_LE(q[0] + mu * q.tail<3>().norm(), 1e-15);
   }
 }
 
 // Without friction and slip, the cone is a ray, and what is behind its tip is not on it.
 TEST(FrictionCone, WithoutFrictionNothingPulls) {
-  EXPECT_TRUE(project_to_cone(ConeVector(Vector3(-1.0, 0.0, 0.0)), 0.0).point.isZero(0.0));
-  EXPECT_TRUE(project_to_cone(ConeVector(Vector3(-1.0, 0.0, 0.0)), 0.0).derivative.isZero(0.0));
+  EXPECT_TRUE(project_to_cone(-ConeVector::UnitX(), 0.0).point.isZero(0.0));
+  EXPECT_TRUE(project_to_cone(-ConeVector::UnitX(), 0.0).derivative.isZero(0.0));
 }
 
 TEST(FrictionCone, DerivativeIsThatOfTheProjection) {
   Random random(2);
   for (int i = 0; i < 200; ++i) {
     const double mu = random.uniform(0.1, 2.0);
-    ConeVector x(4);
-    ConeVector d(4);
+    ConeVector x;
+    ConeVector d;
     for (double& value : x) value = random.uniform(-1.0, 1.0);
     for (double& value : d) value = random.uniform(-1.0, 1.0);
     constexpr double h = 1e-6;
@@ -113,7 +113,7 @@ TEST(ContactProblem, RandomPilesFollowTheLaw) {
     Eigen::VectorXd momentum = Eigen::VectorXd::Zero(problem.free.size());
     for (std::size_t i = 0; i < problem.contacts.size(); ++i) {
       for (const JacobianBlock& block : problem.contacts[i].blocks) {
-        momentum.segment(block.first, 6) += block.rows.transpose() * solution.impulses[i].head(3);
+        momentum.segment(block.first, 6) += block.transposed * solution.impulses[i];
       }
     }
     for (const ContactProblem::Mass& mass : problem.masses) {

@@ -68,7 +68,7 @@ TEST(ContactPyramids, JointsKeepTheirIntervals) {
   ContactProblem problem{
       {{0, 2.0 * Eigen::MatrixXd::Identity(3, 3)}}, Eigen::Vector3d(1.0, 1.0, -1.0), {}};
   const auto on = [](int velocity) {
-    return ContactCondition{.blocks = {{velocity, Eigen::MatrixXd::Ones(1, 1)}}};
+    return ContactCondition{.blocks = {{velocity, Eigen::RowVector4d::UnitX()}}, .rows = 1};
   };
   ContactCondition held = on(0);
   held.lower = -std::numeric_limits<double>::infinity();

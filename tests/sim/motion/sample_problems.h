@@ -14,12 +14,10 @@ inline JacobianBlock touching(int first, const Vector3& p, const Vector3& normal
                               double sign = 1.0) {
   const Vector3 t1 = any_orthogonal(normal);
   const Vector3 t2 = normal.cross(t1);
-  JacobianBlock block{first, Eigen::MatrixXd::Zero(3, 6)};
+  JacobianBlock block{first, Eigen::MatrixX4d::Zero(6, 4)};
   int row = 0;
   for (const Vector3& direction : {normal, t1, t2}) {
-    block.rows.block<1, 3>(row, 0) = sign * p.cross(direction).transpose();
-    block.rows.block<1, 3>(row, 3) = sign * direction.transpose();
-    ++row;
+    block.transposed.col(row++) << sign * p.cross(direction), sign * direction;
   }
   return block;
 }
