@@ -7,8 +7,9 @@
 namespace prehend {
 namespace {
 
-// Above the error of fits to sample points, and below an angle that anybody would model.
-constexpr double kNearlyParallel = 1.5 * std::numbers::pi / 180.0;
+// Above the error of fits to exact shapes, and so small that no point moves by what a grasp would
+// notice.
+constexpr double kNearlyParallel = 0.1 * std::numbers::pi / 180.0;
 
 // A surface whose moments across the axis differ by less than this, relative to their sum, spreads
 // alike in all directions.
@@ -52,13 +53,11 @@ Vector3 widest_across(const Vector3& z, const Vector3& p_O, const SurfaceMoments
   return std::cos(angle) * u + std::sin(angle) * v;
 }
 
-Matrix3 aligned_cylinder(const Pose& X_OP, const SurfaceMoments& surface) {
-  Vector3 z = X_OP.linear().col(2);
-  const Vector3 axis = nearest_axis(z);
-  if (nearly_parallel(z, axis)) z = axis;
+// The frame with z along `axis` and x as near to `x` as that allows.
+Matrix3 frame_along(const Vector3& axis, const Vector3& x) {
   Matrix3 axes;
-  axes.col(2) = z;
-  axes.col(0) = widest_across(z, X_OP.translation(), surface);
+  axes.col(2) = axis;
+  axes.col(0) = (x - axis.dot(x) * axis).normalized();
   axes.col(1) = axes.col(2).cross(axes.col(0));
   return axes;
 }
@@ -86,10 +85,21 @@ SurfaceMoments surface_moments(const TriangleMesh& mesh) {
 
 Primitive aligned(const Primitive& primitive, const SurfaceMoments& surface) {
   Primitive turned = primitive;
+  if (std::holds_alternative<Cylinder>(primitive.shape)) {
+    const Vector3 z = primitive.X_OP.linear().col(2);
+    turned.X_OP.linear() = frame_along(z, widest_across(z, primitive.X_OP.translation(), surface));
+  }
+  return turned;
+}
+
+Primitive along_frame(const Primitive& primitive) {
+  Primitive turned = primitive;
+  const Matrix3 axes = primitive.X_OP.linear();
   if (std::holds_alternative<Box>(primitive.shape)) {
-    turned.X_OP.linear() = aligned_box(primitive.X_OP.linear());
-  } else if (std::holds_alternative<Cylinder>(primitive.shape)) {
-    turned.X_OP.linear() = aligned_cylinder(primitive.X_OP, surface);
+    turned.X_OP.linear() = aligned_box(axes);
+  } else if (!std::holds_alternative<Sphere>(primitive.shape)) {
+    const Vector3 z = nearest_axis(axes.col(2));
+    if (nearly_parallel(axes.col(2), z)) turned.X_OP.linear() = frame_along(z, axes.col(0));
   }
   return turned;
 }

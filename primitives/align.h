@@ -16,15 +16,15 @@ struct SurfaceMoments {
 
 SurfaceMoments surface_moments(const TriangleMesh& mesh);
 
-// The primitive with its middle and its size, turned:
-// - a box or a cylinder with axes within 1.5 degrees of those of the object's frame is parallel to
-//   them. Objects are mostly modelled along their frame, and a fit to sample points differs from it
-//   by that little;
-// - x of a cylinder, any direction across its axis, is the one in which the surface spreads most,
-//   seen from that axis: of the body of a cup the direction of its handle. Where it spreads alike
-//   in all of them, it is the frame's axis most nearly across. Grasps are proposed from x on in
-//   steps of a turn, so that they come in line with what is not symmetric in the object, whatever
-//   the sample points were.
+// The primitive with its middle and its size, and of a cylinder x, any direction across its axis,
+// turned to the one in which the surface spreads most, seen from that axis: of the body of a cup
+// the direction of its handle. Where it spreads alike in all of them, it is the frame's axis most
+// nearly across. Grasps are proposed from x on in steps of a turn, so that they come in line with
+// what is not symmetric in the object, whatever the sample points were.
 Primitive aligned(const Primitive& primitive, const SurfaceMoments& surface);
+
+// The primitive with axes along those of its frame where they are within a tenth of a degree.
+// Objects are mostly modelled along their frame.
+Primitive along_frame(const Primitive& primitive);
 
 }  // namespace prehend

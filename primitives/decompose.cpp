@@ -8,14 +8,17 @@
 #include <utility>
 
 #include "primitives/align.h"
+#include "primitives/closest_fit.h"
 #include "primitives/fit.h"
 #include "primitives/inscribed.h"
+#include "primitives/own_frame.h"
 #include "primitives/polish.h"
 #include "primitives/quantile.h"
 #include "primitives/split.h"
 #include "primitives/taper.h"
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
+#include "sim/base/parallel/parallel.h"
 #include "sim/base/require_settings.h"
 #include "sim/shape/mesh_checks.h"
 
@@ -24,7 +27,8 @@ namespace {
 
 // Stages: scale the mesh to unit size, sample points from it, split greedily from the whole surface
 // down (grown), improve the pieces as a set (polished), drop to the number allowed (reduced), make
-// cones of cylinders that taper, then correct radii for tessellation and scale back.
+// cones of cylinders that taper, bring each as close to its points as it gets (come_closest), then
+// correct radii for tessellation and scale back.
 
 // Throws InputError for options out of range and meshes with unusable indices or vertices.
 void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
@@ -45,31 +49,21 @@ InputErrorParts no_area(const TriangleMesh& mesh) {
           .value = std::to_string(mesh.triangles.size()) + " triangles"};
 }
 
-// The box around the triangles. Vertices of no triangle do not count.
-Bounds used_bounds(const TriangleMesh& mesh) {
-  Bounds used;
-  for (const Triangle& t : mesh.triangles) {
-    for (const int v : t) {
-      used.lower = used.lower.cwiseMin(mesh.vertices[static_cast<std::size_t>(v)]);
-      used.upper = used.upper.cwiseMax(mesh.vertices[static_cast<std::size_t>(v)]);
-    }
-  }
-  return used;
-}
-
-// The mesh moved and scaled so that its bounding box has its centre at 0 and a diagonal of 1. All
-// thresholds of the decomposition are meant for that size, so that results do not depend on units.
+// The mesh in its own frame, moved and scaled so that its box there has its middle at 0 and a
+// diagonal of 1. All thresholds of the decomposition are meant for that size, and all starts of
+// fits are directions of that frame, so that neither units nor the frame of the file matter.
 struct UnitMesh {
   TriangleMesh mesh;
-  Vector3 center = Vector3::Zero();
+  Pose X_OU = Pose::Identity();  // of the unit frame, before scaling
   double diagonal = 0.0;
 };
 
 UnitMesh unit_mesh(const TriangleMesh& mesh) {
-  const Bounds used = used_bounds(mesh);
-  UnitMesh unit{mesh, used.center(), used.diagonal()};
-  require(!mesh.empty() && unit.diagonal > 0.0 && std::isfinite(unit.diagonal), no_area(mesh));
-  for (Vector3& p : unit.mesh.vertices) p = (p - unit.center) / unit.diagonal;
+  const OwnFrame own = own_frame(mesh);
+  require(own.diagonal > 0.0 && std::isfinite(own.diagonal), no_area(mesh));
+  UnitMesh unit{mesh, own.X_OA * translation(own.center_A), own.diagonal};
+  const Pose X_UO = unit.X_OU.inverse();
+  for (Vector3& p : unit.mesh.vertices) p = X_UO * p / unit.diagonal;
   return unit;
 }
 
@@ -154,8 +148,9 @@ Primitive rescaled(Primitive primitive, const UnitMesh& unit) {
     cone->radius_high *= unit.diagonal;
     cone->height *= unit.diagonal;
   }
-  primitive.X_OP.translation() = primitive.X_OP.translation() * unit.diagonal + unit.center;
-  return primitive;
+  primitive.X_OP.translation() *= unit.diagonal;
+  primitive.X_OP = unit.X_OU * primitive.X_OP;
+  return along_frame(primitive);
 }
 
 // Where a cylinder tapers, the cone about the axis that it will have in the end (aligned).
@@ -166,6 +161,29 @@ void make_cones(std::vector<Region>& regions, const Surface& surface,
     const Primitive found = tapered(aligned(primitive, moments), region.points, surface.tolerance);
     if (std::holds_alternative<Cone>(found.shape)) primitive = found;
   }
+}
+
+// The primitives as close to the points as they get, each to those that it is nearest to.
+void come_closest(std::vector<Region>& regions, const Surface& surface) {
+  std::vector<std::vector<SurfacePoint>> points(regions.size());
+  for (const SurfacePoint& s : surface.points) {
+    std::size_t nearest = 0;
+    double distance = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+      const double d = std::abs(signed_distance(regions[k].fit.primitive, s.p_O));
+      if (d >= distance) continue;
+      distance = d;
+      nearest = k;
+    }
+    points[nearest].push_back(s);
+  }
+  for_each_in_parallel(regions.size(), surface.threads, [&](std::size_t k) {
+    surface.cancellation.check();
+    if (points[k].empty()) return;
+    Primitive& primitive = regions[k].fit.primitive;
+    primitive = closest_fit(primitive, points[k], surface.tolerance);
+    regions[k].points = std::move(points[k]);
+  });
 }
 
 // Of distances in units of `unit` metres.
@@ -239,7 +257,7 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
 
 double relative_tolerance(const TriangleMesh& mesh, double length) {
   require_valid_indices(mesh, "mesh");
-  const double diagonal = used_bounds(mesh).diagonal();
+  const double diagonal = own_frame(mesh).diagonal;
   require(length > 0.0 && length <= diagonal,
           {.field = "tolerance",
            .problem = formatted("must be above 0 and at most the object's diagonal, %.4g mm",
@@ -259,6 +277,7 @@ Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& option
   if (regions.size() > 1) regions = polished(std::move(regions), surface);
   regions = reduced(std::move(regions), surface, static_cast<std::size_t>(options.max_primitives));
   make_cones(regions, surface, surface_moments(unit.mesh));
+  come_closest(regions, surface);
   return result_of(regions, surface, unit);
 }
 

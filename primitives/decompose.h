@@ -67,13 +67,18 @@ double relative_tolerance(const TriangleMesh& mesh, double length);
 // the area of the primitives that lies away from the mesh, and a cost for each primitive. First the
 // surface is split again and again, by planes or into the part that one primitive explains and the
 // rest, as long as that lowers the objective. Then each point is assigned to its nearest primitive,
-// and primitives are refitted, merged and dropped.
+// and primitives are refitted, merged and dropped. At last each primitive comes as close to its
+// points as it gets (closest_fit.h).
 //
-// All this uses a fixed number of points sampled by area, so that the time hardly depends on the
-// number of triangles, and the mesh need not be closed or oriented. The explained fractions and
-// the distances are estimates from those points. The same arguments give the same result, on any
-// number of threads. Throws InputError for a mesh without area, with an index out of range or a
-// vertex that is not finite, and for an option out of its range; throws Cancelled.
+// All this happens in the object's own frame (own_frame.h), whose box is the bounding box that
+// options speak of, and uses about a fixed number of points that depend on the surface only. So
+// primitives turn, move and scale with the object, whatever triangles it is divided into; the time
+// hardly depends on their number, and the mesh need not be closed or oriented. The explained
+// fractions and the distances are estimates from those points.
+//
+// The same arguments give the same result, on any number of threads. Throws InputError for a mesh
+// without area, with an index out of range or a vertex that is not finite, and for an option out of
+// its range; throws Cancelled.
 Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& options = {},
                         const RunContext& context = {});
 

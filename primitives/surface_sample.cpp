@@ -1,27 +1,107 @@
 #include "primitives/surface_sample.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <random>
+#include <tuple>
+#include <utility>
 
 #include "sim/base/random.h"
 
 namespace prehend {
 namespace {
 
-// Uniform in the triangle for uniform u, v in [0, 1): the half of the unit square beyond its
-// diagonal is folded back onto the triangle.
-Vector3 point_in_triangle(const TriangleMesh& mesh, std::size_t t, double u, double v) {
-  if (u + v > 1.0) {
-    u = 1.0 - u;
-    v = 1.0 - v;
+// Where a line along an axis meets the surface.
+struct Hit {
+  int row = 0;  // of the line in the grid across the axis
+  int column = 0;
+  double along = 0.0;  // coordinate along the axis
+  int triangle = 0;
+};
+
+// The parallel lines along one axis: through (column + offset, row + offset) * spacing across it.
+struct Lines {
+  int axis = 0;
+  double spacing = 0.0;
+  std::array<double, 2> offset = {};
+
+  int first_at_or_above(double x, std::size_t way) const {
+    return static_cast<int>(std::ceil(x / spacing - offset[way]));
   }
-  const Triangle& corner = mesh.triangles[t];
-  const Vector3& a = mesh.vertices[static_cast<std::size_t>(corner[0])];
-  const Vector3& b = mesh.vertices[static_cast<std::size_t>(corner[1])];
-  const Vector3& c = mesh.vertices[static_cast<std::size_t>(corner[2])];
-  return a + u * (b - a) + v * (c - a);
+  double place(int number, std::size_t way) const { return spacing * (number + offset[way]); }
+};
+
+// A corner as the lines see it.
+struct Seen {
+  double across = 0.0;  // by columns
+  double up = 0.0;      // by rows
+  double along = 0.0;
+};
+
+// Between two corners at a height: the same bits from both triangles that share the edge.
+Seen at_height(Seen a, Seen b, double up) {
+  if (std::tie(b.up, b.across) < std::tie(a.up, a.across)) std::swap(a, b);
+  const double part = (up - a.up) / (b.up - a.up);
+  return {a.across + part * (b.across - a.across), up, a.along + part * (b.along - a.along)};
 }
+
+// The lines through a triangle, row by row. Of an edge that two triangles share, and of the height
+// of a corner, one side belongs to it, so that no line is counted twice.
+void add_hits(const Lines& lines, const Corners& corners, int triangle, std::vector<Hit>& hits) {
+  std::array<Seen, 3> seen;
+  for (std::size_t k = 0; k < 3; ++k) {
+    seen[k] = {corners[k][(lines.axis + 1) % 3], corners[k][(lines.axis + 2) % 3],
+               corners[k][lines.axis]};
+  }
+  const auto [low, high] = std::minmax({seen[0].up, seen[1].up, seen[2].up});
+  const int end = lines.first_at_or_above(high, 1);
+  for (int row = lines.first_at_or_above(low, 1); row < end; ++row) {
+    const double up = lines.place(row, 1);
+    std::array<Seen, 3> crossed;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Seen& a = seen[k];
+      const Seen& b = seen[(k + 1) % 3];
+      if ((a.up <= up) != (b.up <= up)) crossed[count++] = at_height(a, b, up);
+    }
+    if (count != 2) continue;
+    if (crossed[1].across < crossed[0].across) std::swap(crossed[0], crossed[1]);
+    const auto& [left, right, unused] = crossed;
+    const int last = lines.first_at_or_above(right.across, 0);
+    for (int column = lines.first_at_or_above(left.across, 0); column < last; ++column) {
+      const double part = (lines.place(column, 0) - left.across) / (right.across - left.across);
+      hits.push_back({row, column, left.along + part * (right.along - left.along), triangle});
+    }
+  }
+}
+
+// Numbers in [0, 1) for the lines of a grid that are spread evenly over any part of it (Roberts
+// 2018, "The unreasonable effectiveness of quasirandom sequences": multiples of the powers of the
+// inverse plastic number).
+double spread_number(int column, int row, double start) {
+  constexpr double kColumn = 0.7548776662466927;
+  constexpr double kRow = 0.5698402909980532;
+  const double number = start + kColumn * column + kRow * row;
+  return number - std::floor(number);
+}
+
+// Where the points of a line stand among all: any part of them is spread over the whole surface,
+// and a line more or less moves none of the others. By the finalizer of SplitMix64 (Steele, Lea and
+// Flood 2014, "Fast splittable pseudorandom number generators").
+std::uint64_t place_of_line(int axis, int row, int column) {
+  std::uint64_t z = (static_cast<std::uint64_t>(axis) << 62U) ^
+                    (static_cast<std::uint64_t>(static_cast<std::uint32_t>(row)) << 31U) ^
+                    static_cast<std::uint64_t>(static_cast<std::uint32_t>(column));
+  z += 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+struct Placed {
+  std::uint64_t place = 0;
+  SurfacePoint point;
+};
 
 // -1 when the mesh as a whole is inside out. The flux of p - center through a closed surface is
 // three times the volume inside (divergence theorem); its sign survives holes that are not too
@@ -34,30 +114,78 @@ double outward_sign(const std::vector<SurfacePoint>& points, const Vector3& cent
 
 }  // namespace
 
-std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed) {
-  std::vector<double> area_until(mesh.triangles.size());
+std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed,
+                                         const Matrix3& axes) {
+  // No finer than this part of the mesh's size: of a needle without area, rows without end would
+  // miss it.
+  constexpr double kFinest = 1.0 / 300.0;
+  std::vector<Corners> seen;  // along the axes
+  seen.reserve(mesh.triangles.size());
+  Bounds around;
   double area = 0.0;
+  double most = 0.0;
+  int largest = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    area += doubled_area_vector(mesh, t).norm();
-    area_until[t] = area;
+    seen.push_back(corners_of(mesh, static_cast<int>(t)));
+    for (Vector3& p : seen.back()) {
+      p = axes.transpose() * p;
+      around.lower = around.lower.cwiseMin(p);
+      around.upper = around.upper.cwiseMax(p);
+    }
+    const double own = 0.5 * doubled_area_vector(mesh, t).norm();
+    area += own;
+    if (own <= most) continue;
+    most = own;
+    largest = static_cast<int>(t);
   }
   if (!(area > 0.0)) return {};
-
-  // One point in each of `count` equal stretches of the running area: less variance than
-  // independent draws, and every part gets its fair number of points.
-  Random random(seed);
-  std::vector<SurfacePoint> points;
-  points.reserve(static_cast<std::size_t>(count));
-  std::size_t t = 0;
-  for (int i = 0; i < count; ++i) {
-    const double at = area * (i + random.uniform()) / count;
-    while (t + 1 < area_until.size() && area_until[t] <= at) ++t;
-    const double u = random.uniform();
-    const double v = random.uniform();
-    points.push_back({point_in_triangle(mesh, t, u, v), doubled_area_vector(mesh, t).normalized(),
-                      static_cast<int>(t)});
+  const Vector3 middle = around.center();
+  for (Corners& corners : seen) {
+    for (Vector3& p : corners) p -= middle;
   }
-  const double sign = outward_sign(points, bounds(mesh).center());
+  const double spacing = std::max(std::sqrt(area / count), kFinest * around.diagonal());
+
+  Random random(seed);
+  std::vector<Placed> placed;
+  const auto add = [&](std::uint64_t place, const Vector3& p, int triangle) {
+    const Vector3 n = doubled_area_vector(mesh, static_cast<std::size_t>(triangle)).normalized();
+    placed.push_back({place, {axes * (middle + p), n, triangle}});
+  };
+  std::vector<Hit> hits;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Lines lines{axis, spacing, {random.uniform(), random.uniform()}};
+    const double start = random.uniform();
+    hits.clear();
+    for (std::size_t t = 0; t < seen.size(); ++t) {
+      add_hits(lines, seen[t], static_cast<int>(t), hits);
+    }
+    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+      return std::tie(a.row, a.column, a.along, a.triangle) <
+             std::tie(b.row, b.column, b.along, b.triangle);
+    });
+    for (const Hit& hit : hits) {
+      const Vector3 n =
+          doubled_area_vector(mesh, static_cast<std::size_t>(hit.triangle)).normalized();
+      const double lines_here = (axes.transpose() * n).lpNorm<1>();
+      if (spread_number(hit.column, hit.row, start) * lines_here >= 1.0) continue;
+      Vector3 p;
+      p[axis] = hit.along;
+      p[(axis + 1) % 3] = lines.place(hit.column, 0);
+      p[(axis + 2) % 3] = lines.place(hit.row, 1);
+      add(place_of_line(axis, hit.row, hit.column), p, hit.triangle);
+    }
+  }
+  // Of a few needles, chance may leave nothing.
+  if (placed.empty()) {
+    const Corners& corners = seen[static_cast<std::size_t>(largest)];
+    add(0, (corners[0] + corners[1] + corners[2]) / 3.0, largest);
+  }
+  std::stable_sort(placed.begin(), placed.end(),
+                   [](const Placed& a, const Placed& b) { return a.place < b.place; });
+  std::vector<SurfacePoint> points;
+  points.reserve(placed.size());
+  for (const Placed& one : placed) points.push_back(one.point);
+  const double sign = outward_sign(points, axes * middle);
   for (SurfacePoint& s : points) s.n_O *= sign;
   return points;
 }

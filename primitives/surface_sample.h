@@ -1,4 +1,4 @@
-// Points sampled from a mesh's surface in proportion to area, to which primitives are fitted.
+// Points of a mesh's surface, each standing for the same area, to which primitives are fitted.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,17 @@ struct SurfacePoint {
   int triangle = 0;               // index into TriangleMesh::triangles
 };
 
-// `count` points, each standing for the same area, in the order of the triangles. Normals point out
-// of the volume that the mesh encloses as a whole; where triangles disagree, so do their points.
-// Same arguments, same bytes on any platform. Empty for a mesh without area.
-// Requires finite vertices and indices in range.
-std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed);
+// About `count` points, each standing for the same area: where lines along the columns of `axes`,
+// on square grids that the seed moves, pass through the surface. A piece of surface with normal n
+// meets |n_1| + |n_2| + |n_3| lines per area of a grid's cell, n_i along the axes, and of as many
+// points one is kept. So the points depend on the surface and the axes, not on the triangles that
+// the surface is divided into, nor on their order. Any stretch of them is spread over all of it.
+//
+// Normals point out of the volume that the mesh encloses as a whole; where triangles disagree, so
+// do their points. Same arguments, same bytes on any platform. Empty for a mesh without area.
+// Requires finite vertices and indices in range. The count of lines is Crofton's formula (Santalo
+// 1976, Integral Geometry and Geometric Probability).
+std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed,
+                                         const Matrix3& axes = Matrix3::Identity());
 
 }  // namespace prehend

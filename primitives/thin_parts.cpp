@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "primitives/own_frame.h"
 #include "primitives/spot_curves.h"
 #include "primitives/surface_sample.h"
 #include "primitives/wall_spots.h"
@@ -105,7 +106,8 @@ std::vector<Primitive> find_thin_parts(const ProximityMesh& mesh,
                                        const std::vector<Primitive>& solids,
                                        const ThinPartOptions& options, const RunContext& context) {
   require_settings(options);
-  const double diagonal = bounds(mesh.mesh()).diagonal();
+  const OwnFrame own = own_frame(mesh.mesh());
+  const double diagonal = own.diagonal;
   if (!(diagonal > 0.0 && std::isfinite(diagonal))) return {};
   const ThinLimits limits{.wall = options.rim_width * diagonal,
                           .bar = options.bar_width * diagonal,
@@ -114,7 +116,7 @@ std::vector<Primitive> find_thin_parts(const ProximityMesh& mesh,
                           .free_beside = kFreeBeside * diagonal,
                           .around = kAround * diagonal};
   const std::vector<SurfacePoint> points =
-      sample_surface(mesh.mesh(), options.points, options.seed);
+      sample_surface(mesh.mesh(), options.points, options.seed, own.X_OA.linear());
   const ThinSpots spots = find_thin_spots(mesh, points, limits, context);
   std::vector<Primitive> parts;
   for (const SpotCurve& curve :

@@ -45,13 +45,13 @@ TEST(Align, ABoxNearlyAlongTheFrameIsPutAlongIt) {
     // A quarter of a turn before: the frame's axes in another order.
     const Pose quarter = turned_about(Vector3::Unit(i % 3), 0.5 * std::acos(-1.0));
     Primitive box{Box{{0.1, 0.2, 0.3}},
-                  translation({0.1, 0.0, 0.2}) * turned_about(axis, 0.01) * quarter};
-    const Primitive result = aligned(box, {});
+                  translation({0.1, 0.0, 0.2}) * turned_about(axis, 0.001) * quarter};
+    const Primitive result = along_frame(box);
     EXPECT_LT((result.X_OP.linear() - quarter.linear()).norm(), kAlignRounding);
     EXPECT_EQ(result.X_OP.translation(), box.X_OP.translation());
     // Farther from it, a box stays as it is.
-    box.X_OP.linear() = turned_about(axis, 0.05).linear();
-    EXPECT_EQ(aligned(box, {}).X_OP.linear(), box.X_OP.linear());
+    box.X_OP.linear() = turned_about(axis, 0.005).linear();
+    EXPECT_EQ(along_frame(box).X_OP.linear(), box.X_OP.linear());
   }
 }
 

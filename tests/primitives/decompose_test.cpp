@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
+#include "sim/base/random.h"
 #include "sim/shape/object_generator.h"
 #include "tests/primitives/expect_sound.h"
 #include "tests/primitives/test_meshes.h"
@@ -168,6 +169,44 @@ TEST(Decompose, FewerPointsFindTheSameParts) {
   const auto& finer = std::get<Cylinder>(many.primitives.front().shape);
   EXPECT_NEAR(body.radius, finer.radius, 1e-3);
   EXPECT_NEAR(body.height, finer.height, 4e-3);
+}
+
+constexpr double kOtherKinds = std::numeric_limits<double>::infinity();
+
+// How far the primitives of a moved and scaled object are from those of the object, moved and
+// scaled [m]; infinite where they are of other kinds.
+double change_of(const Decomposition& parts, const Decomposition& moved, const Pose& X_NO,
+                 double factor) {
+  if (parts.primitives.size() != moved.primitives.size()) return kOtherKinds;
+  double most = 0.0;
+  for (std::size_t k = 0; k < parts.primitives.size(); ++k) {
+    const Primitive& a = parts.primitives[k];
+    const Primitive& b = moved.primitives[k];
+    if (a.shape.index() != b.shape.index()) return kOtherKinds;
+    // Distances of the same places from both surfaces: of spheres and tubes the frame may turn.
+    Random random(181);
+    for (int i = 0; i < 50; ++i) {
+      const Vector3 p_O = a.X_OP * random.vector(-0.1, 0.1);
+      const Vector3 p_N = factor * (X_NO * p_O);
+      most = std::max(most, std::abs(signed_distance(b, p_N) / factor - signed_distance(a, p_O)));
+    }
+  }
+  return most;
+}
+
+TEST(Decompose, PrimitivesMoveAndScaleWithTheObject) {
+  Random random(182);
+  for (const char* kind : {"mug", "wine_glass", "bottle"}) {
+    const TriangleMesh mesh = generate_object(kind, 2000);
+    const Decomposition parts = decompose(mesh);
+    for (const double factor : {1.0, 0.2, 7.0}) {
+      const Pose X_NO = random.pose(0.5);
+      const Decomposition moved = decompose(test::scaled(transformed(mesh, X_NO), factor));
+      EXPECT_LT(change_of(parts, moved, X_NO, factor), 2e-4) << kind << " " << factor;
+    }
+    EXPECT_LT(change_of(parts, decompose(test::subdivided(mesh)), Pose::Identity(), 1.0), 5e-4)
+        << kind;
+  }
 }
 
 }  // namespace

@@ -17,12 +17,13 @@ inline double explained(const TriangleMesh& mesh, const std::vector<Primitive>& 
   constexpr int kPoints = 4000;
   const double reach = tolerance * bounds(mesh).diagonal();
   int near = 0;
-  for (const SurfacePoint& s : sample_surface(mesh, kPoints, 99)) {
+  const std::vector<SurfacePoint> points = sample_surface(mesh, kPoints, 99);
+  for (const SurfacePoint& s : points) {
     near += std::any_of(primitives.begin(), primitives.end(), [&](const Primitive& p) {
       return std::abs(signed_distance(p, s.p_O)) <= reach;
     });
   }
-  return static_cast<double>(near) / kPoints;
+  return static_cast<double>(near) / static_cast<double>(points.size());
 }
 
 inline void expect_sound(const Decomposition& result, const TriangleMesh& mesh,

@@ -31,6 +31,25 @@ inline TriangleMesh without_triangles_above(const TriangleMesh& mesh, double z) 
   return open;
 }
 
+// Each triangle divided into four: the same surface.
+inline TriangleMesh subdivided(const TriangleMesh& mesh) {
+  TriangleMesh finer = mesh;
+  finer.triangles.clear();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Corners corner = corners_of(mesh, static_cast<int>(t));
+    const int first = static_cast<int>(finer.vertices.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      finer.vertices.push_back(0.5 * (corner[k] + corner[(k + 1) % 3]));
+    }
+    const Triangle& old = mesh.triangles[t];
+    finer.triangles.push_back({old[0], first, first + 2});
+    finer.triangles.push_back({old[1], first + 1, first});
+    finer.triangles.push_back({old[2], first + 2, first + 1});
+    finer.triangles.push_back({first, first + 1, first + 2});
+  }
+  return finer;
+}
+
 // `rings` x `sectors` around the z axis; triangles shrink towards the poles.
 inline TriangleMesh uv_sphere(double radius, int rings, int sectors) {
   TriangleMesh mesh;

@@ -1,0 +1,144 @@
+#include "primitives/own_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+namespace prehend {
+namespace {
+
+// Moments that differ by less than this, relative to the largest, cannot be told apart from
+// rounding.
+constexpr double kEqualMoments = 1e-7;
+// The same of third moments, relative to area and size.
+constexpr double kNoSkew = 1e-9;
+// A vertex tells a direction where it is this far from the centre along it, relative to the size.
+constexpr double kTelling = 1e-3;
+
+struct Piece {
+  Corners p;  // from a point near them: sums of powers of coordinates far from 0 would cancel
+  double area = 0.0;
+};
+
+std::vector<Piece> pieces_about(const Vector3& origin, const TriangleMesh& mesh) {
+  std::vector<Piece> pieces;
+  pieces.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Piece piece{corners_of(mesh, static_cast<int>(t)), 0.5 * doubled_area_vector(mesh, t).norm()};
+    for (Vector3& p : piece.p) p -= origin;
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+// The integral of x^3 over the triangles, x the coordinate along a direction: of a triangle,
+// area / 10 times the sum of all products of three of its corners' coordinates, in any order
+// (the complete homogeneous polynomial).
+double skew_along(const Vector3& direction, const std::vector<Piece>& triangles) {
+  double skew = 0.0;
+  for (const Piece& t : triangles) {
+    const double a = direction.dot(t.p[0]);
+    const double b = direction.dot(t.p[1]);
+    const double c = direction.dot(t.p[2]);
+    skew += t.area / 10.0 *
+            (a * a * (a + b + c) + b * b * (a + b + c) + c * c * (a + b + c) + a * b * c);
+  }
+  return skew;
+}
+
+// Along `direction`, the side where there is more; where both are alike, that of the first corner
+// that is not in the middle.
+Vector3 with_sign(const Vector3& direction, const std::vector<Piece>& triangles, double area,
+                  double size) {
+  const double skew = skew_along(direction, triangles);
+  if (std::abs(skew) > kNoSkew * area * size * size * size) {
+    return std::copysign(1.0, skew) * direction;
+  }
+  for (const Piece& t : triangles) {
+    for (const Vector3& p : t.p) {
+      const double along = direction.dot(p);
+      if (std::abs(along) > kTelling * size) return std::copysign(1.0, along) * direction;
+    }
+  }
+  return direction;
+}
+
+// The direction orthogonal to `normal` (zero: any) to the first corner that is not in the middle.
+Vector3 to_first_corner(const Vector3& normal, const std::vector<Piece>& triangles, double size) {
+  for (const Piece& t : triangles) {
+    for (const Vector3& p : t.p) {
+      const Vector3 across = p - normal.dot(p) * normal;
+      if (across.norm() > kTelling * size) return across.normalized();
+    }
+  }
+  return normal.isZero(0.0) ? Vector3(Vector3::UnitX()) : any_orthogonal(normal);
+}
+
+// Axes as columns, right-handed.
+Matrix3 axes_of(const Matrix3& second, const std::vector<Piece>& triangles, double area,
+                double size) {
+  const Eigen::SelfAdjointEigenSolver<Matrix3> principal(second);
+  const Vector3 moments = principal.eigenvalues();
+  const bool low = moments[1] - moments[0] <= kEqualMoments * moments[2];
+  const bool high = moments[2] - moments[1] <= kEqualMoments * moments[2];
+  Vector3 x = principal.eigenvectors().col(0);
+  Vector3 y = principal.eigenvectors().col(1);
+  if (low && high) {
+    x = to_first_corner(Vector3::Zero(), triangles, size);
+    y = to_first_corner(x, triangles, size);
+  } else if (low) {
+    x = to_first_corner(principal.eigenvectors().col(2), triangles, size);
+    y = with_sign(principal.eigenvectors().col(2).cross(x), triangles, area, size);
+  } else {
+    x = with_sign(x, triangles, area, size);
+    y = high ? to_first_corner(x, triangles, size) : with_sign(y, triangles, area, size);
+  }
+  Matrix3 axes;
+  axes << x, y, x.cross(y);
+  return axes;
+}
+
+}  // namespace
+
+OwnFrame own_frame(const TriangleMesh& mesh) {
+  OwnFrame own;
+  if (mesh.empty()) return own;
+  const Vector3 near = mesh.vertices[static_cast<std::size_t>(mesh.triangles.front()[0])];
+  std::vector<Piece> triangles = pieces_about(near, mesh);
+  double area = 0.0;
+  Vector3 first = Vector3::Zero();
+  for (const Piece& t : triangles) {
+    area += t.area;
+    first += t.area / 3.0 * (t.p[0] + t.p[1] + t.p[2]);
+  }
+  if (!(area > 0.0)) return own;
+  const Vector3 center = first / area;
+  double size = 0.0;
+  Matrix3 second = Matrix3::Zero();
+  for (Piece& t : triangles) {
+    for (Vector3& p : t.p) {
+      p -= center;
+      size = std::max(size, p.norm());
+    }
+    const Vector3 sum = t.p[0] + t.p[1] + t.p[2];
+    second += t.area / 12.0 * (sum * sum.transpose());
+    for (const Vector3& p : t.p) second += t.area / 12.0 * (p * p.transpose());
+  }
+  own.X_OA = pose_from(axes_of(second, triangles, area, size), near + center);
+  Bounds around;
+  for (const Piece& t : triangles) {
+    for (const Vector3& p : t.p) {
+      const Vector3 p_A = own.X_OA.linear().transpose() * p;
+      around.lower = around.lower.cwiseMin(p_A);
+      around.upper = around.upper.cwiseMax(p_A);
+    }
+  }
+  own.center_A = around.center();
+  own.diagonal = around.diagonal();
+  return own;
+}
+
+}  // namespace prehend
