@@ -66,35 +66,62 @@ Vector3 with_sign(const Vector3& direction, const std::vector<Piece>& triangles,
   return direction;
 }
 
-// The direction orthogonal to `normal` (zero: any) to the first corner that is not in the middle.
-Vector3 to_first_corner(const Vector3& normal, const std::vector<Piece>& triangles, double size) {
+// The direction orthogonal to `axis` (zero: any) in which the largest flat part of the surface
+// faces: of a cube that of a face. Of equally large parts the first in the order of triangles.
+Vector3 facing_most(const Vector3& axis, const std::vector<Piece>& triangles) {
+  // The first large triangles are looked at, with all that are parallel to them.
+  constexpr std::size_t kLooked = 32;
+  constexpr double kLarge = 0.45;  // of the largest one's area; a half is a common value
+  constexpr double kAcross = 0.5;  // least part of a normal that is orthogonal to the axis
+  constexpr double kParallel = 1e-9;
+  struct Facing {
+    Vector3 direction;
+    double area = 0.0;
+  };
+  std::vector<Facing> all;
   for (const Piece& t : triangles) {
-    for (const Vector3& p : t.p) {
-      const Vector3 across = p - normal.dot(p) * normal;
-      if (across.norm() > kTelling * size) return across.normalized();
-    }
+    const Vector3 normal = (t.p[1] - t.p[0]).cross(t.p[2] - t.p[0]).normalized();
+    const Vector3 across = normal - axis.dot(normal) * axis;
+    if (across.norm() > kAcross) all.push_back({across.normalized(), t.area});
   }
-  return normal.isZero(0.0) ? Vector3(Vector3::UnitX()) : any_orthogonal(normal);
+  double largest = 0.0;
+  for (const Facing& one : all) largest = std::max(largest, one.area);
+  std::vector<Facing> looked_at;
+  for (const Facing& one : all) {
+    if (one.area > kLarge * largest && looked_at.size() < kLooked) looked_at.push_back(one);
+  }
+  Vector3 best = axis.isZero(0.0) ? Vector3(Vector3::UnitX()) : any_orthogonal(axis);
+  double most = 0.0;
+  for (const Facing& one : looked_at) {
+    double area = 0.0;
+    for (const Facing& other : all) {
+      if (one.direction.cross(other.direction).squaredNorm() < kParallel) area += other.area;
+    }
+    if (area <= (1.0 + 1e-9) * most) continue;
+    most = area;
+    best = one.direction;
+  }
+  return best;
 }
 
 // Axes as columns, right-handed.
 Matrix3 axes_of(const Matrix3& second, const std::vector<Piece>& triangles, double area,
                 double size) {
   const Eigen::SelfAdjointEigenSolver<Matrix3> principal(second);
-  const Vector3 moments = principal.eigenvalues();
+  const Vector3& moments = principal.eigenvalues();
   const bool low = moments[1] - moments[0] <= kEqualMoments * moments[2];
   const bool high = moments[2] - moments[1] <= kEqualMoments * moments[2];
   Vector3 x = principal.eigenvectors().col(0);
   Vector3 y = principal.eigenvectors().col(1);
   if (low && high) {
-    x = to_first_corner(Vector3::Zero(), triangles, size);
-    y = to_first_corner(x, triangles, size);
+    x = facing_most(Vector3::Zero(), triangles);
+    y = facing_most(x, triangles);
   } else if (low) {
-    x = to_first_corner(principal.eigenvectors().col(2), triangles, size);
+    x = facing_most(principal.eigenvectors().col(2), triangles);
     y = with_sign(principal.eigenvectors().col(2).cross(x), triangles, area, size);
   } else {
     x = with_sign(x, triangles, area, size);
-    y = high ? to_first_corner(x, triangles, size) : with_sign(y, triangles, area, size);
+    y = high ? facing_most(x, triangles) : with_sign(y, triangles, area, size);
   }
   Matrix3 axes;
   axes << x, y, x.cross(y);

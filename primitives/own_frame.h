@@ -16,8 +16,9 @@ struct OwnFrame {
 
 // The origin is the centre of the surface's area, the axes are the principal axes of its second
 // moments, least first, and the first two point to where the surface reaches farther (third
-// moments). All are exact integrals over the triangles. Where moments are equal, as those of a can,
-// the order of the vertices decides, which turning the object does not change. Requires valid
+// moments). All are exact integrals over the triangles. Where moments are equal, as those of a can
+// or a cube, the largest flat part of the surface decides, and where parts are alike the order of
+// triangles, which turning the object does not change. Requires valid
 // indices and finite vertices; without area the axes are those of O and the diagonal is 0.
 OwnFrame own_frame(const TriangleMesh& mesh);
 

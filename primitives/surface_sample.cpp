@@ -112,6 +112,55 @@ double outward_sign(const std::vector<SurfacePoint>& points, const Vector3& cent
   return flux < 0.0 ? -1.0 : 1.0;
 }
 
+// The mesh along the axes of the lines, about its middle.
+struct SeenMesh {
+  std::vector<Corners> triangles;
+  Vector3 middle = Vector3::Zero();  // along the axes
+  double diagonal = 0.0;
+  double area = 0.0;
+  int largest = 0;  // of the triangles
+};
+
+SeenMesh seen_along(const Matrix3& axes, const TriangleMesh& mesh) {
+  SeenMesh seen;
+  seen.triangles.reserve(mesh.triangles.size());
+  Bounds around;
+  double most = 0.0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    Corners corners = corners_of(mesh, static_cast<int>(t));
+    for (Vector3& p : corners) {
+      p = axes.transpose() * p;
+      around.lower = around.lower.cwiseMin(p);
+      around.upper = around.upper.cwiseMax(p);
+    }
+    seen.triangles.push_back(corners);
+    const double own = 0.5 * doubled_area_vector(mesh, t).norm();
+    seen.area += own;
+    if (own <= most) continue;
+    most = own;
+    seen.largest = static_cast<int>(t);
+  }
+  seen.middle = around.center();
+  seen.diagonal = around.diagonal();
+  for (Corners& corners : seen.triangles) {
+    for (Vector3& p : corners) p -= seen.middle;
+  }
+  return seen;
+}
+
+// All hits of the lines, line by line.
+std::vector<Hit> hits_of(const Lines& lines, const SeenMesh& seen) {
+  std::vector<Hit> hits;
+  for (std::size_t t = 0; t < seen.triangles.size(); ++t) {
+    add_hits(lines, seen.triangles[t], static_cast<int>(t), hits);
+  }
+  std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return std::tie(a.row, a.column, a.along, a.triangle) <
+           std::tie(b.row, b.column, b.along, b.triangle);
+  });
+  return hits;
+}
+
 }  // namespace
 
 std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed,
@@ -119,54 +168,23 @@ std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, st
   // No finer than this part of the mesh's size: of a needle without area, rows without end would
   // miss it.
   constexpr double kFinest = 1.0 / 300.0;
-  std::vector<Corners> seen;  // along the axes
-  seen.reserve(mesh.triangles.size());
-  Bounds around;
-  double area = 0.0;
-  double most = 0.0;
-  int largest = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    seen.push_back(corners_of(mesh, static_cast<int>(t)));
-    for (Vector3& p : seen.back()) {
-      p = axes.transpose() * p;
-      around.lower = around.lower.cwiseMin(p);
-      around.upper = around.upper.cwiseMax(p);
-    }
-    const double own = 0.5 * doubled_area_vector(mesh, t).norm();
-    area += own;
-    if (own <= most) continue;
-    most = own;
-    largest = static_cast<int>(t);
-  }
-  if (!(area > 0.0)) return {};
-  const Vector3 middle = around.center();
-  for (Corners& corners : seen) {
-    for (Vector3& p : corners) p -= middle;
-  }
-  const double spacing = std::max(std::sqrt(area / count), kFinest * around.diagonal());
+  const SeenMesh seen = seen_along(axes, mesh);
+  if (!(seen.area > 0.0)) return {};
+  const double spacing = std::max(std::sqrt(seen.area / count), kFinest * seen.diagonal);
 
   Random random(seed);
   std::vector<Placed> placed;
-  const auto add = [&](std::uint64_t place, const Vector3& p, int triangle) {
-    const Vector3 n = doubled_area_vector(mesh, static_cast<std::size_t>(triangle)).normalized();
-    placed.push_back({place, {axes * (middle + p), n, triangle}});
+  const auto normal_of = [&](int triangle) -> Vector3 {
+    return doubled_area_vector(mesh, static_cast<std::size_t>(triangle)).normalized();
   };
-  std::vector<Hit> hits;
+  const auto add = [&](std::uint64_t place, const Vector3& p, int triangle) {
+    placed.push_back({place, {axes * (seen.middle + p), normal_of(triangle), triangle}});
+  };
   for (int axis = 0; axis < 3; ++axis) {
     const Lines lines{axis, spacing, {random.uniform(), random.uniform()}};
     const double start = random.uniform();
-    hits.clear();
-    for (std::size_t t = 0; t < seen.size(); ++t) {
-      add_hits(lines, seen[t], static_cast<int>(t), hits);
-    }
-    std::sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
-      return std::tie(a.row, a.column, a.along, a.triangle) <
-             std::tie(b.row, b.column, b.along, b.triangle);
-    });
-    for (const Hit& hit : hits) {
-      const Vector3 n =
-          doubled_area_vector(mesh, static_cast<std::size_t>(hit.triangle)).normalized();
-      const double lines_here = (axes.transpose() * n).lpNorm<1>();
+    for (const Hit& hit : hits_of(lines, seen)) {
+      const double lines_here = (axes.transpose() * normal_of(hit.triangle)).lpNorm<1>();
       if (spread_number(hit.column, hit.row, start) * lines_here >= 1.0) continue;
       Vector3 p;
       p[axis] = hit.along;
@@ -177,15 +195,15 @@ std::vector<SurfacePoint> sample_surface(const TriangleMesh& mesh, int count, st
   }
   // Of a few needles, chance may leave nothing.
   if (placed.empty()) {
-    const Corners& corners = seen[static_cast<std::size_t>(largest)];
-    add(0, (corners[0] + corners[1] + corners[2]) / 3.0, largest);
+    const Corners& corners = seen.triangles[static_cast<std::size_t>(seen.largest)];
+    add(0, (corners[0] + corners[1] + corners[2]) / 3.0, seen.largest);
   }
   std::stable_sort(placed.begin(), placed.end(),
                    [](const Placed& a, const Placed& b) { return a.place < b.place; });
   std::vector<SurfacePoint> points;
   points.reserve(placed.size());
   for (const Placed& one : placed) points.push_back(one.point);
-  const double sign = outward_sign(points, axes * middle);
+  const double sign = outward_sign(points, axes * seen.middle);
   for (SurfacePoint& s : points) s.n_O *= sign;
   return points;
 }

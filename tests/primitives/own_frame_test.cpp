@@ -2,6 +2,7 @@
 #include "primitives/own_frame.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -57,6 +58,14 @@ TEST(OwnFrame, OfABoxIsAlongItsEdges) {
   EXPECT_NEAR(own.diagonal, Vector3(0.1, 0.2, 0.3).norm(), 1e-12);
   EXPECT_NEAR(std::abs(own.X_OA.linear()(1, 0)), 1.0, 1e-12);
   EXPECT_NEAR(std::abs(own.X_OA.linear()(0, 2)), 1.0, 1e-12);
+}
+
+TEST(OwnFrame, OfACubeIsAlongItsEdges) {
+  Random random(173);
+  for (int i = 0; i < 10; ++i) {
+    const OwnFrame own = own_frame(transformed(make_box({0.1, 0.1, 0.1}, 1 + i), random.pose(1.0)));
+    EXPECT_NEAR(own.diagonal, std::sqrt(3.0) * 0.1, 1e-9);
+  }
 }
 
 TEST(OwnFrame, WithoutAreaIsThatOfTheMesh) {
