@@ -96,14 +96,12 @@ class ClosestFit {
 
   // A cutoff that keeps what scatters as most of those within the last one do.
   double next_cutoff(double cutoff) const {
-    // 4.685 standard deviations, each 1.48 median deviations: 95 % efficient for Gaussian noise.
-    constexpr double kMedians = 4.685 * 1.4826;
     std::vector<double> within;
     for (const SurfacePoint& s : points_) {
       const double distance = std::abs(signed_distance(best_, s.p_O));
       if (distance < cutoff) within.push_back(distance);
     }
-    return within.empty() ? cutoff : std::min(cutoff, kMedians * quantile(within, 0.5));
+    return within.empty() ? cutoff : std::min(cutoff, kCutoffMedians * quantile(within, 0.5));
   }
 
   const Primitive& best() const { return best_; }

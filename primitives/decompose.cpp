@@ -165,18 +165,7 @@ void make_cones(std::vector<Region>& regions, const Surface& surface,
 
 // The primitives as close to the points as they get, each to those that it is nearest to.
 void come_closest(std::vector<Region>& regions, const Surface& surface) {
-  std::vector<std::vector<SurfacePoint>> points(regions.size());
-  for (const SurfacePoint& s : surface.points) {
-    std::size_t nearest = 0;
-    double distance = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < regions.size(); ++k) {
-      const double d = std::abs(signed_distance(regions[k].fit.primitive, s.p_O));
-      if (d >= distance) continue;
-      distance = d;
-      nearest = k;
-    }
-    points[nearest].push_back(s);
-  }
+  std::vector<std::vector<SurfacePoint>> points = points_by_nearest(regions, surface);
   for_each_in_parallel(regions.size(), surface.threads, [&](std::size_t k) {
     surface.cancellation.check();
     if (points[k].empty()) return;

@@ -56,8 +56,6 @@ std::vector<SurfacePoint> thinned(std::span<const SurfacePoint> points, std::siz
 }
 
 double robust_cutoff(const Eigen::ArrayXd& residuals, const FitOptions& options) {
-  // 4.685 standard deviations, each 1.48 median deviations: 95 % efficient for Gaussian noise.
-  constexpr double kMedians = 4.685 * 1.4826;
   // Up to this share of the tolerance a residual is tessellation, a rounded edge or a start that is
   // not there yet, not an outlier.
   constexpr double kLowest = 0.4;
@@ -72,8 +70,8 @@ double robust_cutoff(const Eigen::ArrayXd& residuals, const FitOptions& options)
   std::size_t within = 0;
   for (const double residual : residuals) {
     const double size = std::abs(residual);
-    const bool low = kMedians * size <= lowest;
-    const bool high = kMedians * size >= highest;
+    const bool low = kCutoffMedians * size <= lowest;
+    const bool high = kCutoffMedians * size >= highest;
     between[count] = size;
     count += low || high ? 0U : 1U;
     below += low ? 1U : 0U;
@@ -82,7 +80,7 @@ double robust_cutoff(const Eigen::ArrayXd& residuals, const FitOptions& options)
   const std::size_t place = quantile_place(between.size(), 0.5);
   if (place < below) return lowest;
   if (place < below + count) {
-    return kMedians * value_at_place(std::span(between).first(count), place - below);
+    return kCutoffMedians * value_at_place(std::span(between).first(count), place - below);
   }
   if (place < within) return highest;
   std::transform(residuals.begin(), residuals.end(), between.begin(),

@@ -61,6 +61,10 @@ inline double biweight(double residual, double cutoff) {
   return left * left;
 }
 
+// The cutoff of the biweight in medians of the residuals' sizes: 4.685 standard deviations, each
+// 1.48 median deviations, which is 95 % efficient for Gaussian noise.
+constexpr double kCutoffMedians = 4.685 * 1.4826;
+
 // The cutoff for the biweight, from the median size of the residuals: never below 0.4 times the
 // outlier distance, nor above twice that distance or twice the median, whichever is larger.
 double robust_cutoff(const Eigen::ArrayXd& residuals, const FitOptions& options);

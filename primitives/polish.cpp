@@ -60,15 +60,7 @@ Costs costs_of(const Regions& regions, const Surface& surface) {
 // One round as in k-means: each point goes to the primitive whose surface is nearest, then each
 // primitive is fitted again to its points. Primitives without points disappear.
 Regions reassigned(const Regions& regions, const Surface& surface) {
-  const Costs costs = costs_of(regions, surface);
-  std::vector<std::vector<SurfacePoint>> points(regions.size());
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
-    std::size_t nearest = 0;
-    for (std::size_t k = 1; k < regions.size(); ++k) {
-      if (costs.distance[k][i] < costs.distance[nearest][i]) nearest = k;
-    }
-    points[nearest].push_back(surface.points[i]);
-  }
+  std::vector<std::vector<SurfacePoint>> points = points_by_nearest(regions, surface);
   std::erase_if(points, [](const std::vector<SurfacePoint>& own) { return own.empty(); });
   return fit_regions(std::move(points), surface);
 }

@@ -67,6 +67,23 @@ double share_of(std::size_t count, const Surface& surface) {
   return static_cast<double>(count) / static_cast<double>(surface.points.size());
 }
 
+std::vector<std::vector<SurfacePoint>> points_by_nearest(const std::vector<Region>& regions,
+                                                         const Surface& surface) {
+  std::vector<std::vector<SurfacePoint>> points(regions.size());
+  for (const SurfacePoint& s : surface.points) {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+      const double distance = std::abs(signed_distance(regions[k].fit.primitive, s.p_O));
+      if (distance >= least) continue;
+      least = distance;
+      nearest = k;
+    }
+    points[nearest].push_back(s);
+  }
+  return points;
+}
+
 std::vector<double> distances(const Primitive& primitive, std::span<const SurfacePoint> points) {
   std::vector<double> result;
   result.reserve(points.size());

@@ -73,6 +73,11 @@ double phantom_cost(const Primitive& primitive, const Surface& surface);
 // The share of the whole surface that `count` of its points stand for.
 double share_of(std::size_t count, const Surface& surface);
 
+// The points of the surface by the primitive that is nearest to each, of equally near ones the
+// first: those of region k at place k, which may be none.
+std::vector<std::vector<SurfacePoint>> points_by_nearest(const std::vector<Region>& regions,
+                                                         const Surface& surface);
+
 // The distance (>= 0) of each of the points from the primitive's surface.
 std::vector<double> distances(const Primitive& primitive, std::span<const SurfacePoint> points);
 
