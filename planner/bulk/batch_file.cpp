@@ -256,7 +256,7 @@ LearnedOrder read_model(const JsonField& field) {
 // An accuracy by its name or file, or an object that says more.
 BatchSetting read_setting(const JsonField& field) {
   if (field.is_object())
-    field.allow_only({"name", "accuracy", "trials", "enough", "contacts", "model"});
+    field.allow_only({"name", "accuracy", "trials", "enough", "contacts", "model", "approach"});
   const std::string words =
       field.is_object() ? field.text_or("accuracy", "standard") : field.text();
   const JsonField at = field.is_object() && field.has("accuracy") ? field["accuracy"] : field;
@@ -278,6 +278,10 @@ BatchSetting read_setting(const JsonField& field) {
       const std::string contacts = field["contacts"].text();
       if (contacts != "soft" && contacts != "hard") field["contacts"].fail("is soft or hard");
       setting.options.trial.soft_fingers = contacts == "soft";
+    }
+    if (field.has("approach")) {
+      setting.options.candidates.approach = with_field_errors(
+          field["approach"], [&] { return approach_limit(field["approach"].text()); });
     }
     if (field.has("model")) setting.options.search.learned = read_model(field["model"]);
   }

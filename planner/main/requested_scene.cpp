@@ -60,6 +60,14 @@ PlanOptions requested_accuracy(const std::string& name_or_file) {
   return options;
 }
 
+ApproachLimit requested_approach(const std::string& words) {
+  try {
+    return approach_limit(words);
+  } catch (const InputError& error) {
+    throw error.about("--approach");
+  }
+}
+
 double requested_tolerance(const TriangleMesh& object, double millimetres) {
   try {
     return relative_tolerance(object, 1e-3 * millimetres);

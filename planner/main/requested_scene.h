@@ -35,6 +35,9 @@ std::optional<TestProcedure> requested_test_procedure(const std::string& name_or
 // effect any more. Throws InputError.
 PlanOptions requested_accuracy(const std::string& name_or_file);
 
+// The limit that --approach states (approach_limit). Throws InputError that names the option.
+ApproachLimit requested_approach(const std::string& words);
+
 // DecomposeOptions::tolerance from --primitive-tolerance [mm]. Throws InputError that names the
 // option.
 double requested_tolerance(const TriangleMesh& object, double millimetres);

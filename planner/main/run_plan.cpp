@@ -41,6 +41,7 @@ struct PlanCommand {
   int top = 10;
   std::optional<int> trials;  // empty: those of the accuracy
   std::optional<int> enough;  // grasps that hold, after which the search ends; as above
+  std::string approach;       // directions in which hands may move; empty: all
   std::string model;          // file of a model that orders the candidates; empty: none
   bool path = false;          // paths of the arm as well
   std::string path_planner = "rrt_connect";
@@ -70,6 +71,9 @@ void declare(CLI::App& command, PlanCommand& options) {
       ->check(CLI::Range(1, 1000000));
   command.add_option("--enough", options.enough, "grasps that hold after which the search ends")
       ->check(CLI::Range(1, 1000000));
+  command.add_option("--approach", options.approach,
+                     "directions in which the hand may move: down, +x, object:1,0,1 or others, and "
+                     "the angle around: down/30deg");
   command.add_option("--model", options.model,
                      "file of a model that orders the candidates (docs/how-to/learning.md)");
   command.add_option("--primitive-tolerance", options.primitive_tolerance,
@@ -149,6 +153,9 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
   options.rank.top = command.top;
   if (command.trials) options.search.trials = *command.trials;
   if (command.enough) options.search.enough = *command.enough;
+  if (!command.approach.empty()) {
+    options.candidates.approach = requested_approach(command.approach);
+  }
   if (!command.path) options.paths.reset();
   if (command.path) {
     if (!options.paths) options.paths.emplace();

@@ -53,6 +53,7 @@ class Adviser {
     if (count_of(result_, Outcome::no_path) > 0) {
       advise_path();
     } else {
+      advise_approach();
       advise_on_contacts();
       // Where the hand alone would hold the object, the arm is the reason, not the hand.
       const Held alone = without_arm();
@@ -71,10 +72,15 @@ class Adviser {
 
   // Trials of candidates for `primitives` in a variant of the scene.
   Held try_in(const CompiledScene& scene, const std::vector<Primitive>& primitives) const {
+    return try_in(scene, primitives, options_.candidates);
+  }
+
+  Held try_in(const CompiledScene& scene, const std::vector<Primitive>& primitives,
+              const CandidateOptions& proposing) const {
     const std::size_t count = index(std::min(options_.search.trials, kMostTrials));
     std::vector<Candidate> candidates;
     for (const ProposedGrasp& grasp :
-         propose_grasps(scene, primitives, count, options_.candidates, context_).grasps) {
+         propose_grasps(scene, primitives, count, proposing, context_).grasps) {
       candidates.push_back(grasp.candidate);
     }
     Held held{0, static_cast<int>(candidates.size())};
@@ -95,6 +101,20 @@ class Adviser {
     } catch (const InputError&) {
       return {};
     }
+  }
+
+  void advise_approach() {
+    const std::optional<ApproachLimit>& limit = options_.candidates.approach;
+    if (!limit) return;
+    CandidateOptions any = options_.candidates;
+    any.approach.reset();
+    const Held held = try_in(scene_, result_.primitives, any);
+    const bool none = result_.tried.empty() && held.tried > 0;
+    if (held.held == 0 && !none) return;
+    add(Hint::approach,
+        "another --approach than " + approach_text(*limit) +
+            (none ? ", from which nothing is proposed: from all sides, " : ": from all sides, ") +
+            held.words() + " hold");
   }
 
   // Trials in which the hand touches the object but does not hold it, a few of them, evenly picked.

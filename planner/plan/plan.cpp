@@ -169,14 +169,27 @@ struct RefinementPlan {
   bool is_empty() const { return refine_trials(best.size(), options) == 0; }
 };
 
-RefinementPlan plan_refinement(const Attempts& attempts, const PlanOptions& options) {
+// The stable trials as rank() orders them, of those that the limit to the approach allows: in the
+// end, the hand of a candidate that it allows may point elsewhere.
+std::vector<std::size_t> ranked_trials(const CompiledScene& scene, const PlanOptions& options,
+                                       const RankOptions& ranking, const Attempts& attempts) {
+  const std::optional<ApproachLimit>& limit = options.candidates.approach;
+  if (!limit) return rank(attempts.trials, ranking);
+  return rank(attempts.trials, ranking, [&](std::size_t i) {
+    return allows(*limit, scene, attempts.proposed[attempts.candidates[i]].candidate,
+                  attempts.trials[i]);
+  });
+}
+
+RefinementPlan plan_refinement(const CompiledScene& scene, const Attempts& attempts,
+                               const PlanOptions& options) {
   RefinementPlan from{{}, options.refine};
   from.options.trials =
       std::min(from.options.trials,
                static_cast<int>(kRefinementPart * static_cast<double>(attempts.trials.size())));
   RankOptions ranking = options.rank;
   ranking.top = from.options.grasps;
-  from.best = rank(attempts.trials, ranking);
+  from.best = ranked_trials(scene, options, ranking, attempts);
   return from;
 }
 
@@ -241,9 +254,10 @@ ScoredGrasp scored(Attempts& attempts, std::size_t i) {
 }
 
 // The best grasps of the attempts, whose trials they take.
-std::vector<ScoredGrasp> ranked(const RankOptions& options, Attempts& attempts) {
+std::vector<ScoredGrasp> ranked(const CompiledScene& scene, const PlanOptions& options,
+                                const RankOptions& ranking, Attempts& attempts) {
   std::vector<ScoredGrasp> grasps;
-  for (const std::size_t i : rank(attempts.trials, options)) {
+  for (const std::size_t i : ranked_trials(scene, options, ranking, attempts)) {
     grasps.push_back(scored(attempts, i));
     const auto refined = attempts.refinements.find(i);
     if (refined != attempts.refinements.end()) grasps.back().refinement = refined->second;
@@ -290,7 +304,7 @@ Attempts find_grasps(const CompiledScene& scene, const PlanOptions& options,
     watch.lap(Stage::primitives);
     attempts = search(scene, options, context, listener, result);
     watch.lap(Stage::trials);
-    const RefinementPlan refinement = plan_refinement(attempts, options);
+    const RefinementPlan refinement = plan_refinement(scene, attempts, options);
     if (!refinement.is_empty()) {
       refine(scene, refinement, options, context, attempts);
       watch.lap(Stage::refine);
@@ -315,7 +329,7 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
   if (!attempts.trials.empty()) {
     RankOptions ranking = options.rank;
     ranking.top = ranked_grasps(options, goes_on());
-    result.grasps = ranked(ranking, attempts);
+    result.grasps = ranked(scene, options, ranking, attempts);
     watch.lap(Stage::rank);
   }
   // Of grasps that are not ranked by epsilon, more than wanted are tried with errors. Some may
@@ -427,7 +441,10 @@ std::string no_candidates_text(const CompiledScene& scene, const PlanResult& res
   std::ostringstream message;
   message << scene.scene.object.name << unit_hint(scene.scene.object)
           << ": no grasp to try with hand " << scene.scene.hand.name;
-  if (std::isfinite(result.smallest_width)) {
+  const bool by_approach =
+      std::any_of(result.advice.begin(), result.advice.end(),
+                  [](const Advice& advice) { return advice.hint == Hint::approach; });
+  if (!by_approach && std::isfinite(result.smallest_width)) {
     message << ": the smallest size to close on is " << in_millimetres(result.smallest_width)
             << ", the hand opens to " << in_millimetres(result.largest_opening);
   }

@@ -43,11 +43,12 @@ bool is_same(const Trial& a, const Trial& b, const RankOptions& options) {
 
 }  // namespace
 
-std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options) {
+std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options,
+                              const std::function<bool(std::size_t)>& wanted) {
   require_settings(options);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (trials[i].outcome == Outcome::stable) order.push_back(i);
+    if (trials[i].outcome == Outcome::stable && (!wanted || wanted(i))) order.push_back(i);
   }
   // Trials are in the order of their candidates, which the stable sort keeps for equal epsilons.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {

@@ -1,6 +1,7 @@
 // Ranking of grasps by quality, without near-identical ones.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "sim/base/named_enum.h"
@@ -53,7 +54,9 @@ void for_each_setting(Options& options, const Visit& visit) {
 }
 
 // Indices of stable trials, largest lower bound of epsilon first (equal epsilon: smaller index
-// first), without those that are the same as a better one; at most `top`.
-std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options);
+// first), without those that are the same as a better one; at most `top`. With `wanted`, only of
+// trials whose index it accepts.
+std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options,
+                              const std::function<bool(std::size_t)>& wanted = {});
 
 }  // namespace prehend

@@ -158,7 +158,27 @@ class Refiner {
     }
   }
 
+  // A grasp that may not be approached like that is worth nothing.
   void try_it(Job& job) {
+    if (is_allowed(job)) {
+      make_trial(job);
+      if (refine_.approach && !allows(*refine_.approach, scene_, job.candidate, job.trial)) {
+        job.value = 0.0;
+      }
+    }
+    if (!context_.progress) return;
+    // Never called by two threads at once, and with counts that increase.
+    const std::lock_guard lock(progress_lock_);
+    ++progress_.done;
+    if (job.trial.outcome == Outcome::stable) ++progress_.stable;
+    context_.progress(progress_);
+  }
+
+  bool is_allowed(const Job& job) const {
+    return !refine_.approach || allows(*refine_.approach, scene_, job.candidate.approach_O);
+  }
+
+  void make_trial(Job& job) {
     const RunContext one_thread = {.threads = 1, .cancellation = context_.cancellation};
     {
       const TrialWorkers::Loan worker(workers_);
@@ -166,12 +186,6 @@ class Refiner {
       job.trial = worker->trial;
     }
     job.value = objective(job.trial);
-    if (!context_.progress) return;
-    // Never called by two threads at once, and with counts that increase.
-    const std::lock_guard lock(progress_lock_);
-    ++progress_.done;
-    if (job.trial.outcome == Outcome::stable) ++progress_.stable;
-    context_.progress(progress_);
   }
 
   std::vector<RefinedGrasp> better_grasps() {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "planner/plan/propose/approach_limit.h"
 #include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
@@ -40,11 +42,12 @@ struct RefineOptions {
   double turn = 0.2;
   double shift = 0.02;
   NoiseOptions noise = {.samples = 50};
+  std::optional<ApproachLimit> approach = {};
 };
 
 template <SettingsOf<RefineOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [objective, grasps, trials, turn, shift, noise] = options;
+  auto& [objective, grasps, trials, turn, shift, noise, approach] = options;
   visit("objective", objective,
         "What is made larger: epsilon, by which grasps are ranked, or its mean under random "
         "errors.");
@@ -54,6 +57,7 @@ void for_each_setting(Options& options, const Visit& visit) {
         "First turn of the hand that is tried, about the middle of its contacts.");
   visit("shift", shift, kLengthAbove0, "m", "First shift of the hand that is tried.");
   visit("noise", noise, "The random errors of the objective `robust`.");
+  visit.unlisted("approach", approach, "As in CandidateOptions, of which a plan takes it.");
 }
 
 // A grasp to refine: what was tried, and its trial.

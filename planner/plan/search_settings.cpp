@@ -9,6 +9,7 @@ PlanOptions search_settings(PlanOptions options) {
   options.thin_parts.seed = derived_seed(options.seed);
   options.trial.reach.kinematics.seed = derived_seed(options.seed);
   options.refine.noise.seed = derived_seed(options.seed);
+  options.refine.approach = options.candidates.approach;
   if (options.paths) {
     options.paths->reach.kinematics.seed = derived_seed(options.seed);
     options.paths->transfer.seed = derived_seed(options.seed);

@@ -2,6 +2,7 @@
 // the same fields with the same defaults, all of them keywords of the constructor.
 #pragma once
 
+#include <pybind11/eigen.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <string>
@@ -11,6 +12,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
 #include "sim/base/named_enum.h"
+#include "sim/base/pose.h"
 #include "sim/base/settings.h"
 #include "sim/base/visit_settings.h"
 
@@ -70,6 +72,8 @@ std::string type_in_python() {
     return std::is_integral_v<Value> ? "int" : "float";
   } else if constexpr (prehend::detail::kIsOptional<Value>) {
     return "Optional[" + type_in_python<typename Value::value_type>() + "]";
+  } else if constexpr (std::is_same_v<Value, Vector3>) {
+    return "Union[_Floats, Sequence[float]]";
   } else {
     return std::string(Value::kAbout.name);
   }

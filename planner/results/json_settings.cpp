@@ -21,7 +21,7 @@ void option_fields(auto& fields, Options& options) {
   visit_settings(options, [&](const std::string& name, auto& value, const Setting& setting) {
     using Value = std::remove_cvref_t<decltype(value)>;
     fields(name, value);
-    if constexpr (!std::is_enum_v<Value>) {
+    if constexpr (std::is_arithmetic_v<Value>) {
       fields.require(name, setting.range.contains(static_cast<double>(value)),
                      setting.range.words().c_str());
     }
@@ -62,8 +62,17 @@ void settings_fields(auto& fields, auto& record) {
                ValueNames<bool>{{"soft", true}, {"hard", false}});
   if constexpr (kReads<decltype(fields)>) {
     for (const char* name : kFormerSettings) (void)fields.allow(name);
-    // The object "paths" is there where paths were planned, so its presence is a setting as well.
+    // These objects are there where paths were planned, and where the approach was limited, so
+    // their presence is a setting as well.
     if (fields.allow("paths")) options.paths.emplace();
+    if (fields.allow("approach")) options.candidates.approach.emplace();
+  }
+  if (options.candidates.approach) {
+    fields.object("approach", [&](auto& inner) {
+      auto& limit = *options.candidates.approach;
+      option_fields(inner, limit);
+      inner.require("direction", limit.direction.norm() > kShortestApproach, "must not be zero");
+    });
   }
   if (options.paths) {
     fields.object("paths", [&](auto& inner) {

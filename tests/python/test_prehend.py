@@ -446,6 +446,21 @@ class Kinematics(unittest.TestCase):
         joint = robots.IkTarget(target, joint=arm.joints[arm.tip_joint])
         np.testing.assert_array_equal(robots.solve_all(arm, [joint]), solutions)
 
+    def test_hands_that_come_from_one_side(self):
+        limit = prehend.options.ApproachLimit(direction=[0.0, 0.0, -2.0], angle=0.3)
+        np.testing.assert_array_equal(limit.direction, [0.0, 0.0, -2.0])
+        options = few_options(candidates=prehend.options.CandidateOptions(approach=limit))
+        result = prehend.plan(prehend.load_scene("mug"), options)
+        self.assertGreater(len(result), 0)
+        for grasp in result:
+            self.assertGreaterEqual(-grasp.approach[2], np.cos(0.3) - 1e-9)
+        with self.assertRaisesRegex(prehend.InputError, "ApproachLimit.angle"):
+            limit.angle = 4.0
+        limit.direction = np.zeros(3)
+        options.candidates.approach = limit
+        with self.assertRaisesRegex(prehend.InputError, "candidates.approach.direction: must not be zero"):
+            prehend.plan(prehend.load_scene("mug"), options)
+
     def test_a_path_to_a_grasp(self):
         scene = prehend.compile_scene(prehend.load_scene("mug_on_table"))
         options = few_options(paths=prehend.options.GraspPathOptions())

@@ -27,6 +27,11 @@ PlanOptions options_of_plan(const JsonField& request) {
   if (request.has("trials")) options.search.trials = request["trials"].integer();
   if (request.has("top")) options.rank.top = request["top"].integer();
   if (request.has("paths") && request["paths"].boolean()) options.paths.emplace();
+  if (request.has("approach")) {
+    const JsonField field = request["approach"];
+    options.candidates.approach =
+        with_field_errors(field, [&] { return approach_limit(field.text()); });
+  }
   if (request.has("seed")) options.seed = request["seed"].unsigned_integer();
   return options;
 }
@@ -138,6 +143,8 @@ std::vector<Command> of_plans() {
         {"top", FieldType::integer, false, "grasps to keep; 10", kTop},
         {"seed", FieldType::integer, false, "of everything random, at least 0; 1", kIndex},
         {"accuracy", FieldType::text, false, "draft, standard or fine; standard"},
+        {"approach", FieldType::text, false,
+         "directions in which the hand may move, as of --approach: down/30deg; any"},
         {"paths", FieldType::boolean, false,
          "whether a path of the arm is planned for each, and those without one are left out; "
          "false"}},

@@ -1,9 +1,11 @@
 // Candidate generation: from the primitives of an object to the hand poses and preshapes to try.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "planner/plan/propose/approach_limit.h"
 #include "sim/base/run_context.h"
 #include "sim/base/settings.h"
 #include "sim/trial/candidate.h"
@@ -21,13 +23,17 @@ inline constexpr double kDuplicateAngle = 0.05;     // rad
 struct CandidateOptions {
   static constexpr AboutSettings kAbout{"CandidateOptions", "How candidates are generated."};
   double start_clearance = 0.01;
+  std::optional<ApproachLimit> approach = {};
 };
 
 template <SettingsOf<CandidateOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [start_clearance] = options;
+  auto& [start_clearance, approach] = options;
   visit("start_clearance", start_clearance, kDistance, "m",
         "Smallest distance, along the approach, between hand and object at the pre-grasp.");
+  visit.unlisted("approach", approach,
+                 "Set: the directions in which hands may move to the object, of candidates and of "
+                 "what they are improved to.");
 }
 
 // A candidate, and what it was derived from.

@@ -30,6 +30,41 @@ std::size_t golden_stride(std::size_t count) {
   return stride;
 }
 
+// With a limit to the approach, a track ends after so many points in a row that propose nothing.
+constexpr std::size_t kMostLeftOut = 1U << 17U;
+
+// How far from a direction of approach that a rule gives at this level of detail one of its other
+// directions may be [rad]: half a step of two turns.
+constexpr int kLevelOfDirections = 3;
+constexpr double kHalfStep = 0.14;
+
+// Calls visit(choices) for each point of the grid of the rule at this level, until it returns true.
+template <typename Visit>
+bool any_choices(const GraspRule& rule, int level, const Visit& visit) {
+  for (std::size_t point = 0; point < point_count(rule, level); ++point) {
+    std::vector<double> choices;
+    std::size_t rest = point;
+    for (const Freedom freedom : rule.freedoms) {
+      const std::size_t count = index(choice_count(freedom, level));
+      choices.push_back(choice_at(freedom, level, static_cast<int>(rest % count)));
+      rest /= count;
+    }
+    if (visit(choices)) return true;
+  }
+  return false;
+}
+
+// Whether the rule may have a grasp that the limit allows.
+bool may_allow(const std::optional<ApproachLimit>& limit, const CompiledScene& scene,
+               const GraspRule& rule) {
+  if (!limit) return true;
+  ApproachLimit wider = *limit;
+  wider.angle = std::min(wider.angle + kHalfStep, kApproachAngle.upper);
+  return any_choices(rule, kLevelOfDirections, [&](const std::vector<double>& choices) {
+    return allows(wider, scene, rule.aim(choices).approach_O);
+  });
+}
+
 }  // namespace
 
 ProposalSequence::ProposalSequence(const CompiledScene& scene,
@@ -71,6 +106,7 @@ void ProposalSequence::add_ways(const Primitive& primitive, int number) {
   const std::vector<Preshape>& preshapes = scene_->scene.hand.hand->preshapes;
   for (GraspRule& rule : grasp_rules(primitive)) {
     smallest_width_ = std::min(smallest_width_, rule.width);
+    if (!may_allow(options_.approach, *scene_, rule)) continue;
     const int at = static_cast<int>(rules_.size());
     for (std::size_t s = 0; s < preshapes.size(); ++s) {
       if (rule.width < preshapes[s].min_width || rule.width > preshapes[s].max_width) continue;
@@ -99,8 +135,10 @@ void ProposalSequence::begin_level(Progress& track, int level) {
 
 std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
   Progress& walk = progress(track);
-  if (walk.families.empty()) return std::nullopt;
+  std::size_t left_out = 0;
   while (true) {
+    if (options_.approach && left_out++ == kMostLeftOut) walk.families.clear();
+    if (walk.families.empty()) return std::nullopt;
     if (walk.passed == walk.first_point.back()) {
       if (walk.level == kFinestLevel) return std::nullopt;
       begin_level(walk, walk.level + 1);
@@ -137,6 +175,9 @@ std::optional<ProposedGrasp> ProposalSequence::proposed(std::size_t number,
   const Way& way = ways_[number];
   const GraspRule& rule = rules_[index(way.rule)];
   const AimedGrasp aimed = rule.aim(choices);
+  if (options_.approach && !allows(*options_.approach, *scene_, aimed.approach_O)) {
+    return std::nullopt;
+  }
   ProposedGrasp grasp;
   grasp.candidate.X_OH = hand_pose(*scene_->scene.hand.hand, aimed, way.stand_off);
   if (!progress_of(way).known.add(grasp.candidate.X_OH, way.preshape)) return std::nullopt;

@@ -1,7 +1,7 @@
 """Types of the C++ half of prehend. What its fields mean, help() says: the docstrings are there."""
 
 import enum
-from typing import Any, Callable, Dict, List, Literal, Optional, Tuple
+from typing import Any, Callable, Dict, List, Literal, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -71,6 +71,7 @@ class LiftEnd(str, enum.Enum):
     retreat_blocked = "retreat_blocked"
 
 class Hint(str, enum.Enum):
+    approach = "approach"
     friction = "friction"
     soft_contacts = "soft_contacts"
     other_hand = "other_hand"

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from ._core import (
     Accuracy,
+    ApproachLimit,
     CandidateOptions,
     ContactOptions,
     DecomposeOptions,
@@ -38,6 +39,7 @@ from ._names import show_in
 
 __all__ = [
     "Accuracy",
+    "ApproachLimit",
     "CandidateOptions",
     "ContactOptions",
     "DecomposeOptions",
@@ -67,6 +69,7 @@ __all__ = [
 show_in(
     __name__,
     Accuracy,
+    ApproachLimit,
     CandidateOptions,
     ContactOptions,
     DecomposeOptions,

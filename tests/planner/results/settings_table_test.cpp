@@ -34,6 +34,8 @@ std::string default_text(const Value& value) {
     return value ? "true" : "false";
   } else if constexpr (std::is_enum_v<Value>) {
     return std::string(name_of(value));
+  } else if constexpr (std::is_same_v<Value, Vector3>) {
+    return formatted("[%g, %g, %g]", value.x(), value.y(), value.z());
   } else {
     return formatted("%.6g", static_cast<double>(value));
   }
@@ -103,6 +105,8 @@ std::string settings_table() {
   table.add(PlanOptions{});
   table.add("\n## Paths\n\nIn the object `paths`, for `--path`.\n");
   table.add(GraspPathOptions{});
+  table.add("\n## Approach\n\nIn the object `approach`, for `--approach`.\n");
+  table.add(ApproachLimit{});
   return table.text();
 }
 

@@ -104,6 +104,19 @@ TEST(Settings, EveryOneOfThePathsIsInTheFileUnderItsOwnName) {
   EXPECT_GE(names.size(), 15U);
 }
 
+TEST(Settings, ALimitToTheApproachIsReadBack) {
+  PlanOptions options;
+  EXPECT_FALSE(settings_of(options).contains("approach"));
+  options.candidates.approach = {.direction = {1.0, 0.0, -2.0}, .angle = 0.25};
+  const json written = settings_of(options);
+  EXPECT_EQ(written["approach"]["frame"], "world");
+  RunRecord record;
+  read_settings(JsonFile("settings.json", written.dump()).root(), record);
+  ASSERT_TRUE(record.options.candidates.approach.has_value());
+  EXPECT_EQ(record.options.candidates.approach->direction, Vector3(1.0, 0.0, -2.0));
+  EXPECT_EQ(record.options.candidates.approach->angle, 0.25);
+}
+
 TEST(Settings, ThoseOfEarlierVersionsArePermitted) {
   const JsonFile file("settings.json", R"({"seed": 5, "max_candidates": 800, "places": 3,
       "gaps_near": 5e-4, "paths": {"longest_edge": 0.8}})");
