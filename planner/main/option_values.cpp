@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <system_error>
@@ -24,6 +25,18 @@ double seconds_of(const std::string& words) {
   throw InputError({.field = "--budget",
                     .problem = "must be a time above 0 such as 500ms, 2s or 1.5min",
                     .value = words});
+}
+
+bool three_numbers(std::string_view words, Vector3& numbers) {
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0 && !words.starts_with(',')) return false;
+    if (k > 0) words.remove_prefix(1);
+    const auto [end, error] =
+        std::from_chars(words.data(), words.data() + words.size(), numbers[k]);
+    if (error != std::errc() || !std::isfinite(numbers[k])) return false;
+    words.remove_prefix(static_cast<std::size_t>(end - words.data()));
+  }
+  return words.empty();
 }
 
 std::string complaint_about_seed(const std::string& word) {

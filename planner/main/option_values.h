@@ -2,7 +2,10 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "sim/base/pose.h"
 
 namespace prehend {
 
@@ -15,6 +18,9 @@ std::vector<std::string> texts(const Texts& values) {
 // Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds. Throws InputError
 // of --budget for any other word and for times that are not above 0.
 double seconds_of(const std::string& words);
+
+// Reads "x,y,z", three finite numbers; false for any other words.
+bool three_numbers(std::string_view words, Vector3& numbers);
 
 // What is wrong with a seed; empty where it is one. CLI11 takes "-1" for the largest number, and
 // numbers beyond it for that as well.

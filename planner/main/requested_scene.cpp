@@ -27,7 +27,10 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   record.repair = asked.repair && command_line.repair;
   record.hand = asked.hand;
   record.scene = scene_reference(asked.scene);
-  Scene loaded = load_scene(asked.scene, {record.hand, asked.unit, record.repair});
+  record.choice = asked.choice;
+  Scene loaded = load_scene(
+      asked.scene,
+      {.hand = record.hand, .unit = asked.unit, .repair = record.repair, .choice = record.choice});
   record.unit = unit_of_source(asked.scene, loaded);
   print_notes(loaded);
   return {compile(std::move(loaded)), record};

@@ -53,7 +53,8 @@ struct PlanCommand {
   bool dynamic = false;                       // hands close in time, on an object that gives way
   bool still = false;                         // hands are judged on an object that stands still
   std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
-  std::optional<bool> picture;                // of the best grasp; empty: where there is a report
+  ChoiceWords choice;
+  std::optional<bool> picture;  // of the best grasp; empty: where there is a report
   CommonOptions common;
 };
 
@@ -100,6 +101,7 @@ void declare(CLI::App& command, PlanCommand& options) {
   add_dynamic(command, options.dynamic);
   command.add_flag("--still", options.still,
                    "judge by hands that close on an object that stands still, as in GraspIt!");
+  add_choice(command, options.choice);
   add_packages(command, options.packages);
   add_common(command, options.common);
   add_accuracy(command, options.common);
@@ -193,16 +195,24 @@ class PlanProgram {
     check_together(command_);
     require_writable(folder_);
     const std::optional<TestProcedure> procedure = requested_test_procedure(command_.shake);
-    Scene loaded = load_scene(command_.scene, {command_.hand, command_.unit, command_.repair,
-                                               foreign_options(command_.packages, {})});
+    const ObjectChoice choice = object_choice(command_.choice);
+    Scene loaded = load_scene(command_.scene, {.hand = command_.hand,
+                                               .unit = command_.unit,
+                                               .repair = command_.repair,
+                                               .foreign = foreign_options(command_.packages, {}),
+                                               .choice = choice});
     const std::string unit = unit_of_source(command_.scene, loaded);
     print_notes(loaded);
     watch_.lap(Stage::load);
     const CompiledScene scene = compile(std::move(loaded));
     if (procedure) require_support(scene, *procedure);
     watch_.lap(Stage::compile);
-    RunRecord record{scene_reference(command_.scene), unit, command_.hand,
-                     options_of(command_, scene.scene.object.mesh), command_.repair};
+    RunRecord record{scene_reference(command_.scene),
+                     unit,
+                     command_.hand,
+                     options_of(command_, scene.scene.object.mesh),
+                     command_.repair,
+                     choice};
     add_model(command_, scene, record.options);
     PlanResult result = plan_grasps(scene, record.options);
     shake(scene, procedure, result);

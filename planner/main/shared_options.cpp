@@ -1,9 +1,12 @@
 #include "planner/main/shared_options.h"
 
+#include <cmath>
 #include <cstdint>
+#include <string_view>
 
 #include "planner/main/option_values.h"
 #include "sim/base/input_error.h"
+#include "sim/base/range.h"
 
 namespace prehend {
 
@@ -67,6 +70,52 @@ void add_mesh_options(CLI::App& command, std::string& unit, bool& repair) {
   command.add_option("--unit", unit,
                      "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
   command.add_flag("!--no-repair", repair, "take the surface of a mesh file as it is");
+}
+
+void add_choice(CLI::App& command, ChoiceWords& words) {
+  command.add_option("--object", words.object, "which of the scene's objects to grasp, by name");
+  command.add_option("--keep-out", words.keep_out,
+                     "part of the object that no finger may touch: its name in the mesh file, or "
+                     "two corners of a box, x,y,z:x,y,z in mm; may be repeated");
+  command.add_option("--prefer", words.preferred,
+                     "the same of parts: grasps that touch nothing else come first");
+}
+
+namespace {
+
+SurfaceRegion region_of_words(const char* option, const std::string& words) {
+  // A name has letters, a box none.
+  const bool is_box = words.find(':') != std::string::npos &&
+                      words.find_first_not_of("0123456789+-.,:eE") == std::string::npos;
+  if (!is_box) {
+    require(!words.empty(), {.field = option, .problem = "must not be empty"});
+    return {.part = words};
+  }
+  constexpr double kMetresPerMillimetre = 1e-3;
+  Bounds box{Vector3::Zero(), Vector3::Zero()};
+  const std::size_t colon = words.find(':');
+  const bool sound = three_numbers(std::string_view(words).substr(0, colon), box.lower) &&
+                     three_numbers(std::string_view(words).substr(colon + 1), box.upper);
+  const Vector3 size = kMetresPerMillimetre * (box.upper - box.lower).cwiseAbs();
+  require(sound && size.minCoeff() > 0.0 && size.maxCoeff() <= kFarthest,
+          {.field = option,
+           .problem = "a box is two corners in mm that differ in each coordinate, such as "
+                      "-10,-10,0:10,10,50",
+           .value = words});
+  return {.inside = {Box{size}, translation(kMetresPerMillimetre * box.center())}};
+}
+
+}  // namespace
+
+ObjectChoice object_choice(const ChoiceWords& words) {
+  ObjectChoice choice{.object = words.object};
+  for (const std::string& one : words.keep_out) {
+    choice.keep_out.push_back(region_of_words("--keep-out", one));
+  }
+  for (const std::string& one : words.preferred) {
+    choice.preferred.push_back(region_of_words("--prefer", one));
+  }
+  return choice;
 }
 
 void add_scene_options(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,

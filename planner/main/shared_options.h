@@ -11,6 +11,7 @@
 
 #include "planner/main/command_line.h"
 #include "sim/robot/files/package_folders.h"
+#include "sim/scene/surface_region.h"
 
 namespace prehend {
 
@@ -75,6 +76,20 @@ void add_contacts(CLI::App& command, CommonOptions& common);
 
 // --unit, --no-repair.
 void add_mesh_options(CLI::App& command, std::string& unit, bool& repair);
+
+// Words of --object, --keep-out and --prefer.
+struct ChoiceWords {
+  std::string object = {};
+  std::vector<std::string> keep_out = {};
+  std::vector<std::string> preferred = {};
+};
+
+// --object, --keep-out, --prefer.
+void add_choice(CLI::App& command, ChoiceWords& words);
+
+// What they say. A region is the name of a part of the mesh file, or two opposite corners of a box
+// in the object's frame, "x,y,z:x,y,z" in mm. Throws InputError that names the option.
+ObjectChoice object_choice(const ChoiceWords& words);
 
 // --scene, --hand, --unit, --no-repair.
 void add_scene_options(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,

@@ -14,6 +14,7 @@ namespace prehend {
 // the last three a few candidates were tried that way, and at least one held.
 enum class Hint {
   approach,       // other directions of approach than the options allow
+  keep_out,       // the parts of the object that hands must keep out of
   friction,       // rougher surfaces
   soft_contacts,  // rubber as soft fingers instead of hard points
   other_hand,     // another hand of the library
@@ -27,9 +28,9 @@ enum class Hint {
 
 // As in files. Advice stands in this order in PlanResult::advice.
 constexpr auto enum_names(Hint /*of*/) {
-  return std::to_array<std::string_view>({"approach", "friction", "soft_contacts", "other_hand",
-                                          "tolerance", "obstacle", "arm", "candidates", "path",
-                                          "unit"});
+  return std::to_array<std::string_view>({"approach", "keep_out", "friction", "soft_contacts",
+                                          "other_hand", "tolerance", "obstacle", "arm",
+                                          "candidates", "path", "unit"});
 }
 
 // One hint, in words that name the option of the program or the field of the scene file.

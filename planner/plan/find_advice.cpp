@@ -54,6 +54,7 @@ class Adviser {
       advise_path();
     } else {
       advise_approach();
+      advise_keep_out();
       advise_on_contacts();
       // Where the hand alone would hold the object, the arm is the reason, not the hand.
       const Held alone = without_arm();
@@ -114,6 +115,18 @@ class Adviser {
     add(Hint::approach,
         "another --approach than " + approach_text(*limit) +
             (none ? ", from which nothing is proposed: from all sides, " : ": from all sides, ") +
+            held.words() + " hold");
+  }
+
+  void advise_keep_out() {
+    if (scene_.keep_out.empty()) return;
+    CompiledScene anywhere = scene_;
+    anywhere.keep_out = {};
+    const Held held = try_in(anywhere, result_.primitives);
+    if (held.held == 0) return;
+    add(Hint::keep_out,
+        "fewer parts of the object to keep out of (--keep-out, \"keep_out\" in the "
+        "scene file): without them, " +
             held.words() + " hold");
   }
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "planner/plan/cut_short.h"
@@ -170,7 +171,8 @@ class FreeClosing {
     std::for_each(lost, end, [&](const ScoredGrasp& grasp) { count_as_lost(grasp); });
     if (options_.rank.by == RankBy::epsilon) {
       const auto place = [&](const ScoredGrasp& grasp) {
-        return std::pair(is_firm(scene_, grasp), grasp.free ? grasp.free->epsilon.lower : -1.0);
+        return std::tuple(grasp.trial.preferred, is_firm(scene_, grasp),
+                          grasp.free ? grasp.free->epsilon.lower : -1.0);
       };
       std::stable_sort(grasps.begin(), lost, [&](const ScoredGrasp& a, const ScoredGrasp& b) {
         return place(a) > place(b);

@@ -18,7 +18,7 @@
 namespace prehend {
 namespace {
 
-using RankKey = std::tuple<double, double, double>;  // larger is better
+using RankKey = std::tuple<bool, double, double, double>;  // larger is better
 
 // Calls work(grasp, workspace) for all of them, in parallel; false if time ran out before the end.
 template <typename Work>
@@ -94,8 +94,9 @@ class Shortlist {
     for (const ScoredGrasp& grasp : grasps) lower.push_back(interval_of(grasp).lower);
     const auto last = lower.begin() + static_cast<std::ptrdiff_t>(top_) - 1;
     std::nth_element(lower.begin(), last, lower.end(), std::greater<>());
-    std::erase_if(grasps,
-                  [&](const ScoredGrasp& grasp) { return interval_of(grasp).upper < *last; });
+    std::erase_if(grasps, [&](const ScoredGrasp& grasp) {
+      return !grasp.trial.preferred && interval_of(grasp).upper < *last;
+    });
   }
 
   static Interval interval_of(const ScoredGrasp& grasp) {
@@ -146,11 +147,12 @@ void add_free_ends(const CompiledScene& scene, const TrialOptions& options,
 
 void rank_by(RankBy by, PlanResult& result) {
   const auto key_of = [&](const ScoredGrasp& grasp) {
-    if (!grasp.robustness) return RankKey{-1.0, 0.0, 0.0};
+    if (!grasp.robustness) return RankKey{grasp.trial.preferred, -1.0, 0.0, 0.0};
     const Robustness& robustness = *grasp.robustness;
     const double first =
         by == RankBy::success ? success_probability(robustness) : robustness.probability();
-    return RankKey{first, robustness.position_margin, robustness.epsilon_mean};
+    return RankKey{grasp.trial.preferred, first, robustness.position_margin,
+                   robustness.epsilon_mean};
   };
   std::stable_sort(
       result.grasps.begin(), result.grasps.end(),

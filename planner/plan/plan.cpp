@@ -441,10 +441,11 @@ std::string no_candidates_text(const CompiledScene& scene, const PlanResult& res
   std::ostringstream message;
   message << scene.scene.object.name << unit_hint(scene.scene.object)
           << ": no grasp to try with hand " << scene.scene.hand.name;
-  const bool by_approach =
-      std::any_of(result.advice.begin(), result.advice.end(),
-                  [](const Advice& advice) { return advice.hint == Hint::approach; });
-  if (!by_approach && std::isfinite(result.smallest_width)) {
+  const bool by_choice =
+      std::any_of(result.advice.begin(), result.advice.end(), [](const Advice& advice) {
+        return advice.hint == Hint::approach || advice.hint == Hint::keep_out;
+      });
+  if (!by_choice && std::isfinite(result.smallest_width)) {
     message << ": the smallest size to close on is " << in_millimetres(result.smallest_width)
             << ", the hand opens to " << in_millimetres(result.largest_opening);
   }

@@ -52,6 +52,7 @@ std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOption
   }
   // Trials are in the order of their candidates, which the stable sort keeps for equal epsilons.
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (trials[a].preferred != trials[b].preferred) return trials[a].preferred;
     return trials[a].epsilon.lower > trials[b].epsilon.lower;
   });
   std::vector<std::size_t> ranked;

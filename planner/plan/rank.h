@@ -53,9 +53,9 @@ void for_each_setting(Options& options, const Visit& visit) {
         "So are grasps of which each contact is within this distance of one of the other.");
 }
 
-// Indices of stable trials, largest lower bound of epsilon first (equal epsilon: smaller index
-// first), without those that are the same as a better one; at most `top`. With `wanted`, only of
-// trials whose index it accepts.
+// Indices of stable trials: those that touch preferred regions only before all others, then the
+// largest lower bound of epsilon first (equal epsilon: smaller index first), without those that are
+// the same as a better one; at most `top`. With `wanted`, only of trials whose index it accepts.
 std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options,
                               const std::function<bool(std::size_t)>& wanted = {});
 

@@ -69,8 +69,9 @@ int most_refined(std::size_t grasps, const RefineOptions& options) {
 struct ParentSearch {
   GraspMoves moves;
   PatternSearch search;
-  double before = 0.0;  // the parent's objective
-  int used = 0;         // trials
+  double before = 0.0;     // the parent's objective
+  bool preferred = false;  // as the parent's trial
+  int used = 0;            // trials
   std::optional<TriedGrasp> best = {};
 };
 
@@ -96,7 +97,8 @@ class Refiner {
     for (std::size_t i = 0; i < count; ++i) {
       GraspMoves moves(scene, grasps[i].candidate, grasps[i].trial, reach);
       PatternSearch search(moves.variables(), values[i], 1.0 / kReach);
-      parents_.push_back({std::move(moves), std::move(search), values[i]});
+      parents_.push_back(
+          {std::move(moves), std::move(search), values[i], grasps[i].trial.preferred});
     }
     order_.resize(count);
     std::iota(order_.begin(), order_.end(), std::size_t{0});
@@ -158,13 +160,15 @@ class Refiner {
     }
   }
 
-  // A grasp that may not be approached like that is worth nothing.
+  // A grasp that may not be approached like that is worth nothing, nor is one that leaves the
+  // preferred regions.
   void try_it(Job& job) {
     if (is_allowed(job)) {
       make_trial(job);
-      if (refine_.approach && !allows(*refine_.approach, scene_, job.candidate, job.trial)) {
-        job.value = 0.0;
-      }
+      const bool turned_away =
+          refine_.approach && !allows(*refine_.approach, scene_, job.candidate, job.trial);
+      const bool left = parents_[job.parent].preferred && !job.trial.preferred;
+      if (turned_away || left) job.value = 0.0;
     }
     if (!context_.progress) return;
     // Never called by two threads at once, and with counts that increase.

@@ -68,6 +68,7 @@ class GraspSearch {
  private:
   // A grasp whose neighbours are to be tried.
   struct Parent {
+    bool preferred = false;
     double epsilon = 0.0;
     std::size_t candidate = 0;  // index into the proposals of the result
     bool followed = false;      // its neighbours are among those that wait, or were tried
@@ -92,7 +93,7 @@ class GraspSearch {
     const std::size_t most_put_off = 16 * size;
     std::size_t put_off = 0;
     while (batch.size() < size && put_off < most_put_off) {
-      std::optional<ProposedGrasp> next = next_of_sequence();
+      std::optional<ProposedGrasp> next = next_proposal();
       if (!next) break;
       if (reach_.seems_out_of_reach(next->candidate.X_OH)) {
         put_off_.push_back(std::move(*next));
@@ -107,15 +108,35 @@ class GraspSearch {
     }
   }
 
+  // With preferred regions, every second candidate is aimed at these as long as there are any among
+  // the next few; what is passed over on the way to them waits.
+  std::optional<ProposedGrasp> next_proposal() {
+    constexpr int kMostPassed = 32;
+    if (scene_.preferred.empty()) return next_of_sequence();
+    preferred_next_ = !preferred_next_;
+    for (int passed = 0; preferred_next_ ? passed < kMostPassed : passed_over_.empty(); ++passed) {
+      std::optional<ProposedGrasp> next = next_of_sequence();
+      if (!next) break;
+      if (next->preferred || !preferred_next_) return next;
+      passed_over_.push_back(std::move(*next));
+    }
+    if (passed_over_.empty()) return std::nullopt;
+    ProposedGrasp first = std::move(passed_over_.front());
+    passed_over_.pop_front();
+    return first;
+  }
+
   // Of the solids, and in turn with them of the curves, where the solids serve badly and the curves
   // better.
   std::optional<ProposedGrasp> next_of_sequence() {
-    const bool served =
-        !parents_.empty() && parents_.front().epsilon >= options_.thin_parts_if_epsilon_below;
+    const bool served = !parents_.empty() &&
+                        parents_.front().preferred == !scene_.preferred.empty() &&
+                        parents_.front().epsilon >= options_.thin_parts_if_epsilon_below;
     const auto tried = static_cast<double>(result_.trials.size());
     const auto asked = static_cast<double>(options_.trials);
     const bool both =
-        !served && tried >= kThinPartsAfter * options_.trials &&
+        !served &&
+        (!scene_.preferred.empty() || tried >= kThinPartsAfter * options_.trials) &&
         (curves_proposed_ < kThinPartsLeast * std::max(tried, asked) || thin_parts_competitive());
     curve_next_ = both && !curve_next_;
     std::optional<ProposedGrasp> next = next_of(curve_next_ ? Track::curves : Track::solids);
@@ -184,7 +205,7 @@ class GraspSearch {
     }
     if (trial.outcome == Outcome::stable) {
       ++stable_;
-      add_parent({trial.epsilon.lower, candidate, false});
+      add_parent({trial.preferred, trial.epsilon.lower, candidate, false});
       if (found_) found_(result_.proposed.back().candidate, trial);
     }
     result_.candidates.push_back(candidate);
@@ -196,11 +217,12 @@ class GraspSearch {
     if (scene_.arm && !is_blocked(outcome)) reach_.add(X_OH, outcome != Outcome::unreachable);
   }
 
-  // Parents are in the order of epsilon, best first, the earlier one first where it is equal.
+  // Parents are in the order of rank(), best first, the earlier one first where it is equal.
   void add_parent(const Parent& parent) {
-    const auto place =
-        std::upper_bound(parents_.begin(), parents_.end(), parent,
-                         [](const Parent& a, const Parent& b) { return a.epsilon > b.epsilon; });
+    const auto place = std::upper_bound(
+        parents_.begin(), parents_.end(), parent, [](const Parent& a, const Parent& b) {
+          return std::pair(a.preferred, a.epsilon) > std::pair(b.preferred, b.epsilon);
+        });
     parents_.insert(place, parent);
     if (parents_.size() > index(options_.followed)) parents_.pop_back();
   }
@@ -221,7 +243,9 @@ class GraspSearch {
   int curves_proposed_ = 0;            // in turn with solids
   bool curve_next_ = false;            // the last proposal of the sequence was of a curve
   ReachMemory reach_;
-  std::deque<ProposedGrasp> put_off_;  // seem out of reach
+  std::deque<ProposedGrasp> put_off_;      // seem out of reach
+  std::deque<ProposedGrasp> passed_over_;  // aimed elsewhere than at preferred regions
+  bool preferred_next_ = false;
 };
 
 }  // namespace

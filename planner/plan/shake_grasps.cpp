@@ -44,6 +44,7 @@ void shake_grasps(const CompiledScene& scene, const TestProcedure& procedure,
 void rank_by_shake(PlanResult& result) {
   std::stable_sort(result.grasps.begin(), result.grasps.end(),
                    [](const ScoredGrasp& a, const ScoredGrasp& b) {
+                     if (a.trial.preferred != b.trial.preferred) return a.trial.preferred;
                      return share_survived(a) > share_survived(b);
                    });
 }

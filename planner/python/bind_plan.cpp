@@ -20,7 +20,7 @@ CallOptions call_options(int threads, py::object progress, const Cancellation& c
 }
 
 RunRecord record_of(const SceneOrigin& origin, const PlanOptions& options) {
-  return {origin.file, origin.unit, origin.hand, options, origin.repair};
+  return {origin.file, origin.unit, origin.hand, options, origin.repair, origin.choice};
 }
 
 PlanHandle plan_in_python(const CompiledHandle& scene, const PlanOptions& asked,

@@ -8,6 +8,7 @@
 #include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
 #include "sim/scene/json_mass.h"
+#include "sim/scene/json_region.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/scene_file.h"
@@ -30,11 +31,21 @@ py::tuple load_mesh_in_python(const std::string& file, const std::string& unit) 
   return mesh_tuple(mesh);
 }
 
+// The regions that a list in JSON states.
+std::vector<SurfaceRegion> regions_in_json(const char* argument, const std::string& list) {
+  return read_regions(
+      JsonFile("scene", "{\"" + std::string(argument) + "\": " + list + "}").root()[argument]);
+}
+
 SceneHandle load_scene_in_python(const std::string& name_or_file, const std::string& hand,
-                                 const std::string& unit, bool repair) {
+                                 const std::string& unit, bool repair, const std::string& object,
+                                 const std::string& keep_out, const std::string& preferred) {
   const std::filesystem::path file = find_scene(name_or_file);
-  SceneHandle handle{load_scene(file, {hand, unit, repair}), {}};
-  handle.origin = {scene_reference(file), unit_of_source(file, handle.scene), hand, repair};
+  const ObjectChoice choice{object, regions_in_json("keep_out", keep_out),
+                            regions_in_json("preferred", preferred)};
+  SceneHandle handle{
+      load_scene(file, {.hand = hand, .unit = unit, .repair = repair, .choice = choice}), {}};
+  handle.origin = {scene_reference(file), unit_of_source(file, handle.scene), hand, repair, choice};
   return handle;
 }
 

@@ -14,6 +14,7 @@ struct SceneOrigin {
   std::string unit = "m";
   std::string hand;  // as asked; empty: the scene's own
   bool repair = true;
+  ObjectChoice choice = {};
 };
 
 struct SceneHandle {

@@ -202,15 +202,20 @@ void measure_fields(auto& fields, auto& grasp) {
                       [](auto& inner, auto& robustness) { robustness_fields(inner, robustness); });
 }
 
-void outcome_fields(auto& fields, auto& grasp) {
+void outcome_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
   auto& trial = grasp.trial;
   double epsilon = trial.outcome == Outcome::stable ? trial.epsilon.lower : 0.0;
   fields("outcome", trial.outcome);
   fields("epsilon", epsilon);
   measure_fields(fields, grasp);
   fields.derived("force_closure", [&] { return trial.outcome == Outcome::stable; });
+  // Only of scenes with such regions.
+  std::optional<bool> preferred;
+  if (!scene.preferred.empty()) preferred = trial.preferred;
+  fields("preferred", preferred);
   if constexpr (kReads<decltype(fields)>) {
     trial.epsilon.lower = epsilon;
+    trial.preferred = preferred.value_or(false);
     // A file of another program may have a quality but no outcome.
     if (fields.allow("epsilon") && !fields.allow("outcome")) {
       trial.outcome = epsilon > 0.0 ? Outcome::stable : Outcome::not_force_closure;
@@ -238,7 +243,7 @@ void arm_fields(auto& fields, auto& grasp, const CompiledScene& scene) {
 void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
                   const std::vector<Primitive>& primitives) {
   auto& trial = grasp.trial;
-  outcome_fields(fields, grasp);
+  outcome_fields(fields, grasp, scene);
   pose_fields(fields, grasp, scene.scene);
   posture_fields(fields, grasp, scene.scene.hand);
   const ValueNames<LinkId> links = link_names(scene);

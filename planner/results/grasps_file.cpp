@@ -15,6 +15,7 @@
 #include "sim/base/json/json_fields.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/json_primitive.h"
+#include "sim/scene/json_region.h"
 
 namespace prehend {
 namespace {
@@ -67,6 +68,14 @@ void status_fields(auto& fields, auto& result) {
   }
 }
 
+// Only scenes with regions that hands must keep out of have that outcome.
+void outcome_counts(auto& fields, auto& outcomes) {
+  for (const Outcome outcome : kAll<Outcome>) {
+    const bool rare = outcome == Outcome::keep_out && outcomes[outcome] == 0;
+    if (kReads<decltype(fields)> || !rare) fields(name_of(outcome), outcomes[outcome]);
+  }
+}
+
 void result_fields(auto& fields, auto& result) {
   status_fields(fields, result);
   fields.objects("stages", result.stages, [](auto& inner, auto& stage) {
@@ -74,11 +83,7 @@ void result_fields(auto& fields, auto& result) {
     inner("name", stage.what);
     inner("count", stage.count);
   });
-  fields.object("outcomes", [&](auto& inner) {
-    for (const Outcome outcome : kAll<Outcome>) {
-      inner(name_of(outcome), result.outcomes[outcome]);
-    }
-  });
+  fields.object("outcomes", [&](auto& inner) { outcome_counts(inner, result.outcomes); });
   fields.objects("blockers", result.blockers, [](auto& inner, auto& blocker) {
     for (const char* name : {"outcome", "link", "by"}) inner.needs(name);
     inner("outcome", blocker.outcome);
@@ -94,11 +99,7 @@ void advice_fields(auto& fields, auto& result) {
   fields.objects("rules", result.rules, [](auto& inner, auto& rule) {
     inner.needs("rule");
     inner("rule", rule.rule);
-    inner.object("outcomes", [&](auto& counts) {
-      for (const Outcome outcome : kAll<Outcome>) {
-        counts(name_of(outcome), rule.outcomes[outcome]);
-      }
-    });
+    inner.object("outcomes", [&](auto& counts) { outcome_counts(counts, rule.outcomes); });
   });
   fields.objects("advice", result.advice, [](auto& inner, auto& advice) {
     for (const char* name : {"hint", "words"}) inner.needs(name);
@@ -138,6 +139,21 @@ void write_with_grasps(std::ostream& stream, std::string text, const CompiledSce
   stream << (result.grasps.empty() ? "]\n}" : close) << "\n";
 }
 
+void read_choice(FieldReader& fields, ObjectChoice& choice) {
+  fields("object", choice.object);
+  if (fields.allow("keep_out")) choice.keep_out = read_regions(fields.field()["keep_out"]);
+  if (fields.allow("preferred")) choice.preferred = read_regions(fields.field()["preferred"]);
+}
+
+void write_choice(FieldWriter& fields, const ObjectChoice& choice) {
+  if (!choice.object.empty()) fields("object", choice.object);
+  const auto write = [&](const char* name, const std::vector<SurfaceRegion>& regions) {
+    if (!regions.empty()) fields.derived(name, [&] { return regions_to_json(regions); });
+  };
+  write("keep_out", choice.keep_out);
+  write("preferred", choice.preferred);
+}
+
 // "scene" is an object in files that prehend writes. In files of other programs it may also be a
 // text, a name or a path, and "hand" may stand beside it.
 void read_scene(const JsonField& root, SceneReference& reference) {
@@ -149,6 +165,7 @@ void read_scene(const JsonField& root, SceneReference& reference) {
     fields("unit", reference.unit);
     fields("hand", reference.hand);
     fields("repair", reference.repair);
+    read_choice(fields, reference.choice);
     fields.finish();
   }
   const bool beside = reference.hand.empty() && root.has("hand") && root["hand"].is_text();
@@ -166,6 +183,7 @@ void scene_field(auto& fields, auto& record) {
     record.hand = reference.hand;
     if (!reference.unit.empty()) record.unit = reference.unit;
     record.repair = reference.repair;
+    record.choice = std::move(reference.choice);
   } else {
     fields.object("scene", [&](auto& inner) {
       // A scene that was made in code has no file.
@@ -173,6 +191,7 @@ void scene_field(auto& fields, auto& record) {
       inner("unit", record.unit);
       if (!record.hand.empty()) inner("hand", record.hand);
       if (!record.repair) inner("repair", record.repair);
+      write_choice(inner, record.choice);
     });
   }
 }

@@ -9,6 +9,7 @@
 
 #include "planner/plan/plan_options.h"
 #include "planner/plan/plan_result.h"
+#include "sim/scene/surface_region.h"
 
 namespace prehend {
 
@@ -22,6 +23,7 @@ struct RunRecord {
   std::string hand;        // as asked, empty: the scene's
   PlanOptions options;
   bool repair = true;  // whether the object's mesh file was repaired
+  ObjectChoice choice = {};
 };
 
 // The whole file as text; the same for the same result, on any number of threads. What is not UTF-8
@@ -38,9 +40,10 @@ struct SceneReference {
   std::string hand;
   std::string unit;    // of a mesh file
   bool repair = true;  // of the object's mesh file
+  ObjectChoice choice = {};
 };
 
-// "scene": a name or path, or {"file", "unit", "hand", "repair"}; "hand" may also stand beside it.
+// "scene": a name or path, or {"file", "unit", "hand", "repair", "object", "keep_out", "preferred"}; "hand" may also stand beside it.
 // A relative path is first looked for beside the file. Throws InputError that names the file and
 // the field.
 SceneReference read_scene_reference(const JsonFile& file);

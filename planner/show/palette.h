@@ -76,6 +76,8 @@ constexpr Color of(Outcome outcome) {
       return from_hex(0x555555);
     case Outcome::no_path:
       return from_hex(0x14909c);
+    case Outcome::keep_out:
+      return from_hex(0xb8a500);
   }
   return kText;  // not reached: all outcomes stand above
 }

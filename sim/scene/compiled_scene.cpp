@@ -86,6 +86,8 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   compiled.links = compile_links(scene, scene.hand);
   compiled.bodies = placed_bodies(scene, context);
   compiled.near_obstacles = BodyTree(compiled.bodies);
+  compiled.keep_out = SurfaceRegions(scene.keep_out);
+  compiled.preferred = SurfaceRegions(scene.preferred);
   compiled.self_pairs = collision_pairs(compiled.links, scene.hand);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     context.cancellation.check();

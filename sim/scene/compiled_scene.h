@@ -26,6 +26,8 @@ struct CompiledScene {
   std::vector<std::vector<double>> preshape_gaps = {};
   // Torques about the object's centre of mass, times 1 / largest distance of a vertex from it.
   WrenchFrame wrench_frame = {};
+  SurfaceRegions keep_out = {};  // as scene.keep_out and scene.preferred
+  SurfaceRegions preferred = {};
   std::optional<CompiledArm> arm = {};  // the platform that carries the hand, where there is one
 
   const PlacedBody& object() const { return bodies.front(); }

@@ -115,6 +115,7 @@ std::vector<MeshPart> scaled(std::vector<MeshPart> parts, double factor) {
   for (MeshPart& part : parts) {
     part.bounds.lower *= factor;
     part.bounds.upper *= factor;
+    for (Vector3& vertex : part.surface.vertices) vertex *= factor;
   }
   return parts;
 }

@@ -21,13 +21,15 @@ std::string counted_repeats(int count) {
 }
 
 // Reads the file, in metres first where no unit is stated: the size tells whether they are.
-LoadedMesh read_in_likely_unit(const std::filesystem::path& file, ObjectMesh& object) {
-  LoadedMesh loaded = load_mesh(file);
+LoadedMesh read_in_likely_unit(const std::filesystem::path& file, bool part_surfaces,
+                               ObjectMesh& object) {
+  LoadedMesh loaded = load_mesh(file, {.part_surfaces = part_surfaces});
   const double size = longest_side(loaded.mesh);
   object.unit = states_unit(file) ? "m" : likely_unit(size);
   if (object.unit == "m") return loaded;
   // Read again, not scaled, so that the same bytes come out as when the unit is stated.
-  loaded = load_mesh(file, {.metres_per_unit = metres_per_unit(object.unit)});
+  loaded = load_mesh(
+      file, {.metres_per_unit = metres_per_unit(object.unit), .part_surfaces = part_surfaces});
   object.notes.push_back(formatted(
       "%.4g long in the file, whose unit nobody says: read in %s, which makes it %.4g mm; --unit m "
       "reads it in metres",
@@ -73,8 +75,9 @@ ObjectMesh load_object_mesh(const std::filesystem::path& file, const ObjectMeshS
   ObjectMesh object;
   object.unit = source.unit;
   LoadedMesh loaded = source.unit.empty()
-                          ? read_in_likely_unit(file, object)
-                          : load_mesh(file, {.metres_per_unit = metres_per_unit(source.unit)});
+                          ? read_in_likely_unit(file, source.part_surfaces, object)
+                          : load_mesh(file, {.metres_per_unit = metres_per_unit(source.unit),
+                                             .part_surfaces = source.part_surfaces});
   object.parts = std::move(loaded.parts);
   if (!source.repair) {
     orient_outward(loaded.mesh);

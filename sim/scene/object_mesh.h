@@ -18,8 +18,9 @@ std::string likely_unit(double longest_side);
 
 // How an object's file is read.
 struct ObjectMeshSource {
-  std::string unit;    // m, cm, mm or in; empty: likely_unit, of glTF and COLLADA m
-  bool repair = true;  // repair_mesh; else the surface is only turned outward
+  std::string unit;            // m, cm, mm or in; empty: likely_unit, of glTF and COLLADA m
+  bool repair = true;          // repair_mesh; else the surface is only turned outward
+  bool part_surfaces = false;  // whether those of ObjectMesh::parts are wanted
 };
 
 // A surface that faces outward, and what was assumed and repaired.

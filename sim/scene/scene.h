@@ -8,6 +8,7 @@
 
 #include "sim/robot/platform.h"
 #include "sim/scene/friction_table.h"
+#include "sim/scene/surface_region.h"
 #include "sim/shape/mass_parts.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/primitive.h"
@@ -95,6 +96,10 @@ struct Scene {
   KineticFriction kinetic_friction = {};
   CompliantDepths compliant_depths;
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
+  // Of the object: a grasp that touches the one is none, one that touches only the other comes
+  // first.
+  std::vector<SurfaceRegion> keep_out = {};
+  std::vector<SurfaceRegion> preferred = {};
   // What was assumed about the scene and its object, left out or repaired, for people: one line
   // each. Those of robots are with them.
   std::vector<std::string> notes = {};

@@ -7,6 +7,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_pose.h"
 #include "sim/base/range.h"
@@ -18,6 +19,7 @@
 #include "sim/scene/graspit_world.h"
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
+#include "sim/scene/json_region.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/named_mass.h"
 #include "sim/scene/object_mass.h"
@@ -112,42 +114,99 @@ bool read_repair(const JsonField& field, const SceneSource& source) {
   return field["repair"].boolean() && source.repair;
 }
 
-ObjectMesh read_object_mesh(const JsonField& field, bool repair, ShapeBudget& budget) {
+ObjectMesh read_object_mesh(const JsonField& field, bool repair, bool part_surfaces,
+                            ShapeBudget& budget) {
   if (!field.has("mesh") || field.has("generate") || field.has("geometry")) {
     return {.mesh = read_body_mesh(field, budget), .unit = "m"};
   }
   (void)read_unit(field);
   const std::filesystem::path file = field.file().parent_path() / field["mesh"].text();
-  return load_object_mesh(file, {field.text_or("unit", "m"), repair});
+  return load_object_mesh(file, {field.text_or("unit", "m"), repair, part_surfaces});
 }
+
+bool are_of_parts(const std::vector<SurfaceRegion>& regions) {
+  return std::any_of(regions.begin(), regions.end(),
+                     [](const SurfaceRegion& region) { return !region.part.empty(); });
+}
+
+// Whether a region is a part of the mesh file, whose surface is needed then.
+bool needs_parts(const Scene& scene, const ObjectChoice& choice) {
+  return are_of_parts(scene.keep_out) || are_of_parts(scene.preferred) ||
+         are_of_parts(choice.keep_out) || are_of_parts(choice.preferred);
+}
+
+// Fills in the surfaces of the regions that stand in this list.
+void find_parts(const JsonField& list, const std::vector<MeshPart>& parts,
+                std::vector<SurfaceRegion>& regions) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    if (regions[i].part.empty()) continue;
+    const JsonField named = list.items()[i]["part"];
+    with_field_errors(named, [&] { regions[i].surface = part_surface(regions[i].part, parts); });
+  }
+}
+
+// Adds regions that were chosen, called `name` in messages.
+void add_chosen(const std::vector<SurfaceRegion>& chosen, const std::vector<MeshPart>& parts,
+                const char* name, std::vector<SurfaceRegion>& regions) {
+  for (SurfaceRegion region : chosen) {
+    try {
+      if (!region.part.empty()) region.surface = part_surface(region.part, parts);
+    } catch (const InputError& error) {
+      throw error.about(name);
+    }
+    regions.push_back(std::move(region));
+  }
+}
+
+void choose_regions(const ObjectChoice& choice, const std::vector<MeshPart>& parts,
+                    const std::filesystem::path& file, Scene& scene) {
+  try {
+    add_chosen(choice.keep_out, parts, "keep_out", scene.keep_out);
+    add_chosen(choice.preferred, parts, "preferred", scene.preferred);
+  } catch (const InputError& error) {
+    throw error.in_file(file.string());
+  }
+}
+
+constexpr const char* kUnnamedObject = "object";
 
 bool says_where_mass_is(const JsonField& field) {
   return field.has("density") || field.has("parts") || field.has("center_of_mass");
 }
 
-GraspableBody read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
-                          std::vector<std::string>& notes) {
+// The object with its regions, and notes about it.
+void read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
+                 Scene& scene) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "density", "center_of_mass", "parts", "pose", "primitives", "repair",
-                    "restitution"});
+                    "restitution", "keep_out", "preferred"});
+  if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
+  if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
   const bool repair = read_repair(field, source);
-  ObjectMesh surface = read_object_mesh(field, repair, budget);
-  notes = std::move(surface.notes);
-  const std::string name = field.text_or("name", "object");
+  ObjectMesh surface = read_object_mesh(field, repair, needs_parts(scene, source.choice), budget);
+  if (field.has("keep_out")) find_parts(field["keep_out"], surface.parts, scene.keep_out);
+  if (field.has("preferred")) find_parts(field["preferred"], surface.parts, scene.preferred);
+  choose_regions(source.choice, surface.parts, field.file(), scene);
+  scene.notes = std::move(surface.notes);
+  const std::string name = field.text_or("name", kUnnamedObject);
   const Material material = read_material(field, Material::plastic);
   const double mass = whole_mass(field);
-  GraspableBody body = with_field_errors(
+  GraspableBody& body = scene.object;
+  body = with_field_errors(
       field, [&] { return make_graspable(name, std::move(surface.mesh), material, mass); });
   read_mass(field, body);
   if (!says_where_mass_is(field)) {
     const std::optional<double> whole = field.has("mass") ? std::optional(mass) : std::nullopt;
-    spread_named_mass(body, surface.parts, whole, notes);
+    spread_named_mass(body, surface.parts, whole, scene.notes);
   }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
   body.source = read_source(field);
   if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = repair;
-  return body;
+  if (!field.has("primitives")) return;
+  for (const JsonField& shape : field["primitives"].items()) {
+    scene.primitives.push_back(read_primitive(shape));
+  }
 }
 
 StaticBody read_obstacle(const JsonField& field, ShapeBudget& budget) {
@@ -277,22 +336,70 @@ void note_size(Scene& scene) {
       formatted("%.4g mm large in the stated unit%s", 1000.0 * size, hint.c_str()));
 }
 
+std::vector<std::string> names_of_objects(const JsonField& root) {
+  std::vector<std::string> names;
+  if (!root.has("objects")) return {root["object"].text_or("name", kUnnamedObject)};
+  if (root.has("object")) root["object"].fail("not beside \"objects\"");
+  for (const JsonField& field : root["objects"].items()) {
+    names.push_back(field["name"].text());
+    if (std::count(names.begin(), names.end(), names.back()) > 1) {
+      field["name"].fail("another object has this name");
+    }
+  }
+  if (names.empty()) root["objects"].fail("must have at least one object");
+  return names;
+}
+
+// An object that is not the one to grasp: it must not be touched.
+StaticBody in_the_way(const GraspableBody& object) {
+  StaticBody body{object.name, object.mesh, object.X_WO, object.material, object.source};
+  body.restitution = object.restitution;
+  // The files of obstacles are never repaired.
+  if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = true;
+  return body;
+}
+
+void require_object(const ObjectChoice& choice, const std::vector<std::string>& names,
+                    const std::filesystem::path& file) {
+  const std::string& asked = choice.object;
+  require(asked.empty() || std::find(names.begin(), names.end(), asked) != names.end(),
+          {.file = file.string(),
+           .field = "object",
+           .problem = "the scene has no such object; it has " + joined(names),
+           .value = asked});
+}
+
+// The chosen object, and all others as obstacles.
+void read_objects(const JsonField& root, const SceneSource& source, ShapeBudget& budget,
+                  Scene& scene) {
+  const std::vector<std::string> names = names_of_objects(root);
+  const std::string& asked = source.choice.object;
+  require_object(source.choice, names, root.file());
+  const auto chosen = asked.empty() ? names.begin() : std::find(names.begin(), names.end(), asked);
+  const auto at = static_cast<std::size_t>(chosen - names.begin());
+  const bool several = root.has("objects");
+  read_object(several ? root["objects"].items()[at] : root["object"], source, budget, scene);
+  note_size(scene);
+  note_uniform_mass(scene);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i == at) continue;
+    SceneSource as_it_is{.hand = "", .repair = source.repair};
+    Scene other;
+    read_object(root["objects"].items()[i], as_it_is, budget, other);
+    scene.obstacles.push_back(in_the_way(other.object));
+  }
+}
+
 Scene read_scene(const JsonField& root, const SceneSource& source) {
-  root.allow_only({"name", "object", "hand", "robot", "obstacles", "friction", "compliant_depths"});
+  root.allow_only(
+      {"name", "object", "objects", "hand", "robot", "obstacles", "friction", "compliant_depths"});
   if (root.has("hand") && root.has("robot")) {
     root["hand"].fail("not beside \"robot\", whose platform has a hand");
   }
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   ShapeBudget budget;
-  scene.object = read_object(root["object"], source, budget, scene.notes);
-  note_size(scene);
-  note_uniform_mass(scene);
-  if (root["object"].has("primitives")) {
-    for (const JsonField& field : root["object"]["primitives"].items()) {
-      scene.primitives.push_back(read_primitive(field));
-    }
-  }
+  read_objects(root, source, budget, scene);
   if (root.has("robot")) {
     if (root["robot"].has("hand")) scene.hand_source = read_robot_source(root["robot"]["hand"]);
     if (!source.hand.empty()) scene.hand_source = robot_source(source.hand);
@@ -342,21 +449,34 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   if (file.extension() == ".xml") {
     require_no_unit(file, source);
     Scene scene = read_graspit_scene(XmlFile(file), source);
+    require_object(source.choice, {scene.object.name}, file);
+    choose_regions(source.choice, {}, file, scene);
     note_uniform_mass(scene);
     return scene;
   }
-  ObjectMesh read = load_object_mesh(file, {source.unit, source.repair});
+  ObjectMesh read =
+      load_object_mesh(file, {source.unit, source.repair, needs_parts({}, source.choice)});
   GraspableBody object =
       make_graspable(file.stem().string(), std::move(read.mesh), Material::plastic);
   object.source = MeshFileSource{absolute_path(file), read.unit, source.repair};
   spread_named_mass(object, read.parts, {}, read.notes);
+  require_object(source.choice, {object.name}, file);
   Scene scene = make_scene(std::move(object), source.hand.empty() ? kDefaultHand : source.hand,
                            source.foreign);
+  choose_regions(source.choice, read.parts, file, scene);
   scene.notes = std::move(read.notes);
   // A unit that is the likely one has a note of its own.
   if (!source.unit.empty() || read.unit == "m") note_size(scene);
   note_uniform_mass(scene);
   return scene;
+}
+
+std::vector<std::string> scene_objects(const std::filesystem::path& name_or_file) {
+  const std::filesystem::path file = find_scene(name_or_file.string());
+  if (file.extension() != ".json") return {};
+  const JsonFile scene(file);
+  if (!scene.root().has("objects")) return {};
+  return names_of_objects(scene.root());
 }
 
 std::string unit_of_source(const std::filesystem::path& name_or_file, const Scene& scene) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/robot/files/package_folders.h"
 #include "sim/scene/scene.h"
@@ -30,6 +31,7 @@ struct SceneSource {
   // Whether the hand of a GraspIt! world is derived (derive_hand.h). Without that it is as its file
   // states it, maybe without preshapes: a scene to look at, which cannot be compiled.
   bool derive_hand = true;
+  ObjectChoice choice = {};
 };
 
 // The hand of a scene that names none.
@@ -43,6 +45,9 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
 // The unit in which load_scene has read the mesh file that was given in place of a scene; m for a
 // scene file.
 std::string unit_of_source(const std::filesystem::path& name_or_file, const Scene& scene);
+// The names of the objects of a scene file, in its order; empty where it is no scene file, or names
+// one object only. Throws InputError.
+std::vector<std::string> scene_objects(const std::filesystem::path& name_or_file);
 // As load_scene, of a scene file that was parsed already.
 Scene read_scene(const JsonFile& file, const SceneSource& source = {});
 

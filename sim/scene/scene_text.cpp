@@ -6,6 +6,7 @@
 #include "sim/robot/files/platform_file.h"
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
+#include "sim/scene/json_region.h"
 
 // A body is written by its source where it has one (a mesh file, the name of a generated object,
 // the shapes of a scene file), so that the text is short and reads back as the same body. Only
@@ -67,6 +68,8 @@ Json object_json(const Scene& scene) {
   for (const Primitive& primitive : scene.primitives) {
     json["primitives"].push_back(primitive_to_json(primitive));
   }
+  if (!scene.keep_out.empty()) json["keep_out"] = regions_to_json(scene.keep_out);
+  if (!scene.preferred.empty()) json["preferred"] = regions_to_json(scene.preferred);
   return json;
 }
 

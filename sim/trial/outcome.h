@@ -24,6 +24,7 @@ enum class Outcome {
   not_simulated,  // a step of the simulation failed
   no_path,        // no collision-free path of the arm from its start to the pre-grasp was found;
                   // set by the planner, never by a trial
+  keep_out,       // the hand touches a part of the object that it must keep out of
 };
 
 // Whether the hand was stopped on its way to the object, before arm and fingers were asked.
@@ -36,7 +37,7 @@ constexpr auto enum_names(Outcome /*of*/) {
   return std::to_array<std::string_view>({"stable", "not_force_closure", "no_contact",
                                           "hand_blocked", "approach_blocked", "unreachable",
                                           "arm_blocked", "pushed_away", "toppled", "squeezed_out",
-                                          "dropped", "not_simulated", "no_path"});
+                                          "dropped", "not_simulated", "no_path", "keep_out"});
 }
 
 // What the outcome means, as a clause for reports.
@@ -54,7 +55,8 @@ constexpr std::string_view outcome_meaning(Outcome outcome) {
       "the object slips out of the closing hand",
       "the object falls out of the hand that has lifted it",
       "the simulation of the closing hand could not go on",
-      "the arm finds no way to where the approach starts"};
+      "the arm finds no way to where the approach starts",
+      "the hand touches a part of the object that it must keep out of"};
   return kMeanings[static_cast<std::size_t>(outcome)];
 }
 

@@ -72,6 +72,7 @@ struct Trial {
   DofValues arm_dofs;  // the last posture of arm_line
   std::vector<GraspContact> contacts;
   EpsilonBracket epsilon;
+  bool preferred = false;  // of a stable trial: all contacts are in preferred regions
   TrialSeconds seconds;  // the only part that is not the same in every run
 };
 

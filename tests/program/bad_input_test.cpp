@@ -56,6 +56,14 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"ApproachWithoutLength", "plan mug --accuracy FOLDER/in.json --out FOLDER/out",
                 R"({"approach": {"direction": [0, 0, 0]}})",
                 "approach.direction: must not be zero"},
+        Mistake{"UnknownObject", "plan mug --object cup --out FOLDER/out", "",
+                "object: the scene has no such object; it has mug (cup)"},
+        Mistake{"KeepOutOfAPartWithoutName", "plan mug --keep-out handle --out FOLDER/out", "",
+                "keep_out: the object has no parts with names; state a shape that it is inside "
+                "(handle)"},
+        Mistake{"PreferAFlatBox", "plan mug --prefer 0,0,0:1,0,1 --out FOLDER/out", "",
+                "--prefer: a box is two corners in mm that differ in each coordinate, such as "
+                "-10,-10,0:10,10,50 (0,0,0:1,0,1)"},
         Mistake{"PathPlannerWithoutPath",
                 "plan mug_on_table --path-planner roadmap --out FOLDER/out", "",
                 "--path-planner requires --path"},

@@ -48,6 +48,7 @@ struct ProposedGrasp {
   int way = 0;
   std::vector<double> choices = {};
   int level = 0;
+  bool preferred = false;  // the fingers are aimed at preferred regions of the object
 };
 
 // The first candidates of the sequence of proposals, and two sizes that explain why there may be

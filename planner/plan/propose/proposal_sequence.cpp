@@ -30,13 +30,32 @@ std::size_t golden_stride(std::size_t count) {
   return stride;
 }
 
-// With a limit to the approach, a track ends after so many points in a row that propose nothing.
+// Where some points are left out, a track ends after so many points in a row that propose nothing.
 constexpr std::size_t kMostLeftOut = 1U << 17U;
 
 // How far from a direction of approach that a rule gives at this level of detail one of its other
 // directions may be [rad]: half a step of two turns.
 constexpr int kLevelOfDirections = 3;
 constexpr double kHalfStep = 0.14;
+
+// The places where a rule expects the two sides of the hand on the surface.
+std::array<Vector3, 2> expected_contacts(const AimedGrasp& aimed, double width) {
+  const Vector3 half = 0.5 * width * aimed.closing_O;
+  return {aimed.target_O + half, aimed.target_O - half};
+}
+
+// How far a primitive's surface may be from that of the part that it stands for [m].
+constexpr double kAimMargin = 2e-3;
+
+bool aims_into(const SurfaceRegions& regions, const AimedGrasp& aimed, double width) {
+  const auto [one, other] = expected_contacts(aimed, width);
+  return regions.contain(one, kAimMargin) || regions.contain(other, kAimMargin);
+}
+
+bool aims_only_into(const SurfaceRegions& regions, const AimedGrasp& aimed, double width) {
+  const auto [one, other] = expected_contacts(aimed, width);
+  return !regions.empty() && regions.contain(one, kAimMargin) && regions.contain(other, kAimMargin);
+}
 
 // Calls visit(choices) for each point of the grid of the rule at this level, until it returns true.
 template <typename Visit>
@@ -137,7 +156,8 @@ std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
   Progress& walk = progress(track);
   std::size_t left_out = 0;
   while (true) {
-    if (options_.approach && left_out++ == kMostLeftOut) walk.families.clear();
+    const bool leaves_out = options_.approach || !scene_->keep_out.empty();
+    if (leaves_out && left_out++ == kMostLeftOut) walk.families.clear();
     if (walk.families.empty()) return std::nullopt;
     if (walk.passed == walk.first_point.back()) {
       if (walk.level == kFinestLevel) return std::nullopt;
@@ -178,6 +198,9 @@ std::optional<ProposedGrasp> ProposalSequence::proposed(std::size_t number,
   if (options_.approach && !allows(*options_.approach, *scene_, aimed.approach_O)) {
     return std::nullopt;
   }
+  if (!scene_->keep_out.empty() && aims_into(scene_->keep_out, aimed, rule.width)) {
+    return std::nullopt;
+  }
   ProposedGrasp grasp;
   grasp.candidate.X_OH = hand_pose(*scene_->scene.hand.hand, aimed, way.stand_off);
   if (!progress_of(way).known.add(grasp.candidate.X_OH, way.preshape)) return std::nullopt;
@@ -193,6 +216,7 @@ std::optional<ProposedGrasp> ProposalSequence::proposed(std::size_t number,
   grasp.way = static_cast<int>(number);
   grasp.choices = std::move(choices);
   grasp.level = level;
+  grasp.preferred = aims_only_into(scene_->preferred, aimed, rule.width);
   return grasp;
 }
 

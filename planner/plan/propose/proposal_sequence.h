@@ -22,9 +22,10 @@ struct CompiledScene;
 //
 // The values of all freedoms form a grid that is refined from level to level. The sequence is all
 // points of the coarsest grid, of all ways, then all that the next level adds, and so on, without
-// those that CandidateOptions::approach does not allow; where it allows none, there is no way.
-// Within a level it jumps by the golden section, so that any beginning of it is spread over all
-// ways. The same arguments give the same sequence.
+// those that CandidateOptions::approach does not allow, and those that would close on a region to
+// keep out of. Where the approach allows no point of a way, there is no such way. Within a level it
+// jumps by the golden section, so that any beginning of it is spread over all ways. The same
+// arguments give the same sequence.
 //
 // There are two such sequences, of the solids and of the curves (rims and bars) among the
 // primitives, so that a search can turn to the curves where the solids serve badly.

@@ -64,6 +64,15 @@ def as_mesh(mesh: MeshLike) -> Mesh:
     return Mesh(points, as_faces(faces, len(points)))
 
 
+#: A region of an object's surface: the name of a part of its mesh file, or as in a scene file,
+#: {"inside": {"shape": "box", "size": [0.02, 0.05, 0.1], "pose": {...}}}.
+Region = Union[str, Mapping[str, Any]]
+
+
+def as_region(region: Region) -> Mapping[str, Any]:
+    return {"part": region} if isinstance(region, str) else region
+
+
 def load_mesh(file: PathLike, unit: str = "m") -> Mesh:
     """Reads a mesh: OBJ, STL, PLY, OFF, glTF, COLLADA, Inventor or VRML.
 
@@ -220,7 +229,14 @@ class Scene:
 
 
 def load_scene(
-    scene: PathLike, *, hand: PathLike = "", unit: str = "", repair: bool = True
+    scene: PathLike,
+    *,
+    hand: PathLike = "",
+    unit: str = "",
+    repair: bool = True,
+    object: str = "",
+    keep_out: Sequence[Region] = (),
+    preferred: Sequence[Region] = (),
 ) -> Scene:
     """Reads a scene.
 
@@ -232,11 +248,24 @@ def load_scene(
             Scene.notes says where it is not the metre.
         repair: closes small and flat holes and cracks in the object's surface if it comes from a
             mesh file, turns triangles that disagree, drops dust; Scene.notes says what.
+        object: which of several objects of a scene file to grasp, by name; "": the first.
+        keep_out: parts of the object that no finger may touch, in addition to those of the file.
+        preferred: the same of parts of which grasps come first that touch nothing else.
 
     Raises:
         InputError: that names the file, the field and the value.
     """
-    return Scene(_core.load_scene(os.fsencode(scene), os.fsencode(hand), unit, repair))
+    return Scene(
+        _core.load_scene(
+            os.fsencode(scene),
+            os.fsencode(hand),
+            unit,
+            repair,
+            object,
+            json.dumps([as_region(region) for region in keep_out]),
+            json.dumps([as_region(region) for region in preferred]),
+        )
+    )
 
 
 def make_scene(

@@ -73,13 +73,23 @@ NamedMesh read_raw(const std::string& bytes, const std::filesystem::path& file,
   return read_collada(bytes, file);
 }
 
-std::vector<MeshPart> parts_of(const NamedMesh& named) {
+// Adds triangle `t` of the mesh, with vertices of its own.
+void add_corners(const TriangleMesh& mesh, std::size_t t, TriangleMesh& surface) {
+  const auto first = static_cast<int>(surface.vertices.size());
+  for (const int v : mesh.triangles[t]) {
+    surface.vertices.push_back(mesh.vertices[static_cast<std::size_t>(v)]);
+  }
+  surface.triangles.push_back({first, first + 1, first + 2});
+}
+
+std::vector<MeshPart> parts_of(const NamedMesh& named, bool with_surfaces) {
   std::vector<MeshPart> parts;
   if (named.names.size() > kMostNames) return parts;
   std::size_t t = 0;
   for (const NamedTriangles& of : named.names) {
     MeshPart part{of.name, {}};
     for (const std::size_t end = t + of.count; t < end; ++t) {
+      if (with_surfaces) add_corners(named.mesh, t, part.surface);
       for (const int v : named.mesh.triangles[t]) {
         const Vector3& p = named.mesh.vertices[static_cast<std::size_t>(v)];
         part.bounds.lower = part.bounds.lower.cwiseMin(p);
@@ -108,7 +118,7 @@ LoadedMesh load(const auto& bytes, const std::filesystem::path& file,
   scale_to_metres(raw, options.metres_per_unit);
   WeldedMesh welded = weld_to_scale(raw, options.weld_fraction);
   return {std::move(welded.mesh), welded.degenerate_removed, welded.duplicates_removed,
-          parts_of(named)};
+          parts_of(named, options.part_surfaces)};
 }
 
 }  // namespace

@@ -27,12 +27,14 @@ struct MeshFileOptions {
   double metres_per_unit = 1.0;
   // Vertices closer than this fraction of the bounding-box diagonal are merged (> 0, < 0.01).
   double weld_fraction = 1e-6;
+  bool part_surfaces = false;  // whether MeshPart::surface is wanted
 };
 
 // A part of a mesh that its file names.
 struct MeshPart {
-  std::string name;  // of its material and of itself
-  Bounds bounds;     // [m]
+  std::string name;           // of its material and of itself
+  Bounds bounds;              // [m]
+  TriangleMesh surface = {};  // as in the file, where it was asked for [m]
 };
 
 // The cleaned mesh of a file, and how much was removed.

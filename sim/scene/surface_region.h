@@ -1,0 +1,53 @@
+// Parts of an object's surface that fingers must not touch, or had better touch.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/shape/primitive.h"
+#include "sim/shape/proximity_mesh.h"
+#include "sim/shape/triangle_mesh.h"
+
+namespace prehend {
+
+struct MeshPart;  // sim/shape/files/mesh_file.h
+
+// What of the surface lies in a solid, or is one part of the mesh file.
+struct SurfaceRegion {
+  // The name in the file of a group, object or material of that part; empty: `inside` says where.
+  std::string part = {};
+  Primitive inside = {};      // a solid, frame O
+  TriangleMesh surface = {};  // of the part, frame O; known once the object is loaded
+};
+
+// What may be said of a scene's object beside what its file says.
+struct ObjectChoice {
+  std::string object = {};                   // of several, by name; empty: the first
+  std::vector<SurfaceRegion> keep_out = {};  // in addition
+  std::vector<SurfaceRegion> preferred = {};
+};
+
+// The triangles of the parts of this name: their whole name, or its beginning or end as words.
+// Throws InputError that lists the names where there is none.
+TriangleMesh part_surface(const std::string& name, const std::vector<MeshPart>& parts);
+
+// Regions made ready to be asked for points. Copies share the search trees.
+class SurfaceRegions {
+ public:
+  // A point this near to a region is in it [m]: contacts lie a little off the surface.
+  static constexpr double kMargin = 2e-4;
+
+  SurfaceRegions() = default;
+  // The surfaces of parts must be known.
+  explicit SurfaceRegions(const std::vector<SurfaceRegion>& regions);
+
+  bool empty() const { return shapes_.empty() && parts_.empty(); }
+  // Whether the point is in one of them, or no farther from a part than `margin` [m].
+  bool contain(const Vector3& p_O, double margin = kMargin) const;
+
+ private:
+  std::vector<Primitive> shapes_;
+  std::vector<ProximityMesh> parts_;
+};
+
+}  // namespace prehend
