@@ -47,12 +47,13 @@ void bind_fields(py::module_& core) {
   PREHEND_FIELDS(SurfaceDistances, median, percentile_95, largest);
   PREHEND_FIELDS(Decomposition, primitives, share, explained, tolerance, distances, distances_of);
   PREHEND_FIELDS(Candidate, X_OH, approach_O, approach_distance, preshape, dofs, joints, strategy);
-  PREHEND_FIELDS(ProposedGrasp, candidate, primitive, rule, width, stand_off, way, choices, level);
+  PREHEND_FIELDS(ProposedGrasp, candidate, primitive, rule, width, stand_off, way, choices, level,
+                 preferred);
   PREHEND_FIELDS(Proposals, grasps, smallest_width, largest_opening);
   PREHEND_FIELDS(GraspContact, link, point, gap);
   PREHEND_FIELDS(Trial, outcome, blocked, overlap, arm_pair, X_OH, travel, overlap_shift, back_offs,
                  pushed, turned, slid, X_OC, dofs, joints, arm_line, arm_dofs, contacts, epsilon,
-                 seconds);
+                 preferred, seconds);
   PREHEND_FIELDS(LoadCase, down_O, sum_of_normals, largest_normal, strength);
   PREHEND_FIELDS(PayloadMargin, given, worst);
   PREHEND_FIELDS(FreeEnd, kept, epsilon, strength, moved);

@@ -2,7 +2,7 @@
 #include <pybind11/stl.h>
 #include <utility>
 
-#include "planner/plan/plan.h"
+#include "planner/plan/plan_any.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/results.h"
@@ -23,17 +23,41 @@ RunRecord record_of(const SceneOrigin& origin, const PlanOptions& options) {
   return {origin.file, origin.unit, origin.hand, options, origin.repair, origin.choice};
 }
 
+void require_model(const PlanOptions& options) {
+  require(!options.search.learned || options.search.learned->model,
+          {.field = "options.search.learned", .problem = "has no model"});
+}
+
 PlanHandle plan_in_python(const CompiledHandle& scene, const PlanOptions& asked,
                           const CallOptions& call) {
   const PlanOptions options = asked;  // as they are now: Python may change them meanwhile
-  if (options.search.learned && !options.search.learned->model) {
-    throw InputError({.field = "options.search.learned", .problem = "has no model"});
-  }
+  require_model(options);
   PlanResult result;
   run_in_background(
       call, [&](const RunContext& context) { result = plan(*scene.scene, options, context); });
   return {scene.scene, std::make_shared<const PlanResult>(std::move(result)),
           record_of(scene.origin, options)};
+}
+
+// The plans, the grasps of all in their order, and what must go first.
+py::tuple plan_any_in_python(const std::vector<CompiledHandle>& scenes, const PlanOptions& asked,
+                             const CallOptions& call) {
+  const PlanOptions options = asked;
+  require_model(options);
+  std::vector<CompiledScene> compiled;
+  for (const CompiledHandle& scene : scenes) compiled.push_back(*scene.scene);
+  AnyPlan any;
+  run_in_background(call,
+                    [&](const RunContext& context) { any = plan_any(compiled, options, context); });
+  py::list plans;
+  for (std::size_t s = 0; s < scenes.size(); ++s) {
+    plans.append(PlanHandle{scenes[s].scene,
+                            std::make_shared<const PlanResult>(std::move(any.results[s])),
+                            record_of(scenes[s].origin, options)});
+  }
+  py::list ranked;
+  for (const AnyGrasp& one : any.ranked) ranked.append(py::make_tuple(one.scene, one.grasp));
+  return py::make_tuple(plans, ranked, any.first);
 }
 
 std::vector<Candidate> candidates_from(const CompiledScene& scene, const py::list& list) {
@@ -161,6 +185,7 @@ void bind_plan(py::module_& core) {
   const py::class_<TrialHandle> trial(core, "_Trial");
   py::class_<PlanHandle>(core, "_PlanResult").def("fields", &result_dict).def("grasp", &grasp_dict);
   core.def("plan", &plan_in_python);
+  core.def("plan_any", &plan_any_in_python);
   core.def("evaluate", &evaluate_in_python);
   core.def("run_trial", &run_trial_in_python);
   core.def("decompose", &decompose_in_python);

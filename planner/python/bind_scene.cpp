@@ -223,6 +223,7 @@ void bind_scene_class(py::module_& core) {
       .def("save", &save)
       .def("text", [](const SceneHandle& self) { return scene_text(self.scene); });
   core.def("load_scene", &load_scene_in_python);
+  core.def("scene_objects", [](const std::string& file) { return scene_objects(file); });
   core.def("make_scene", &make_scene_in_python);
 }
 

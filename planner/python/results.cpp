@@ -126,6 +126,7 @@ py::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive>& pri
   fields["weakest_wrench"] =
       to_array(std::vector<double>(trial.epsilon.weakest.begin(), trial.epsilon.weakest.end()));
   fields["rule"] = grasp.rule;
+  fields["preferred"] = trial.preferred;
   fields["contacts"] = contacts_dict(scene, trial.contacts);
   fields["candidate"] = candidate_dict(scene, grasp.candidate);
   fields["path"] = grasp.path ? py::object(path_dict(*grasp.path, grasp.lift)) : py::none();

@@ -446,6 +446,32 @@ class Kinematics(unittest.TestCase):
         joint = robots.IkTarget(target, joint=arm.joints[arm.tip_joint])
         np.testing.assert_array_equal(robots.solve_all(arm, [joint]), solutions)
 
+    def test_whichever_of_several_objects(self):
+        box = {"geometry": [{"shape": "box", "size": [0.05, 0.05, 0.05]}]}
+        away = {**box, "name": "away", "pose": {"position": [1, 0, 0]}}
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "scene.json"
+            file.write_text(
+                json.dumps({"objects": [{**box, "name": "here"}, away], "hand": "parallel_jaw"})
+            )
+            names = prehend.scenes.scene_objects(file)
+            self.assertEqual(names, ["here", "away"])
+            low = {"inside": {"shape": "box", "size": [1, 1, 0.04], "pose": {"position": [0, 0, -0.03]}}}
+            found = [
+                prehend.load_scene(file, object=name, keep_out=[low], preferred=[]) for name in names
+            ]
+            with self.assertRaisesRegex(prehend.InputError, "the scene has no such object"):
+                prehend.load_scene(file, object="there")
+            with self.assertRaisesRegex(prehend.InputError, "keep_out: the object has no parts"):
+                prehend.load_scene(file, keep_out=["lid"])
+        any_plan = planning.plan_any(found, few_options())
+        self.assertEqual(len(any_plan.results), 2)
+        self.assertEqual(any_plan.first, [[], []])
+        scene, grasp = any_plan.ranked[0]
+        best = any_plan.results[scene][grasp]
+        self.assertTrue(all(contact.position[2] > -0.01 for contact in best.contacts))
+        self.assertEqual(len(any_plan.ranked), sum(len(one) for one in any_plan.results))
+
     def test_hands_that_come_from_one_side(self):
         limit = prehend.options.ApproachLimit(direction=[0.0, 0.0, -2.0], angle=0.3)
         np.testing.assert_array_equal(limit.direction, [0.0, 0.0, -2.0])

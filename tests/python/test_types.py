@@ -131,7 +131,7 @@ ONLY_IN_CPP = {
     "PlanResult": {"trial_seconds": "timings_json() has them"},
     "ProposedGrasp": {
         name: "state of the sequence of proposals"
-        for name in ("width", "stand_off", "way", "choices", "level")
+        for name in ("width", "stand_off", "way", "choices", "level", "preferred")
     },
     "ContactForces": {"torque_multipliers": "only with a hand, which quality has not"},
     "StepResult": {name: "of the solver" for name in ("newton_steps", "shortened")},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import os
-from typing import List, Optional, Sequence, Union
+from typing import List, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -29,6 +29,7 @@ from .results import PlanResult, Trial
 from .scenes import MeshLike, PathLike, Scene, as_compiled, as_mesh
 
 __all__ = [
+    "AnyPlan",
     "Candidate",
     "Decomposition",
     "Path",
@@ -43,6 +44,7 @@ __all__ = [
     "evaluate",
     "load_model",
     "plan",
+    "plan_any",
     "plan_grasp_path",
     "plan_options",
     "propose_grasps",
@@ -135,6 +137,46 @@ def plan(
         call_options(threads, progress, cancellation, budget),
     )
     return PlanResult(core, compiled)
+
+
+class AnyPlan(NamedTuple):
+    """Plans for several objects that stand together."""
+
+    results: List[PlanResult]
+    """Of each scene."""
+    ranked: List[Tuple[int, int]]
+    """Scene and grasp, best first: results[scene][grasp]."""
+    first: List[List[str]]
+    """Of each scene without a grasp: the other objects that must go before it has one."""
+
+
+def plan_any(
+    scenes: Sequence[AnyScene],
+    options: Optional["_core.PlanOptions"] = None,
+    *,
+    threads: int = 0,
+    progress: Optional[ProgressCallback] = None,
+    cancellation: Optional["_core.Cancellation"] = None,
+    budget: Optional[float] = None,
+) -> AnyPlan:
+    """Plans grasps of whichever of several objects is easiest, each among the others.
+
+    Args:
+        scenes: one for each object, in which the others are obstacles with their names:
+            [load_scene(file, object=name) for name in scene_objects(file)].
+        options, threads, progress, cancellation, budget: as of plan(), shared by all.
+
+    Raises:
+        InputError: as plan(), and for two objects of the same name.
+    """
+    compiled = [as_compiled(scene) for scene in scenes]
+    plans, ranked, first = _core.plan_any(
+        compiled,
+        _core.PlanOptions() if options is None else options,
+        call_options(threads, progress, cancellation, budget),
+    )
+    results = [PlanResult(core, scene) for core, scene in zip(plans, compiled)]
+    return AnyPlan(results, ranked, first)
 
 
 def evaluate(

@@ -154,6 +154,8 @@ class Trial:
     """Outcome.stable if the grasp holds, else why it does not."""
     epsilon: float
     """Smallest disturbance that breaks the grasp, a lower bound; 0 unless it holds."""
+    preferred: bool = field(repr=False)
+    """Whether it holds and touches preferred regions of the object only."""
     epsilon_upper: float
     """Upper bound of the same."""
     epsilon_status: EpsilonStatus

@@ -26,6 +26,7 @@ __all__ = [
     "load_mesh",
     "load_scene",
     "make_scene",
+    "scene_objects",
 ]
 
 show_in(__name__, GraspableBody, Material, StaticBody)
@@ -266,6 +267,15 @@ def load_scene(
             json.dumps([as_region(region) for region in preferred]),
         )
     )
+
+
+def scene_objects(scene: PathLike) -> List[str]:
+    """Names of the objects of a scene file that lists several; else empty.
+
+    Raises:
+        InputError: that names the file, the field and the value.
+    """
+    return _core.scene_objects(os.fsencode(scene))
 
 
 def make_scene(

@@ -12,8 +12,8 @@ namespace prehend {
 namespace {
 
 // Besides the exports. '#' stands for a number.
-constexpr std::array<std::string_view, 5> kPlanned = {"grasps.json", "timings.json", "report.html",
-                                                      "best.png", "best_arm.png"};
+constexpr std::array<std::string_view, 6> kPlanned = {
+    "grasps.json", "timings.json", "report.html", "any.json", "best.png", "best_arm.png"};
 constexpr std::array<std::string_view, 4> kSimulated = {"simulation.json", "states.csv",
                                                         "report.html", "moment_#.png"};
 constexpr std::array<std::string_view, 3> kRendered = {"contact_sheet.png", "grasp_#.png",

@@ -11,7 +11,7 @@
 namespace prehend {
 
 // Whether `plan` or `evaluate` may write a file of this name: grasps.json, timings.json,
-// report.html, best.png, best_arm.png and all exports.
+// report.html, any.json, best.png, best_arm.png and all exports.
 bool is_result_file(std::string_view name);
 
 // Whether `render` may write a file of this name.
