@@ -24,7 +24,7 @@ void replace_object(Scene& scene, GraspableBody object) {
   object.X_WO = scene.object.X_WO;
   object.X_WO.translation() += shift;
   scene.object = std::move(object);
-  scene.primitives.clear();
+  forget_surface(scene);
   note_uniform_mass(scene);
 }
 

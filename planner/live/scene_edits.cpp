@@ -162,7 +162,7 @@ void set_object(Scene& scene, BodySurface surface, const BodyOrder& order) {
   object.source = std::move(surface.source);
   if (order.X_WB) object.X_WO = *order.X_WB;
   scene.object = std::move(object);
-  scene.primitives.clear();
+  forget_surface(scene);
   scene.notes.clear();
   spread_named_mass(scene.object, surface.parts, order.mass, scene.notes);
   note_uniform_mass(scene);
@@ -185,7 +185,7 @@ void change_object(Scene& scene, const BodyOrder& order) {
 void remove_object(Scene& scene) {
   require(!scene.object.mesh.empty(), {.field = "object", .problem = "there is none"});
   scene.object = {};
-  scene.primitives.clear();
+  forget_surface(scene);
   scene.notes.clear();
 }
 

@@ -36,4 +36,10 @@ GraspableBody make_graspable(std::string name, TriangleMesh mesh, Material mater
   return body;
 }
 
+void forget_surface(Scene& scene) {
+  scene.primitives.clear();
+  scene.keep_out.clear();
+  scene.preferred.clear();
+}
+
 }  // namespace prehend

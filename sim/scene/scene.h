@@ -108,6 +108,10 @@ struct Scene {
 // The mass of an object whose scene states none [kg]: that of a household object.
 inline constexpr double kDefaultObjectMass = 0.3;
 
+// Clears what is said of the surface of the object, which is to be another one: primitives and
+// regions.
+void forget_surface(Scene& scene);
+
 // Of an object from a mesh file that is not as large as things that hands hold (10 mm to 1 m), the
 // unit in which it would be: " (100 mm if its unit were m)". Empty for others, and where no unit
 // helps.

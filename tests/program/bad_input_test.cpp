@@ -64,6 +64,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"PreferAFlatBox", "plan mug --prefer 0,0,0:1,0,1 --out FOLDER/out", "",
                 "--prefer: a box is two corners in mm that differ in each coordinate, such as "
                 "-10,-10,0:10,10,50 (0,0,0:1,0,1)"},
+        Mistake{"AnyOfOneObject", "plan mug --any --out FOLDER/out", "",
+                "mug: objects: missing; --any needs a scene file that lists its objects there"},
+        Mistake{"AnyOfOneOfThem", "plan FOLDER/in.json --any --object a --out FOLDER/out", "{}",
+                "--any: not together with --object"},
         Mistake{"PathPlannerWithoutPath",
                 "plan mug_on_table --path-planner roadmap --out FOLDER/out", "",
                 "--path-planner requires --path"},

@@ -32,6 +32,8 @@ class PlanPanel {
       const value = numberIn(byId(`plan-${name}`));
       if (value !== null) fields[name] = value;
     }
+    const approach = byId('plan-approach').value.trim();
+    if (approach) fields.approach = approach;
     fields.accuracy = byId('plan-accuracy').value;
     if (this.live.state.platform && byId('plan-paths').checked) fields.paths = true;
     await this.live.ask('plan.start', fields);

@@ -98,6 +98,7 @@ constexpr Mistake kMistakes[] = {
     {R"({"command": "plan.start", "trials": 0})", "trials"},
     {R"({"command": "plan.start", "seed": -1})", "seed"},
     {R"({"command": "plan.start", "accuracy": "/etc/passwd"})", "accuracy"},
+    {R"({"command": "plan.start", "approach": "sideways"})", "approach"},
     {R"({"command": "plan.go", "grasp": 0})", "grasp"},
     {R"({"command": "plan.export"})", "command"},
     {R"({"command": "pin.remove", "name": "a"})", "name"},
