@@ -57,6 +57,10 @@ std::string shake_text(const ScoredGrasp& grasp) {
   return words + formatted(", %s%.3g m/s2", least, *pull);
 }
 
+std::string preferred_text(const ScoredGrasp& grasp) {
+  return grasp.trial.preferred ? "yes" : "no";
+}
+
 // A column that is there only where a grasp has something in it.
 struct OptionalColumn {
   std::string_view title;
@@ -64,8 +68,9 @@ struct OptionalColumn {
   bool (*has)(const ScoredGrasp&);
 };
 
-constexpr std::array<OptionalColumn, 4> kOptionalColumns = {
-    {{"free object", free_words, [](const ScoredGrasp& grasp) { return grasp.free.has_value(); }},
+constexpr std::array<OptionalColumn, 5> kOptionalColumns = {
+    {{"preferred", preferred_text, [](const ScoredGrasp& grasp) { return grasp.trial.preferred; }},
+     {"free object", free_words, [](const ScoredGrasp& grasp) { return grasp.free.has_value(); }},
      {"lifts", success_text, is_disturbed},
      {"held, spare", held_text, is_disturbed},
      {"shaken", shake_text, [](const ScoredGrasp& grasp) { return grasp.shake.has_value(); }}}};
@@ -126,6 +131,12 @@ std::string outcome_line(const PlanResult& result) {
     add_part(counts, std::to_string(count) + " " + std::string(name_of(outcome)));
   }
   return std::to_string(total) + " tried: " + counts;
+}
+
+std::string preferred_line(const CompiledScene& scene, const PlanResult& result) {
+  if (scene.preferred.empty() || result.grasps.empty()) return "";
+  const bool any = result.grasps.front().trial.preferred;  // they come first
+  return any ? "" : "no grasp touches preferred regions only\n";
 }
 
 std::string untested_line(const PlanResult& result) {

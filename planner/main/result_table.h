@@ -16,6 +16,9 @@ std::string grasp_table(const CompiledScene& scene, const PlanResult& result, st
 // "1420 tried: 388 stable, 1001 not_force_closure, ...": one line that counts every outcome.
 std::string outcome_line(const PlanResult& result);
 
+// Says where the scene has preferred regions and none of the ranked grasps is there; else empty.
+std::string preferred_line(const CompiledScene& scene, const PlanResult& result);
+
 // What was not tried, of a result that ran out of time or was cancelled; empty for a complete one.
 std::string untested_line(const PlanResult& result);
 

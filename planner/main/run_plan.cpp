@@ -197,8 +197,8 @@ class PlanProgram {
 
   void print_result(const CompiledScene& scene, const PlanResult& result) const {
     std::cout << grasp_table(scene, result, index(command_.top)) << outcome_line(result) << "\n"
-              << untested_line(result) << blocker_line(result) << advice_lines(result)
-              << std::flush;
+              << preferred_line(scene, result) << untested_line(result) << blocker_line(result)
+              << advice_lines(result) << std::flush;
   }
 
   int say_interrupted(const std::string& words) const {
