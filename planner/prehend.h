@@ -4,6 +4,7 @@
 //
 // The question
 //   scene.h               an object, a hand, what is around them, friction: a plain value
+//   surface_region.h      parts of the object that hands must not touch, or had better touch
 //   scene_file.h          a scene from a scene file or a mesh file
 //   scene_library.h       the scenes that come with prehend, by name
 //   make_scene.h          a scene made by a program: object and hand, obstacles, an arm
@@ -32,6 +33,8 @@
 //   accuracy.h            options that belong together: draft, standard, fine
 //   tree_model_file.h     a model that orders the candidates, learnt from earlier trials
 //   plan.h                plan: grasps, ranked; evaluate: given grasps, tried and scored
+//   plan_any.h            the same of several objects, and which of them must go first
+//   approach_limit.h      the directions from which hands may come
 //   advice.h              what may help where a plan has no grasp
 //   grasp_text.h          where a grasp came from, in words
 //   run_context.h         threads, progress and cancellation of all that takes long
@@ -87,6 +90,8 @@
 #include "planner/plan/path/lift_object.h"
 #include "planner/plan/path/plan_transfer.h"
 #include "planner/plan/plan.h"
+#include "planner/plan/plan_any.h"
+#include "planner/plan/propose/approach_limit.h"
 #include "planner/plan/propose/candidates.h"
 #include "planner/plan/refine_grasps.h"
 #include "planner/results/datasets/acronym_file.h"
@@ -131,6 +136,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
+#include "sim/scene/surface_region.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/make_mesh.h"
