@@ -10,6 +10,7 @@
 #include "planner/main/printed_units.h"
 #include "planner/main/requested_scene.h"
 #include "planner/main/shared_options.h"
+#include "planner/show/primitives_picture.h"
 #include "planner/show/robot_picture.h"
 #include "primitives/decompose.h"
 #include "primitives/thin_parts.h"
@@ -43,6 +44,7 @@ struct InspectCommand {
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::filesystem::path save;                 // of a scene: write it there; empty: do not
   std::filesystem::path picture;              // of a robot: draw it there (PNG); empty: do not
+  std::filesystem::path primitives;           // of an object: draw its primitives there (PNG)
   std::vector<std::string> packages;          // of a robot: NAME=FOLDER
   std::filesystem::path srdf;                 // of a robot; empty: that beside it
 };
@@ -55,6 +57,8 @@ void declare(CLI::App& command, InspectCommand& options) {
                      "how far the object's surface may be from its primitives, in mm");
   command.add_option("--save", options.save, "of a scene: write it to this file");
   command.add_option("--picture", options.picture, "of a robot: draw it in this file (PNG)");
+  command.add_option("--primitives", options.primitives,
+                     "of a mesh or scene: draw object and primitives in this file (PNG)");
   add_foreign(command, options.packages, options.srdf);
 }
 
@@ -161,7 +165,14 @@ void print_distances(const SurfaceDistances& d) {
               kMillimetres * d.percentile_95, kMillimetres * d.largest);
 }
 
-void print_primitives(const TriangleMesh& mesh, const InspectCommand& command) {
+// The folder of the file is made as well.
+void write(const std::filesystem::path& file, const std::string& content, Interrupts& interrupts) {
+  make_folder(std::filesystem::absolute(file).parent_path());
+  interrupts.write(file, content);
+}
+
+void print_primitives(const TriangleMesh& mesh, const InspectCommand& command,
+                      Interrupts& interrupts) {
   DecomposeOptions options;
   if (command.primitive_tolerance) {
     options.tolerance = requested_tolerance(mesh, *command.primitive_tolerance);
@@ -182,6 +193,8 @@ void print_primitives(const TriangleMesh& mesh, const InspectCommand& command) {
   const std::vector<Primitive> thin = find_thin_parts(ProximityMesh(mesh), parts.primitives);
   if (!thin.empty()) std::printf("thin parts: %zu\n", thin.size());
   for (const Primitive& part : thin) print_shape(part);
+  if (command.primitives.empty()) return;
+  write(command.primitives, png_bytes(primitives_picture(mesh, parts)), interrupts);
 }
 
 std::vector<InspectedRobot> inspected_robots(const Platform& platform) {
@@ -190,7 +203,7 @@ std::vector<InspectedRobot> inspected_robots(const Platform& platform) {
   return robots;
 }
 
-void print_scene(const Scene& scene, const InspectCommand& command) {
+void print_scene(const Scene& scene, const InspectCommand& command, Interrupts& interrupts) {
   std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
               scene.object.name.c_str(), std::string(name_of(scene.object.material)).c_str(),
               scene.object.mass, scene.hand.name.c_str(), scene.obstacles.size());
@@ -205,7 +218,7 @@ void print_scene(const Scene& scene, const InspectCommand& command) {
     print_mesh(body.mesh);
   }
   if (scene.primitives.empty()) {
-    print_primitives(scene.object.mesh, command);
+    print_primitives(scene.object.mesh, command, interrupts);
   } else {
     std::printf("primitives: %zu, given by the scene\n", scene.primitives.size());
     for (const Primitive& primitive : scene.primitives) print_shape(primitive);
@@ -239,16 +252,12 @@ void need_plain(const InspectCommand& command) {
   need_metres(command);
   require(!command.primitive_tolerance,
           {.field = "--primitive-tolerance", .problem = "only for meshes and scenes"});
+  require(command.primitives.empty(),
+          {.field = "--primitives", .problem = "only for meshes and scenes"});
 }
 
 void need_no_picture(const InspectCommand& command) {
   require(command.picture.empty(), {.field = "--picture", .problem = "only for robots"});
-}
-
-// The folder of the file is made as well.
-void write(const std::filesystem::path& file, const std::string& content, Interrupts& interrupts) {
-  make_folder(std::filesystem::absolute(file).parent_path());
-  interrupts.write(file, content);
 }
 
 void inspect_platform(const Platform& platform, const InspectCommand& command,
@@ -269,7 +278,7 @@ void inspect_platform(const Platform& platform, const InspectCommand& command,
 void inspect_scene(const Scene& scene, const InspectCommand& command, Interrupts& interrupts) {
   need_no_picture(command);
   print_notes(scene);
-  print_scene(scene, command);
+  print_scene(scene, command, interrupts);
   if (!command.save.empty()) write(command.save, scene_text(scene), interrupts);
 }
 
@@ -286,7 +295,8 @@ Scene graspit_scene(const std::filesystem::path& file, const InspectCommand& com
   return scene;
 }
 
-void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& command) {
+void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& command,
+                       Interrupts& interrupts) {
   need_no_picture(command);
   std::string unit = command.unit;
   if (unit.empty()) unit = noted_unit(file);
@@ -304,11 +314,11 @@ void inspect_mesh_file(const std::filesystem::path& file, const InspectCommand& 
     std::printf("  left out: %d triangles without area, %d duplicates\n", loaded.degenerate_removed,
                 loaded.duplicates_removed);
   }
-  print_primitives(loaded.mesh, command);
+  print_primitives(loaded.mesh, command, interrupts);
 }
 
 int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
-  for (const std::filesystem::path& written : {command.save, command.picture}) {
+  for (const std::filesystem::path& written : {command.save, command.picture, command.primitives}) {
     if (!written.empty()) require_writable(std::filesystem::absolute(written).parent_path());
   }
   // A file is preferred to a robot of the library of the same name.
@@ -324,7 +334,7 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     inspect_platform(load_platform(file, foreign_options(command.packages, command.srdf)), command,
                      interrupts);
   } else if (file.extension() != ".json") {
-    inspect_mesh_file(file, command);
+    inspect_mesh_file(file, command, interrupts);
   } else {
     need_metres(command);
     const JsonFile json(file);

@@ -100,6 +100,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"BudgetOfAnUnknownUnit", "plan mug --budget 3weeks --out FOLDER/out", "",
                 "--budget"},
         Mistake{"UnitOfAScene", "plan mug --unit mm --out FOLDER/out", "", "unit"},
+        Mistake{"PrimitivesOfARobot", "inspect barrett --primitives FOLDER/a.png", "",
+                "--primitives: only for meshes and scenes"},
         Mistake{"UnitOfARobot", "inspect barrett --unit mm", "", "--unit"},
         Mistake{"OutIsAFile", "plan mug --out FOLDER/in.json", "", "is not a folder"},
         Mistake{"OutInAFile", "plan mug --out FOLDER/in.json/out", "", "is not a folder"},
