@@ -135,8 +135,7 @@ class GraspSearch {
     const auto tried = static_cast<double>(result_.trials.size());
     const auto asked = static_cast<double>(options_.trials);
     const bool both =
-        !served &&
-        (!scene_.preferred.empty() || tried >= kThinPartsAfter * options_.trials) &&
+        !served && (!scene_.preferred.empty() || tried >= kThinPartsAfter * options_.trials) &&
         (curves_proposed_ < kThinPartsLeast * std::max(tried, asked) || thin_parts_competitive());
     curve_next_ = both && !curve_next_;
     std::optional<ProposedGrasp> next = next_of(curve_next_ ? Track::curves : Track::solids);

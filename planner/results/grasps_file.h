@@ -43,7 +43,8 @@ struct SceneReference {
   ObjectChoice choice = {};
 };
 
-// "scene": a name or path, or {"file", "unit", "hand", "repair", "object", "keep_out", "preferred"}; "hand" may also stand beside it.
+// "scene": a name or path, or {"file", "unit", "hand", "repair", "object", "keep_out",
+// "preferred"}; "hand" may also stand beside it.
 // A relative path is first looked for beside the file. Throws InputError that names the file and
 // the field.
 SceneReference read_scene_reference(const JsonFile& file);

@@ -73,7 +73,7 @@ struct Trial {
   std::vector<GraspContact> contacts;
   EpsilonBracket epsilon;
   bool preferred = false;  // of a stable trial: all contacts are in preferred regions
-  TrialSeconds seconds;  // the only part that is not the same in every run
+  TrialSeconds seconds;    // the only part that is not the same in every run
 };
 
 // The pose of the hand's base in the grasp of `trial`, in the frame O in which the object stood.
