@@ -30,6 +30,16 @@ struct Refinement {
   int trials = 0;     // that were made for it
 };
 
+// On which shapes of an object that was completed (Completion) a grasp holds.
+struct HeldShapes {
+  bool likely = false;
+  std::optional<bool> thin = {};  // none: not tried
+  std::optional<bool> thick = {};
+
+  int held() const { return int{likely} + int{thin.value_or(false)} + int{thick.value_or(false)}; }
+  int tried() const { return 1 + int{thin.has_value()} + int{thick.has_value()}; }
+};
+
 // A grasp with its quality and where it came from.
 struct ScoredGrasp {
   Trial trial;          // pose, joints, contacts and epsilon that the trial found
@@ -55,6 +65,7 @@ struct ScoredGrasp {
   // ends, contacts and epsilon are of there. Only of those that were asked (free_grasps).
   std::optional<Trial> free = {};
   std::optional<ShakeReport> shake = {};  // filled in by shake_grasps
+  std::optional<HeldShapes> shapes = {};  // of an object that was completed: try_shapes
   LiftEnd lift = LiftEnd::not_asked;      // whether `path` goes on after the grasp, or why not
 };
 

@@ -58,6 +58,14 @@ enum class MassBasis {
   materials,  // its file names what its pieces are made of (named_mass.h)
 };
 
+// Of an object that depth cameras saw (sim/shape/cloud): what of its surface is a guess.
+struct Completion {
+  std::vector<char> seen;  // of each triangle of the mesh: whether a camera saw it; else completed
+  // The least and the most that it may be, closed, frame O; empty where nothing is known of that.
+  TriangleMesh thin = {};
+  TriangleMesh thick = {};
+};
+
 // The body to grasp. Mass, centre of mass and inertia belong together: state_center_of_mass and
 // state_mass (object_mass.h) change them.
 struct GraspableBody {
@@ -73,6 +81,7 @@ struct GraspableBody {
   std::optional<StatedMass> stated_mass = {};  // of parts and materials
   ShapeSource source = {};
   double restitution = 0.0;  // as of a StaticBody
+  std::optional<Completion> completion = {};
 };
 
 // The platform that carries the hand to the object: an arm, perhaps on a mobile base.
@@ -108,8 +117,8 @@ struct Scene {
 // The mass of an object whose scene states none [kg]: that of a household object.
 inline constexpr double kDefaultObjectMass = 0.3;
 
-// Clears what is said of the surface of the object, which is to be another one: primitives and
-// regions.
+// Clears what is said of the surface of the object, which is to be another one: primitives, regions
+// and what was seen of it.
 void forget_surface(Scene& scene);
 
 // Of an object from a mesh file that is not as large as things that hands hold (10 mm to 1 m), the

@@ -11,21 +11,41 @@
 
 #include "sim/base/named_enum.h"
 #include "sim/base/run_context.h"
+#include "sim/base/settings.h"
 #include "sim/shape/cloud/depth_view.h"
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 
-// How views are turned into bodies. Each step can be switched off.
 struct ReconstructOptions {
-  double voxel = 0.003;       // edge of the grid [m]
-  bool drop_outliers = true;  // readings without others near them
-  bool find_plane = true;     // else nothing is taken for a support
-  bool use_symmetry = true;   // else unseen sides are taken from the seen widths alone
-  double gap = 0.012;         // things that are nearer to each other are one [m]
-  int min_readings = 60;      // things that fewer pixels saw are left out
+  static constexpr AboutSettings kAbout{"ReconstructOptions",
+                                        "How views of depth cameras are turned into bodies. Each "
+                                        "step can be switched off."};
+  double voxel = 0.003;
+  bool drop_outliers = true;
+  bool find_plane = true;
+  bool use_symmetry = true;
+  double gap = 0.012;
+  int min_readings = 60;
   std::uint64_t seed = 1;
 };
+
+template <SettingsOf<ReconstructOptions> Options, typename Visit>
+void for_each_setting(Options& options, const Visit& visit) {
+  auto& [voxel, drop_outliers, find_plane, use_symmetry, gap, min_readings, seed] = options;
+  constexpr Range kEdge{.lower = 5e-4, .upper = 0.1};
+  visit("voxel", voxel, kEdge, "m", "Edge of the grid.");
+  visit({"drop_outliers", "outliers"}, drop_outliers,
+        "Whether readings without others near them are left out.");
+  visit({"find_plane", "plane"}, find_plane,
+        "Whether the plane on which things stand is found; else nothing is taken for a support.");
+  visit({"use_symmetry", "symmetry"}, use_symmetry,
+        "Whether unseen sides are completed by symmetry; else from the seen widths alone.");
+  visit("gap", gap, kLengthAbove0, "m", "Things that are nearer to each other are one.");
+  visit("min_readings", min_readings, kCountAbove0, "",
+        "Things that fewer pixels saw are left out.");
+  visit.unlisted("seed", seed, kAtLeast0, "", "Of what is tried at random.");
+}
 
 // What the unseen side of an object was taken from. Other objects stand on other evidence: those of
 // a revolution are nearly certain, those of `none` a guess.
