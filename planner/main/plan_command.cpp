@@ -8,7 +8,6 @@
 #include "planner/plan/learn/tree_model_file.h"
 #include "planner/show/report/plan_report.h"
 #include "sim/base/input_error.h"
-#include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 
 namespace prehend {
@@ -58,12 +57,20 @@ void add_model(const PlanCommand& command, const CompiledScene& scene, PlanOptio
 
 }  // namespace
 
+SceneSource source_of(const PlanCommand& command, const ObjectChoice& choice) {
+  return {.hand = command.hand,
+          .unit = command.unit,
+          .repair = command.repair,
+          .foreign = foreign_options(command.packages, {}),
+          .choice = choice};
+}
+
 PlanTask load_task(const PlanCommand& command, const ObjectChoice& choice, Stopwatch& watch) {
-  Scene loaded = load_scene(command.scene, {.hand = command.hand,
-                                            .unit = command.unit,
-                                            .repair = command.repair,
-                                            .foreign = foreign_options(command.packages, {}),
-                                            .choice = choice});
+  return make_task(command, choice, load_scene(command.scene, source_of(command, choice)), watch);
+}
+
+PlanTask make_task(const PlanCommand& command, const ObjectChoice& choice, Scene loaded,
+                   Stopwatch& watch) {
   const std::string unit = unit_of_source(command.scene, loaded);
   print_notes(loaded);
   watch.lap(Stage::load);

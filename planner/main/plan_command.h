@@ -9,6 +9,7 @@
 #include "planner/plan/stopwatch.h"
 #include "planner/results/grasps_file.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/scene/scene_file.h"
 
 namespace prehend {
 
@@ -45,9 +46,15 @@ struct PlanTask {
   RunRecord record;
 };
 
-// Loads and compiles the command's scene with this choice of object and regions, with laps for
-// both. Throws InputError.
+// Where the command's scene is loaded from, with this choice of object and regions. Throws
+// InputError.
+SceneSource source_of(const PlanCommand& command, const ObjectChoice& choice);
+
+// Loads and compiles the command's scene, with laps for both. Throws InputError.
 PlanTask load_task(const PlanCommand& command, const ObjectChoice& choice, Stopwatch& watch);
+// Of a scene that was loaded already.
+PlanTask make_task(const PlanCommand& command, const ObjectChoice& choice, Scene loaded,
+                   Stopwatch& watch);
 
 // The command with --any: plans each object of the scene among the others.
 int run_plan_any(const PlanCommand& command, Interrupts& interrupts);

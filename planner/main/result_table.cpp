@@ -139,6 +139,16 @@ std::string preferred_line(const CompiledScene& scene, const PlanResult& result)
   return any ? "" : "no grasp touches preferred regions only\n";
 }
 
+std::string shapes_line(const PlanResult& result) {
+  const auto all = [](const ScoredGrasp& grasp) {
+    return grasp.shapes && grasp.shapes->held() == grasp.shapes->tried();
+  };
+  if (result.grasps.empty() || !result.grasps.front().shapes) return "";
+  const auto count = std::count_if(result.grasps.begin(), result.grasps.end(), all);
+  return formatted("%td of %zu grasps also hold on the thin and the thick shape that it may have\n",
+                   count, result.grasps.size());
+}
+
 std::string untested_line(const PlanResult& result) {
   if (result.untested == 0) return "";
   const bool late = result.status == PlanStatus::out_of_time;

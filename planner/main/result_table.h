@@ -19,6 +19,9 @@ std::string outcome_line(const PlanResult& result);
 // Says where the scene has preferred regions and none of the ranked grasps is there; else empty.
 std::string preferred_line(const CompiledScene& scene, const PlanResult& result);
 
+// Of an object that was seen in part, how many of the grasps hold on all of its shapes; else empty.
+std::string shapes_line(const PlanResult& result);
+
 // What was not tried, of a result that ran out of time or was cancelled; empty for a complete one.
 std::string untested_line(const PlanResult& result);
 

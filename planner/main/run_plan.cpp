@@ -24,7 +24,9 @@ namespace prehend {
 namespace {
 
 void declare(CLI::App& command, PlanCommand& options) {
-  command.add_option("scene", options.scene, "scene name, scene file or mesh file")
+  command
+      .add_option("scene", options.scene,
+                  "scene name, scene file, mesh file, or what depth cameras saw")
       ->capture_default_str();
   command.add_option("--hand", options.hand, "robot of the library or robot file");
   add_mesh_options(command, options.unit, options.repair);
@@ -197,8 +199,8 @@ class PlanProgram {
 
   void print_result(const CompiledScene& scene, const PlanResult& result) const {
     std::cout << grasp_table(scene, result, index(command_.top)) << outcome_line(result) << "\n"
-              << preferred_line(scene, result) << untested_line(result) << blocker_line(result)
-              << advice_lines(result) << std::flush;
+              << preferred_line(scene, result) << shapes_line(result) << untested_line(result)
+              << blocker_line(result) << advice_lines(result) << std::flush;
   }
 
   int say_interrupted(const std::string& words) const {

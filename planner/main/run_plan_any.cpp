@@ -15,22 +15,22 @@
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
 #include "sim/base/output_file.h"
-#include "sim/scene/scene_file.h"
-#include "sim/scene/scene_library.h"
 
 namespace prehend {
 namespace {
 
 namespace fs = std::filesystem;
 
-// The names of the scene's objects, each of which is a folder of the results.
-std::vector<std::string> objects_to_plan(const PlanCommand& command) {
-  const std::vector<std::string> names = scene_objects(command.scene);
-  require(!names.empty(),
+// A scene for each of the objects, whose name is that of a folder of the results.
+std::vector<Scene> scenes_to_plan(const PlanCommand& command) {
+  std::vector<Scene> scenes = load_each_scene(command.scene, source_of(command, {}));
+  require(!scenes.empty(),
           {.file = command.scene,
            .field = "objects",
-           .problem = "missing; --any needs a scene file that lists its objects there"});
-  for (const std::string& name : names) {
+           .problem = "missing; --any needs a scene file that lists its objects there, or what "
+                      "depth cameras saw"});
+  for (const Scene& scene : scenes) {
+    const std::string& name = scene.object.name;
     const bool fits = !name.empty() && name != "." && name != ".." &&
                       name.find('/') == std::string::npos && name != "any.json";
     require(fits, {.file = command.scene,
@@ -38,7 +38,7 @@ std::vector<std::string> objects_to_plan(const PlanCommand& command) {
                    .problem = "--any makes a folder of each name, so it must be one of a folder",
                    .value = name});
   }
-  return names;
+  return scenes;
 }
 
 bool has_candidates(const PlanResult& result) {
@@ -53,9 +53,11 @@ class AnyProgram {
 
   int run() {
     require_writable(folder_);
-    for (const std::string& name : objects_to_plan(command_)) {
+    for (Scene& scene : scenes_to_plan(command_)) {
+      const std::string name = scene.object.name;
       outputs_.emplace_back(command_, interrupts_, folder_ / name);
-      PlanTask task = load_task(command_, {.object = name}, outputs_.back().watch());
+      PlanTask task =
+          make_task(command_, {.object = name}, std::move(scene), outputs_.back().watch());
       scenes_.push_back(std::move(task.scene));
       records_.push_back(std::move(task.record));
     }

@@ -18,6 +18,7 @@
 #include "planner/plan/search_grasps.h"
 #include "planner/plan/search_settings.h"
 #include "planner/plan/stopwatch.h"
+#include "planner/plan/try_shapes.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
@@ -233,12 +234,13 @@ bool closes_freely(const PlanOptions& options) {
 }
 
 // How many grasps are ranked. `goes_on`: whether the stages behind the ranking are wanted.
-int ranked_grasps(const PlanOptions& options, bool goes_on) {
+int ranked_grasps(const CompiledScene& scene, const PlanOptions& options, bool goes_on) {
   // With paths, all stable grasps are ranked instead of the best few: some may turn out to have
   // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
   const bool by_epsilon = options.rank.by == RankBy::epsilon;
   if (options.paths && goes_on && by_epsilon) return static_cast<int>(kLargestCount);
-  if (by_epsilon && !(goes_on && closes_freely(options))) return options.rank.top;
+  const bool more = goes_on && (closes_freely(options) || scene.scene.object.completion);
+  if (by_epsilon && !more) return options.rank.top;
   const double pool = options.rank.pool * static_cast<double>(options.rank.top);
   return static_cast<int>(std::min(pool, kLargestCount));
 }
@@ -328,7 +330,7 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
   const bool by_epsilon = options.rank.by == RankBy::epsilon;
   if (!attempts.trials.empty()) {
     RankOptions ranking = options.rank;
-    ranking.top = ranked_grasps(options, goes_on());
+    ranking.top = ranked_grasps(scene, options, goes_on());
     result.grasps = ranked(scene, options, ranking, attempts);
     watch.lap(Stage::rank);
   }
@@ -345,6 +347,10 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
     add_free_ends(scene, options.trial, context, result);
     if (!by_epsilon) rank_by(options.rank.by, result);
     watch.lap(Stage::close);
+  }
+  if (scene.scene.object.completion && goes_on() && !result.grasps.empty()) {
+    try_shapes(scene, options, context, result);
+    watch.lap(Stage::disturb);
   }
   if (!options.paths && result.grasps.size() > index(options.rank.top)) {
     result.grasps.erase(result.grasps.begin() + options.rank.top, result.grasps.end());

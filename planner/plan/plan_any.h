@@ -17,7 +17,8 @@ struct AnyGrasp {
 struct AnyPlan {
   std::vector<PlanResult> results;  // of each scene
   // All grasps, best first. Those of a scene keep their order; of the next of each scene the one
-  // comes first that touches preferred regions only, then the one with the larger measure by which
+  // comes first that touches preferred regions only, then the one that holds on more of the shapes
+  // of an object that was seen in part, then the one with the larger measure by which
   // grasps are ranked (of epsilon: on a free object, where that was asked), then the earlier scene.
   std::vector<AnyGrasp> ranked = {};
   // Of each scene without a grasp: the other objects that must go before it has one; empty for

@@ -80,6 +80,7 @@ void set_mass_in_python(SceneHandle& self, const std::string& text) {
   changed.X_WO = object.X_WO;
   changed.source = object.source;
   changed.restitution = object.restitution;
+  changed.completion = object.completion;
   object = std::move(changed);
   note_uniform_mass(self.scene);
   self.origin = {};
@@ -223,7 +224,9 @@ void bind_scene_class(py::module_& core) {
       .def("save", &save)
       .def("text", [](const SceneHandle& self) { return scene_text(self.scene); });
   core.def("load_scene", &load_scene_in_python);
-  core.def("scene_objects", [](const std::string& file) { return scene_objects(file); });
+  core.def("scene_objects", [](const std::string& file, const std::string& unit) {
+    return scene_objects(file, unit);
+  });
   core.def("make_scene", &make_scene_in_python);
 }
 

@@ -22,6 +22,7 @@
 #include "sim/base/index.h"
 #include "sim/base/json/json_fields.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/scene/seen_surface.h"
 #include "sim/trial/approach_line.h"
 #include "sim/trial/success.h"
 
@@ -46,11 +47,16 @@ ValueNames<int> names_of(const auto& of_hand) {
   return names;
 }
 
-void grasp_contact_fields(auto& fields, auto& contact, const ValueNames<LinkId>& links) {
+void grasp_contact_fields(auto& fields, auto& contact, const CompiledScene& scene,
+                          const ValueNames<LinkId>& links) {
   fields.needs("link");
   fields.named("link", contact.link, links);
   contact_fields(fields, contact.point);
   fields("gap", contact.gap);
+  // Only of an object that was seen in part; not read, it follows from the position.
+  std::optional<bool> seen;
+  if constexpr (!kReads<decltype(fields)>) seen = is_seen_at(scene, contact.point.position);
+  fields("seen", seen);
 }
 
 void approach_fields(auto& fields, auto& grasp) {
@@ -247,8 +253,9 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
   pose_fields(fields, grasp, scene.scene);
   posture_fields(fields, grasp, scene.scene.hand);
   const ValueNames<LinkId> links = link_names(scene);
-  fields.objects("contacts", trial.contacts,
-                 [&](auto& inner, auto& contact) { grasp_contact_fields(inner, contact, links); });
+  fields.objects("contacts", trial.contacts, [&](auto& inner, auto& contact) {
+    grasp_contact_fields(inner, contact, scene, links);
+  });
   fields.derived("torque_origin", [&] { return scene.wrench_frame.torque_origin; });
   fields.derived("torque_scale", [&] { return scene.wrench_frame.torque_scale; });
   fields.object("weakest_wrench",
@@ -268,6 +275,14 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
     inner("X_object_hand", free.X_OH);
     inner("X_object_moved", free.X_OC);
     inner("joints", free.joints);
+  });
+  // On which shapes of an object that was seen in part it holds; a grasp that is read has to be
+  // planned again.
+  fields.derived_part("shapes", grasp.shapes, [](auto& inner, auto& shapes) {
+    inner("likely", shapes.likely);
+    inner("thin", shapes.thin);
+    inner("thick", shapes.thick);
+    inner.derived("held", [&] { return shapes.held(); });
   });
   // A grasp that is read has to be shaken again.
   fields.derived_part("shake", grasp.shake,

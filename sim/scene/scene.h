@@ -35,10 +35,17 @@ struct WrittenShapesSource {
   std::string geometry;  // the list in the field "geometry"
 };
 
+// A surface that depth cameras saw, with what was completed of it.
+struct ViewsSource {
+  std::string path;  // absolute
+  std::string unit;  // of a cloud that is given by itself: m, cm, mm or in
+};
+
 // Where a body's surface comes from, so that a scene file can name the source instead of listing
-// the triangles. std::monostate: the mesh was made by a program and its triangles are written.
+// the triangles. std::monostate: the mesh was made by a program and its triangles are written, as
+// those of views are, whose bodies have no names of their own.
 using ShapeSource =
-    std::variant<std::monostate, MeshFileSource, GeneratedSource, WrittenShapesSource>;
+    std::variant<std::monostate, MeshFileSource, GeneratedSource, WrittenShapesSource, ViewsSource>;
 
 // An obstacle: a body that does not move.
 struct StaticBody {

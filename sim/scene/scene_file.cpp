@@ -25,6 +25,7 @@
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
+#include "sim/scene/seen_scene.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/mesh_checks.h"
 #include "sim/shape/object_generator.h"
@@ -39,6 +40,8 @@
 // another folder.
 namespace prehend {
 namespace {
+
+namespace fs = std::filesystem;
 
 Material read_material(const JsonField& body, Material otherwise) {
   if (!body.has("material")) return otherwise;
@@ -336,6 +339,46 @@ void note_size(Scene& scene) {
       formatted("%.4g mm large in the stated unit%s", 1000.0 * size, hint.c_str()));
 }
 
+// What cameras saw, read when it is first needed: each scene of the same things takes it.
+using SeenOnce = std::optional<SeenThings>;
+
+bool is_seen(const JsonField& root) {
+  return root.has("object") && root["object"].is_object() && root["object"].has("views");
+}
+
+const SeenThings& things_of(const JsonField& object, SeenOnce& seen) {
+  if (!seen) {
+    const fs::path file = object.file().parent_path() / object["views"].text();
+    seen = load_seen_things(file, object.text_or("unit", "m"));
+  }
+  return *seen;
+}
+
+// The thing that is asked for, or that the field states.
+std::size_t number_of(const JsonField& object, const std::string& asked, const SeenThings& things) {
+  if (!asked.empty() || !object.has("number")) return seen_thing(things, asked);
+  const JsonField number = object["number"];
+  return with_field_errors(number,
+                           [&] { return seen_thing(things, std::to_string(number.integer())); });
+}
+
+// The thing as the object, and the others as obstacles.
+void read_seen_object(const JsonField& field, const SceneSource& source, SeenOnce& seen,
+                      Scene& scene) {
+  field.allow_only({"views", "unit", "number", "material", "mass", "density", "center_of_mass",
+                    "parts", "restitution", "keep_out", "preferred"});
+  const SeenThings& things = things_of(field, seen);
+  if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
+  if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
+  if (field.has("keep_out")) find_parts(field["keep_out"], {}, scene.keep_out);
+  if (field.has("preferred")) find_parts(field["preferred"], {}, scene.preferred);
+  choose_regions(source.choice, {}, field.file(), scene);
+  place_seen(things, number_of(field, source.choice.object, things),
+             read_material(field, Material::plastic), whole_mass(field), scene);
+  read_mass(field, scene.object);
+  scene.object.restitution = read_restitution(field);
+}
+
 std::vector<std::string> names_of_objects(const JsonField& root) {
   std::vector<std::string> names;
   if (!root.has("objects")) return {root["object"].text_or("name", kUnnamedObject)};
@@ -371,7 +414,14 @@ void require_object(const ObjectChoice& choice, const std::vector<std::string>& 
 
 // The chosen object, and all others as obstacles.
 void read_objects(const JsonField& root, const SceneSource& source, ShapeBudget& budget,
-                  Scene& scene) {
+                  SeenOnce& seen, Scene& scene) {
+  if (is_seen(root)) {
+    if (root.has("objects")) root["object"].fail("not beside \"objects\"");
+    read_seen_object(root["object"], source, seen, scene);
+    note_size(scene);
+    note_uniform_mass(scene);
+    return;
+  }
   const std::vector<std::string> names = names_of_objects(root);
   const std::string& asked = source.choice.object;
   require_object(source.choice, names, root.file());
@@ -390,7 +440,7 @@ void read_objects(const JsonField& root, const SceneSource& source, ShapeBudget&
   }
 }
 
-Scene read_scene(const JsonField& root, const SceneSource& source) {
+Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& seen) {
   root.allow_only(
       {"name", "object", "objects", "hand", "robot", "obstacles", "friction", "compliant_depths"});
   if (root.has("hand") && root.has("robot")) {
@@ -399,7 +449,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   ShapeBudget budget;
-  read_objects(root, source, budget, scene);
+  read_objects(root, source, budget, seen, scene);
   if (root.has("robot")) {
     if (root["robot"].has("hand")) scene.hand_source = read_robot_source(root["robot"]["hand"]);
     if (!source.hand.empty()) scene.hand_source = robot_source(source.hand);
@@ -425,6 +475,24 @@ Scene read_scene(const JsonField& root, const SceneSource& source) {
   return scene;
 }
 
+// What cameras saw, given in place of a scene.
+Scene seen_scene(const fs::path& file, const SceneSource& source, const SeenThings& things) {
+  Scene scene;
+  try {
+    scene.name = file.stem().string();
+    choose_regions(source.choice, {}, file, scene);
+    place_seen(things, seen_thing(things, source.choice.object), Material::plastic,
+               kDefaultObjectMass, scene);
+  } catch (const InputError& error) {
+    throw error.in_file(file.string());
+  }
+  scene.hand_source = robot_source(source.hand.empty() ? kDefaultHand : source.hand);
+  scene.hand = with_hand(find_robot(scene.hand_source, source.foreign));
+  note_size(scene);
+  note_uniform_mass(scene);
+  return scene;
+}
+
 void require_no_unit(const std::filesystem::path& file, const SceneSource& source) {
   require(source.unit.empty() || source.unit == "m",
           {.file = file.string(),
@@ -437,14 +505,43 @@ void require_no_unit(const std::filesystem::path& file, const SceneSource& sourc
 
 Scene read_scene(const JsonFile& file, const SceneSource& source) {
   require_no_unit(file.path(), source);
-  return read_scene(file.root(), source);
+  SeenOnce seen;
+  return read_scene(file.root(), source, seen);
 }
 
-Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source) {
-  const std::filesystem::path file = find_scene(name_or_file.string());
+namespace {
+
+// Of JSON: a scene, or what cameras saw.
+Scene load_json(const JsonFile& file, const SceneSource& source, SeenOnce& seen) {
+  require_no_unit(file.path(), source);
+  if (!states_views(file.root())) return read_scene(file.root(), source, seen);
+  if (!seen) seen = load_seen_things(file.path(), {});
+  return seen_scene(file.path(), source, *seen);
+}
+
+// Of those scenes, the names of the objects where they may be several.
+std::vector<std::string> names_in_json(const JsonFile& file, SeenOnce& seen) {
+  const JsonField root = file.root();
+  if (states_views(root)) {
+    seen = load_seen_things(file.path(), {});
+  } else if (is_seen(root)) {
+    things_of(root["object"], seen);
+  } else {
+    return root.has("objects") ? names_of_objects(root) : std::vector<std::string>{};
+  }
+  return seen_names(*seen);
+}
+
+}  // namespace
+
+Scene load_scene(const fs::path& name_or_file, const SceneSource& source) {
+  const fs::path file = find_scene(name_or_file.string());
   if (file.extension() == ".json") {
-    require_no_unit(file, source);
-    return read_scene(JsonFile(file).root(), source);
+    SeenOnce seen;
+    return load_json(JsonFile(file), source, seen);
+  }
+  if (is_views_file(file)) {
+    return seen_scene(file, source, load_seen_things(file, source.unit));
   }
   if (file.extension() == ".xml") {
     require_no_unit(file, source);
@@ -471,19 +568,44 @@ Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& s
   return scene;
 }
 
-std::vector<std::string> scene_objects(const std::filesystem::path& name_or_file) {
-  const std::filesystem::path file = find_scene(name_or_file.string());
-  if (file.extension() != ".json") return {};
-  const JsonFile scene(file);
-  if (!scene.root().has("objects")) return {};
-  return names_of_objects(scene.root());
+std::vector<Scene> load_each_scene(const fs::path& name_or_file, const SceneSource& source) {
+  const fs::path file = find_scene(name_or_file.string());
+  std::vector<Scene> scenes;
+  SeenOnce seen;
+  SceneSource of_object = source;
+  const auto load_all = [&](const std::vector<std::string>& names, const auto& load) {
+    for (const std::string& name : names) {
+      of_object.choice.object = name;
+      scenes.push_back(load());
+    }
+  };
+  if (file.extension() == ".json") {
+    const JsonFile json(file);
+    load_all(names_in_json(json, seen), [&] { return load_json(json, of_object, seen); });
+  } else if (is_views_file(file)) {
+    seen = load_seen_things(file, source.unit);
+    load_all(seen_names(*seen), [&] { return seen_scene(file, of_object, *seen); });
+  }
+  return scenes;
 }
 
-std::string unit_of_source(const std::filesystem::path& name_or_file, const Scene& scene) {
-  const auto* file = std::get_if<MeshFileSource>(&scene.object.source);
-  const bool itself =
-      file != nullptr && file->path == absolute_path(find_scene(name_or_file.string()));
-  return itself ? file->unit : "m";
+std::vector<std::string> scene_objects(const fs::path& name_or_file, const std::string& unit) {
+  const fs::path file = find_scene(name_or_file.string());
+  SeenOnce seen;
+  if (file.extension() == ".json") return names_in_json(JsonFile(file), seen);
+  if (is_views_file(file)) return seen_names(load_seen_things(file, unit));
+  return {};
+}
+
+std::string unit_of_source(const fs::path& name_or_file, const Scene& scene) {
+  const std::string itself = absolute_path(find_scene(name_or_file.string()));
+  if (const auto* mesh = std::get_if<MeshFileSource>(&scene.object.source)) {
+    if (mesh->path == itself) return mesh->unit;
+  }
+  if (const auto* views = std::get_if<ViewsSource>(&scene.object.source)) {
+    if (views->path == itself) return views->unit;
+  }
+  return "m";
 }
 
 }  // namespace prehend

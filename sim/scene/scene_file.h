@@ -38,16 +38,22 @@ struct SceneSource {
 inline constexpr const char* kDefaultHand = "barrett";
 
 // A scene file (.json), a GraspIt! world or body (.xml, graspit_world.h), a mesh file as the object
-// of a scene with nothing else in it, or, where there is no such file, the library's scene of that
-// name ("mug", see scene_library.h). Throws InputError that names the file, the field and the
-// value.
+// of a scene with nothing else in it, what depth cameras saw (seen_scene.h, a file of
+// is_views_file) as the object and all else, or, where there is no such file, the library's scene
+// of that name ("mug", see scene_library.h). Throws InputError that names the file, the field and
+// the value.
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source = {});
 // The unit in which load_scene has read the mesh file that was given in place of a scene; m for a
 // scene file.
 std::string unit_of_source(const std::filesystem::path& name_or_file, const Scene& scene);
-// The names of the objects of a scene file, in its order; empty where it is no scene file, or names
-// one object only. Throws InputError.
-std::vector<std::string> scene_objects(const std::filesystem::path& name_or_file);
+// The names of the objects of a scene file, in its order, or of the things that cameras saw; empty
+// where it is neither, or names one object only. `unit` as in SceneSource. Throws InputError.
+std::vector<std::string> scene_objects(const std::filesystem::path& name_or_file,
+                                       const std::string& unit = {});
+// The scene of each of these objects, the others being obstacles: load_scene with each as its
+// choice. What cameras saw is reconstructed once. Throws InputError.
+std::vector<Scene> load_each_scene(const std::filesystem::path& name_or_file,
+                                   const SceneSource& source = {});
 // As load_scene, of a scene file that was parsed already.
 Scene read_scene(const JsonFile& file, const SceneSource& source = {});
 

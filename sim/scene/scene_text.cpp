@@ -50,6 +50,7 @@ struct ShapeSourceFields {
   Json operator()(const WrittenShapesSource& source) const {
     return {{"geometry", Json::parse(source.geometry)}};
   }
+  Json operator()(const ViewsSource& /*source*/) const { return (*this)(std::monostate{}); }
 };
 
 template <typename Body>

@@ -38,10 +38,6 @@ double read_unit(const JsonField& field) {
   return with_field_errors(field, [&] { return metres_per_unit(field.text()); });
 }
 
-double unit_named(const std::string& unit, double otherwise) {
-  return unit.empty() ? otherwise : metres_per_unit(unit);
-}
-
 // What is read counts together.
 class ReadingsBudget {
  public:
@@ -183,15 +179,14 @@ void add_view(const JsonField& field, ReadingsBudget& budget, ViewsInput& input)
 }
 
 // A PNG file by itself.
-ViewsInput read_image(const fs::path& file, const std::string& unit) {
+ViewsInput read_image(const fs::path& file) {
   fs::path beside = file;
   beside.replace_extension(".json");
   require(is_file(beside), {.file = file.string(),
                             .problem = "no camera: a JSON file beside it must state fx, fy, cx, cy",
                             .value = beside.filename().string()});
   const JsonFile stated(beside);
-  CameraFields camera = read_camera(stated.root());
-  camera.unit = unit_named(unit, camera.unit);
+  const CameraFields camera = read_camera(stated.root());
   ReadingsBudget budget;
   ViewsInput input;
   try {
@@ -246,19 +241,16 @@ bool is_views_file(const std::filesystem::path& file) {
 
 ViewsInput load_views(const std::filesystem::path& file, const std::string& unit) {
   const std::string extension = lower_extension(file);
-  if (extension == ".json") {
-    const JsonFile stated(file);
-    require(unit.empty() || unit == "m",
-            {.file = file.string(),
-             .field = "unit",
-             .problem = "the file states the units of its views itself",
-             .value = unit});
-    return read_views(stated.root());
+  if (extension == ".json" || extension == ".png") {
+    require(unit.empty() || unit == "m", {.file = file.string(),
+                                          .field = "unit",
+                                          .problem = "stands in the JSON file of the camera",
+                                          .value = unit});
+    return extension == ".png" ? read_image(file) : read_views(JsonFile(file).root());
   }
-  if (extension == ".png") return read_image(file, unit);
   ReadingsBudget budget;
   ViewsInput input;
-  add_cloud(file, {.metres_per_unit = unit_named(unit, 1.0)}, budget, input);
+  add_cloud(file, {.metres_per_unit = unit.empty() ? 1.0 : metres_per_unit(unit)}, budget, input);
   return input;
 }
 

@@ -28,8 +28,8 @@ bool is_views_file(const std::filesystem::path& file);
 //   or a cloud, and the settings of the steps by name;
 // - a 16-bit grey PNG, whose camera is in the JSON file of the same name beside it;
 // - a PCD or PLY file.
-// `unit` is that of a cloud or of the counts of an image that is given without JSON: m, cm, mm or
-// in; empty: metres, of images millimetres. Throws InputError that names file, field and value.
+// `unit` is that of a PCD or PLY file: m, cm, mm or in; empty: m. Throws InputError that names
+// file, field and value.
 ViewsInput load_views(const std::filesystem::path& file, const std::string& unit = {});
 
 // Of JSON that was parsed already: whether it states views, and what it says.

@@ -1,0 +1,20 @@
+// Grasps of an object that was seen in part, tried on the other shapes that it may have.
+#pragma once
+
+#include "planner/plan/plan_options.h"
+#include "planner/plan/plan_result.h"
+
+namespace prehend {
+
+struct CompiledScene;
+
+// Tries the first options.rank.pool * options.rank.top grasps again, from the same pose, on an
+// object with the thin and with the thick shape (Completion), and fills in ScoredGrasp::shapes.
+// Those that hold on more of the shapes come first, behind none that touch preferred regions only;
+// else the order stays. A shape that would overlap an obstacle is not tried. Does nothing for an
+// object whose surface is known. The same on any number of threads. Does not throw Cancelled: where
+// time runs out the status says so, and nothing else changes.
+void try_shapes(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
+                PlanResult& result);
+
+}  // namespace prehend
