@@ -342,10 +342,6 @@ void require_distances(const Readings& readings, const Vector3& viewpoint) {
   require_plausible(distances);
 }
 
-std::string place_text(const Vector3& p) {
-  return formatted("(%.3g, %.3g, %.3g)", p.x(), p.y(), p.z());
-}
-
 }  // namespace
 
 void require_plausible(std::vector<float>& distances) {
