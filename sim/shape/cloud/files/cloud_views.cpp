@@ -10,12 +10,11 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/range.h"
+#include "sim/shape/cloud/files/depth_checks.h"
 #include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 namespace {
-
-constexpr std::size_t kFewestReadings = 10;
 
 // Readings in metres; normals are unit, or zero where they are not known.
 struct Readings {
@@ -343,27 +342,6 @@ void require_distances(const Readings& readings, const Vector3& viewpoint) {
 }
 
 }  // namespace
-
-void require_plausible(std::vector<float>& distances) {
-  constexpr float kFar = 50.0F;
-  constexpr float kFarMiddle = 20.0F;
-  constexpr float kNearMiddle = 0.005F;
-  require(distances.size() >= kFewestReadings,
-          {.problem = formatted("only %zu readings; at least %zu are needed", distances.size(),
-                                kFewestReadings)});
-  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
-  std::nth_element(distances.begin(), middle, distances.end());
-  const float nearest = *std::min_element(distances.begin(), middle + 1);
-  const bool far = nearest > kFar || *middle > kFarMiddle;
-  require(!far, {.field = "unit",
-                 .problem = "distances look like millimetres that were read in metres: state the "
-                            "unit",
-                 .value = formatted("middle distance %.4g m", static_cast<double>(*middle))});
-  require(*middle >= kNearMiddle,
-          {.field = "unit",
-           .problem = "distances are smaller than any camera's: state the unit",
-           .value = formatted("middle distance %.4g m", static_cast<double>(*middle))});
-}
 
 std::vector<DepthView> views_of_cloud(const PointCloud& cloud, const CloudPlace& place,
                                       std::vector<std::string>& notes) {

@@ -31,8 +31,4 @@ struct CloudPlace {
 std::vector<DepthView> views_of_cloud(const PointCloud& cloud, const CloudPlace& place,
                                       std::vector<std::string>& notes);
 
-// Throws InputError that asks for the unit where no reading [m] is within 50 m, or the middle one
-// is beyond 20 m or nearer than 5 mm; and for fewer than 10 readings. The list is reordered.
-void require_plausible(std::vector<float>& distances);
-
 }  // namespace prehend

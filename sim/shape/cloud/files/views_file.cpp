@@ -1,18 +1,17 @@
 #include "sim/shape/cloud/files/views_file.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cctype>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
-#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/json/json_fields.h"
 #include "sim/base/require_settings.h"
 #include "sim/shape/cloud/files/cloud_views.h"
+#include "sim/shape/cloud/files/depth_checks.h"
 #include "sim/shape/cloud/files/depth_png.h"
 #include "sim/shape/cloud/files/point_cloud.h"
 #include "sim/shape/files/mesh_file.h"
@@ -102,24 +101,18 @@ DepthView view_of_image(const fs::path& file, const CameraFields& fields, Readin
     }
   }();
   budget.take(image.counts.size());
-  DepthView view{fields.camera, {}};
-  require_size(view.camera.width, image.width, "camera.width");
-  require_size(view.camera.height, image.height, "camera.height");
-  view.camera.width = image.width;
-  view.camera.height = image.height;
-  try {
-    check_camera(view.camera);
-  } catch (const InputError& error) {
-    throw error.under("camera");
-  }
-  view.depth.reserve(image.counts.size());
-  std::vector<float> readings;
+  const DepthCamera& stated = fields.camera;
+  require_size(stated.width, image.width, "camera.width");
+  require_size(stated.height, image.height, "camera.height");
+  DepthCamera camera = stated;
+  camera.width = image.width;
+  camera.height = image.height;
+  std::vector<float> depth;
+  depth.reserve(image.counts.size());
   for (const std::uint16_t count : image.counts) {
-    view.depth.push_back(static_cast<float>(fields.unit * count));
-    if (count > 0) readings.push_back(view.depth.back());
+    depth.push_back(static_cast<float>(fields.unit * count));
   }
-  require_plausible(readings);
-  return view;
+  return checked_view(camera, std::move(depth));
 }
 
 PointCloud load_cloud(const fs::path& file) {
@@ -252,24 +245,6 @@ ViewsInput load_views(const std::filesystem::path& file, const std::string& unit
   ViewsInput input;
   add_cloud(file, {.metres_per_unit = unit.empty() ? 1.0 : metres_per_unit(unit)}, budget, input);
   return input;
-}
-
-void check_camera(const DepthCamera& camera) {
-  const auto focal = [](double f, const char* field) {
-    require(f > 0.0 && f <= 1e6, {.field = field,
-                                  .problem = "must be above 0 and at most 1e6 pixels",
-                                  .value = formatted("%.6g", f)});
-  };
-  focal(camera.fx, "fx");
-  focal(camera.fy, "fy");
-  const auto near = [](double c, int size, const char* field) {
-    require(c >= -0.5 * size && c <= 1.5 * size,
-            {.field = field,
-             .problem = formatted("is far outside the image, which has %d pixels there", size),
-             .value = formatted("%.6g", c)});
-  };
-  near(camera.cx, camera.width, "cx");
-  near(camera.cy, camera.height, "cy");
 }
 
 }  // namespace prehend

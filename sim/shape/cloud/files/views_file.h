@@ -36,8 +36,4 @@ ViewsInput load_views(const std::filesystem::path& file, const std::string& unit
 bool states_views(const JsonField& root);
 ViewsInput read_views(const JsonField& root);
 
-// Checks of a camera that is not read from a file, the same: sizes, focal lengths above 0, the axis
-// in or near the image. Throws InputError that names the field.
-void check_camera(const DepthCamera& camera);
-
 }  // namespace prehend
