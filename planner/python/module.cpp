@@ -18,6 +18,7 @@ void bind_quality(pybind11::module_& core);        // measures of many grasps at
 void bind_robot(pybind11::module_& core);          // robots, their kinematics and its inverse
 void bind_scene(pybind11::module_& core);          // scenes, meshes and what the library has
 void bind_validation(pybind11::module_& core);     // scores against executed grasps
+void bind_views(pybind11::module_& core);          // scenes of what depth cameras saw
 void bind_world(pybind11::module_& core);          // worlds that move, their robots and bodies
 
 // In errors.cpp.
@@ -39,6 +40,7 @@ PYBIND11_MODULE(_core, core) {
   bind_options(core);
   bind_robot(core);
   bind_scene(core);
+  bind_views(core);
   bind_plan(core);
   bind_files(core);
   bind_validation(core);

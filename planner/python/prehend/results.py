@@ -33,6 +33,7 @@ __all__ = [
     "FreeClosing",
     "FreeEnd",
     "Grasp",
+    "HeldShapes",
     "Hint",
     "LiftEnd",
     "LoadCase",
@@ -342,6 +343,18 @@ class FreeClosing:
         return _made(FreeClosing, fields)
 
 
+@dataclass(frozen=True)
+class HeldShapes:
+    """On which shapes an object that was seen in part may have a grasp holds."""
+
+    likely: bool
+    """The completed one."""
+    thin: Optional[bool]
+    """The least that it may be; None where that was not tried."""
+    thick: Optional[bool]
+    """The most."""
+
+
 @dataclass(frozen=True, eq=False)
 class Grasp(Trial):
     """A trial as a plan returns it."""
@@ -358,6 +371,8 @@ class Grasp(Trial):
     """How it fares with errors of the pose; None where that was not asked for."""
     free: Optional[FreeClosing] = field(repr=False)
     """How it ends on an object that is free to move; None where that was not asked for."""
+    shapes: Optional[HeldShapes]
+    """Of an object that was seen in part; None of others, and where time ran out."""
     primitive: Optional[int]
     """Number of the primitive that it came from; None for a grasp that was given."""
     rule: str
@@ -382,6 +397,9 @@ class Grasp(Trial):
         free = fields["free"]
         if free is not None:
             fields["free"] = FreeClosing._of(free)
+        shapes = fields["shapes"]
+        if shapes is not None:
+            fields["shapes"] = _made(HeldShapes, shapes)
         refinement = fields["refinement"]
         if refinement is not None:
             fields["refinement"] = Refinement(*refinement)

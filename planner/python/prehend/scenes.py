@@ -9,13 +9,15 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Sequence, Uni
 import numpy as np
 
 from . import _core
-from ._arrays import ArrayLike, FloatArray, IntArray, as_faces, as_floats, as_pose
+from ._arrays import ArrayLike, FloatArray, IntArray, as_faces, as_finite, as_floats, as_pose
 from ._core import CompiledScene, GraspableBody, Material, StaticBody
 from ._errors import InputError
 from ._names import show_in
 
 __all__ = [
+    "Cloud",
     "CompiledScene",
+    "DepthImage",
     "GraspableBody",
     "Material",
     "Mesh",
@@ -27,6 +29,7 @@ __all__ = [
     "load_scene",
     "make_scene",
     "scene_objects",
+    "scenes_from_views",
 ]
 
 show_in(__name__, GraspableBody, Material, StaticBody)
@@ -242,8 +245,8 @@ def load_scene(
     """Reads a scene.
 
     Args:
-        scene: a name of the library (scenes.library_scene_names()), a scene file (.json), or a mesh file,
-            which becomes the object of a scene with nothing else in it.
+        scene: a name of the library (scenes.library_scene_names()), a scene file (.json), a mesh file,
+            which becomes the object of a scene with nothing else in it, or what depth cameras saw.
         hand: replaces the scene's: a name of the library (robots.library_robot_names()) or a robot file.
         unit: of a mesh file: "m", "cm", "mm" or "in"; "": the likely one by the object's size, which
             Scene.notes says where it is not the metre.
@@ -269,13 +272,18 @@ def load_scene(
     )
 
 
-def scene_objects(scene: PathLike) -> List[str]:
-    """Names of the objects of a scene file that lists several; else empty.
+def scene_objects(scene: PathLike, unit: str = "") -> List[str]:
+    """Names of the objects of a scene file that lists several, or of the things that depth cameras
+    saw; else empty.
+
+    Args:
+        scene: as of load_scene().
+        unit: of a cloud of points.
 
     Raises:
         InputError: that names the file, the field and the value.
     """
-    return _core.scene_objects(os.fsencode(scene))
+    return _core.scene_objects(os.fsencode(scene), unit)
 
 
 def make_scene(
@@ -311,6 +319,120 @@ def make_scene(
     if X_WO is not None:
         scene.set_pose(X_WO)
     return scene
+
+
+class DepthImage(NamedTuple):
+    """What a depth camera saw. Its frame C: x to the right of the image, y down, z into the scene."""
+
+    depth: ArrayLike
+    """(H, W), along z: floats in metres, or whole numbers in millimetres, if `unit` is none other; 0
+    and what is not finite is no reading."""
+    fx: float
+    """[pixels], as fy, cx and cy: pixel (u, v) sees x = (u - cx) / fx z, y = (v - cy) / fy z."""
+    fy: float
+    cx: float
+    cy: float
+    X_WC: Optional[ArrayLike] = None
+    """(4, 4), the camera in the world; None: at its origin."""
+    unit: Optional[float] = None
+    """Metres per number; None: 1 of floats, 0.001 of whole numbers."""
+
+
+class Cloud(NamedTuple):
+    """Points that depth cameras saw."""
+
+    points: ArrayLike
+    """(N, 3), in a frame F [m]; what is not finite is no reading."""
+    normals: Optional[ArrayLike] = None
+    """(N, 3), out of the surface."""
+    viewpoint: Optional[ArrayLike] = None
+    """(3,), where the camera stood, frame F [m]; None: where normals face, else at the origin."""
+    X_WF: Optional[ArrayLike] = None
+    """(4, 4), the frame F in the world; None: the same."""
+
+
+def _image_in_core(image: DepthImage, name: str) -> "_core._DepthImage":
+    try:
+        depth = np.asarray(image.depth)
+    except ValueError as error:
+        raise InputError(f"not an array of numbers: {error}", field=name + ".depth") from None
+    unit = image.unit
+    if unit is None:
+        unit = 0.001 if np.issubdtype(depth.dtype, np.integer) else 1.0
+    metres = as_floats(depth, name + ".depth", ("H", "W")) * unit
+    X_WC = np.eye(4) if image.X_WC is None else as_pose(image.X_WC, name + ".X_WC")
+    intrinsics = [float(value) for value in (image.fx, image.fy, image.cx, image.cy)]
+    return _core._DepthImage(metres.astype(np.float32), intrinsics, X_WC)
+
+
+def _cloud_in_core(cloud: Cloud, name: str) -> "_core._Cloud":
+    points = as_floats(cloud.points, name + ".points", ("N", 3))
+    normals = np.zeros((0, 3))
+    if cloud.normals is not None:
+        normals = as_floats(cloud.normals, name + ".normals", (len(points), 3))
+    viewpoint = None
+    if cloud.viewpoint is not None:
+        viewpoint = as_finite(cloud.viewpoint, name + ".viewpoint", (3,))
+    X_WF = np.eye(4) if cloud.X_WF is None else as_pose(cloud.X_WF, name + ".X_WF")
+    with np.errstate(over="ignore"):
+        return _core._Cloud(
+            points.astype(np.float32), normals.astype(np.float32), viewpoint, X_WF
+        )
+
+
+def scenes_from_views(
+    views: Union[DepthImage, Cloud, Sequence[Union[DepthImage, Cloud]]],
+    *,
+    hand: PathLike = "barrett",
+    material: Union[str, Material] = Material.plastic,
+    mass: float = 0.3,
+    voxel: float = 0.003,
+    outliers: bool = True,
+    plane: bool = True,
+    symmetry: bool = True,
+    gap: float = 0.012,
+    min_readings: int = 60,
+) -> List[Scene]:
+    """A scene for each thing that depth cameras saw, that with the most readings first. In each the
+    thing is the object, its unseen sides completed, and the others and what they stand on are
+    obstacles. planning.plan_any() takes them all.
+
+    Args:
+        views: one, or several of the same scene; images come before clouds.
+        hand: a name of the library or a robot file.
+        material: of the object's surface.
+        mass: of the object [kg].
+        voxel: edge of the grid in which shapes are found [m].
+        outliers: whether readings without others near them are left out.
+        plane: whether the plane on which things stand is found.
+        symmetry: whether unseen sides are completed by symmetry.
+        gap: things that are nearer to each other are one [m].
+        min_readings: things that fewer pixels saw are left out.
+
+    Raises:
+        InputError: for what no camera sees: too few readings, depths in another unit, a focal length
+            that is not positive, and where nothing stands apart from the plane.
+    """
+    given = [views] if isinstance(views, (DepthImage, Cloud)) else list(views)
+    # Named tuples are sequences, and so are lists of them.
+    images = [view for view in given if isinstance(view, DepthImage)]
+    clouds = [view for view in given if isinstance(view, Cloud)]
+    if len(images) + len(clouds) != len(given) or not given:
+        raise InputError("must be DepthImage or Cloud, one or several", field="views")
+    scenes = _core.scenes_from_views(
+        [_image_in_core(image, f"views[{i}]") for i, image in enumerate(images)],
+        [_cloud_in_core(cloud, f"views[{len(images) + i}]") for i, cloud in enumerate(clouds)],
+        float(voxel),
+        outliers,
+        plane,
+        symmetry,
+        float(gap),
+        min_readings,
+        os.fsencode(hand),
+        str(material),
+        float(mass),
+    )
+    return [Scene(core) for core in scenes]
 
 
 def compile_scene(scene: Scene) -> "_core.CompiledScene":
