@@ -107,6 +107,8 @@ std::string settings_table() {
   table.add(GraspPathOptions{});
   table.add("\n## Approach\n\nIn the object `approach`, for `--approach`.\n");
   table.add(ApproachLimit{});
+  table.add("\n## Views of depth cameras\n\nIn files of [views](../how-to/camera.md).\n");
+  table.add(ReconstructOptions{});
   return table.text();
 }
 

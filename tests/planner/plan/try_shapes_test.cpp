@@ -1,0 +1,116 @@
+// Grasps that hold on more of the shapes that an object may have come first.
+#include "planner/plan/try_shapes.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "planner/plan/plan.h"
+#include "tests/support/scenes.h"
+
+namespace prehend {
+namespace {
+
+// A block whose far half is a guess: it may end 20 mm before or after.
+Scene half_seen() {
+  Scene scene = test::scene_with(find_robot("parallel_jaw"), make_box({0.04, 0.03, 0.08}));
+  Completion completion;
+  completion.seen.assign(scene.object.mesh.triangles.size(), 1);
+  completion.seen[0] = 0;
+  completion.thin = make_box({0.04, 0.03, 0.04});
+  for (Vector3& v : completion.thin.vertices) v.z() -= 0.02;
+  completion.thick = make_box({0.04, 0.03, 0.12});
+  for (Vector3& v : completion.thick.vertices) v.z() += 0.02;
+  scene.object.completion = completion;
+  return scene;
+}
+
+PlanOptions few_trials() {
+  PlanOptions options;
+  options.search.trials = 120;
+  options.rank.top = 8;
+  options.refine.trials = 0;
+  options.free_closing = 0;
+  options.volumes = false;
+  return options;
+}
+
+TEST(TryShapes, WhatHoldsOnMoreShapesComesFirst) {
+  const CompiledScene scene = compile(half_seen());
+  const PlanResult result = plan(scene, few_trials());
+  ASSERT_FALSE(result.grasps.empty());
+  EXPECT_LE(result.grasps.size(), 8U);
+  int before = 3;
+  for (const ScoredGrasp& grasp : result.grasps) {
+    ASSERT_TRUE(grasp.shapes);
+    EXPECT_TRUE(grasp.shapes->likely);
+    EXPECT_EQ(grasp.shapes->tried(), 3);
+    EXPECT_LE(grasp.shapes->held(), before);
+    before = grasp.shapes->held();
+  }
+  EXPECT_EQ(result.grasps.front().shapes->held(), 3);
+}
+
+TEST(TryShapes, AGraspOfWhatMayNotBeThereDoesNotHoldOnTheThinShape) {
+  const CompiledScene scene = compile(half_seen());
+  PlanOptions options = few_trials();
+  options.search.trials = 400;
+  options.rank.top = 100;
+  const PlanResult result = plan(scene, options);
+  int beyond = 0;
+  for (const ScoredGrasp& grasp : result.grasps) {
+    if (!grasp.shapes) continue;
+    const auto& contacts = grasp.trial.contacts;
+    const bool is_beyond = std::all_of(contacts.begin(), contacts.end(), [](const auto& contact) {
+      return contact.point.position.z() > 0.01;
+    });
+    beyond += int{is_beyond};
+    // A finger is 20 mm wide: what it touches above 10 mm alone is no part of the thin block.
+    if (is_beyond) EXPECT_EQ(grasp.shapes->thin, false);
+  }
+  EXPECT_GT(beyond, 0);
+}
+
+TEST(TryShapes, AnObjectThatIsKnownIsNotTriedAgain) {
+  Scene scene = half_seen();
+  scene.object.completion.reset();
+  const PlanResult result = plan(compile(scene), few_trials());
+  ASSERT_FALSE(result.grasps.empty());
+  EXPECT_FALSE(result.grasps.front().shapes);
+}
+
+TEST(TryShapes, AShapeThatOverlapsAnObstacleIsNotTried) {
+  Scene scene = half_seen();
+  scene.obstacles.push_back(test::obstacle(make_box({0.02, 0.02, 0.02}), {0.0, 0.0, 0.06}));
+  const PlanResult result = plan(compile(scene), few_trials());
+  ASSERT_FALSE(result.grasps.empty());
+  EXPECT_TRUE(result.grasps.front().shapes->thin);
+  EXPECT_FALSE(result.grasps.front().shapes->thick);
+}
+
+TEST(TryShapes, TheSameOnAnyNumberOfThreads) {
+  const CompiledScene scene = compile(half_seen());
+  const PlanResult one = plan(scene, few_trials(), {.threads = 1});
+  const PlanResult two = plan(scene, few_trials(), {.threads = 2});
+  ASSERT_EQ(one.grasps.size(), two.grasps.size());
+  for (std::size_t i = 0; i < one.grasps.size(); ++i) {
+    EXPECT_EQ(one.grasps[i].tried, two.grasps[i].tried);
+    EXPECT_EQ(one.grasps[i].shapes->thin, two.grasps[i].shapes->thin);
+    EXPECT_EQ(one.grasps[i].shapes->thick, two.grasps[i].shapes->thick);
+  }
+}
+
+TEST(TryShapes, OutOfTimeNothingChanges) {
+  const CompiledScene scene = compile(half_seen());
+  PlanResult result = plan(scene, few_trials());
+  for (ScoredGrasp& grasp : result.grasps) grasp.shapes.reset();
+  RunContext context;
+  context.cancellation.request();
+  try_shapes(scene, few_trials(), context, result);
+  EXPECT_EQ(result.status, PlanStatus::cancelled);
+  EXPECT_FALSE(result.grasps.front().shapes);
+}
+
+}  // namespace
+}  // namespace prehend
