@@ -14,19 +14,19 @@ constexpr int kHeight = 480;
 constexpr double kFocal = 570.0;
 constexpr double kSteepest = 80.0 * std::numbers::pi / 180.0;
 
-struct SeenPoint {
+struct PixelHit {
   double depth = 0.0;  // 0: nothing
   double cosine = 1.0;
 };
 
-SeenPoint look(const DepthCamera& camera, const std::vector<ShownThing>& things, double half_table,
+PixelHit look(const DepthCamera& camera, const std::vector<ShownThing>& things, double half_table,
                double u, double v) {
   const Vector3 ray_C((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
   const double length = ray_C.norm();
   const Vector3 from = camera.X_WC.translation();
   const Vector3 along = camera.X_WC.linear() * ray_C / length;
   double nearest = 10.0;
-  SeenPoint seen;
+  PixelHit seen;
   if (half_table > 0.0 && along.z() < 0.0) {
     const double way = -from.z() / along.z();
     const Vector3 p = from + way * along;
@@ -62,7 +62,7 @@ DepthCamera camera_at(const Vector3& position, const Vector3& target) {
 DepthView render_depth(const DepthCamera& camera, const std::vector<ShownThing>& things,
                        double half_table, const CameraNoise& noise, Random& random) {
   DepthView view{camera, std::vector<float>(index(camera.width) * index(camera.height), 0.0F)};
-  std::vector<SeenPoint> exact;
+  std::vector<PixelHit> exact;
   exact.reserve(view.depth.size());
   for (int v = 0; v < camera.height; ++v) {
     for (int u = 0; u < camera.width; ++u) exact.push_back(look(camera, things, half_table, u, v));
@@ -79,9 +79,9 @@ DepthView render_depth(const DepthCamera& camera, const std::vector<ShownThing>&
       const double normal = random.normal();
       const int x = std::clamp(u + du, 0, camera.width - 1);
       const int y = std::clamp(v + dv, 0, camera.height - 1);
-      const SeenPoint& beside = exact[index(y) * index(camera.width) + index(x)];
+      const PixelHit& beside = exact[index(y) * index(camera.width) + index(x)];
       const bool edge = std::abs(beside.depth - exact[i].depth) > 0.01;
-      const SeenPoint& seen = edge ? beside : exact[i];
+      const PixelHit& seen = edge ? beside : exact[i];
       if (seen.depth <= 0.0 || seen.cosine < std::cos(kSteepest)) continue;
       const double off = seen.depth - 0.4;
       const double deviation = noise.factor * (0.0012 + 0.0019 * off * off);

@@ -39,7 +39,7 @@ struct Evidence {
 
 class Completion {
  public:
-  Completion(const std::vector<ObjectView>& views, const std::vector<SurfacePoint>& points,
+  Completion(const std::vector<ObjectView>& views, const std::vector<SeenPoint>& points,
              const FoundSymmetry& symmetry, const SymmetryOptions& judged,
              const CompletionOptions& options)
       : views_(views), points_(points), symmetry_(symmetry), options_(options) {
@@ -85,7 +85,7 @@ class Completion {
     };
     const std::size_t stride = std::max<std::size_t>(1, points_.size() / kExtentPoints);
     for (std::size_t i = 0; i < points_.size(); i += stride) {
-      const SurfacePoint& point = points_[i];
+      const SeenPoint& point = points_[i];
       include(point.p_P);
       const ObjectView& view = views_[index(point.view)];
       const Vector3 camera = view.X_CP.inverse().translation().cast<double>();
@@ -120,7 +120,7 @@ class Completion {
     cover_.emplace(grid_.lower, grid_.edge, grid_.size[0], grid_.size[1]);
     const std::size_t stride =
         std::max<std::size_t>(1, points_.size() * symmetry_.images.size() / 200000);
-    for (const SurfacePoint& point : points_) cover_->add(point.p_P.cast<float>());
+    for (const SeenPoint& point : points_) cover_->add(point.p_P.cast<float>());
     for (std::size_t i = 0; i < points_.size(); i += stride) {
       for (const Congruence& image : symmetry_.images) {
         cover_->add(image * points_[i].p_P.cast<float>());
@@ -182,7 +182,7 @@ class Completion {
   }
 
   const std::vector<ObjectView>& views_;
-  const std::vector<SurfacePoint>& points_;
+  const std::vector<SeenPoint>& points_;
   const FoundSymmetry& symmetry_;
   CompletionOptions options_;
   DistanceGrid grid_;
@@ -195,7 +195,7 @@ class Completion {
 }  // namespace
 
 DistanceGrid complete_shape(const std::vector<ObjectView>& views,
-                            const std::vector<SurfacePoint>& points, const FoundSymmetry& symmetry,
+                            const std::vector<SeenPoint>& points, const FoundSymmetry& symmetry,
                             const SymmetryOptions& judged, const CompletionOptions& options,
                             const RunContext& context) {
   return Completion(views, points, symmetry, judged, options).run(context);

@@ -66,7 +66,7 @@ Guess best_revolution(const ImageScorer& scorer) {
     const Vector3 y = axis.direction.cross(x);
     // Turns of the axis about a point amid the surface, and moves of that point.
     Vector3 middle = Vector3::Zero();
-    for (const SurfacePoint& point : scorer.points()) middle += point.p_P;
+    for (const SeenPoint& point : scorer.points()) middle += point.p_P;
     middle /= static_cast<double>(scorer.points().size());
     const Vector3 pivot = axis.point + axis.direction.dot(middle - axis.point) * axis.direction;
     using Change = std::array<double, 4>;
@@ -197,7 +197,7 @@ bool accept(const Guess& guess, const std::vector<ObjectView>& views, const Imag
 }  // namespace
 
 std::vector<float> contradictions(const std::vector<ObjectView>& views,
-                                  const std::vector<SurfacePoint>& points,
+                                  const std::vector<SeenPoint>& points,
                                   const std::vector<Congruence>& images,
                                   const SymmetryOptions& options) {
   const ImageScorer scorer(views, points, options);
@@ -211,14 +211,13 @@ std::vector<float> contradictions(const std::vector<ObjectView>& views,
 }
 
 FoundSymmetry find_symmetry(const std::vector<ObjectView>& views,
-                            const std::vector<SurfacePoint>& points,
-                            const SymmetryOptions& options) {
-  const std::vector<SurfacePoint> spread = spread_points(points, kPointsApart, kMostPoints);
+                            const std::vector<SeenPoint>& points, const SymmetryOptions& options) {
+  const std::vector<SeenPoint> spread = thinned_points(points, kPointsApart, kMostPoints);
   FoundSymmetry found;
   if (spread.size() < 12) return found;
   const ImageScorer scorer(views, spread, options);
   Bounds box;
-  for (const SurfacePoint& point : spread) {
+  for (const SeenPoint& point : spread) {
     box.lower = box.lower.cwiseMin(point.p_P);
     box.upper = box.upper.cwiseMax(point.p_P);
   }

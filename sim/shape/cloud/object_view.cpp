@@ -84,8 +84,8 @@ float allowed_distance(const std::vector<ObjectView>& views, const Eigen::Vector
   return most;
 }
 
-std::vector<SurfacePoint> surface_points(const std::vector<ObjectView>& views) {
-  std::vector<SurfacePoint> points;
+std::vector<SeenPoint> seen_points(const std::vector<ObjectView>& views) {
+  std::vector<SeenPoint> points;
   for (std::size_t k = 0; k < views.size(); ++k) {
     const ObjectView& view = views[k];
     const Eigen::Isometry3d X_PC = view.X_CP.inverse().cast<double>();
