@@ -56,6 +56,8 @@ Guess judged(Symmetry kind, std::vector<Congruence> images, const ImageScorer& s
   return {kind, std::move(images), score};
 }
 
+// Of axes that fit about equally well, as those of a ball, the one that shows most of what was not
+// seen.
 Guess best_revolution(const ImageScorer& scorer) {
   std::vector<AxisFit> axes = find_axes(scorer.points(), 3);
   axes.push_back(fit_axis(scorer.points(), Vector3::UnitZ()));
@@ -79,8 +81,11 @@ Guess best_revolution(const ImageScorer& scorer) {
     };
     const Change found = climb(Change{}, Change{0.08, 0.08, 0.006, 0.006}, 4, score);
     Guess guess = judged(Symmetry::revolution, images_of(found, kJudgingRotations), scorer);
-    if (guess.score.value() <= best_value) continue;
-    best_value = guess.score.value();
+    if (guess.score.confirmed < kLeastConfirmed) continue;
+    const double unseen = 1.0 - guess.score.confirmed - guess.score.contradicted;
+    const double value = std::min(unseen, 0.4) - 8.0 * guess.score.contradicted;
+    if (value <= best_value) continue;
+    best_value = value;
     guess.images = images_of(found, kCompletingRotations);
     best = std::move(guess);
   }

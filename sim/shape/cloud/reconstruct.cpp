@@ -97,12 +97,11 @@ Reconstruction reconstruct(const std::vector<DepthView>& views, const Reconstruc
   } else if (options.find_plane) {
     result.notes.emplace_back("no support was found: what is below the things is not known");
   }
-  if (prepared.clusters.left_out() > 0) {
-    result.notes.push_back(std::to_string(prepared.clusters.left_out()) +
-                           " clusters of fewer readings than " +
+  if (prepared.left_out > 0) {
+    result.notes.push_back(std::to_string(prepared.left_out) + " clusters of fewer readings than " +
                            std::to_string(options.min_readings) + " were left out");
   }
-  for (int k = 0; k < prepared.clusters.count(); ++k) {
+  for (int k = 0; k < prepared.count; ++k) {
     const std::vector<ObjectView> cuts = cut_out(prepared, k, options.drop_outliers, context);
     const std::vector<SeenPoint> points = seen_points(cuts);
     const double extent = extent_of(points);
