@@ -156,7 +156,7 @@ class Completion {
     const std::size_t i = static_cast<std::size_t>(here.surface - witness.view->surface.data());
     const bool apart = apart_[index(static_cast<int>(witness.view - views_.data()))][i] != 0;
     evidence.shell =
-        evidence.shell || behind < (apart ? std::max(depth, 1.2F * cell()) : 1.2F * cell());
+        evidence.shell || behind < (apart ? std::max(depth, 0.9F * cell()) : 0.9F * cell());
   }
 
   float value_at(const Eigen::Vector3f& p_P, char& near_seen) const {

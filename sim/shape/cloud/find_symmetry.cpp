@@ -17,9 +17,12 @@ constexpr int kCompletingRotations = 16;
 constexpr double kPointsApart = 0.005;
 constexpr std::size_t kMostPoints = 350;
 // What a symmetry must show: so much of the surface seen again, so little of it contradicted, not
-// counting parts that it does not take in, which are not more than so much.
+// counting parts that it does not take in, which are not more than so much. A revolution states
+// more than a mirror, and what it leaves out should still be round elsewhere.
 constexpr double kLeastConfirmed = 0.15;
-constexpr double kMostContradicted = 0.03;
+constexpr double kLeastRound = 0.28;
+constexpr double kMostContradicted = 0.02;
+constexpr double kMostUnround = 0.013;
 constexpr double kMostApart = 0.2;
 constexpr float kApart = 0.25F;  // contradiction of a point that is not taken in
 
@@ -183,7 +186,9 @@ Guess best_two_mirrors(const ImageScorer& scorer, const MirrorTable& table, cons
 // Whether the views allow it, leaving out parts that it does not take in.
 bool accept(const Guess& guess, const std::vector<ObjectView>& views, const ImageScorer& scorer,
             const SymmetryOptions& options, double& apart) {
-  if (guess.images.empty() || guess.score.confirmed < kLeastConfirmed) return false;
+  const bool round = guess.kind == Symmetry::revolution;
+  if (guess.images.empty()) return false;
+  if (guess.score.confirmed < (round ? kLeastRound : kLeastConfirmed)) return false;
   const std::vector<float> against = contradictions(views, scorer.points(), guess.images, options);
   double rest = 0.0;
   std::size_t left_out = 0;
@@ -196,7 +201,7 @@ bool accept(const Guess& guess, const std::vector<ObjectView>& views, const Imag
   }
   const auto count = static_cast<double>(against.size());
   apart = static_cast<double>(left_out) / count;
-  return apart <= kMostApart && rest <= kMostContradicted * count;
+  return apart <= kMostApart && rest <= (round ? kMostUnround : kMostContradicted) * count;
 }
 
 }  // namespace

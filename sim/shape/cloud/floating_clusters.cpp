@@ -13,7 +13,7 @@ constexpr int kStep = 2;               // to the pixel that is compared with [pi
 constexpr float kApart = 0.01F;        // depths of an edge [m]
 constexpr double kFloats = 0.015;      // lowest reading above the support [m]
 constexpr double kMostCovered = 0.05;  // of the edges, where something stands before it
-constexpr double kLeastBefore = 0.1;   // of the edges, before the cluster that it rests on
+constexpr double kLeastBefore = 0.03;  // of the edges, before the cluster that it rests on
 
 // What the pictures show of a cluster.
 struct Outlook {
