@@ -10,7 +10,7 @@ namespace prehend {
 namespace {
 
 constexpr int kStep = 2;               // to the pixel that is compared with [pixels]
-constexpr float kApart = 0.01F;        // depths of an edge [m]
+constexpr float kEdgeDepth = 0.01F;    // depths of an edge [m]
 constexpr double kFloats = 0.015;      // lowest reading above the support [m]
 constexpr double kMostCovered = 0.05;  // of the edges, where something stands before it
 constexpr double kLeastBefore = 0.03;  // of the edges, before the cluster that it rests on
@@ -47,8 +47,9 @@ std::vector<Outlook> outlooks_of(const PreparedViews& prepared) {
         const std::size_t j = index(y) * index(width) + index(x);
         if (cluster[j] == cluster[i] || view.depth[j] <= 0.0F) continue;
         ++outlook.edges;
-        if (view.depth[j] < view.depth[i] - kApart) ++outlook.covered;
-        if (view.depth[j] > view.depth[i] + kApart && cluster[j] >= 0) ++outlook.before[cluster[j]];
+        if (view.depth[j] < view.depth[i] - kEdgeDepth) ++outlook.covered;
+        if (view.depth[j] > view.depth[i] + kEdgeDepth && cluster[j] >= 0)
+          ++outlook.before[cluster[j]];
       }
     }
   }
