@@ -35,11 +35,12 @@ struct Evidence {
   float weights = 0.0F;
   float behind = 0.0F;  // how far it is behind what is assumed to be filled
   bool shell = false;   // right behind a seen surface
+  bool seen = false;    // near one
 };
 
 class Completion {
  public:
-  Completion(const std::vector<ObjectView>& views, const std::vector<SurfacePoint>& points,
+  Completion(const std::vector<ObjectView>& views, const std::vector<SeenPoint>& points,
              const FoundSymmetry& symmetry, const SymmetryOptions& judged,
              const CompletionOptions& options)
       : views_(views), points_(points), symmetry_(symmetry), options_(options) {
@@ -56,10 +57,14 @@ class Completion {
 
   DistanceGrid run(const RunContext& context) {
     grid_.value.resize(index(grid_.size[0]) * index(grid_.size[1]) * index(grid_.size[2]));
+    seen_.resize(grid_.value.size());
     for_each_in_parallel(index(grid_.size[2]), context.threads, [&](std::size_t z) {
       context.cancellation.check();
       fill_layer(static_cast<int>(z));
     });
+    for (int round = 0; round < 2; ++round) {
+      for (std::size_t axis = 0; axis < 3; ++axis) smooth_unseen(axis);
+    }
     return std::move(grid_);
   }
 
@@ -85,7 +90,7 @@ class Completion {
     };
     const std::size_t stride = std::max<std::size_t>(1, points_.size() / kExtentPoints);
     for (std::size_t i = 0; i < points_.size(); i += stride) {
-      const SurfacePoint& point = points_[i];
+      const SeenPoint& point = points_[i];
       include(point.p_P);
       const ObjectView& view = views_[index(point.view)];
       const Vector3 camera = view.X_CP.inverse().translation().cast<double>();
@@ -101,7 +106,7 @@ class Completion {
       box.lower.z() = 0.0;
       box.upper.z() = std::max(box.upper.z(), options_.voxel);
     }
-    grid_.edge = options_.voxel;
+    grid_.edge = std::min(options_.voxel, std::max(0.5 * options_.voxel, box.diagonal() / 60.0));
     const double margin = 2.0 * kMargin;
     const auto cells = [&](double edge) {
       return (box.size().array() / edge + margin + 1.0).prod();
@@ -120,7 +125,7 @@ class Completion {
     cover_.emplace(grid_.lower, grid_.edge, grid_.size[0], grid_.size[1]);
     const std::size_t stride =
         std::max<std::size_t>(1, points_.size() * symmetry_.images.size() / 200000);
-    for (const SurfacePoint& point : points_) cover_->add(point.p_P.cast<float>());
+    for (const SeenPoint& point : points_) cover_->add(point.p_P.cast<float>());
     for (std::size_t i = 0; i < points_.size(); i += stride) {
       for (const Congruence& image : symmetry_.images) {
         cover_->add(image * points_[i].p_P.cast<float>());
@@ -145,14 +150,16 @@ class Completion {
     const float behind = -here.surface->distance(p_C);
     const float depth = assumed_depth(here.width, static_cast<float>(options_.depth_factor));
     evidence.behind = std::min(evidence.behind, behind - depth);
-    if (!witness.real || behind < -0.5F * cell()) return;
+    evidence.seen = evidence.seen || std::abs(behind) < 1.5F * cell();
+    if (!witness.real) return;
+    if (behind < -0.5F * cell()) return;
     const std::size_t i = static_cast<std::size_t>(here.surface - witness.view->surface.data());
     const bool apart = apart_[index(static_cast<int>(witness.view - views_.data()))][i] != 0;
     evidence.shell =
-        evidence.shell || behind < (apart ? std::max(depth, 1.2F * cell()) : 1.2F * cell());
+        evidence.shell || behind < (apart ? std::max(depth, 0.9F * cell()) : 0.9F * cell());
   }
 
-  float value_at(const Eigen::Vector3f& p_P) const {
+  float value_at(const Eigen::Vector3f& p_P, char& near_seen) const {
     const float support = options_.on_support ? -p_P.z() : -far();
     if (support >= cell()) return far();
     Evidence evidence{.most = -far(), .behind = far()};
@@ -161,6 +168,7 @@ class Completion {
     if (real_most >= 2.0F * cell()) return far();
     const float seen = std::max(mean_of(evidence), real_most - 0.3F * cell());
     for (const Witness& witness : images_) ask(witness, p_P, evidence);
+    near_seen = evidence.seen ? 1 : 0;
     float value = std::max({mean_of(evidence), evidence.most - cell(), real_most - 0.3F * cell()});
     float assumed = evidence.behind;
     if (options_.on_support) assumed = std::min(assumed, cover_->distance(p_P));
@@ -176,16 +184,36 @@ class Completion {
   void fill_layer(int z) {
     for (int y = 0; y < grid_.size[1]; ++y) {
       for (int x = 0; x < grid_.size[0]; ++x) {
-        grid_.value[grid_.at(x, y, z)] = value_at(grid_.corner(x, y, z).cast<float>());
+        const std::size_t i = grid_.at(x, y, z);
+        grid_.value[i] = value_at(grid_.corner(x, y, z).cast<float>(), seen_[i]);
+      }
+    }
+  }
+
+  // Weights of 1/4, 1/2, 1/4 along an axis: what was not seen is known too roughly for details. The
+  // support stays where it is.
+  void smooth_unseen(std::size_t axis) {
+    const std::array<std::size_t, 3> steps = {1, grid_.at(0, 1, 0), grid_.at(0, 0, 1)};
+    const std::size_t step = steps[axis];
+    const std::vector<float> before = grid_.value;
+    const int lowest = options_.on_support ? kMargin + 1 : 1;
+    for (int z = lowest; z + 1 < grid_.size[2]; ++z) {
+      for (int y = 1; y + 1 < grid_.size[1]; ++y) {
+        for (int x = 1; x + 1 < grid_.size[0]; ++x) {
+          const std::size_t i = grid_.at(x, y, z);
+          if (seen_[i] != 0) continue;
+          grid_.value[i] = 0.5F * before[i] + 0.25F * (before[i - step] + before[i + step]);
+        }
       }
     }
   }
 
   const std::vector<ObjectView>& views_;
-  const std::vector<SurfacePoint>& points_;
+  const std::vector<SeenPoint>& points_;
   const FoundSymmetry& symmetry_;
   CompletionOptions options_;
   DistanceGrid grid_;
+  std::vector<char> seen_;  // of each corner: whether it is near a seen surface
   std::vector<std::vector<char>> apart_;
   std::vector<Witness> real_;
   std::vector<Witness> images_;
@@ -195,7 +223,7 @@ class Completion {
 }  // namespace
 
 DistanceGrid complete_shape(const std::vector<ObjectView>& views,
-                            const std::vector<SurfacePoint>& points, const FoundSymmetry& symmetry,
+                            const std::vector<SeenPoint>& points, const FoundSymmetry& symmetry,
                             const SymmetryOptions& judged, const CompletionOptions& options,
                             const RunContext& context) {
   return Completion(views, points, symmetry, judged, options).run(context);

@@ -23,7 +23,7 @@ struct CompletionOptions {
 // seen surface, on a support, or behind one by about as much as it is wide there. Parts that the
 // symmetry does not take in are as they were seen, and so thick.
 DistanceGrid complete_shape(const std::vector<ObjectView>& views,
-                            const std::vector<SurfacePoint>& points, const FoundSymmetry& symmetry,
+                            const std::vector<SeenPoint>& points, const FoundSymmetry& symmetry,
                             const SymmetryOptions& judged, const CompletionOptions& options,
                             const RunContext& context);
 

@@ -15,7 +15,7 @@ constexpr double kLeastHeight = 2e-3;  // of smoothed readings above the support
 constexpr float kGrazing = 0.09F;  // cosine of the angle at which surfaces are not to be trusted
 
 // The rectangle of pixels around a cluster, and the median of its depths.
-struct Frame {
+struct CutFrame {
   int left = std::numeric_limits<int>::max();
   int top = std::numeric_limits<int>::max();
   int right = -1;
@@ -25,8 +25,8 @@ struct Frame {
   bool empty() const { return right < left; }
 };
 
-Frame frame_of(const DepthView& view, const std::vector<int>& cluster, int wanted) {
-  Frame frame;
+CutFrame cut_frame(const DepthView& view, const std::vector<int>& cluster, int wanted) {
+  CutFrame frame;
   std::vector<float> depths;
   for (std::size_t i = 0; i < cluster.size(); ++i) {
     if (cluster[i] != wanted) continue;
@@ -61,7 +61,7 @@ class Cutter {
         X_PC_(prepared.X_PW * prepared.views[k].camera.X_WC),
         fitter_(prepared.views[k], prepared.noise[k]) {}
 
-  void decide(ObjectView& cut, const Frame& frame, int u, int v) const {
+  void decide(ObjectView& cut, const CutFrame& frame, int u, int v) const {
     const std::size_t i = pixel(u, v);
     const std::size_t at = cut.at(u, v);
     cut.depth[at] = view_.depth[i];
@@ -121,7 +121,7 @@ std::vector<ObjectView> cut_out(const PreparedViews& prepared, int cluster, bool
   std::vector<ObjectView> cuts;
   for (std::size_t k = 0; k < prepared.views.size(); ++k) {
     const DepthView& view = prepared.views[k];
-    const Frame frame = frame_of(view, prepared.cluster[k], cluster);
+    const CutFrame frame = cut_frame(view, prepared.cluster[k], cluster);
     if (frame.empty()) continue;
     ObjectView cut;
     cut.X_CP = (prepared.X_PW * view.camera.X_WC).inverse().cast<float>();

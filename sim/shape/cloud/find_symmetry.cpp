@@ -17,9 +17,12 @@ constexpr int kCompletingRotations = 16;
 constexpr double kPointsApart = 0.005;
 constexpr std::size_t kMostPoints = 350;
 // What a symmetry must show: so much of the surface seen again, so little of it contradicted, not
-// counting parts that it does not take in, which are not more than so much.
+// counting parts that it does not take in, which are not more than so much. A revolution states
+// more than a mirror, and what it leaves out should still be round elsewhere.
 constexpr double kLeastConfirmed = 0.15;
-constexpr double kMostContradicted = 0.03;
+constexpr double kLeastRound = 0.28;
+constexpr double kMostContradicted = 0.02;
+constexpr double kMostUnround = 0.013;
 constexpr double kMostApart = 0.2;
 constexpr float kApart = 0.25F;  // contradiction of a point that is not taken in
 
@@ -56,6 +59,8 @@ Guess judged(Symmetry kind, std::vector<Congruence> images, const ImageScorer& s
   return {kind, std::move(images), score};
 }
 
+// Of axes that fit about equally well, as those of a ball, the one that shows most of what was not
+// seen.
 Guess best_revolution(const ImageScorer& scorer) {
   std::vector<AxisFit> axes = find_axes(scorer.points(), 3);
   axes.push_back(fit_axis(scorer.points(), Vector3::UnitZ()));
@@ -66,7 +71,7 @@ Guess best_revolution(const ImageScorer& scorer) {
     const Vector3 y = axis.direction.cross(x);
     // Turns of the axis about a point amid the surface, and moves of that point.
     Vector3 middle = Vector3::Zero();
-    for (const SurfacePoint& point : scorer.points()) middle += point.p_P;
+    for (const SeenPoint& point : scorer.points()) middle += point.p_P;
     middle /= static_cast<double>(scorer.points().size());
     const Vector3 pivot = axis.point + axis.direction.dot(middle - axis.point) * axis.direction;
     using Change = std::array<double, 4>;
@@ -79,8 +84,11 @@ Guess best_revolution(const ImageScorer& scorer) {
     };
     const Change found = climb(Change{}, Change{0.08, 0.08, 0.006, 0.006}, 4, score);
     Guess guess = judged(Symmetry::revolution, images_of(found, kJudgingRotations), scorer);
-    if (guess.score.value() <= best_value) continue;
-    best_value = guess.score.value();
+    if (guess.score.confirmed < kLeastConfirmed) continue;
+    const double unseen = 1.0 - guess.score.confirmed - guess.score.contradicted;
+    const double value = std::min(unseen, 0.4) - 8.0 * guess.score.contradicted;
+    if (value <= best_value) continue;
+    best_value = value;
     guess.images = images_of(found, kCompletingRotations);
     best = std::move(guess);
   }
@@ -178,7 +186,9 @@ Guess best_two_mirrors(const ImageScorer& scorer, const MirrorTable& table, cons
 // Whether the views allow it, leaving out parts that it does not take in.
 bool accept(const Guess& guess, const std::vector<ObjectView>& views, const ImageScorer& scorer,
             const SymmetryOptions& options, double& apart) {
-  if (guess.images.empty() || guess.score.confirmed < kLeastConfirmed) return false;
+  const bool round = guess.kind == Symmetry::revolution;
+  if (guess.images.empty()) return false;
+  if (guess.score.confirmed < (round ? kLeastRound : kLeastConfirmed)) return false;
   const std::vector<float> against = contradictions(views, scorer.points(), guess.images, options);
   double rest = 0.0;
   std::size_t left_out = 0;
@@ -191,13 +201,13 @@ bool accept(const Guess& guess, const std::vector<ObjectView>& views, const Imag
   }
   const auto count = static_cast<double>(against.size());
   apart = static_cast<double>(left_out) / count;
-  return apart <= kMostApart && rest <= kMostContradicted * count;
+  return apart <= kMostApart && rest <= (round ? kMostUnround : kMostContradicted) * count;
 }
 
 }  // namespace
 
 std::vector<float> contradictions(const std::vector<ObjectView>& views,
-                                  const std::vector<SurfacePoint>& points,
+                                  const std::vector<SeenPoint>& points,
                                   const std::vector<Congruence>& images,
                                   const SymmetryOptions& options) {
   const ImageScorer scorer(views, points, options);
@@ -211,14 +221,13 @@ std::vector<float> contradictions(const std::vector<ObjectView>& views,
 }
 
 FoundSymmetry find_symmetry(const std::vector<ObjectView>& views,
-                            const std::vector<SurfacePoint>& points,
-                            const SymmetryOptions& options) {
-  const std::vector<SurfacePoint> spread = spread_points(points, kPointsApart, kMostPoints);
+                            const std::vector<SeenPoint>& points, const SymmetryOptions& options) {
+  const std::vector<SeenPoint> spread = thinned_points(points, kPointsApart, kMostPoints);
   FoundSymmetry found;
   if (spread.size() < 12) return found;
   const ImageScorer scorer(views, spread, options);
   Bounds box;
-  for (const SurfacePoint& point : spread) {
+  for (const SeenPoint& point : spread) {
     box.lower = box.lower.cwiseMin(point.p_P);
     box.upper = box.upper.cwiseMax(point.p_P);
   }

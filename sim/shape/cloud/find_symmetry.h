@@ -29,12 +29,11 @@ struct SymmetryOptions {
 // those that the views allow. The surface is taken along; where its images would have been seen and
 // were not, they speak against it (after Bohg et al. 2011, "Mind the gap").
 FoundSymmetry find_symmetry(const std::vector<ObjectView>& views,
-                            const std::vector<SurfacePoint>& points,
-                            const SymmetryOptions& options);
+                            const std::vector<SeenPoint>& points, const SymmetryOptions& options);
 
 // Of each point, how much its images speak against the symmetry: 0 (not at all) to 1.
 std::vector<float> contradictions(const std::vector<ObjectView>& views,
-                                  const std::vector<SurfacePoint>& points,
+                                  const std::vector<SeenPoint>& points,
                                   const std::vector<Congruence>& images,
                                   const SymmetryOptions& options);
 

@@ -13,7 +13,7 @@ constexpr double kNeighbour = 0.3;  // angle of directions that count as one [ra
 
 }  // namespace
 
-AxisFit fit_axis(const std::vector<SurfacePoint>& points, const Vector3& direction) {
+AxisFit fit_axis(const std::vector<SeenPoint>& points, const Vector3& direction) {
   const Vector3 x = any_orthogonal(direction);
   const Vector3 y = direction.cross(x);
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
@@ -23,7 +23,7 @@ AxisFit fit_axis(const std::vector<SurfacePoint>& points, const Vector3& directi
     Eigen::Vector2d right = 1e-9 * at;
     double sum = 0.0;
     double weights = 0.0;
-    for (const SurfacePoint& point : points) {
+    for (const SeenPoint& point : points) {
       const Eigen::Vector2d n(x.dot(point.normal_P), y.dot(point.normal_P));
       const double size = n.norm();
       if (size < 0.15) continue;
@@ -45,7 +45,7 @@ AxisFit fit_axis(const std::vector<SurfacePoint>& points, const Vector3& directi
   return {direction, at.x() * x + at.y() * y, misfit};
 }
 
-std::vector<AxisFit> find_axes(const std::vector<SurfacePoint>& points, std::size_t count) {
+std::vector<AxisFit> find_axes(const std::vector<SeenPoint>& points, std::size_t count) {
   std::vector<AxisFit> fits;
   for (const Vector3& direction : half_sphere_directions(kDirections)) {
     fits.push_back(fit_axis(points, direction));

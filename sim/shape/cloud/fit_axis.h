@@ -17,9 +17,9 @@ inline constexpr double kMostMiss = 0.01;
 
 // The line along `direction` that the normals of the surface meet best, as those of a surface of
 // revolution do: least squares, reweighted (after Pottmann and Wallner 2001).
-AxisFit fit_axis(const std::vector<SurfacePoint>& points, const Vector3& direction);
+AxisFit fit_axis(const std::vector<SeenPoint>& points, const Vector3& direction);
 
 // The best of directions in space, one for each of the best `count` that are not neighbours.
-std::vector<AxisFit> find_axes(const std::vector<SurfacePoint>& points, std::size_t count);
+std::vector<AxisFit> find_axes(const std::vector<SeenPoint>& points, std::size_t count);
 
 }  // namespace prehend

@@ -14,11 +14,11 @@ constexpr float kFar = 0.05F;
 
 }  // namespace
 
-std::vector<SurfacePoint> spread_points(const std::vector<SurfacePoint>& points, double apart,
-                                        std::size_t most) {
+std::vector<SeenPoint> thinned_points(const std::vector<SeenPoint>& points, double apart,
+                                      std::size_t most) {
   std::set<std::array<std::int64_t, 3>> taken;
-  std::vector<SurfacePoint> spread;
-  for (const SurfacePoint& point : points) {
+  std::vector<SeenPoint> spread;
+  for (const SeenPoint& point : points) {
     const Vector3 cell = (point.p_P / apart).array().floor();
     if (taken
             .insert({static_cast<std::int64_t>(cell.x()), static_cast<std::int64_t>(cell.y()),
@@ -28,13 +28,13 @@ std::vector<SurfacePoint> spread_points(const std::vector<SurfacePoint>& points,
     }
   }
   if (spread.size() <= most) return spread;
-  std::vector<SurfacePoint> fewer;
+  std::vector<SeenPoint> fewer;
   for (std::size_t i = 0; i < most; ++i) fewer.push_back(spread[i * spread.size() / most]);
   return fewer;
 }
 
-ImageScorer::ImageScorer(const std::vector<ObjectView>& views,
-                         const std::vector<SurfacePoint>& points, const SymmetryOptions& options)
+ImageScorer::ImageScorer(const std::vector<ObjectView>& views, const std::vector<SeenPoint>& points,
+                         const SymmetryOptions& options)
     : views_(&views), points_(&points), options_(options) {}
 
 float ImageScorer::contradiction(const Eigen::Vector3f& p_P) const {
@@ -46,7 +46,7 @@ float ImageScorer::contradiction(const Eigen::Vector3f& p_P) const {
 ImageScore ImageScorer::of(const Congruence& image) const {
   double confirmed = 0.0;
   double contradicted = 0.0;
-  for (const SurfacePoint& point : *points_) {
+  for (const SeenPoint& point : *points_) {
     const Eigen::Vector3f p = image * point.p_P.cast<float>();
     float distance = options_.upright ? -p.z() : -kFar;
     float agreement = 0.0F;

@@ -8,8 +8,8 @@
 namespace prehend {
 
 // Points spread evenly over a surface, for scores.
-std::vector<SurfacePoint> spread_points(const std::vector<SurfacePoint>& points, double apart,
-                                        std::size_t most);
+std::vector<SeenPoint> thinned_points(const std::vector<SeenPoint>& points, double apart,
+                                      std::size_t most);
 
 // What becomes of points under maps, in the mean of all of them.
 struct ImageScore {
@@ -21,18 +21,18 @@ struct ImageScore {
 
 class ImageScorer {
  public:
-  ImageScorer(const std::vector<ObjectView>& views, const std::vector<SurfacePoint>& points,
+  ImageScorer(const std::vector<ObjectView>& views, const std::vector<SeenPoint>& points,
               const SymmetryOptions& options);
 
   ImageScore of(const Congruence& image) const;
   ImageScore of(const std::vector<Congruence>& images) const;  // the mean
   // 0 to 1: how far into free space a map takes a point.
   float contradiction(const Eigen::Vector3f& p_P) const;
-  const std::vector<SurfacePoint>& points() const { return *points_; }
+  const std::vector<SeenPoint>& points() const { return *points_; }
 
  private:
   const std::vector<ObjectView>* views_;
-  const std::vector<SurfacePoint>* points_;
+  const std::vector<SeenPoint>* points_;
   SymmetryOptions options_;
 };
 

@@ -13,6 +13,26 @@ namespace {
 constexpr float kGrazingBorder = 2.5F;
 constexpr float kFarEdge = 1e4F;
 
+// The mean over windows of 5 x 5 pixels.
+std::vector<float> smoothed(const std::vector<float>& values, int width, int height) {
+  std::vector<float> rows(values.size());
+  std::vector<float> result(values.size());
+  const auto at = [&](int x, int y) {
+    return index(std::clamp(y, 0, height - 1)) * index(width) + index(std::clamp(x, 0, width - 1));
+  };
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int k = -2; k <= 2; ++k) rows[at(x, y)] += 0.2F * values[at(x + k, y)];
+    }
+  }
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      for (int k = -2; k <= 2; ++k) result[at(x, y)] += 0.2F * rows[at(x, y + k)];
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 void find_edges(ObjectView& view) {
@@ -30,9 +50,14 @@ void find_edges(ObjectView& view) {
   view.to_edge = distance_transform(from, size, kFarEdge);
   for (char& is : from) is = is != 0 ? 0 : 1;
   const std::vector<float> inside = distance_transform(from, size, kFarEdge);
-  // The edge is half-way between the two pixels.
+  // The edge is half-way between the two pixels. Single pixels of it are noise.
+  std::vector<float> edge(count);
   for (std::size_t i = 0; i < count; ++i) {
-    view.to_edge[i] = (from[i] != 0 ? view.to_edge[i] : inside[i]) - 0.5F;
+    edge[i] = from[i] != 0 ? view.to_edge[i] - 0.5F : 0.5F - inside[i];
+  }
+  edge = smoothed(edge, view.width, view.height);
+  for (std::size_t i = 0; i < count; ++i) {
+    view.to_edge[i] = std::max(0.0F, from[i] != 0 ? edge[i] : -edge[i]);
   }
 }
 
@@ -84,8 +109,8 @@ float allowed_distance(const std::vector<ObjectView>& views, const Eigen::Vector
   return most;
 }
 
-std::vector<SurfacePoint> surface_points(const std::vector<ObjectView>& views) {
-  std::vector<SurfacePoint> points;
+std::vector<SeenPoint> seen_points(const std::vector<ObjectView>& views) {
+  std::vector<SeenPoint> points;
   for (std::size_t k = 0; k < views.size(); ++k) {
     const ObjectView& view = views[k];
     const Eigen::Isometry3d X_PC = view.X_CP.inverse().cast<double>();

@@ -57,7 +57,7 @@ PointSample sample(const ObjectView& view, const Eigen::Vector3f& p_P, float far
 float allowed_distance(const std::vector<ObjectView>& views, const Eigen::Vector3f& p_P, float far);
 
 // A reading of the thing, smoothed.
-struct SurfacePoint {
+struct SeenPoint {
   Vector3 p_P = Vector3::Zero();
   Vector3 normal_P = Vector3::UnitZ();  // unit, towards the camera
   double width = 0.0;                   // as in PointSample
@@ -65,6 +65,6 @@ struct SurfacePoint {
   std::size_t pixel = 0;  // in that view's cutout
 };
 
-std::vector<SurfacePoint> surface_points(const std::vector<ObjectView>& views);
+std::vector<SeenPoint> seen_points(const std::vector<ObjectView>& views);
 
 }  // namespace prehend

@@ -42,9 +42,9 @@ std::vector<float> redistanced(const DistanceGrid& grid) {
 }
 
 std::vector<float> distance_to_seen(const DistanceGrid& grid,
-                                    const std::vector<SurfacePoint>& points) {
+                                    const std::vector<SeenPoint>& points) {
   std::vector<char> from(grid.value.size(), 0);
-  for (const SurfacePoint& point : points) {
+  for (const SeenPoint& point : points) {
     const Vector3 at = ((point.p_P - grid.lower) / grid.edge).array().round();
     std::array<int, 3> cell{};
     bool within = true;
@@ -62,10 +62,10 @@ std::vector<float> distance_to_seen(const DistanceGrid& grid,
 }  // namespace
 
 OtherShapes other_shapes(const DistanceGrid& likely, const std::vector<ObjectView>& views,
-                         const std::vector<SurfacePoint>& points, const FoundSymmetry& symmetry,
+                         const std::vector<SeenPoint>& points, const FoundSymmetry& symmetry,
                          bool on_support, const RunContext& context) {
   Bounds box;
-  for (const SurfacePoint& point : points) {
+  for (const SeenPoint& point : points) {
     box.lower = box.lower.cwiseMin(point.p_P);
     box.upper = box.upper.cwiseMax(point.p_P);
   }

@@ -15,7 +15,7 @@ struct OtherShapes {
 // The likely shape with its unseen surface moved in, and out as far as the views allow: the farther
 // from what was seen, the more, up to what the symmetry leaves uncertain.
 OtherShapes other_shapes(const DistanceGrid& likely, const std::vector<ObjectView>& views,
-                         const std::vector<SurfacePoint>& points, const FoundSymmetry& symmetry,
+                         const std::vector<SeenPoint>& points, const FoundSymmetry& symmetry,
                          bool on_support, const RunContext& context);
 
 }  // namespace prehend

@@ -7,6 +7,8 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/number_text.h"
+#include "sim/shape/cloud/cluster_readings.h"
+#include "sim/shape/cloud/floating_clusters.h"
 #include "sim/shape/cloud/seen_surface.h"
 
 namespace prehend {
@@ -134,22 +136,24 @@ void find_clusters(PreparedViews& prepared, const ReconstructOptions& options) {
   for (const DepthView& view : prepared.views) {
     pitch = std::max(pitch, median_depth({view}) / std::min(view.camera.fx, view.camera.fy));
   }
-  prepared.clusters = ReadingClusters(std::max({options.gap / 1.5, 4.0 * pitch, options.voxel}));
+  ReadingClusters clusters(std::max({options.gap / 1.5, 4.0 * pitch, options.voxel}));
   const double least_height = std::max(0.003, 2.5 * prepared.largest_noise);
   std::vector<std::vector<char>> taken;
   for (const DepthView& view : prepared.views) {
     taken.emplace_back(view.depth.size(), 0);
     for_each_reading(view, [&](std::size_t i, int, int, const Vector3& p_W) {
       if (!may_be_thing(prepared, p_W, least_height)) return;
-      prepared.clusters.add(p_W);
+      clusters.add(p_W);
       taken.back()[i] = 1;
     });
   }
-  prepared.clusters.join(index(std::max(options.min_readings, 1)));
+  clusters.join(index(std::max(options.min_readings, 1)));
+  prepared.count = clusters.count();
+  prepared.left_out = clusters.left_out();
   for (std::size_t k = 0; k < prepared.views.size(); ++k) {
     prepared.cluster.emplace_back(taken[k].size(), -1);
     for_each_reading(prepared.views[k], [&](std::size_t i, int, int, const Vector3& p_W) {
-      if (taken[k][i] != 0) prepared.cluster[k][i] = prepared.clusters.cluster_at(p_W);
+      if (taken[k][i] != 0) prepared.cluster[k][i] = clusters.cluster_at(p_W);
     });
   }
 }
@@ -164,6 +168,7 @@ PreparedViews prepare_views(const std::vector<DepthView>& views, const Reconstru
   find_plane(prepared, options);
   context.cancellation.check();
   find_clusters(prepared, options);
+  if (prepared.plane) join_floating_clusters(prepared);
   return prepared;
 }
 

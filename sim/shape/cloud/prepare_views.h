@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "sim/base/run_context.h"
-#include "sim/shape/cloud/cluster_readings.h"
 #include "sim/shape/cloud/reconstruct.h"
 #include "sim/shape/cloud/support_plane.h"
 
@@ -18,7 +17,8 @@ struct PreparedViews {
   std::optional<FoundPlane> plane;
   // P: on the support, z along its normal. Without a support: the axes of the first picture, z up.
   Pose X_PW = Pose::Identity();
-  ReadingClusters clusters{1.0};
+  int count = 0;                          // of clusters; some may have no pixels
+  int left_out = 0;                       // clusters that were too small
   std::vector<std::vector<int>> cluster;  // of each pixel of each view; -1: none
 };
 

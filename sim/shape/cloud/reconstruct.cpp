@@ -37,7 +37,7 @@ std::vector<char> seen_triangles(const TriangleMesh& mesh, const std::vector<Obj
 }
 
 SeenObject make_object(const PreparedViews& prepared, const std::vector<ObjectView>& views,
-                       const std::vector<SurfacePoint>& points, const ReconstructOptions& options,
+                       const std::vector<SeenPoint>& points, const ReconstructOptions& options,
                        const RunContext& context) {
   SymmetryOptions judged;
   judged.upright = prepared.plane.has_value();
@@ -50,7 +50,7 @@ SeenObject make_object(const PreparedViews& prepared, const std::vector<ObjectVi
   completion.on_support = judged.upright;
   DistanceGrid likely = complete_shape(views, points, symmetry, judged, completion, context);
   std::vector<Vector3> seen;
-  for (const SurfacePoint& point : points) seen.push_back(point.p_P);
+  for (const SeenPoint& point : points) seen.push_back(point.p_P);
   keep_seen_parts(likely, seen);
   OtherShapes others = other_shapes(likely, views, points, symmetry, judged.upright, context);
   SeenObject object;
@@ -71,9 +71,9 @@ SeenObject make_object(const PreparedViews& prepared, const std::vector<ObjectVi
   return object;
 }
 
-double extent_of(const std::vector<SurfacePoint>& points) {
+double extent_of(const std::vector<SeenPoint>& points) {
   Bounds box;
-  for (const SurfacePoint& point : points) {
+  for (const SeenPoint& point : points) {
     box.lower = box.lower.cwiseMin(point.p_P);
     box.upper = box.upper.cwiseMax(point.p_P);
   }
@@ -97,14 +97,13 @@ Reconstruction reconstruct(const std::vector<DepthView>& views, const Reconstruc
   } else if (options.find_plane) {
     result.notes.emplace_back("no support was found: what is below the things is not known");
   }
-  if (prepared.clusters.left_out() > 0) {
-    result.notes.push_back(std::to_string(prepared.clusters.left_out()) +
-                           " clusters of fewer readings than " +
+  if (prepared.left_out > 0) {
+    result.notes.push_back(std::to_string(prepared.left_out) + " clusters of fewer readings than " +
                            std::to_string(options.min_readings) + " were left out");
   }
-  for (int k = 0; k < prepared.clusters.count(); ++k) {
+  for (int k = 0; k < prepared.count; ++k) {
     const std::vector<ObjectView> cuts = cut_out(prepared, k, options.drop_outliers, context);
-    const std::vector<SurfacePoint> points = surface_points(cuts);
+    const std::vector<SeenPoint> points = seen_points(cuts);
     const double extent = extent_of(points);
     if (points.size() < index(std::max(options.min_readings, 1)) || extent < kSmallestThing) {
       continue;

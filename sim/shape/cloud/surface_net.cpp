@@ -8,8 +8,8 @@
 namespace prehend {
 namespace {
 
-// A value that is just inside, in edges.
-constexpr float kJustInside = -0.02F;
+// Values are at least so far from 0, in edges: vertices of neighbouring cells would coincide.
+constexpr float kLeastValue = 0.05F;
 
 // Corner c of a cell: bit k of c is its coordinate along axis k.
 std::array<std::size_t, 8> cell_corners(const DistanceGrid& grid) {
@@ -74,7 +74,10 @@ void make_well_composed(DistanceGrid& grid) {
     }
   }
   const std::array<std::size_t, 8> offsets = cell_corners(grid);
-  const float inside = kJustInside * static_cast<float>(grid.edge);
+  const float inside = -kLeastValue * outside;
+  for (float& value : grid.value) {
+    value = value < 0.0F ? std::min(value, inside) : std::max(value, -inside);
+  }
   // Inside only grows, so this ends; each round looks at what the last one changed around.
   for (bool changed = true; changed;) {
     changed = false;

@@ -1,0 +1,144 @@
+#include "benchmarks/views/view_cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "benchmarks/views/place_on_table.h"
+#include "benchmarks/views/render_depth.h"
+#include "planner/plan/accuracy.h"
+#include "planner/plan/plan.h"
+#include "sim/base/input_error.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/scene/make_scene.h"
+#include "sim/scene/scene_file.h"
+#include "sim/shape/basic_shapes.h"
+#include "sim/shape/convex_hull.h"
+#include "sim/trial/run_trial.h"
+
+namespace prehend::bench {
+namespace {
+
+constexpr double kDistance = 0.65;  // of cameras [m]
+constexpr double kTable = 0.6;      // to each side [m]
+constexpr double kGap = 0.001;      // between the table of the plans and what stands on it [m]
+
+CompiledScene scene_of(const TriangleMesh& mesh_W, const std::string& hand) {
+  Scene scene = make_scene(make_graspable("object", mesh_W, Material::plastic), hand);
+  add_obstacle(scene, "table", make_box({2.0 * kTable, 2.0 * kTable, 0.02}),
+               translation({0.0, 0.0, -0.01 - kGap}));
+  return compile(std::move(scene));
+}
+
+// Of a body that reaches below z = 0 by its roughness: only what does not touch the table.
+TriangleMesh above_table(TriangleMesh mesh) {
+  for (Vector3& p : mesh.vertices) p.z() = std::max(p.z(), -0.5 * kGap);
+  return mesh;
+}
+
+// The grasp as a robot would carry it out that goes where the plan ended.
+Candidate as_planned(const Trial& trial, const Candidate& candidate) {
+  Candidate planned = candidate;
+  planned.X_OH = trial.X_OH;
+  planned.approach_distance = trial.travel;
+  return planned;
+}
+
+std::vector<ScoredGrasp> best_grasps(const CompiledScene& scene) {
+  PlanOptions options = plan_options(Accuracy::draft);
+  options.rank.top = 10;
+  return plan(scene, options, {.threads = 1}).grasps;
+}
+
+bool holds(const CompiledScene& scene, const ScoredGrasp& grasp, std::string* outcome = nullptr) {
+  const Trial trial = run_trial(scene, as_planned(grasp.trial, grasp.candidate));
+  if (outcome != nullptr) *outcome = name_of(trial.outcome);
+  return trial.outcome == Outcome::stable;
+}
+
+// The grasp that holds on most of the scenes, the first of equal ones.
+const ScoredGrasp& surest(const std::vector<ScoredGrasp>& grasps,
+                          const std::vector<CompiledScene>& scenes) {
+  const ScoredGrasp* best = nullptr;
+  int most = -1;
+  for (const ScoredGrasp& grasp : grasps) {
+    int count = 0;
+    for (const CompiledScene& scene : scenes) count += holds(scene, grasp) ? 1 : 0;
+    if (count > most) {
+      most = count;
+      best = &grasp;
+    }
+  }
+  return *best;
+}
+
+}  // namespace
+
+TableCase table_case(const std::string& file) {
+  const Scene scene = load_scene(file);
+  const std::size_t from = file.find_last_of('/') + 1;
+  return {file.substr(from, file.find_last_of('.') - from),
+          transformed(scene.object.mesh, pose_on_table(scene.object.mesh))};
+}
+
+std::vector<DepthView> views_of(const TableCase& object, double angle, int count) {
+  const ProximityMesh tree(object.mesh_W);
+  const Vector3 middle = bounds(object.mesh_W).center();
+  std::vector<DepthView> views;
+  for (int k = 0; k < count; ++k) {
+    const double turn = angle + 2.0 * std::numbers::pi * k / count;
+    const double down = std::numbers::pi / 180.0 * (37.5 + 7.5 * std::sin(5.0 * turn));
+    const Vector3 way(std::cos(turn) * std::cos(down), std::sin(turn) * std::cos(down),
+                      std::sin(down));
+    Random random(derived_seed(1, static_cast<std::uint64_t>(1000.0 * turn)));
+    views.push_back(
+        render_depth(camera_at(middle + kDistance * way, middle), {{&tree}}, kTable, {}, random));
+  }
+  return views;
+}
+
+TriangleMesh hull_of_seen(const SeenObject& object) {
+  std::vector<Vector3> points;
+  for (std::size_t t = 0; t < object.seen.size(); ++t) {
+    if (object.seen[t] == 0) continue;
+    for (const Vector3& p : corners_of(object.mesh, static_cast<int>(t))) points.push_back(p);
+  }
+  return convex_hull(points);
+}
+
+Grasping::Grasping(const TableCase& object, std::string hand)
+    : hand_(std::move(hand)), true_W_(object.mesh_W) {}
+
+ViewResult Grasping::plan_and_try(const TriangleMesh& mesh_W,
+                                  const std::vector<TriangleMesh>& others) const {
+  if (mesh_W.empty()) return {.outcome = "no mesh"};
+  const std::vector<ScoredGrasp> grasps = best_grasps(scene_of(above_table(mesh_W), hand_));
+  if (grasps.empty()) return {.outcome = "no grasp"};
+  std::vector<CompiledScene> scenes;
+  for (const TriangleMesh& other : others) scenes.push_back(scene_of(above_table(other), hand_));
+  ViewResult result{.found = true};
+  result.holds = holds(scene_of(true_W_, hand_), surest(grasps, scenes), &result.outcome);
+  return result;
+}
+
+std::array<ViewResult, 2> Grasping::plan_and_try_both(const SeenObject& object) const {
+  std::array<ViewResult, 2> results;
+  const CompiledScene likely = scene_of(above_table(object.mesh), hand_);
+  const std::vector<ScoredGrasp> grasps = best_grasps(likely);
+  if (grasps.empty()) {
+    results[0].outcome = results[1].outcome = "no grasp";
+    return results;
+  }
+  std::vector<CompiledScene> scenes;
+  for (const TriangleMesh* other : {&object.mesh, &object.thin, &object.thick}) {
+    if (!other->empty()) scenes.push_back(scene_of(above_table(*other), hand_));
+  }
+  const CompiledScene truth = scene_of(true_W_, hand_);
+  results[0].found = results[1].found = true;
+  results[0].holds = holds(truth, grasps.front(), &results[0].outcome);
+  results[1].holds = holds(truth, surest(grasps, scenes), &results[1].outcome);
+  return results;
+}
+
+}  // namespace prehend::bench
