@@ -13,6 +13,7 @@
 #include "sim/base/joined.h"
 #include "sim/base/output_file.h"
 #include "sim/base/visit_settings.h"
+#include "sim/shape/cloud/reconstruct.h"
 
 namespace prehend {
 namespace {

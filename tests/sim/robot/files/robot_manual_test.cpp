@@ -37,7 +37,8 @@ TEST(RobotManual, ItsExampleIsARobot) {
 }
 
 TEST(RobotManual, ItsForkBranches) {
-  const Robot robot = load_robot(test::write_robot_text(json_block(1)));
+  const Robot robot =
+      load_robot(std::filesystem::path(PREHEND_SOURCE_DIR) / "docs/examples/fork.json");
   EXPECT_EQ(robot.name, "fork");
   ASSERT_EQ(robot.joints.size(), 3U);
   EXPECT_EQ(robot.joints[1].parent, 0);
@@ -50,7 +51,7 @@ TEST(RobotManual, ItsForkBranches) {
 }
 
 TEST(RobotManual, ItsPlatformIsAPlatform) {
-  const std::filesystem::path file = test::write_robot_text(json_block(2));
+  const std::filesystem::path file = test::write_robot_text(json_block(1));
   const std::filesystem::path vice = file.parent_path() / "vice.json";
   std::ofstream(vice) << json_block(0);
   const Platform platform = load_platform(file);
