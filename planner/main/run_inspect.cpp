@@ -28,6 +28,7 @@
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/scene_text.h"
+#include "sim/shape/cloud/files/views_file.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/mass_properties.h"
 #include "sim/shape/mesh_checks.h"
@@ -333,6 +334,8 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
   } else if (has_foreign_robot_name(file)) {
     inspect_platform(load_platform(file, foreign_options(command.packages, command.srdf)), command,
                      interrupts);
+  } else if (file.extension() != ".json" && is_views_file(file)) {
+    inspect_scene(load_scene(file, {.hand = "", .unit = command.unit}), command, interrupts);
   } else if (file.extension() != ".json") {
     inspect_mesh_file(file, command, interrupts);
   } else {

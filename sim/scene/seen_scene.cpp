@@ -101,6 +101,21 @@ StaticBody support_slab(const SupportPlane& plane, double below) {
   return slab;
 }
 
+// What unseen sides are taken from.
+const char* evidence(Symmetry symmetry) {
+  switch (symmetry) {
+    case Symmetry::none:
+      break;
+    case Symmetry::mirror:
+      return "a mirror";
+    case Symmetry::two_mirrors:
+      return "two mirrors";
+    case Symmetry::revolution:
+      return "revolution";
+  }
+  return "its widths";
+}
+
 void add_support(const SupportPlane& plane, const SeenObject& thing, Scene& scene) {
   constexpr double kNoted = 0.003;  // m
   double least = 0.0;
@@ -108,8 +123,10 @@ void add_support(const SupportPlane& plane, const SeenObject& thing, Scene& scen
     if (!mesh->empty()) least = std::min(least, least_height(*mesh, plane));
   }
   scene.obstacles.push_back(support_slab(plane, kSupportGap - least));
+  // Without the sign of a zero.
+  const double tenths = std::round(1e4 * plane.height) + 0.0;
   scene.notes.push_back(formatted("the support is a plane at z = %.1f mm, tilted by %.1f deg",
-                                  1000.0 * plane.height, plane.tilt * 180.0 / std::numbers::pi));
+                                  0.1 * tenths, plane.tilt * 180.0 / std::numbers::pi));
   if (-least > kNoted) {
     scene.notes.push_back(formatted("%s reaches %.1f mm into the support, which is taken as lower",
                                     scene.object.name.c_str(), -1000.0 * least));
@@ -195,8 +212,7 @@ void place_seen(const SeenThings& things, std::size_t at, Material material, dou
   scene.notes.push_back(
       formatted("%s of %zu seen, with %zu readings: %.0f %% of its surface is completed, by %s",
                 object.name.c_str(), count, thing.readings, 100.0 * completed_share(thing),
-                thing.symmetry == Symmetry::none ? "its widths"
-                                                 : std::string(name_of(thing.symmetry)).c_str()));
+                evidence(thing.symmetry)));
   const CollisionBody body = body_of(object.mesh);
   for (std::size_t i = 0; i < count; ++i) {
     if (i != at) add_other(things.bodies.objects[i], name_of_thing(i), body, scene);

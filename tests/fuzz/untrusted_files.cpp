@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 22> kKinds{{
+constexpr std::array<FileKind, 26> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -30,6 +30,10 @@ constexpr std::array<FileKind, 22> kKinds{{
     {"truth", Grammar::json, read_executed_grasps_file},
     {"graspgen", Grammar::json, read_graspgen_file},
     {"acronym", Grammar::bytes, read_acronym_file},
+    {"pcd", Grammar::bytes, read_pcd_file},
+    {"ply_cloud", Grammar::bytes, read_ply_cloud_file},
+    {"depth_png", Grammar::bytes, read_depth_png_file},
+    {"views", Grammar::json, read_views_file},
     {"session", Grammar::messages, read_session_messages},
 }};
 

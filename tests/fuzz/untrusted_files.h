@@ -55,6 +55,10 @@ void read_contacts_file(std::string_view name, const std::string& bytes);
 void read_executed_grasps_file(std::string_view name, const std::string& bytes);
 void read_graspgen_file(std::string_view name, const std::string& bytes);
 void read_acronym_file(std::string_view name, const std::string& bytes);
+void read_pcd_file(std::string_view name, const std::string& bytes);
+void read_ply_cloud_file(std::string_view name, const std::string& bytes);
+void read_depth_png_file(std::string_view name, const std::string& bytes);
+void read_views_file(std::string_view name, const std::string& bytes);
 void read_session_messages(std::string_view name, const std::string& bytes);
 
 // The path that a file of this kind pretends to have: in its folder of tests/corpus, so that it can

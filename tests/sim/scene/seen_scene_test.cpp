@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/json/json_field.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_text.h"
