@@ -660,5 +660,80 @@ class Errors(unittest.TestCase):
         self.assertIn("RankOptions(top=3, by='epsilon', pool=3.0, same_distance=0.01", repr(twin))
 
 
+class Views(unittest.TestCase):
+    """What depth cameras saw, as arrays: a block on a table, in closed form."""
+
+    SIZE = (0.05, 0.05, 0.12)
+    CAMERA = dict(fx=150.0, fy=150.0, cx=79.5, cy=59.5)
+
+    @classmethod
+    def setUpClass(cls):
+        eye = np.array([0.45, -0.35, 0.45])
+        z = (np.array([0.0, 0.0, 0.03]) - eye) / np.linalg.norm(np.array([0.0, 0.0, 0.03]) - eye)
+        y = z[2] * z - np.array([0.0, 0.0, 1.0])
+        y /= np.linalg.norm(y)
+        cls.X_WC = np.eye(4)
+        cls.X_WC[:3, :3] = np.column_stack([np.cross(y, z), y, z])
+        cls.X_WC[:3, 3] = eye
+        u, v = np.meshgrid(np.arange(160), np.arange(120))
+        rays = np.stack([(u - 79.5) / 150.0, (v - 59.5) / 150.0, np.ones(u.shape)], axis=-1)
+        d = rays @ cls.X_WC[:3, :3].T
+        t = -eye[2] / d[..., 2]
+        far = np.linalg.norm(eye[:2] + t[..., None] * d[..., :2], axis=-1) > 0.5
+        depth = np.where((d[..., 2] < 0) & ~far, t, np.inf)
+        lower = np.array([-cls.SIZE[0] / 2, -cls.SIZE[1] / 2, 0.0])
+        a, b = (lower - eye) / d, (lower + cls.SIZE - eye) / d
+        first, last = np.minimum(a, b).max(axis=-1), np.maximum(a, b).min(axis=-1)
+        depth = np.where(first <= last, np.minimum(depth, first), depth)
+        cls.depth = np.where(np.isfinite(depth), depth, 0.0)
+        seen = cls.depth > 0
+        cls.points = eye + cls.depth[seen][:, None] * d[seen]
+
+    def image(self, depth=None, **fields):
+        given = dict(self.CAMERA, X_WC=self.X_WC)
+        given.update(fields)
+        return prehend.scenes.DepthImage(self.depth if depth is None else depth, **given)
+
+    def check(self, scene):
+        self.assertEqual(scene.object.name, "object1")
+        self.assertEqual([body.name for body in scene.obstacles], ["support"])
+        corners = scene.object.vertices + scene.object.X_WO[:3, 3]
+        # Two cells of the grid.
+        np.testing.assert_allclose(corners.max(axis=0) - corners.min(axis=0), self.SIZE, atol=0.012)
+
+    def test_a_depth_image_is_planned(self):
+        scenes = prehend.scenes.scenes_from_views(self.image(), hand="franka_hand")
+        self.assertEqual(len(scenes), 1)
+        self.check(scenes[0])
+        result = prehend.plan(scenes[0], few_options())
+        self.assertGreater(len(result), 0)
+        self.assertTrue(result[0].shapes.likely)
+
+    def test_units_and_types(self):
+        tenths = np.round(1e4 * self.depth).astype(np.uint16)
+        self.check(prehend.scenes.scenes_from_views([self.image(tenths, unit=1e-4)])[0])
+        holes = np.where(self.depth > 0, self.depth, np.nan).astype(np.float32)
+        self.check(prehend.scenes.scenes_from_views(self.image(holes))[0])
+
+    def test_points(self):
+        cloud = prehend.scenes.Cloud(self.points, viewpoint=self.X_WC[:3, 3])
+        self.check(prehend.scenes.scenes_from_views(cloud)[0])
+
+    def test_what_is_refused_is_named(self):
+        def refusal(views, **options):
+            with self.assertRaises(prehend.InputError) as caught:
+                prehend.scenes.scenes_from_views(views, **options)
+            return str(caught.exception)
+
+        self.assertIn("views[0].depth", refusal(self.image(np.zeros(5))))
+        self.assertIn("views[0].camera.fx", refusal(self.image(fx=0.0)))
+        self.assertIn("views[0].unit", refusal(self.image(1000.0 * self.depth)))
+        self.assertIn("views[1]", refusal([self.image(), self.image(np.zeros((120, 160)))]))
+        few = prehend.scenes.Cloud(self.points, normals=np.zeros((3, 3)))
+        self.assertIn("views[0].normals", refusal(few))
+        self.assertIn("views", refusal([]))
+        self.assertIn("voxel", refusal(self.image(), voxel=0.0))
+
+
 if __name__ == "__main__":
     unittest.main()
