@@ -26,7 +26,7 @@ Scene half_seen() {
   return scene;
 }
 
-PlanOptions few_trials() {
+PlanOptions trials_of_shapes() {
   PlanOptions options;
   options.search.trials = 120;
   options.rank.top = 8;
@@ -38,7 +38,7 @@ PlanOptions few_trials() {
 
 TEST(TryShapes, WhatHoldsOnMoreShapesComesFirst) {
   const CompiledScene scene = compile(half_seen());
-  const PlanResult result = plan(scene, few_trials());
+  const PlanResult result = plan(scene, trials_of_shapes());
   ASSERT_FALSE(result.grasps.empty());
   EXPECT_LE(result.grasps.size(), 8U);
   int before = 3;
@@ -54,7 +54,7 @@ TEST(TryShapes, WhatHoldsOnMoreShapesComesFirst) {
 
 TEST(TryShapes, AGraspOfWhatMayNotBeThereDoesNotHoldOnTheThinShape) {
   const CompiledScene scene = compile(half_seen());
-  PlanOptions options = few_trials();
+  PlanOptions options = trials_of_shapes();
   options.search.trials = 400;
   options.rank.top = 100;
   const PlanResult result = plan(scene, options);
@@ -75,7 +75,7 @@ TEST(TryShapes, AGraspOfWhatMayNotBeThereDoesNotHoldOnTheThinShape) {
 TEST(TryShapes, AnObjectThatIsKnownIsNotTriedAgain) {
   Scene scene = half_seen();
   scene.object.completion.reset();
-  const PlanResult result = plan(compile(scene), few_trials());
+  const PlanResult result = plan(compile(scene), trials_of_shapes());
   ASSERT_FALSE(result.grasps.empty());
   EXPECT_FALSE(result.grasps.front().shapes);
 }
@@ -83,7 +83,7 @@ TEST(TryShapes, AnObjectThatIsKnownIsNotTriedAgain) {
 TEST(TryShapes, AShapeThatOverlapsAnObstacleIsNotTried) {
   Scene scene = half_seen();
   scene.obstacles.push_back(test::obstacle(make_box({0.02, 0.02, 0.02}), {0.0, 0.0, 0.06}));
-  const PlanResult result = plan(compile(scene), few_trials());
+  const PlanResult result = plan(compile(scene), trials_of_shapes());
   ASSERT_FALSE(result.grasps.empty());
   EXPECT_TRUE(result.grasps.front().shapes->thin);
   EXPECT_FALSE(result.grasps.front().shapes->thick);
@@ -91,8 +91,8 @@ TEST(TryShapes, AShapeThatOverlapsAnObstacleIsNotTried) {
 
 TEST(TryShapes, TheSameOnAnyNumberOfThreads) {
   const CompiledScene scene = compile(half_seen());
-  const PlanResult one = plan(scene, few_trials(), {.threads = 1});
-  const PlanResult two = plan(scene, few_trials(), {.threads = 2});
+  const PlanResult one = plan(scene, trials_of_shapes(), {.threads = 1});
+  const PlanResult two = plan(scene, trials_of_shapes(), {.threads = 2});
   ASSERT_EQ(one.grasps.size(), two.grasps.size());
   for (std::size_t i = 0; i < one.grasps.size(); ++i) {
     EXPECT_EQ(one.grasps[i].tried, two.grasps[i].tried);
@@ -103,11 +103,11 @@ TEST(TryShapes, TheSameOnAnyNumberOfThreads) {
 
 TEST(TryShapes, OutOfTimeNothingChanges) {
   const CompiledScene scene = compile(half_seen());
-  PlanResult result = plan(scene, few_trials());
+  PlanResult result = plan(scene, trials_of_shapes());
   for (ScoredGrasp& grasp : result.grasps) grasp.shapes.reset();
   RunContext context;
   context.cancellation.request();
-  try_shapes(scene, few_trials(), context, result);
+  try_shapes(scene, trials_of_shapes(), context, result);
   EXPECT_EQ(result.status, PlanStatus::cancelled);
   EXPECT_FALSE(result.grasps.front().shapes);
 }
