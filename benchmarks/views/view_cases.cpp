@@ -57,16 +57,20 @@ bool holds(const CompiledScene& scene, const ScoredGrasp& grasp, std::string* ou
   return trial.outcome == Outcome::stable;
 }
 
-// The grasp that holds on most of the scenes, the first of equal ones.
+// The grasp with the largest mean epsilon over the scenes, where 0 is that of one that does not
+// hold.
 const ScoredGrasp& surest(const std::vector<ScoredGrasp>& grasps,
                           const std::vector<CompiledScene>& scenes) {
-  const ScoredGrasp* best = nullptr;
-  int most = -1;
+  const ScoredGrasp* best = &grasps.front();
+  double most = -1.0;
   for (const ScoredGrasp& grasp : grasps) {
-    int count = 0;
-    for (const CompiledScene& scene : scenes) count += holds(scene, grasp) ? 1 : 0;
-    if (count > most) {
-      most = count;
+    double sum = 0.0;
+    for (const CompiledScene& scene : scenes) {
+      const Trial trial = run_trial(scene, as_planned(grasp.trial, grasp.candidate));
+      if (trial.outcome == Outcome::stable) sum += trial.epsilon.lower;
+    }
+    if (sum > most) {
+      most = sum;
       best = &grasp;
     }
   }

@@ -14,7 +14,7 @@ namespace prehend::bench {
 // From what a grasp is planned.
 enum class PlannedFrom {
   one_view,
-  one_view_sure,  // the same, the best of its grasps by how many of the shapes they hold on
+  one_view_sure,  // the same, the best of its grasps by their mean on all shapes
   three_views,    // from sides that are a third of a turn apart
   three_views_sure,
   hull,  // the convex hull of what one view saw
@@ -55,7 +55,7 @@ class Grasping {
   Grasping(const TableCase& object, std::string hand);
 
   // Plans on a mesh in W, and tries the best grasp on the true one. `others`: of the ten best
-  // grasps, the one that holds on most of these shapes is tried.
+  // grasps, the one with the largest mean epsilon on these shapes is tried.
   ViewResult plan_and_try(const TriangleMesh& mesh_W,
                           const std::vector<TriangleMesh>& others = {}) const;
   // Both, with one plan: without and with others.
