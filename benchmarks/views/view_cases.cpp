@@ -24,6 +24,7 @@ namespace {
 constexpr double kDistance = 0.65;  // of cameras [m]
 constexpr double kTable = 0.6;      // to each side [m]
 constexpr double kWrong = 0.003;    // by which a surface may be elsewhere [m]
+constexpr double kEnough = 0.02;    // epsilon
 constexpr double kGap = 0.001;      // between the table of the plans and what stands on it [m]
 
 CompiledScene scene_of(const TriangleMesh& mesh_W, const std::string& hand) {
@@ -63,8 +64,9 @@ ViewResult tried_on(const CompiledScene& scene, const ScoredGrasp& grasp) {
   return result;
 }
 
-// The grasp with the largest mean epsilon over the scenes, and over moves of the hand by what a
-// surface may be wrong, in the first of them; of a trial that does not hold, epsilon counts as 0.
+// The grasp that holds best on all scenes, and in the first of them with the hand moved by what a
+// surface may be wrong: the largest sum of epsilon, of which what exceeds kEnough counts a fifth,
+// so that to hold each time is worth more than to hold well sometimes.
 const ScoredGrasp& surest(const std::vector<ScoredGrasp>& grasps,
                           const std::vector<CompiledScene>& scenes) {
   const ScoredGrasp* best = &grasps.front();
@@ -76,7 +78,9 @@ const ScoredGrasp& surest(const std::vector<ScoredGrasp>& grasps,
       Candidate candidate = again(grasp, true);
       candidate.X_OH = translation(move) * candidate.X_OH;
       const Trial trial = run_trial(scene, candidate);
-      if (trial.outcome == Outcome::stable) sum += trial.epsilon.lower;
+      if (trial.outcome != Outcome::stable) return;
+      const double epsilon = trial.epsilon.lower;
+      sum += std::min(epsilon, kEnough) + 0.2 * epsilon;
     };
     for (const CompiledScene& scene : scenes) add(scene, Vector3::Zero());
     for (int axis = 0; axis < 3; ++axis) {
