@@ -20,7 +20,7 @@ struct PixelHit {
 };
 
 PixelHit look(const DepthCamera& camera, const std::vector<ShownThing>& things, double half_table,
-               double u, double v) {
+              double u, double v) {
   const Vector3 ray_C((u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, 1.0);
   const double length = ray_C.norm();
   const Vector3 from = camera.X_WC.translation();

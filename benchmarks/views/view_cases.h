@@ -14,7 +14,7 @@ namespace prehend::bench {
 // From what a grasp is planned.
 enum class PlannedFrom {
   one_view,
-  one_view_sure,  // the same, the best of its grasps by how many of the shapes they hold on
+  one_view_sure,  // the same, the best of its grasps by their mean on all shapes
   three_views,    // from sides that are a third of a turn apart
   three_views_sure,
   hull,  // the convex hull of what one view saw
@@ -29,7 +29,8 @@ constexpr auto enum_names(PlannedFrom /*of*/) {
 // What became of the best grasp of a plan.
 struct ViewResult {
   bool found = false;  // a grasp
-  bool holds = false;  // on the true mesh, on the table
+  bool holds = false;  // on the true mesh, on the table, where the hand comes until it touches
+  bool holds_as_planned = false;  // where it goes as far as in the plan
   std::string outcome = {};
 };
 
@@ -54,16 +55,14 @@ class Grasping {
  public:
   Grasping(const TableCase& object, std::string hand);
 
-  // Plans on a mesh in W, and tries the best grasp on the true one. `others`: of the ten best
-  // grasps, the one that holds on most of these shapes is tried.
+  // Plans on a mesh in W, and tries the best grasp on the true one. `others`: of the best
+  // grasps, the one with the largest mean epsilon on these shapes is tried.
   ViewResult plan_and_try(const TriangleMesh& mesh_W,
                           const std::vector<TriangleMesh>& others = {}) const;
   // Both, with one plan: without and with others.
   std::array<ViewResult, 2> plan_and_try_both(const SeenObject& object) const;
 
  private:
-  struct Truth;
-
   std::string hand_;
   TriangleMesh true_W_;
 };

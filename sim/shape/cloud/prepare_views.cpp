@@ -15,7 +15,6 @@ namespace prehend {
 namespace {
 
 constexpr std::size_t kMostReadings = 25'000'000;
-constexpr std::size_t kPlaneReadings = 20000;
 constexpr double kFarthest = 20.0;  // [m]
 constexpr double kHighest = 1.0;    // above the support [m]
 
@@ -97,16 +96,11 @@ Pose frame_without_support(const DepthView& view) {
 }
 
 void find_plane(PreparedViews& prepared, const ReconstructOptions& options) {
-  std::vector<Vector3> cameras;
-  for (const DepthView& view : prepared.views) {
-    cameras.push_back(view.camera.X_WC.translation());
-    prepared.noise.push_back(noise_of(view));
-  }
+  for (const DepthView& view : prepared.views) prepared.noise.push_back(noise_of(view));
   prepared.largest_noise = *std::max_element(prepared.noise.begin(), prepared.noise.end());
   prepared.X_PW = frame_without_support(prepared.views.front()).inverse();
   if (!options.find_plane) return;
-  const std::vector<Vector3> readings = thinned_readings(prepared.views, kPlaneReadings);
-  const PlaneSearch search = find_support(readings, cameras, prepared.largest_noise, options.seed);
+  const PlaneSearch search = find_support(prepared.views, prepared.largest_noise, options.seed);
   require(!search.plane_only, {.field = "views", .problem = "show a plane and nothing on it"});
   prepared.plane = search.found;
   if (search.found) prepared.X_PW = frame_of(*search.found).inverse();

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kLargestThing = 0.8;  // larger clusters are walls and the like [m]
 constexpr double kSmallestThing = 0.004;
+constexpr int kMostThings = 50;
 
 // Whether a camera saw the surface at each triangle, near enough and from its front.
 std::vector<char> seen_triangles(const TriangleMesh& mesh, const std::vector<ObjectView>& views,
@@ -101,7 +102,11 @@ Reconstruction reconstruct(const std::vector<DepthView>& views, const Reconstruc
     result.notes.push_back(std::to_string(prepared.left_out) + " clusters of fewer readings than " +
                            std::to_string(options.min_readings) + " were left out");
   }
-  for (int k = 0; k < prepared.count; ++k) {
+  if (prepared.count > kMostThings) {
+    result.notes.push_back("of " + std::to_string(prepared.count) + " clusters, those after the " +
+                           std::to_string(kMostThings) + " largest were left out");
+  }
+  for (int k = 0; k < std::min(prepared.count, kMostThings); ++k) {
     const std::vector<ObjectView> cuts = cut_out(prepared, k, options.drop_outliers, context);
     const std::vector<SeenPoint> points = seen_points(cuts);
     const double extent = extent_of(points);

@@ -12,6 +12,9 @@
 namespace prehend {
 namespace {
 
+constexpr std::size_t kReadings = 20000;  // that the plane is found in
+constexpr std::size_t kLookedAt = 2000;   // of each view, for normals
+constexpr double kAsLevel = 0.9;          // cosine of the angle between normals
 constexpr int kHypotheses = 700;
 constexpr std::size_t kScored = 2500;  // readings on which a hypothesis is judged
 constexpr double kLeastShare = 0.12;   // of the readings, on a support
@@ -150,12 +153,11 @@ std::optional<Vector3> middle_of_things(const SupportPlane& support, const Plane
   return sum / static_cast<double>(count);
 }
 
-}  // namespace
-
-std::vector<Vector3> thinned_readings(const std::vector<DepthView>& views, std::size_t most) {
+// Readings of all views, frame W, thinned to what finding a plane takes.
+std::vector<Vector3> thinned_readings(const std::vector<DepthView>& views) {
   std::size_t total = 0;
   for (const DepthView& view : views) total += view.depth.size();
-  const std::size_t stride = std::max<std::size_t>(1, total / most);
+  const std::size_t stride = std::max<std::size_t>(1, total / kReadings);
   std::vector<Vector3> readings;
   for (const DepthView& view : views) {
     const auto width = index(view.camera.width);
@@ -169,6 +171,40 @@ std::vector<Vector3> thinned_readings(const std::vector<DepthView>& views, std::
   return readings;
 }
 
+double extent_of(const SupportPlane& support) {
+  double across = 0.0;
+  for (const Vector3& corner : support.outline_W) {
+    across = std::max(across, (corner - support.outline_W.front()).norm());
+  }
+  return across;
+}
+
+// Whether the surface around most readings on a plane has its normal.
+bool level_around(const Plane& plane, const std::vector<DepthView>& views, double noise,
+                  double tolerance) {
+  int level = 0;
+  int looked_at = 0;
+  for (const DepthView& view : views) {
+    const PlaneFitter fitter(view, noise);
+    const Vector3 normal_C = view.camera.X_WC.linear().transpose() * plane.normal;
+    const auto width = index(view.camera.width);
+    const std::size_t stride = std::max<std::size_t>(1, view.depth.size() / kLookedAt);
+    for (std::size_t i = stride / 2; i < view.depth.size(); i += stride) {
+      if (view.depth[i] <= 0.0F) continue;
+      const auto u = static_cast<int>(i % width);
+      const auto v = static_cast<int>(i / width);
+      const Vector3 p_W = view.camera.X_WC * reading_at(view, u, v).cast<double>();
+      if (std::abs(plane.height(p_W)) > tolerance) continue;
+      const LocalPlane around = fitter.at(u, v);
+      ++looked_at;
+      level += around.exists() && around.normal().cast<double>().dot(normal_C) > kAsLevel ? 1 : 0;
+    }
+  }
+  return 2 * level > looked_at;
+}
+
+}  // namespace
+
 bool above_outline(const SupportPlane& plane, const Vector3& p_W, double margin) {
   const std::size_t count = plane.outline_W.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -180,34 +216,30 @@ bool above_outline(const SupportPlane& plane, const Vector3& p_W, double margin)
   return count >= 3;
 }
 
-PlaneSearch find_support(const std::vector<Vector3>& readings_W,
-                         const std::vector<Vector3>& cameras_W, double noise, std::uint64_t seed) {
+PlaneSearch find_support(const std::vector<DepthView>& views, double noise, std::uint64_t seed) {
   PlaneSearch search;
   Random random(derived_seed(seed, 1));
   const double tolerance = std::max(4e-3, 3.0 * noise);
-  const Vector3& camera = cameras_W.front();
-  std::vector<Vector3> left = readings_W;
-  const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(readings_W.size()));
+  const Vector3 camera = views.front().camera.X_WC.translation();
+  const std::vector<Vector3> readings = thinned_readings(views);
+  std::vector<Vector3> left = readings;
+  const auto least = static_cast<std::size_t>(kLeastShare * static_cast<double>(readings.size()));
   for (int round = 0; round < 3 && left.size() >= std::max<std::size_t>(least, 16); ++round) {
     Plane plane = best_hypothesis(left, camera, tolerance, random);
     plane = refined(plane, left, camera, 2.0 * tolerance);
     plane = refined(plane, left, camera, tolerance);
     const std::size_t on = count_on(plane, left, tolerance, 1);
-    if (on < least || on < 3) break;
+    if (on < std::max<std::size_t>(least, 3)) break;
     SupportPlane support = outlined(plane, left, tolerance);
-    const std::optional<Vector3> things = middle_of_things(support, plane, readings_W, tolerance);
-    if (things) {
+    const std::optional<Vector3> things = middle_of_things(support, plane, readings, tolerance);
+    if (things && level_around(plane, views, noise, tolerance)) {
       const Vector3 foot = *things - plane.height(*things) * plane.normal;
       support.height = foot.z();
       search.found = FoundPlane{support, foot};
       return search;
     }
-    double across = 0.0;
-    for (const Vector3& corner : support.outline_W) {
-      across = std::max(across, (corner - support.outline_W.front()).norm());
-    }
-    if (static_cast<double>(on) > kPlaneOnly * static_cast<double>(readings_W.size()) &&
-        across > kLeastTable) {
+    if (static_cast<double>(on) > kPlaneOnly * static_cast<double>(readings.size()) &&
+        extent_of(support) > kLeastTable) {
       search.plane_only = true;
       return search;
     }
