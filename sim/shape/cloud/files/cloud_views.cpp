@@ -112,6 +112,11 @@ double focal_length(const std::vector<Ray>& rays, const SlopeBounds& bounds) {
   return std::clamp(std::sqrt(per_area / kRaysPerPixel), kShortest, kLongestSide / extent);
 }
 
+// The nearest of so many pixels: of the outermost rays rounding may find one beyond.
+int pixel(double at, int count) {
+  return std::clamp(static_cast<int>(std::lround(at)), 0, count - 1);
+}
+
 // The image of these rays: of those in one pixel the nearest. Not empty.
 DepthView image_of(const std::vector<Ray>& rays, const Pose& X_WC) {
   const SlopeBounds bounds = bounds_of(rays);
@@ -127,8 +132,8 @@ DepthView image_of(const std::vector<Ray>& rays, const Pose& X_WC) {
   camera.height = static_cast<int>(std::lround(f * bounds.height)) + 1;
   view.depth.assign(index(camera.width) * index(camera.height), 0.0F);
   for (const Ray& ray : rays) {
-    const auto u = static_cast<int>(std::lround(f * ray.x + camera.cx));
-    const auto v = static_cast<int>(std::lround(f * ray.y + camera.cy));
+    const int u = pixel(f * ray.x + camera.cx, camera.width);
+    const int v = pixel(f * ray.y + camera.cy, camera.height);
     float& depth = view.depth[index(v) * index(camera.width) + index(u)];
     if (depth == 0.0F || ray.z < depth) depth = static_cast<float>(ray.z);
   }
