@@ -62,7 +62,7 @@ GraspSetObject object_of(const CompiledScene& scene, const Batch& batch, const B
   return object;
 }
 
-ObjectMotion closing_motion(const Trial& trial) {
+ObjectShift closing_motion(const Trial& trial) {
   if (!trial.X_OC) return {trial.pushed.norm() + trial.slid, trial.turned};
   return {trial.X_OC->translation().norm(), Eigen::AngleAxisd(trial.X_OC->linear()).angle()};
 }

@@ -1,5 +1,5 @@
-# Registers the test that includes follow the libraries (folders_test.cmake), with the libraries as
-# CMake knows them.
+# Registers tests of what no compiler sees: that includes follow the libraries, as CMake knows them
+# (folders_test.cmake), and that a type's name has one definition (one_definition.py).
 
 # The folder of a library: that of its first source.
 function(prehend_folder_of library result)
@@ -59,3 +59,7 @@ add_test(NAME folders COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR}
   -DROOMS=${CMAKE_CURRENT_BINARY_DIR}/rooms.txt "-DLEFT_OUT=${left_out}"
   -P ${CMAKE_CURRENT_SOURCE_DIR}/folders/folders_test.cmake)
 set_tests_properties(folders PROPERTIES LABELS unit)
+
+add_test(NAME one_definition COMMAND ${PREHEND_PYTHON} -B
+  ${CMAKE_CURRENT_SOURCE_DIR}/folders/one_definition.py ${PROJECT_SOURCE_DIR})
+set_tests_properties(one_definition PROPERTIES LABELS unit)

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kFirstOfHand = 3;
 
-GraspitBody no_body() { return {.name = "none"}; }
+NumberedBody no_body() { return {.name = "none"}; }
 
 // The links that the joints of each chain move; those of the base come first, alone.
 std::vector<std::vector<int>> links_of_chains(const Robot& hand) {
@@ -29,10 +29,10 @@ std::vector<std::vector<int>> links_of_chains(const Robot& hand) {
 
 }  // namespace
 
-std::vector<GraspitBody> graspit_bodies(const Scene& scene) {
-  std::vector<GraspitBody> bodies;
+std::vector<NumberedBody> graspit_bodies(const Scene& scene) {
+  std::vector<NumberedBody> bodies;
   const bool has_object = !scene.object.mesh.empty();
-  bodies.push_back(has_object ? GraspitBody{scene.object.name, kObjectSolid} : no_body());
+  bodies.push_back(has_object ? NumberedBody{scene.object.name, kObjectSolid} : no_body());
   for (std::size_t b = 0; b < scene.obstacles.size(); ++b) {
     bodies.push_back({scene.obstacles[b].name, {-1, static_cast<int>(b) + 1}});
   }

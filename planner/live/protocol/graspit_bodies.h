@@ -10,7 +10,7 @@
 namespace prehend {
 
 // A number's body. Numbers that no body has are of the name "none".
-struct GraspitBody {
+struct NumberedBody {
   std::string name;
   SolidId solid = {-1, -1};  // in the world of MovingWorld; of "none" as here
 };
@@ -19,6 +19,6 @@ struct GraspitBody {
 // free then, the links of the hand: those of its base, then of its chains one after the other. Each
 // chain takes as many numbers as the longest one has links, and ends with its last link. So the
 // distal links of the Barrett hand are 6, 9 and 12, as in the programs for GraspIt!'s.
-std::vector<GraspitBody> graspit_bodies(const Scene& scene);
+std::vector<NumberedBody> graspit_bodies(const Scene& scene);
 
 }  // namespace prehend

@@ -141,15 +141,15 @@ class GraspitLine {
 
   void say(std::string line) { lines_.push_back(std::move(line)); }
 
-  std::vector<GraspitBody> bodies() {
+  std::vector<NumberedBody> bodies() {
     const GraspitWords::List list = words_.list();
     words_.end();
-    std::vector<GraspitBody> all = graspit_bodies(scene());
+    std::vector<NumberedBody> all = graspit_bodies(scene());
     if (list.all) {
       say(std::to_string(all.size()));
       return all;
     }
-    std::vector<GraspitBody> listed;
+    std::vector<NumberedBody> listed;
     for (const int number : list.numbers) {
       if (number < 0 || index(number) >= all.size()) {
         throw InputError("Cannot find body " + std::to_string(number));
@@ -176,10 +176,10 @@ class GraspitLine {
   // Contacts of the last step of time for each body, or of the hand that rests, then `tell` of
   // them.
   template <typename Tell>
-  void tell_contacts(const std::vector<GraspitBody>& bodies, const Tell& tell) {
+  void tell_contacts(const std::vector<NumberedBody>& bodies, const Tell& tell) {
     std::optional<Solids> solids;
     if (session_.is_moving()) solids.emplace(session_.time().world());
-    for (const GraspitBody& body : bodies) {
+    for (const NumberedBody& body : bodies) {
       std::vector<BodyContact> contacts;
       if (body.solid.index >= 0) {
         contacts = solids ? contacts_of(session_.time(), *solids, body.solid)
@@ -210,7 +210,7 @@ class GraspitLine {
   }
 
   void get_body_name() {
-    for (const GraspitBody& body : bodies()) say(body.name);
+    for (const NumberedBody& body : bodies()) say(body.name);
   }
 
   void get_robot_name() {

@@ -61,7 +61,7 @@ std::vector<bool> read_held(const Hdf5Reader& file, const std::string& path, std
 }
 
 void read_motion(const Hdf5Reader& file, const std::string& path, GraspSet& set,
-                 std::optional<ObjectMotion> GraspSetEntry::*motion) {
+                 std::optional<ObjectShift> GraspSetEntry::*motion) {
   if (!file.has(path + "_linear") && !file.has(path + "_angular")) return;
   const auto linear = file.numbers_or_nan(path + "_linear", {set.grasps.size()});
   const auto angular = file.numbers_or_nan(path + "_angular", {set.grasps.size()});
@@ -71,7 +71,7 @@ void read_motion(const Hdf5Reader& file, const std::string& path, GraspSet& set,
     if (!std::isfinite(angular[i])) {
       throw file.error(row_of(path + "_angular", i), "must be finite");
     }
-    set.grasps[i].*motion = ObjectMotion{linear[i], angular[i]};
+    set.grasps[i].*motion = ObjectShift{linear[i], angular[i]};
   }
 }
 

@@ -54,7 +54,7 @@ void write_column(Hdf5Writer& file, const std::string& path, const std::vector<d
 
 // Nothing where no grasp has the motion.
 void write_motion(Hdf5Writer& file, const std::string& path, const GraspSet& set,
-                  std::optional<ObjectMotion> GraspSetEntry::*motion) {
+                  std::optional<ObjectShift> GraspSetEntry::*motion) {
   bool known = false;
   for (const GraspSetEntry& grasp : set.grasps) known = known || (grasp.*motion).has_value();
   if (!known) return;

@@ -20,7 +20,7 @@ struct GraspSetContact {
 };
 
 // By how much something moved the object in the hand.
-struct ObjectMotion {
+struct ObjectShift {
   double linear = 0.0;   // m
   double angular = 0.0;  // rad
 };
@@ -37,8 +37,8 @@ struct GraspSetEntry {
   std::vector<double> dofs;               // of the hand, closed; empty: not known [rad or m]
   std::vector<double> joints;             // the same of all its joints [rad or m]
   std::vector<GraspSetContact> contacts;  // empty where the trial ended without
-  std::optional<ObjectMotion> closing;    // of the object while the hand closed
-  std::optional<ObjectMotion> shaking;    // of the object while the hand was shaken
+  std::optional<ObjectShift> closing;     // of the object while the hand closed
+  std::optional<ObjectShift> shaking;     // of the object while the hand was shaken
   std::vector<float> features;            // as many as GraspSet::feature_names, or none
 };
 

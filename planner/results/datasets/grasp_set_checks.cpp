@@ -56,7 +56,7 @@ void require_count(const std::string& field, std::size_t count, std::size_t name
   if (count != 0 && count != names) refuse(field, "must be as many as their names, or none");
 }
 
-void require_motion(const std::string& field, const std::optional<ObjectMotion>& motion) {
+void require_motion(const std::string& field, const std::optional<ObjectShift>& motion) {
   if (motion) require_finite(field, {motion->linear, motion->angular});
 }
 

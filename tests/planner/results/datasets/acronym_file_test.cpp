@@ -243,7 +243,7 @@ TEST(AcronymFile, RefusesToWriteWhatNoReaderCouldUse) {
        "grasps[0].dofs"},
       {[](GraspSet& s) { s.grasps[0].features = {1.0F}; }, "grasps[0].features"},
       {[](GraspSet& s) {
-         s.grasps[0].closing = ObjectMotion{kNaN, 0.0};
+         s.grasps[0].closing = ObjectShift{kNaN, 0.0};
        },
        "grasps[0].closing"},
       {[](GraspSet& s) { s.grasps[0].contacts = {{.link = 1}}; }, "grasps[0].contacts[0].link"},

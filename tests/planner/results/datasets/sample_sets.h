@@ -18,9 +18,9 @@ namespace prehend::test {
 
 inline Pose random_pose(Random& random) { return random.pose(0.3); }
 
-inline std::optional<ObjectMotion> random_motion(Random& random, double known) {
+inline std::optional<ObjectShift> random_motion(Random& random, double known) {
   if (random.uniform(0.0, 1.0) >= known) return {};
-  return ObjectMotion{random.uniform(0.0, 0.1), random.uniform(0.0, 3.0)};
+  return ObjectShift{random.uniform(0.0, 0.1), random.uniform(0.0, 3.0)};
 }
 
 inline GraspSetEntry random_entry(Random& random, const GraspSet& set, double known) {
@@ -91,8 +91,7 @@ inline bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
-inline void expect_same(const std::optional<ObjectMotion>& a,
-                        const std::optional<ObjectMotion>& b) {
+inline void expect_same(const std::optional<ObjectShift>& a, const std::optional<ObjectShift>& b) {
   ASSERT_EQ(a.has_value(), b.has_value());
   if (!a) return;
   EXPECT_TRUE(same_bits(a->linear, b->linear));

@@ -37,7 +37,7 @@ GraspSet sample_set() {
   held.dofs = {0.02};
   held.joints = {0.02, -0.02};
   held.contacts = {{{0.02, 0.0, 0.0}, -Vector3::UnitX(), 0}, {{-0.02, 0.0, 0.0}, {1, 0, 0}, 1}};
-  held.closing = ObjectMotion{0.001, 0.01};
+  held.closing = ObjectShift{0.001, 0.01};
   held.features = {0.5F, 0.75F};
   set.grasps.back().outcome = Outcome::hand_blocked;
   return set;
