@@ -10,8 +10,8 @@
 #include <cstring>
 #include <limits>
 
-#include "sim/base/wide_lanes.h"
 #include "sim/shape/triangle_mesh.h"
+#include "sim/base/wide_lanes.h"
 
 namespace prehend {
 namespace {
@@ -62,6 +62,18 @@ bool edge_crosses(const PlacedTriangle& face, const Heights& heights, const Corn
     if (foot_is_inside(face, crossing)) return true;
   }
   return false;
+}
+
+// Whether a plane is farther from the points, all on one side of it, than rounding of its normal
+// could make it: that turns by 1e-7 at most (reliable_normal).
+bool is_clear(double distance, const PlacedTriangle& plane, const Corners& points) {
+  constexpr double kTurn = 1e-6;
+  if (distance == 0.0) return false;
+  double farthest = 0.0;
+  for (const Vector3& p : points) {
+    farthest = std::max(farthest, (p - plane.corner[0]).squaredNorm());
+  }
+  return distance * distance > kTurn * kTurn * farthest;
 }
 
 // Vectors in lanes.
@@ -208,8 +220,8 @@ NearestPoints triangle_distance(const PlacedTriangle& u, const PlacedTriangle& v
   }
   // Triangles that cross have corners on both sides of both planes, or on them. Of triangles in
   // nearly one plane, rounding may put the corners of one to one side.
-  if ((from_u == 0.0 && edge_crosses(u, over_u, v.corner)) ||
-      (from_v == 0.0 && edge_crosses(v, over_v, u.corner))) {
+  if ((from_u == 0.0 && !is_clear(from_v, v, u.corner) && edge_crosses(u, over_u, v.corner)) ||
+      (from_v == 0.0 && !is_clear(from_u, u, v.corner) && edge_crosses(v, over_v, u.corner))) {
     return {};
   }
   return nearest_edges(u.corner, v.corner);
