@@ -139,6 +139,18 @@ PointHull hull_of(const Eigen::Matrix3Xd& points) {
   return hull;
 }
 
+// Many facets of the hull are in one plane, and give the same half-space.
+void drop_copies(Eigen::Matrix3Xd& points) {
+  std::vector<Eigen::Vector3d> all(points.colwise().begin(), points.colwise().end());
+  const auto before = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::sort(all.begin(), all.end(), before);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  points.resize(Eigen::NoChange, std::ssize(all));
+  std::copy(all.begin(), all.end(), points.colwise().begin());
+}
+
 // The corners of the intersection. A half-space normal . (x - centre) <= d, with d > 0 since the
 // centre is inside, has the pole normal / d. A facet normal . y <= offset of the hull of the poles
 // is dual to the corner normal / offset, relative to the centre.
@@ -147,6 +159,7 @@ Eigen::Matrix3Xd corners(const HalfSpaces& all, const Eigen::Vector3d& center) {
   for (Eigen::Index f = 0; f < poles.cols(); ++f) {
     poles.col(f) /= all.offsets[f] - all.normals.col(f).dot(center);
   }
+  drop_copies(poles);
   PointHull hull = hull_of(poles);
   if (hull.status != PointHullStatus::solid) hull = point_hull(poles, HullInput::joggled);
   Eigen::Matrix3Xd found(3, hull.offsets.size());
