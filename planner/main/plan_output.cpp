@@ -20,14 +20,18 @@ namespace {
 // Pictures of the best grasp, by file name, from `side` if it is known already.
 std::vector<std::pair<std::string, Image>> best_pictures(const CompiledScene& scene,
                                                          const PlanResult& result,
-                                                         const std::optional<Vector3>& side) {
+                                                         const std::optional<Vector3>& side,
+                                                         const RunContext& context) {
   std::vector<std::pair<std::string, Image>> pictures;
   if (result.grasps.empty()) return pictures;
   const ScoredGrasp& best = result.grasps.front();
   const PosedGrasp posed = posed_grasp(scene, best, grasp_title(best, 1));
   pictures.emplace_back("best.png",
-                        grasp_picture(scene, posed, side ? *side : best_viewpoint(scene, posed)));
-  if (scene.arm) pictures.emplace_back("best_arm.png", arm_picture(scene, posed));
+                        grasp_picture(scene, posed, side ? *side : best_viewpoint(scene, posed),
+                                      kGraspPicture, context));
+  if (scene.arm) {
+    pictures.emplace_back("best_arm.png", arm_picture(scene, posed, kGraspPicture, context));
+  }
   return pictures;
 }
 
@@ -57,7 +61,8 @@ void PlanOutput::write_report(const CompiledScene& scene, const PlanResult& resu
 std::string PlanOutput::write_pictures(const CompiledScene& scene, const PlanResult& result) {
   if (!command_.picture.value_or(!command_.common.no_report)) return "";
   std::string names;
-  for (const auto& [name, image] : best_pictures(scene, result, best_side_)) {
+  for (const auto& [name, image] :
+       best_pictures(scene, result, best_side_, {.threads = command_.common.threads})) {
     interrupts_.write(folder_ / name, png_bytes(image));
     names += ", " + name;
   }

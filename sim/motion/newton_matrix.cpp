@@ -45,8 +45,8 @@ void NewtonMatrix::add(Index row, Index column, const MatrixXd& block) {
 
 // A plain loop: most of a step is spent here, in columns of a few rows, for which the general
 // product costs more to set up than to carry out.
-void NewtonMatrix::add_to_column(Index row, Index column, const Eigen::MatrixX4d& columns,
-                                 const Eigen::Vector4d& factors) {
+void NewtonMatrix::add_to_column(Index row, Index begin, Index end, Index column,
+                                 const Eigen::MatrixX4d& columns, const Eigen::Vector4d& factors) {
   const Index rows = columns.rows();
   const double* a = columns.data();
   const double* b = a + rows;
@@ -56,11 +56,11 @@ void NewtonMatrix::add_to_column(Index row, Index column, const Eigen::MatrixX4d
     return (a[r] * factors[0] + b[r] * factors[1]) + (c[r] * factors[2] + d[r] * factors[3]);
   };
   if (is_sparse_) {
-    for (Index r = 0; r < rows; ++r) add_entry(row + r, column, entry(r));
+    for (Index r = begin; r < end; ++r) add_entry(row + r, column, entry(r));
     return;
   }
   double* sum = &dense_(row, column);
-  for (Index r = 0; r < rows; ++r) sum[r] += entry(r);
+  for (Index r = begin; r < end; ++r) sum[r] += entry(r);
 }
 
 void NewtonMatrix::add_entry(Index row, Index column, double value) {

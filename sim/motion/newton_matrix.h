@@ -17,9 +17,10 @@ class NewtonMatrix {
   // Adds a block that begins there.
   void add(Eigen::Index row, Eigen::Index column, const Eigen::MatrixXd& block);
 
-  // Adds `columns` times `factors`, below each other from `row` on.
-  void add_to_column(Eigen::Index row, Eigen::Index column, const Eigen::MatrixX4d& columns,
-                     const Eigen::Vector4d& factors);
+  // Adds `columns` times `factors`, below each other from `row` on: those of their rows from
+  // `begin` up to `end`.
+  void add_to_column(Eigen::Index row, Eigen::Index begin, Eigen::Index end, Eigen::Index column,
+                     const Eigen::MatrixX4d& columns, const Eigen::Vector4d& factors);
 
   // The solution x of (this) x = b. Of a symmetric matrix, which is positive definite, only what is
   // on and below the diagonal counts. Not finite where the matrix is singular.

@@ -73,7 +73,20 @@ SmoothedContacts::SmoothedContacts(const ContactProblem& problem, std::vector<do
     : problem_(problem),
       inertia_(std::move(inertias)),
       centre_(problem.contacts.size(), ConeVector::Zero()),
-      lift_(problem.contacts.size(), 0.0) {}
+      lift_(problem.contacts.size(), 0.0) {
+  for (const ContactCondition& condition : problem.contacts) {
+    first_row_.push_back(rows_.size());
+    for (const JacobianBlock& block : condition.blocks) rows_.push_back(rows_of(block));
+  }
+}
+
+SmoothedContacts::Rows SmoothedContacts::rows_of(const JacobianBlock& block) {
+  const auto is_zero = [&](Index row) { return block.transposed.row(row).isZero(0.0); };
+  Rows rows{0, block.transposed.rows()};
+  while (rows.begin < rows.end && is_zero(rows.begin)) ++rows.begin;
+  while (rows.begin < rows.end && is_zero(rows.end - 1)) --rows.end;
+  return rows;
+}
 
 void SmoothedContacts::set_centre(std::size_t i, const ConeVector& impulse) {
   if (problem_.contacts[i].compliance == 0.0) centre_[i] = impulse;
@@ -133,12 +146,22 @@ void SmoothedContacts::add_stiffness(std::size_t i, const ConeMatrix& derivative
   if (derivative.isZero(0.0)) return;
   const ConeMatrix stiff = stiffness(i) * derivative;
   const std::vector<JacobianBlock>& blocks = problem_.contacts[i].blocks;
-  for (const JacobianBlock& b : blocks) {
-    for (Index column = 0; column < b.transposed.rows(); ++column) {
-      const ConeVector pulled = stiff * b.transposed.row(column).transpose();
-      for (const JacobianBlock& a : blocks) {
-        if (symmetric && a.first < b.first) continue;
-        matrix.add_to_column(a.first, b.first + column, a.transposed, pulled);
+  const Rows* const rows = &rows_[first_row_[i]];
+  // A joint has one row.
+  const bool is_joint = problem_.contacts[i].rows == 1;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (Index column = rows[b].begin; column < rows[b].end; ++column) {
+      const auto across = blocks[b].transposed.row(column).transpose();
+      ConeVector pulled = ConeVector::Zero();
+      if (is_joint) {
+        pulled[0] = stiff(0, 0) * across[0];
+      } else {
+        pulled.noalias() = stiff.lazyProduct(across);
+      }
+      for (std::size_t a = 0; a < blocks.size(); ++a) {
+        if (symmetric && blocks[a].first < blocks[b].first) continue;
+        matrix.add_to_column(blocks[a].first, rows[a].begin, rows[a].end, blocks[b].first + column,
+                             blocks[a].transposed, pulled);
       }
     }
   }

@@ -66,7 +66,16 @@ class SmoothedContacts {
   void add_stiffness(std::size_t i, const ConeMatrix& derivative, bool symmetric,
                      NewtonMatrix& matrix) const;
 
+  // The rows of a Jacobian block that are not 0: of those of a finger, one in three of the hand's.
+  struct Rows {
+    Eigen::Index begin = 0;
+    Eigen::Index end = 0;
+  };
+  static Rows rows_of(const JacobianBlock& block);
+
   const ContactProblem& problem_;
+  std::vector<Rows> rows_;              // of all blocks
+  std::vector<std::size_t> first_row_;  // of each condition, into rows_
   std::vector<double> inertia_;
   std::vector<ConeVector> centre_;
   std::vector<double> lift_;

@@ -138,9 +138,9 @@ Hyperplane lowest_simplex(const Eigen::Ref<const Wrenches>& wrenches, const Poin
     for (std::size_t i = 0; i < corners.size(); ++i) {
       corners[i] = &points[index(hull.corners(static_cast<Eigen::Index>(i), f))];
     }
-    Hyperplane plane = fit_offset(hull.normals.col(f), corners).plane;
+    Hyperplane plane = fit_offset<6>(hull.normals.col(f), corners).plane;
     if (plane.offset >= lowest.offset) continue;
-    const Hyperplane fitted = fit_plane(plane.normal, corners).plane;
+    const Hyperplane fitted = fit_plane<6>(plane.normal, corners).plane;
     if (fitted.offset > plane.offset) plane = fitted;
     if (plane.offset < lowest.offset) lowest = plane;
   }

@@ -24,19 +24,22 @@ constexpr double kRefit = 0.25;
 constexpr double kOpposite = 1e-14;
 
 // The position of `corner` among a facet's corners (it must be one of them). A sum without branches
-// is faster than a search: which of the six it is cannot be predicted, and this is the innermost
+// is faster than a search: which of them it is cannot be predicted, and this is the innermost
 // step of linking.
-int position(const std::array<int, 6>& corners, int corner) {
+template <std::size_t count>
+int position(const std::array<int, count>& corners, int corner) {
   int at = 0;
-  for (int i = 1; i < 6; ++i)
+  for (int i = 1; i < static_cast<int>(count); ++i)
     at += i * static_cast<int>(corners[static_cast<std::size_t>(i)] == corner);
   return at;
 }
 
 }  // namespace
 
-void ExpandingPolytope::start(const std::array<Wrench, 7>& corners, double scale, double rounding,
-                              Planes planes) {
+template <int Dimension>
+void PolytopeIn<Dimension>::start(
+    const std::array<Point, static_cast<std::size_t>(Dimension) + 1>& corners, double scale,
+    double rounding, Planes planes) {
   rounding_ = rounding * scale;
   planes_ = planes;
   bound_ = std::numeric_limits<double>::infinity();
@@ -49,30 +52,32 @@ void ExpandingPolytope::start(const std::array<Wrench, 7>& corners, double scale
   points_.reserve(64);
   points_.assign(corners.begin(), corners.end());
   // Facet i of the simplex is the one opposite corner i.
-  for (int without = 0; without < 7; ++without) {
+  for (int without = 0; without <= Dimension; ++without) {
     Facet& facet = facets_[index(make_facet())];
     int slot = 0;
-    Wrench centre = Wrench::Zero();
-    for (int corner = 0; corner < 7; ++corner) {
+    Point centre = Point::Zero();
+    for (int corner = 0; corner <= Dimension; ++corner) {
       if (corner == without) continue;
       // Facet `corner` lacks that corner, so it lies across the ridge opposite it.
       facet.beyond[index(slot)] = side_of(corner, without < corner ? without : without - 1);
       facet.corners[index(slot++)] = corner;
-      centre += corners[index(corner)] / 6.0;
+      centre += corners[index(corner)] / Dimension;
     }
     // The direction from the opposite corner to the facet's centre points outward.
-    facet.plane = fit_plane(centre - corners[index(without)], corners_of(facet)).plane;
+    facet.plane = fit_plane<Dimension>(centre - corners[index(without)], corners_of(facet)).plane;
   }
-  for (int facet = 0; facet < 7; ++facet) offer(facet);
+  for (int facet = 0; facet <= Dimension; ++facet) offer(facet);
 }
 
-FacetCorners ExpandingPolytope::corners_of(const Facet& facet) const {
-  FacetCorners corners;
-  for (std::size_t i = 0; i < 6; ++i) corners[i] = &points_[index(facet.corners[i])];
+template <int Dimension>
+CornersIn<Dimension> PolytopeIn<Dimension>::corners_of(const Facet& facet) const {
+  CornersIn<Dimension> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = &points_[index(facet.corners[i])];
   return corners;
 }
 
-int ExpandingPolytope::make_facet() {
+template <int Dimension>
+int PolytopeIn<Dimension>::make_facet() {
   ++facets_made_;
   if (free_.empty()) {
     facets_.emplace_back();
@@ -87,14 +92,16 @@ int ExpandingPolytope::make_facet() {
 
 // The heap has the smallest offset on top. An entry whose facet has been replaced since stays in it
 // until it comes to the top (lazy deletion), where nearest() recognises it by its offset.
-void ExpandingPolytope::offer(int facet) {
+template <int Dimension>
+void PolytopeIn<Dimension>::offer(int facet) {
   const double offset = facets_[index(facet)].plane.offset;
   if (offset >= bound_) return;
   heap_.emplace_back(offset, facet);
   std::push_heap(heap_.begin(), heap_.end(), std::greater<>());
 }
 
-ExpandingPolytope::Nearest ExpandingPolytope::nearest() {
+template <int Dimension>
+typename PolytopeIn<Dimension>::Nearest PolytopeIn<Dimension>::nearest() {
   while (!heap_.empty()) {
     const auto [offset, facet] = heap_.front();
     // The offset of a replaced facet is NaN, which equals nothing. If the slot was used again for a
@@ -106,12 +113,14 @@ ExpandingPolytope::Nearest ExpandingPolytope::nearest() {
   return {};
 }
 
-bool ExpandingPolytope::is_corner(const Wrench& point) const {
+template <int Dimension>
+bool PolytopeIn<Dimension>::is_corner(const Point& point) const {
   return std::find(points_.begin(), points_.end(), point) != points_.end();
 }
 
 // Also stores the height above the facet's plane, from which make_child weighs the planes.
-bool ExpandingPolytope::sees(int facet, const Wrench& point) {
+template <int Dimension>
+bool PolytopeIn<Dimension>::sees(int facet, const Point& point) {
   Facet& f = facets_[index(facet)];
   f.visit = visit_;
   f.height = height(facet, point);
@@ -122,14 +131,15 @@ bool ExpandingPolytope::sees(int facet, const Wrench& point) {
 // Flood fill from `facet`: fills visible_ with the connected facets that `point` sees, and border_
 // with those of their sides across which lies a facet that it does not see. Each facet is tested
 // once for a point, so that all its neighbours are told the same.
-void ExpandingPolytope::collect_visible(int facet, const Wrench& point) {
+template <int Dimension>
+void PolytopeIn<Dimension>::collect_visible(int facet, const Point& point) {
   ++visit_;
   visible_.clear();
   border_.clear();
   if (sees(facet, point)) visible_.push_back(facet);
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const int at = visible_[k];
-    for (int corner = 0; corner < 6; ++corner) {
+    for (int corner = 0; corner < Dimension; ++corner) {
       const int across = facet_of(facets_[index(at)].beyond[index(corner)]);
       const Facet& neighbour = facets_[index(across)];
       if (neighbour.visit != visit_ && sees(across, point)) {
@@ -146,30 +156,33 @@ void ExpandingPolytope::collect_visible(int facet, const Wrench& point) {
 // All planes through the ridge are combinations of those of the two facets that share it; the point
 // lies at height h_s > 0 above the seen facet's plane and h_h <= 0 below the hidden one's, so h_s
 // (hidden plane) - h_h (seen plane) has it at height 0. That costs a few products, where a fit to
-// six corners would need an orthogonalisation. No weight is negative, so the new offset is at least
+// all corners would need an orthogonalisation. No weight is negative, so the new offset is at least
 // the smaller of the two: the lower bound of epsilon does not fall. And what is below both planes
 // is below the new one, even where the facet is so thin that its corners do not determine a plane.
 // A fit to them would lose that.
-Hyperplane ExpandingPolytope::plane_between(const Facet& seen, const Facet& hidden,
-                                            const FacetCorners& corners) const {
+template <int Dimension>
+typename PolytopeIn<Dimension>::Plane PolytopeIn<Dimension>::plane_between(
+    const Facet& seen, const Facet& hidden, const CornersIn<Dimension>& corners) const {
   const bool shared = planes_ == Planes::shared;
   if (shared && -hidden.height <= rounding_) return hidden.plane;
   // A hidden facet may be below the point by no more than rounding, hence the maximum with 0.
   const double hidden_weight = seen.height;
   const double seen_weight = std::max(-hidden.height, 0.0);
-  Wrench normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
-                  (hidden_weight + seen_weight);
+  Point normal = (hidden_weight * hidden.plane.normal + seen_weight * seen.plane.normal) /
+                 (hidden_weight + seen_weight);
   const double length = normal.norm();
   if (length < kOpposite) normal = seen.plane.normal;
-  const FittedPlane fitted = fit_offset(normal, corners);
+  const FittedPlane<Dimension> fitted = fit_offset<Dimension>(normal, corners);
   const bool cancels = length < (shared ? kCancellationShared : kCancellation);
   const bool misses = !shared && fitted.spread > kRefit * rounding_;
-  return cancels || misses ? fit_plane(fitted.plane.normal, corners).plane : fitted.plane;
+  return cancels || misses ? fit_plane<Dimension>(fitted.plane.normal, corners).plane
+                           : fitted.plane;
 }
 
 // Makes the facet that joins the point to one ridge of the border, and links it to the neighbour
 // across that ridge.
-int ExpandingPolytope::make_child(Side border, int point) {
+template <int Dimension>
+int PolytopeIn<Dimension>::make_child(Side border, int point) {
   const int made = make_facet();
   const int side = corner_of(border);
   Facet& child = facets_[index(made)];
@@ -186,17 +199,18 @@ int ExpandingPolytope::make_child(Side border, int point) {
   return made;
 }
 
-// Links the child over a ridge of the border to the children next to it. The ridge has five
-// corners; leave out one, and the four that remain are shared by a fan of seen facets that turn
+// Links the child over a ridge of the border to the children next to it. Leave out
+// one corner of the ridge, and those that remain are shared by a fan of seen facets that turn
 // around them, from this ridge to another one of the border. The child over that other ridge has
-// these four corners and the point in common with this child, and is its neighbour. The walk goes
+// these corners and the point in common with this child, and is its neighbour. The walk goes
 // through the fan, across one ridge after the other, until it meets a side that already has its
 // child.
-void ExpandingPolytope::link_child(Side border) {
+template <int Dimension>
+void PolytopeIn<Dimension>::link_child(Side border) {
   const int side = corner_of(border);
   const int parent = facet_of(border);
   const int child = -1 - facets_[index(parent)].beyond[index(side)];
-  for (int k = 0; k < 6; ++k) {
+  for (int k = 0; k < Dimension; ++k) {
     if (facets_[index(child)].beyond[index(k)] != kUnlinked) continue;
     const Facet* at = &facets_[index(parent)];
     int swinging = side;  // corner of `at` that is opposite the ridge crossed last
@@ -214,7 +228,8 @@ void ExpandingPolytope::link_child(Side border) {
   }
 }
 
-bool ExpandingPolytope::expand(int facet, const Wrench& point) {
+template <int Dimension>
+bool PolytopeIn<Dimension>::expand(int facet, const Point& point) {
   if (is_corner(point)) return false;
   collect_visible(facet, point);
   // Either no facet sees the point, or by rounding all of them do, and nothing is left to join.
@@ -236,5 +251,8 @@ bool ExpandingPolytope::expand(int facet, const Wrench& point) {
   }
   return true;
 }
+
+template class PolytopeIn<3>;
+template class PolytopeIn<6>;
 
 }  // namespace prehend

@@ -13,16 +13,19 @@ constexpr double kShortRemainder = 1e-10;
 // Remainders of a vector below this part of its length are rounding.
 constexpr double kNoDirection = 1e-15;
 
-using Directions = Eigen::Matrix<double, 6, 5>;
+template <int Dimension>
+using Directions = Eigen::Matrix<double, Dimension, Dimension - 1>;
 
 // Orthonormalises the edges of a facet (modified Gram-Schmidt, longest remainder first), and
 // returns how many are independent. Each edge is projected twice, which makes the columns
 // orthogonal up to rounding even where the edges are nearly parallel.
-int orthonormalise(Directions& edges) {
+template <int Dimension>
+int orthonormalise(Directions<Dimension>& edges) {
+  constexpr int kEdges = Dimension - 1;
   const double longest = edges.colwise().norm().maxCoeff();
-  for (int rank = 0; rank < 5; ++rank) {
+  for (int rank = 0; rank < kEdges; ++rank) {
     Eigen::Index pivot = 0;
-    edges.rightCols(5 - rank).colwise().squaredNorm().maxCoeff(&pivot);
+    edges.rightCols(kEdges - rank).colwise().squaredNorm().maxCoeff(&pivot);
     if (pivot != 0) edges.col(rank).swap(edges.col(rank + pivot));
     const auto done = edges.leftCols(rank);
     for (int pass = 0; pass < 2; ++pass) {
@@ -31,11 +34,11 @@ int orthonormalise(Directions& edges) {
     const double length = edges.col(rank).norm();
     if (length <= kShortRemainder * longest) return rank;
     edges.col(rank) /= length;
-    for (int k = rank + 1; k < 5; ++k) {
+    for (int k = rank + 1; k < kEdges; ++k) {
       edges.col(k) -= edges.col(rank).dot(edges.col(k)) * edges.col(rank);
     }
   }
-  return 5;
+  return kEdges;
 }
 
 }  // namespace
@@ -43,8 +46,10 @@ int orthonormalise(Directions& edges) {
 // The lowest corner is taken, not the mean of the corners: every corner is then on or above the
 // plane, so that the simplex of the corners is nowhere nearer to the origin than the offset. This
 // makes the offset a lower bound for any error of the normal.
-FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners) {
-  FittedPlane fitted;
+template <int Dimension>
+FittedPlane<Dimension> fit_offset(const Eigen::Vector<double, Dimension>& normal,
+                                  const CornersIn<Dimension>& corners) {
+  FittedPlane<Dimension> fitted;
   fitted.plane.normal = normal / normal.norm();
   double lowest = fitted.plane.normal.dot(*corners[0]);
   double highest = lowest;
@@ -58,26 +63,33 @@ FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners) {
   return fitted;
 }
 
-FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners) {
-  Directions edges;
-  for (int k = 0; k < 5; ++k) {
+template <int Dimension>
+FittedPlane<Dimension> fit_plane(const Eigen::Vector<double, Dimension>& guess,
+                                 const CornersIn<Dimension>& corners) {
+  Directions<Dimension> edges;
+  for (int k = 0; k < Dimension - 1; ++k) {
     edges.col(k) = *corners[static_cast<std::size_t>(k) + 1] - *corners[0];
   }
-  const int rank = orthonormalise(edges);
+  const int rank = orthonormalise<Dimension>(edges);
   const auto span = edges.leftCols(rank);
   // What is left of the guess after subtracting its part in the facet is the normal. Where little
   // is left the remainder is inaccurate, and the next pass repairs it.
-  Wrench normal = guess;
+  Eigen::Vector<double, Dimension> normal = guess;
   double before = guess.norm();
   for (int pass = 0; pass < 3; ++pass) {
     normal -= span * (span.transpose() * normal);
     const double length = normal.norm();
     // The guess lies in the facet: nothing better to say than the guess itself.
-    if (!(length > kNoDirection * before)) return fit_offset(guess, corners);
+    if (!(length > kNoDirection * before)) return fit_offset<Dimension>(guess, corners);
     normal /= length;
     before = 1.0;
   }
-  return fit_offset(normal, corners);
+  return fit_offset<Dimension>(normal, corners);
 }
+
+template FittedPlane<3> fit_offset<3>(const Eigen::Vector3d&, const CornersIn<3>&);
+template FittedPlane<6> fit_offset<6>(const Wrench&, const CornersIn<6>&);
+template FittedPlane<3> fit_plane<3>(const Eigen::Vector3d&, const CornersIn<3>&);
+template FittedPlane<6> fit_plane<6>(const Wrench&, const CornersIn<6>&);
 
 }  // namespace prehend

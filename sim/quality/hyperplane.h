@@ -1,4 +1,5 @@
-// A hyperplane of wrench space that bounds a polytope: the set normal . x <= offset.
+// A hyperplane that bounds a polytope: the set normal . x <= offset. In six dimensions, those of
+// wrench space, or in the three of its sections.
 #pragma once
 
 #include <array>
@@ -7,27 +8,37 @@
 
 namespace prehend {
 
-struct Hyperplane {
-  Wrench normal = Wrench::Zero();  // unit
+template <int Dimension>
+struct HyperplaneIn {
+  Eigen::Vector<double, Dimension> normal = Eigen::Vector<double, Dimension>::Zero();  // unit
   double offset = 0.0;
 };
+using Hyperplane = HyperplaneIn<6>;
 
 // A plane and how well it passes through the corners of a facet.
+template <int Dimension>
 struct FittedPlane {
-  Hyperplane plane;     // every corner has normal . corner >= offset, at least one equality
-  double spread = 0.0;  // largest normal . corner - offset
+  HyperplaneIn<Dimension> plane;  // every corner has normal . corner >= offset, one an equality
+  double spread = 0.0;            // largest normal . corner - offset
 };
 
-using FacetCorners = std::array<const Wrench*, 6>;
+template <int Dimension>
+using CornersIn =
+    std::array<const Eigen::Vector<double, Dimension>*, static_cast<std::size_t>(Dimension)>;
+using FacetCorners = CornersIn<6>;
 
 // The plane with the direction of `normal` (not zero), moved to the lowest of the corners. Because
 // of that choice the distance from the origin to the simplex of the corners is at least `offset`,
 // however inexact the normal is.
-FittedPlane fit_offset(const Wrench& normal, const FacetCorners& corners);
+template <int Dimension>
+FittedPlane<Dimension> fit_offset(const Eigen::Vector<double, Dimension>& normal,
+                                  const CornersIn<Dimension>& corners);
 
 // The plane through the corners, with its normal on the side of `guess` (not zero): `guess` less
 // its components along the facet. Where a facet is so thin that its edges do not determine the
 // normal, `guess` decides among those possible.
-FittedPlane fit_plane(const Wrench& guess, const FacetCorners& corners);
+template <int Dimension>
+FittedPlane<Dimension> fit_plane(const Eigen::Vector<double, Dimension>& guess,
+                                 const CornersIn<Dimension>& corners);
 
 }  // namespace prehend

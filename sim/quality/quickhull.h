@@ -1,4 +1,4 @@
-// The convex hull of wrenches by quickhull in six dimensions.
+// Convex hulls by quickhull, in the six dimensions of wrenches and in three.
 #pragma once
 
 #include "sim/quality/point_hull.h"
@@ -19,5 +19,10 @@ namespace prehend {
 //
 // Source: Barber, Dobkin and Huhdanpaa, "The quickhull algorithm for convex hulls", 1996.
 PointHull quickhull(const Wrenches& wrenches, const StartSimplex& start);
+
+// The same of points in space. Points less than about 1e-11 of the largest coordinate above a facet
+// count as inside. `solid` where the facets are closed and no corner is above any of them, else
+// `failed`.
+PointHull quickhull(const Eigen::Matrix3Xd& points);
 
 }  // namespace prehend

@@ -1,13 +1,66 @@
 #include "sim/quality/support.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <string>
 
 #include "sim/base/input_error.h"
+#include "sim/base/wide_lanes.h"
 
 namespace prehend {
+namespace {
+
+// The number of the column whose product with the direction is largest; of equal ones the first.
+// Each lane sums over the coordinates in the same order, and keeps the largest sum that it has seen
+// and in which block.
+template <typename Block>
+[[gnu::always_inline]] inline std::size_t farthest_in(const std::vector<Block>& blocks,
+                                                      const double* direction) {
+  constexpr std::size_t kLanes = 4;
+  constexpr std::size_t kParts = sizeof(Block) / sizeof(double) / (6 * kLanes);
+  const Doubles4 zero = {};
+  std::array<Doubles4, kParts> most;
+  std::array<Longs4, kParts> at;
+  most.fill(zero - std::numeric_limits<double>::infinity());
+  at.fill(Longs4{});
+  Longs4 number = {};  // of the block
+  for (const Block& block : blocks) {
+    for (std::size_t part = 0; part < kParts; ++part) {
+      Doubles4 sum = {};
+      for (std::size_t i = 0; i < 6; ++i) {
+        Doubles4 coordinates;
+        std::memcpy(&coordinates, block.coordinate[i] + kLanes * part, sizeof(coordinates));
+        sum += direction[i] * coordinates;
+      }
+      const Longs4 farther = sum > most[part];
+      at[part] = farther ? number : at[part];
+      most[part] = farther ? sum : most[part];
+    }
+    number += 1;
+  }
+  std::size_t best = 0;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (std::size_t lane = 0; lane < kParts * kLanes; ++lane) {
+    const double sum = most[lane / kLanes][lane % kLanes];
+    const auto block = static_cast<std::size_t>(at[lane / kLanes][lane % kLanes]);
+    const std::size_t column = block * kParts * kLanes + lane;
+    if (sum < largest || (sum == largest && column > best)) continue;
+    largest = sum;
+    best = column;
+  }
+  return best;
+}
+
+template <typename Block>
+PREHEND_FOR_AVX2 std::size_t farthest_with_avx2(const std::vector<Block>& blocks,
+                                                const double* direction) {
+  return farthest_in(blocks, direction);
+}
+
+}  // namespace
 
 // Coordinates are stored in blocks of kBlock columns, coordinate by coordinate. Equal neighbours
 // are stored once, and the empty places of the last block are filled with copies, so that every
@@ -34,29 +87,12 @@ void ColumnSupport::assign(const Eigen::Ref<const Wrenches>& wrenches) {
   }
 }
 
-// Compares the products of all columns with the direction. The eight lanes of a block are summed
-// independently of each other, each over the coordinates in the same order, so that the compiler
-// can vectorise the loops without changing results. Only a larger product replaces the best one:
-// ties go to the first column.
 Wrench ColumnSupport::support(const Wrench& direction) const {
-  double best = -std::numeric_limits<double>::infinity();
-  const Block* best_block = &blocks_.front();
-  int best_lane = 0;
-  for (const Block& block : blocks_) {
-    double value[kBlock] = {};
-    for (int i = 0; i < 6; ++i) {
-      for (int k = 0; k < kBlock; ++k) value[k] += direction[i] * block.coordinate[i][k];
-    }
-    for (int k = 0; k < kBlock; ++k) {
-      if (value[k] > best) {
-        best = value[k];
-        best_block = &block;
-        best_lane = k;
-      }
-    }
-  }
+  const std::size_t best = has_avx2() ? farthest_with_avx2(blocks_, direction.data())
+                                      : farthest_in(blocks_, direction.data());
+  const Block& block = blocks_[best / kBlock];
   Wrench point;
-  for (int i = 0; i < 6; ++i) point[i] = best_block->coordinate[i][best_lane];
+  for (int i = 0; i < 6; ++i) point[i] = block.coordinate[i][best % kBlock];
   return point;
 }
 

@@ -10,6 +10,7 @@
 #include "sim/base/input_error.h"
 #include "sim/quality/conic/conic_program.h"
 #include "sim/quality/point_hull.h"
+#include "sim/quality/quickhull.h"
 
 namespace prehend {
 namespace {
@@ -131,15 +132,35 @@ Ball inscribed_ball(const HalfSpaces& all, double half) {
   }
 }
 
+PointHull hull_of(const Eigen::Matrix3Xd& points) {
+  PointHull hull = quickhull(points);
+  if (hull.status == PointHullStatus::failed) hull = point_hull(points);
+  if (hull.status == PointHullStatus::failed) hull = point_hull(points, HullInput::joggled);
+  return hull;
+}
+
+// Many facets of the hull are in one plane, and give the same half-space.
+void drop_copies(Eigen::Matrix3Xd& points) {
+  std::vector<Eigen::Vector3d> all(points.colwise().begin(), points.colwise().end());
+  const auto before = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  };
+  std::sort(all.begin(), all.end(), before);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  points.resize(Eigen::NoChange, std::ssize(all));
+  std::copy(all.begin(), all.end(), points.colwise().begin());
+}
+
 // The corners of the intersection. A half-space normal . (x - centre) <= d, with d > 0 since the
 // centre is inside, has the pole normal / d. A facet normal . y <= offset of the hull of the poles
 // is dual to the corner normal / offset, relative to the centre.
 Eigen::Matrix3Xd corners(const HalfSpaces& all, const Eigen::Vector3d& center) {
-  Eigen::MatrixXd poles = all.normals;
+  Eigen::Matrix3Xd poles = all.normals;
   for (Eigen::Index f = 0; f < poles.cols(); ++f) {
     poles.col(f) /= all.offsets[f] - all.normals.col(f).dot(center);
   }
-  PointHull hull = point_hull(poles);
+  drop_copies(poles);
+  PointHull hull = hull_of(poles);
   if (hull.status != PointHullStatus::solid) hull = point_hull(poles, HullInput::joggled);
   Eigen::Matrix3Xd found(3, hull.offsets.size());
   for (Eigen::Index f = 0; f < found.cols(); ++f) {
@@ -158,8 +179,7 @@ void scale(Numbers& numbers, int exponent) {
 // corner, the list of corners has copies of it up to rounding: taking their hull again removes the
 // copies inside it. Vertices are numbered in the order in which the triangles first use them.
 void add_surface(const Eigen::Matrix3Xd& points, WrenchSlice& slice) {
-  PointHull hull = point_hull(points);
-  if (hull.status == PointHullStatus::failed) hull = point_hull(points, HullInput::joggled);
+  const PointHull hull = hull_of(points);
   if (hull.status != PointHullStatus::solid) return;
   std::vector<int> number(static_cast<std::size_t>(points.cols()), -1);
   slice.vertices.resize(3, points.cols());
@@ -170,7 +190,7 @@ void add_surface(const Eigen::Matrix3Xd& points, WrenchSlice& slice) {
     const Eigen::Vector3d a = points.col(triangle[0]);
     const Eigen::Vector3d b = points.col(triangle[1]);
     const Eigen::Vector3d c = points.col(triangle[2]);
-    // qhull lists the corners of a facet in no particular orientation.
+    // The corners of a facet are listed in no particular orientation.
     if ((b - a).cross(c - a).dot(Eigen::Vector3d(hull.normals.col(f))) < 0.0) {
       std::swap(triangle[1], triangle[2]);
     }

@@ -16,8 +16,8 @@
 #include <limits>
 #include <utility>
 
-#include "sim/shape/lanes.h"
 #include "sim/shape/triangle_mesh.h"
+#include "sim/base/wide_lanes.h"
 
 namespace prehend {
 namespace {
@@ -122,11 +122,48 @@ Vector3 nearest_to_origin(Simplex& s) {
   }
 }
 
-// How far the points of a block lie along d. A block has the coordinates x of as many points as
-// there are lanes, then y, then z.
-inline Lanes along(const float* block, const std::array<Lanes, 3>& d) {
-  return d[0] * load_lanes(block) + d[1] * load_lanes(block + kLanes) +
-         d[2] * load_lanes(block + 2 * kLanes);
+// A block: the coordinates x of so many points, then y, then z.
+constexpr std::size_t kBlock = 8;
+
+// The number of the point that lies farthest along d. Each lane keeps the largest value it has seen
+// and in which block; of equal ones, the first.
+[[gnu::always_inline]] inline std::size_t farthest_in(const std::vector<float>& blocks,
+                                                      const std::array<float, 3>& d) {
+  const Floats8 zero = {};
+  const Floats8 dx = zero + d[0];
+  const Floats8 dy = zero + d[1];
+  const Floats8 dz = zero + d[2];
+  Floats8 most = zero - std::numeric_limits<float>::infinity();
+  Ints8 at = {};
+  Ints8 number = {};  // of the block
+  const float* const end = blocks.data() + blocks.size();
+  for (const float* block = blocks.data(); block != end; block += 3 * kBlock) {
+    Floats8 x;
+    Floats8 y;
+    Floats8 z;
+    std::memcpy(&x, block, sizeof(x));
+    std::memcpy(&y, block + kBlock, sizeof(y));
+    std::memcpy(&z, block + 2 * kBlock, sizeof(z));
+    const Floats8 along = dx * x + dy * y + dz * z;
+    const Ints8 farther = along > most;
+    at = farther ? number : at;
+    most = farther ? along : most;
+    number += 1;
+  }
+  // Of lanes with equal values one of the first half, and there the first.
+  constexpr std::size_t kHalf = kBlock / 2;
+  std::array<std::size_t, kHalf> best;
+  for (std::size_t i = 0; i < kHalf; ++i) best[i] = most[i + kHalf] > most[i] ? i + kHalf : i;
+  std::size_t lane = best[0];
+  for (std::size_t i = 1; i < kHalf; ++i) {
+    if (most[best[i]] > most[lane]) lane = best[i];
+  }
+  return kBlock * static_cast<std::size_t>(at[lane]) + lane;
+}
+
+PREHEND_FOR_AVX2 std::size_t farthest_with_avx2(const std::vector<float>& blocks,
+                                                const std::array<float, 3>& d) {
+  return farthest_in(blocks, d);
 }
 
 }  // namespace
@@ -145,48 +182,22 @@ ConvexPoints::ConvexPoints(std::vector<Vector3> points, double margin)
   double radius = 0.0;
   for (const Vector3& p : points_) radius = std::max(radius, (p - center).norm());
   search_error_ = 32.0 * 0.5 * std::numeric_limits<float>::epsilon() * radius;
-  // The last blocks are filled up with the first point.
-  const std::size_t blocks = (points_.size() + 2 * kLanes - 1) / (2 * kLanes) * 2;
-  blocks_.resize(3 * kLanes * blocks);
-  for (std::size_t i = 0; i < blocks * kLanes; ++i) {
+  // The last block is filled up with the first point.
+  const std::size_t blocks = (points_.size() + kBlock - 1) / kBlock;
+  blocks_.resize(3 * kBlock * blocks);
+  for (std::size_t i = 0; i < blocks * kBlock; ++i) {
     const Vector3 p = points_[i < points_.size() ? i : 0] - center;
     for (std::size_t k = 0; k < 3; ++k) {
-      blocks_[(3 * (i / kLanes) + k) * kLanes + i % kLanes] =
+      blocks_[(3 * (i / kBlock) + k) * kBlock + i % kBlock] =
           static_cast<float>(p[static_cast<Vector3::Index>(k)]);
     }
   }
 }
 
-// Each lane keeps the largest value it has seen and where. Two sets of lanes take turns, so that no
-// comparison waits for the one before.
 const Vector3& ConvexPoints::farthest(const Vector3& direction) const {
-  const std::array<Lanes, 3> d{Lanes(static_cast<float>(direction.x())),
-                               Lanes(static_cast<float>(direction.y())),
-                               Lanes(static_cast<float>(direction.z()))};
-  using std::experimental::max;
-  using std::experimental::where;
-  Lanes even_most(-std::numeric_limits<float>::infinity());
-  Lanes odd_most = even_most;
-  Lanes even_at(0.0F);
-  Lanes odd_at(0.0F);
-  float number = 0.0F;  // of the block
-  const float* const end = blocks_.data() + blocks_.size();
-  for (const float* block = blocks_.data(); block != end; block += 6 * kLanes) {
-    const Lanes even = along(block, d);
-    const Lanes odd = along(block + 3 * kLanes, d);
-    where(even > even_most, even_at) = number;
-    where(odd > odd_most, odd_at) = number + 1.0F;
-    even_most = max(even, even_most);
-    odd_most = max(odd, odd_most);
-    number += 2.0F;
-  }
-  where(odd_most > even_most, even_at) = odd_at;
-  even_most = max(odd_most, even_most);
-  std::size_t lane = 0;
-  for (std::size_t i = 1; i < kLanes; ++i) {
-    if (even_most[i] > even_most[lane]) lane = i;
-  }
-  const std::size_t found = static_cast<std::size_t>(even_at[lane]) * kLanes + lane;
+  const std::array<float, 3> d{static_cast<float>(direction.x()), static_cast<float>(direction.y()),
+                               static_cast<float>(direction.z())};
+  const std::size_t found = has_avx2() ? farthest_with_avx2(blocks_, d) : farthest_in(blocks_, d);
   return points_[found < points_.size() ? found : 0];
 }
 

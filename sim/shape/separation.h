@@ -28,7 +28,7 @@ class ConvexPoints {
   std::vector<Vector3> points_;
   double margin_ = 0.0;
   double search_error_ = 0.0;
-  std::vector<float> blocks_;  // coordinates from the centre: n times x, n times y, n times z, ...
+  std::vector<float> blocks_;  // coordinates from the centre: 8 times x, 8 times y, 8 times z, ...
 };
 
 // A lower bound of the distance [m] between the sets a and b: the largest value found of min_b n.b

@@ -7,8 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <experimental/simd>
+#include <cstring>
 #include <limits>
+
+#include "sim/shape/triangle_mesh.h"
+#include "sim/base/wide_lanes.h"
 
 namespace prehend {
 namespace {
@@ -61,44 +64,27 @@ bool edge_crosses(const PlacedTriangle& face, const Heights& heights, const Corn
   return false;
 }
 
-using Pairs = std::experimental::native_simd<double>;
-constexpr std::size_t kPairs = Pairs::size();
-
-// Vectors in lanes.
-struct PairVector {
-  Pairs x;
-  Pairs y;
-  Pairs z;
-};
-
-Pairs dot(const PairVector& a, const PairVector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
-// The three edges of a triangle in lanes, by start and vector; the last edge fills up the lanes.
-struct Edges {
-  static constexpr std::size_t kCount = (3 + kPairs - 1) / kPairs * kPairs;
-  using Components = std::array<std::array<double, kCount>, 3>;
-  Components start;
-  Components along;
-
-  explicit Edges(const Corners& t) {
-    for (std::size_t edge = 0; edge < kCount; ++edge) {
-      const std::size_t k = std::min<std::size_t>(edge, 2);
-      const Vector3 vector = t[(k + 1) % 3] - t[k];
-      for (std::size_t i = 0; i < 3; ++i) {
-        start[i][edge] = t[k][static_cast<Vector3::Index>(i)];
-        along[i][edge] = vector[static_cast<Vector3::Index>(i)];
-      }
-    }
+// Whether a plane is farther from the points, all on one side of it, than rounding of its normal
+// could make it: that turns by 1e-7 at most (reliable_normal).
+bool is_clear(double distance, const PlacedTriangle& plane, const Corners& points) {
+  constexpr double kTurn = 1e-6;
+  if (distance == 0.0) return false;
+  double farthest = 0.0;
+  for (const Vector3& p : points) {
+    farthest = std::max(farthest, (p - plane.corner[0]).squaredNorm());
   }
-};
-
-PairVector load(const Edges::Components& from, std::size_t at) {
-  using std::experimental::element_aligned;
-  return {Pairs(from[0].data() + at, element_aligned), Pairs(from[1].data() + at, element_aligned),
-          Pairs(from[2].data() + at, element_aligned)};
+  return distance * distance > kTurn * kTurn * farthest;
 }
 
-PairVector broadcast(const Vector3& v) { return {Pairs(v.x()), Pairs(v.y()), Pairs(v.z())}; }
+// Vectors in lanes.
+struct LaneVector {
+  Doubles4 x;
+  Doubles4 y;
+  Doubles4 z;
+};
+
+// The three edges of a triangle in lanes, by start and vector; the last edge fills up the lanes.
+constexpr std::size_t kEdges = 4;
 
 // The parameters of the nearest points of edges p + s d and q + t e, 0 <= s, t <= 1, from the
 // products of r = p - q, d and e. Ericson 2005, section 5.1.9: the feet of the common
@@ -110,31 +96,29 @@ struct EdgeParameters {
   Number s;
   Number t;
 
-  EdgeParameters(const Number& dd, const Number& ee, const Number& de, const Number& dr,
-                 const Number& er) {
-    using std::max;
-    using std::min;
-    using std::experimental::max;
-    using std::experimental::min;
-    const Number tiny(std::numeric_limits<double>::min());
-    const Number zero(0.0);
-    const Number one(1.0);
-    const Number denominator = max(dd * ee - de * de, tiny);
-    s = max(zero, min((de * er - dr * ee) / denominator, one));
-    t = max(zero, min((de * s + er) / max(ee, tiny), one));
-    s = max(zero, min((de * t - dr) / max(dd, tiny), one));
+  [[gnu::always_inline]] EdgeParameters(const Number& dd, const Number& ee, const Number& de,
+                                        const Number& dr, const Number& er) {
+    const Number zero = {};
+    const Number one = zero + 1.0;
+    const Number tiny = zero + std::numeric_limits<double>::min();
+    const Number square = dd * ee - de * de;
+    const Number denominator = square > tiny ? square : tiny;
+    const Number other = ee > tiny ? ee : tiny;
+    const Number own = dd > tiny ? dd : tiny;
+    s = (de * er - dr * ee) / denominator;
+    clamp(zero, one, s);
+    t = (de * s + er) / other;
+    clamp(zero, one, t);
+    s = (de * t - dr) / own;
+    clamp(zero, one, s);
+  }
+
+ private:
+  [[gnu::always_inline]] static void clamp(const Number& low, const Number& high, Number& number) {
+    number = number < high ? number : high;
+    number = number > low ? number : low;
   }
 };
-
-// The squared distances of edge p + s d from the edges q + t e.
-Pairs squared_from_edges(const PairVector& p, const PairVector& d, const PairVector& q,
-                         const PairVector& e) {
-  const PairVector r{p.x - q.x, p.y - q.y, p.z - q.z};
-  const EdgeParameters<Pairs> at(dot(d, d), dot(e, e), dot(d, e), dot(d, r), dot(e, r));
-  const PairVector apart{r.x + at.s * d.x - at.t * e.x, r.y + at.s * d.y - at.t * e.y,
-                         r.z + at.s * d.z - at.t * e.z};
-  return dot(apart, apart);
-}
 
 // The nearest points of edge i of u and edge k of v.
 NearestPoints nearest_on_edges(const Corners& u, std::size_t i, const Corners& v, std::size_t k) {
@@ -147,23 +131,57 @@ NearestPoints nearest_on_edges(const Corners& u, std::size_t i, const Corners& v
   return {(on_u - on_v).norm(), on_u, on_v};
 }
 
-// The nearest points of all nine pairs of edges. What works on lanes is inlined: compilers call
-// functions to fill them otherwise.
-[[gnu::flatten]] NearestPoints nearest_edges(const Corners& u, const Corners& v) {
-  const Edges edges(v);
-  std::array<double, 3 * Edges::kCount> squared;
+// The squared distances of all pairs of edges: of edge i of u from edge k of v at 4 i + k.
+[[gnu::always_inline]] inline void edge_distances_in(const Corners& u, const Corners& v,
+                                                     std::array<double, 3 * kEdges>& squared) {
+  LaneVector q;
+  LaneVector e;
+  for (std::size_t edge = 0; edge < kEdges; ++edge) {
+    const std::size_t k = edge < 3 ? edge : 2;
+    const std::size_t to = k < 2 ? k + 1 : 0;
+    q.x[edge] = v[k].x();
+    q.y[edge] = v[k].y();
+    q.z[edge] = v[k].z();
+    e.x[edge] = v[to].x() - v[k].x();
+    e.y[edge] = v[to].y() - v[k].y();
+    e.z[edge] = v[to].z() - v[k].z();
+  }
+  const Doubles4 ee = e.x * e.x + e.y * e.y + e.z * e.z;
+  const Doubles4 zero = {};
   for (std::size_t i = 0; i < 3; ++i) {
-    const PairVector p = broadcast(u[i]);
-    const PairVector d = broadcast(u[(i + 1) % 3] - u[i]);
-    for (std::size_t at = 0; at < Edges::kCount; at += kPairs) {
-      squared_from_edges(p, d, load(edges.start, at), load(edges.along, at))
-          .copy_to(squared.data() + i * Edges::kCount + at, std::experimental::element_aligned);
-    }
+    const Vector3& from = u[i];
+    const Vector3& to = u[i < 2 ? i + 1 : 0];
+    const double d_x = to.x() - from.x();
+    const double d_y = to.y() - from.y();
+    const double d_z = to.z() - from.z();
+    const Doubles4 dd = zero + (d_x * d_x + d_y * d_y + d_z * d_z);
+    const LaneVector r{from.x() - q.x, from.y() - q.y, from.z() - q.z};
+    const EdgeParameters<Doubles4> at(dd, ee, d_x * e.x + d_y * e.y + d_z * e.z,
+                                      d_x * r.x + d_y * r.y + d_z * r.z,
+                                      e.x * r.x + e.y * r.y + e.z * r.z);
+    const LaneVector apart{r.x + at.s * d_x - at.t * e.x, r.y + at.s * d_y - at.t * e.y,
+                           r.z + at.s * d_z - at.t * e.z};
+    const Doubles4 sum = apart.x * apart.x + apart.y * apart.y + apart.z * apart.z;
+    std::memcpy(&squared[i * kEdges], &sum, sizeof(sum));
+  }
+}
+
+PREHEND_FOR_AVX2 void edge_distances_with_avx2(const Corners& u, const Corners& v,
+                                               std::array<double, 3 * kEdges>& squared) {
+  edge_distances_in(u, v, squared);
+}
+
+// The nearest points of all nine pairs of edges.
+NearestPoints nearest_edges(const Corners& u, const Corners& v) {
+  std::array<double, 3 * kEdges> squared;
+  if (has_avx2()) {
+    edge_distances_with_avx2(u, v, squared);
+  } else {
+    edge_distances_in(u, v, squared);
   }
   const auto least =
       static_cast<std::size_t>(std::min_element(squared.begin(), squared.end()) - squared.begin());
-  return nearest_on_edges(u, least / Edges::kCount, v,
-                          std::min<std::size_t>(least % Edges::kCount, 2));
+  return nearest_on_edges(u, least / kEdges, v, std::min<std::size_t>(least % kEdges, 2));
 }
 
 }  // namespace
@@ -202,8 +220,8 @@ NearestPoints triangle_distance(const PlacedTriangle& u, const PlacedTriangle& v
   }
   // Triangles that cross have corners on both sides of both planes, or on them. Of triangles in
   // nearly one plane, rounding may put the corners of one to one side.
-  if ((from_u == 0.0 && edge_crosses(u, over_u, v.corner)) ||
-      (from_v == 0.0 && edge_crosses(v, over_v, u.corner))) {
+  if ((from_u == 0.0 && !is_clear(from_v, v, u.corner) && edge_crosses(u, over_u, v.corner)) ||
+      (from_v == 0.0 && !is_clear(from_u, u, v.corner) && edge_crosses(v, over_v, u.corner))) {
     return {};
   }
   return nearest_edges(u.corner, v.corner);

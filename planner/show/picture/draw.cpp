@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <tuple>
 
 #include "planner/show/picture/screen_triangle.h"
 #include "planner/show/picture/surface_detail.h"
 #include "planner/show/picture/tile.h"
+#include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/parallel/parallel.h"
+#include "sim/base/pool.h"
 #include "sim/shape/mesh_checks.h"
 
 namespace prehend {
@@ -196,18 +200,22 @@ Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera, const Dra
 
   const TileLists lists(triangles, options.width, options.height);
   Image image = plain(options);
-  // One tile serves the whole picture in turn, on one thread: callers that draw many pictures
-  // distribute those over threads (contact_sheet).
-  Tile tile(projection, lights, options.samples, light_of(options.background));
-  for (int row = 0; row < lists.rows(); ++row) {
+  // One tile serves a thread in turn, row after row.
+  Pool<std::optional<Tile>> tiles;
+  for_each_in_parallel(index(lists.rows()), context.threads, [&](std::size_t i) {
+    const Pool<std::optional<Tile>>::Loan tile(tiles);
+    if (!tile->has_value()) {
+      tile->emplace(projection, lights, options.samples, light_of(options.background));
+    }
+    const int row = static_cast<int>(i);
     for (int column = 0; column < lists.columns(); ++column) {
       if (lists.at(column, row).empty()) continue;
       context.cancellation.check();
-      tile.move_to(column * Tile::kSize, row * Tile::kSize);
-      for (const ScreenTriangle* triangle : lists.at(column, row)) tile.add(*triangle);
-      tile.write_to(image);
+      tile->value().move_to(column * Tile::kSize, row * Tile::kSize);
+      for (const ScreenTriangle* triangle : lists.at(column, row)) tile->value().add(*triangle);
+      tile->value().write_to(image);
     }
-  }
+  });
   return image;
 }
 

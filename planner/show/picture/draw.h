@@ -31,7 +31,7 @@ struct DrawOptions {
 // surfaces behind one another in one sample, only the nearest 24 are kept. Triangles without area
 // are skipped; those nearer than Projection::near_depth() are cut off there. Throws InputError for
 // options out of range, a camera that sees nothing, and meshes with vertices that are not finite or
-// indices out of range; and Cancelled. It draws on one thread.
+// indices out of range; and Cancelled.
 Image draw(const std::vector<DrawnBody>& bodies, const Camera& camera,
            const DrawOptions& options = {}, const RunContext& context = {});
 

@@ -116,6 +116,11 @@ std::uint64_t mixed(std::uint64_t hash, std::int64_t number) {
   return hash ^ (hash >> 29);
 }
 
+// As std::llround, up to rounding of halves, without a call.
+std::int64_t rounded(double number) {
+  return static_cast<std::int64_t>(number + std::copysign(0.5, number));
+}
+
 // Collects the contacts of pairs of triangles, one of the object and one of the link.
 class PairContacts {
  public:
@@ -234,10 +239,10 @@ bool TriedPoints::insert(const Vector3& position, const Vector3& normal, double 
   // of a metre. Those on two sides of a border of this grid are both tried, which costs time only.
   Point point;
   for (int i = 0; i < 3; ++i) {
-    point.key[index(i)] = std::llround(1e9 * position[i]);
-    point.key[index(3 + i)] = std::llround(1e6 * normal[i]);
+    point.key[index(i)] = rounded(1e9 * position[i]);
+    point.key[index(3 + i)] = rounded(1e6 * normal[i]);
   }
-  point.key[6] = std::llround(1e9 * gap);
+  point.key[6] = rounded(1e9 * gap);
   for (const std::int64_t number : point.key) point.hash = mixed(point.hash, number);
   if (2 * points_.size() >= places_.size()) grow();
   int& place = place_of(point);

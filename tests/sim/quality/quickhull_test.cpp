@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include "tests/sim/quality/known_sets.h"
@@ -267,6 +269,60 @@ TEST(Quickhull, SameBitsEachTime) {
     EXPECT_EQ(first.offsets, second.offsets) << grasp.name;
     EXPECT_EQ(first.corners, second.corners) << grasp.name;
   }
+}
+
+// Points in space: inside and on a ball, and on the lattice of a cube, where most are in one plane
+// or on one line with others.
+std::vector<Eigen::Matrix3Xd> clouds_in_space(Random& random) {
+  std::vector<Eigen::Matrix3Xd> clouds;
+  for (const int count : {4, 5, 20, 300}) {
+    Eigen::Matrix3Xd cloud(3, count);
+    for (double& entry : cloud.reshaped()) entry = random.uniform(-1.0, 1.0);
+    clouds.push_back(cloud);
+    clouds.push_back(cloud.colwise().normalized());
+  }
+  Eigen::Matrix3Xd lattice(3, 125);
+  for (int i = 0; i < 125; ++i) lattice.col(i) << i % 5, i / 5 % 5, i / 25;
+  clouds.push_back(lattice);
+  const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1.0, 2.0, -0.5).normalized());
+  clouds.emplace_back(turn.toRotationMatrix() * lattice);
+  return clouds;
+}
+
+TEST(Quickhull, InSpaceIsThatOfQhull) {
+  Random random(61);
+  for (const Eigen::Matrix3Xd& cloud : clouds_in_space(random)) {
+    const PointHull hull = quickhull(cloud);
+    const PointHull other = point_hull(cloud);
+    ASSERT_EQ(hull.status, PointHullStatus::solid) << cloud.cols();
+    EXPECT_NEAR(hull.volume, other.volume, 1e-10 * other.volume) << cloud.cols();
+    EXPECT_EQ(hull.reach, other.reach);
+    std::map<std::array<int, 2>, int> edges;
+    for (Eigen::Index f = 0; f < hull.offsets.size(); ++f) {
+      const Eigen::VectorXd heights = cloud.transpose() * hull.normals.col(f);
+      EXPECT_LE(heights.maxCoeff(), hull.offsets[f] + 1e-10) << cloud.cols();
+      for (int k = 0; k < 3; ++k) {
+        const int from = hull.corners(k, f);
+        const int to = hull.corners((k + 1) % 3, f);
+        EXPECT_NEAR(heights[from], hull.offsets[f], 1e-10) << cloud.cols();
+        ++edges[{std::min(from, to), std::max(from, to)}];
+      }
+    }
+    // Slivers of no width may meet in one edge.
+    for (const auto& [edge, faces] : edges) EXPECT_EQ(faces % 2, 0) << cloud.cols();
+  }
+}
+
+TEST(Quickhull, OfWhatIsFlatInSpaceNothingIsSaid) {
+  Eigen::Matrix3Xd flat(3, 9);
+  for (int i = 0; i < 9; ++i) flat.col(i) << i % 3, i / 3, 1.0;
+  EXPECT_EQ(quickhull(flat).status, PointHullStatus::failed);
+  EXPECT_EQ(quickhull(Eigen::Matrix3Xd(flat.leftCols(3))).status, PointHullStatus::failed);
+  EXPECT_EQ(quickhull(Eigen::Matrix3Xd(Eigen::Matrix3Xd::Ones(3, 5))).status,
+            PointHullStatus::failed);
+  EXPECT_EQ(quickhull(Eigen::Matrix3Xd(3, 0)).status, PointHullStatus::failed);
+  flat(2, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(quickhull(flat).status, PointHullStatus::failed);
 }
 
 }  // namespace
