@@ -17,7 +17,7 @@ namespace prehend {
 namespace {
 
 // What rank() and the stages behind it order by: larger is better.
-std::tuple<bool, int, double> merit(const ScoredGrasp& grasp, RankBy by) {
+std::tuple<bool, double, double> merit(const ScoredGrasp& grasp, RankBy by) {
   double value = grasp.trial.epsilon.lower;
   if (by != RankBy::epsilon && grasp.robustness) {
     value = by == RankBy::success ? success_probability(*grasp.robustness)
@@ -25,7 +25,7 @@ std::tuple<bool, int, double> merit(const ScoredGrasp& grasp, RankBy by) {
   } else if (grasp.free) {
     value = grasp.free->outcome == Outcome::stable ? grasp.free->epsilon.lower : 0.0;
   }
-  return {grasp.trial.preferred, grasp.shapes ? grasp.shapes->held() : 0, value};
+  return {grasp.trial.preferred, grasp.shapes ? grasp.shapes->certainty : 0.0, value};
 }
 
 std::vector<AnyGrasp> merged(const std::vector<PlanResult>& results, RankBy by) {

@@ -35,6 +35,8 @@ struct HeldShapes {
   bool likely = false;
   std::optional<bool> thin = {};  // none: not tried
   std::optional<bool> thick = {};
+  // How firmly it holds on all of them, and with the hand a little beside: try_shapes.
+  double certainty = 0.0;
 
   int held() const { return int{likely} + int{thin.value_or(false)} + int{thick.value_or(false)}; }
   int tried() const { return 1 + int{thin.has_value()} + int{thick.has_value()}; }

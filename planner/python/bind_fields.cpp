@@ -62,7 +62,7 @@ void bind_fields(py::module_& core) {
   PREHEND_FIELDS(Refinement, parent, gain, trials);
   PREHEND_FIELDS(ScoredGrasp, trial, candidate, volume, primitive, rule, path, sections, tried,
                  epsilon_nearby, holding, robustness, refinement, free, shake, shapes, lift);
-  PREHEND_FIELDS(HeldShapes, likely, thin, thick);
+  PREHEND_FIELDS(HeldShapes, likely, thin, thick, certainty);
   PREHEND_FIELDS(Tried, candidate, X_OH, approach_O, outcome, collision_of);
   PREHEND_FIELDS(CollisionCount, outcome, link, by, count);
   PREHEND_FIELDS(RuleCount, rule, outcomes);
