@@ -16,8 +16,8 @@
 #include <limits>
 #include <utility>
 
-#include "sim/shape/triangle_mesh.h"
 #include "sim/base/wide_lanes.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 namespace {

@@ -10,8 +10,8 @@
 #include <cstring>
 #include <limits>
 
-#include "sim/shape/triangle_mesh.h"
 #include "sim/base/wide_lanes.h"
+#include "sim/shape/triangle_mesh.h"
 
 namespace prehend {
 namespace {
