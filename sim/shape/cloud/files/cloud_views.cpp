@@ -292,7 +292,8 @@ std::optional<DepthView> grid_view(const PointCloud& cloud, double unit, const P
     rays[i] = {p.x() / p.z(), p.y() / p.z(), p.z()};
     view.depth[i] = static_cast<float>(p.z());
     across.add(rays[i].x, static_cast<double>(i % cloud.width));
-    down.add(rays[i].y, static_cast<double>(i / cloud.width));
+    const std::size_t row = i / cloud.width;
+    down.add(rays[i].y, static_cast<double>(row));
   }
   view.camera = {across.focal(),
                  down.focal(),
@@ -308,7 +309,8 @@ std::optional<DepthView> grid_view(const PointCloud& cloud, double unit, const P
     const double u = camera.fx * rays[i].x + camera.cx;
     const double v = camera.fy * rays[i].y + camera.cy;
     if (!(std::abs(u - static_cast<double>(i % cloud.width)) <= kNear)) return {};
-    if (!(std::abs(v - static_cast<double>(i / cloud.width)) <= kNear)) return {};
+    const std::size_t row = i / cloud.width;
+    if (!(std::abs(v - static_cast<double>(row)) <= kNear)) return {};
   }
   return view;
 }
