@@ -664,7 +664,7 @@ class Views(unittest.TestCase):
     """What depth cameras saw, as arrays: a block on a table, in closed form."""
 
     SIZE = (0.05, 0.05, 0.12)
-    CAMERA = dict(fx=150.0, fy=150.0, cx=79.5, cy=59.5)
+    CAMERA = dict(fx=600.0, fy=600.0, cx=319.5, cy=239.5)
 
     @classmethod
     def setUpClass(cls):
@@ -675,8 +675,8 @@ class Views(unittest.TestCase):
         cls.X_WC = np.eye(4)
         cls.X_WC[:3, :3] = np.column_stack([np.cross(y, z), y, z])
         cls.X_WC[:3, 3] = eye
-        u, v = np.meshgrid(np.arange(160), np.arange(120))
-        rays = np.stack([(u - 79.5) / 150.0, (v - 59.5) / 150.0, np.ones(u.shape)], axis=-1)
+        u, v = np.meshgrid(np.arange(640), np.arange(480))
+        rays = np.stack([(u - 319.5) / 600.0, (v - 239.5) / 600.0, np.ones(u.shape)], axis=-1)
         d = rays @ cls.X_WC[:3, :3].T
         t = -eye[2] / d[..., 2]
         far = np.linalg.norm(eye[:2] + t[..., None] * d[..., :2], axis=-1) > 0.5
