@@ -108,7 +108,8 @@ TEST(CameraProgram, WhatIsNoViewIsRefused) {
   expect_plan_refused(cloud(plane), "bad.pcd: ");
   expect_plan_refused(cloud(in_millimetres), "bad.pcd: unit: distances look like millimetres");
   expect_plan_refused(folder / "views.json", "no such thing was seen", " --object 7");
-  expect_plan_refused(folder / "views.json", "views.json: unit: stands in the JSON file",
+  expect_plan_refused(folder / "views.json",
+                      "views.json: unit: a scene says the units of its meshes itself",
                       " --unit mm");
   std::ofstream(folder / "large.pcd")
       << "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 20000000\n"
