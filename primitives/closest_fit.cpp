@@ -61,8 +61,8 @@ double loss_of(double distance, double cutoff) {
 
 class ClosestFit {
  public:
-  ClosestFit(const Primitive& start, std::span<const SurfacePoint> points)
-      : points_(points), best_(start) {}
+  ClosestFit(const Primitive& start, std::span<const SurfacePoint> points, bool keep_axis)
+      : points_(points), keep_axis_(keep_axis), best_(start) {}
 
   // One sequence of steps at a cutoff.
   void run(double cutoff) {
@@ -163,6 +163,8 @@ class ClosestFit {
         row[kRigid + static_cast<int>(k)] =
             (signed_distance(larger[k], q) - distance) / kDifference;
       }
+      // A column of zeros keeps its unknown at 0.
+      if (keep_axis_) row.head<kRigid - 1>().setZero();
       normal += weight * row * row.transpose();
       right -= weight * distance * row;
     }
@@ -172,6 +174,7 @@ class ClosestFit {
   static constexpr double kDifference = 1e-7;
 
   std::span<const SurfacePoint> points_;
+  bool keep_axis_;
   std::vector<double> facing_;  // of each point
   Primitive best_;
 };
@@ -179,11 +182,11 @@ class ClosestFit {
 }  // namespace
 
 Primitive closest_fit(const Primitive& start, std::span<const SurfacePoint> points,
-                      double tolerance) {
+                      double tolerance, bool keep_axis) {
   constexpr int kRounds = 6;
   // Below this part of the tolerance, what is left is tessellation.
   constexpr double kFinest = 0.01;
-  ClosestFit fit(start, points);
+  ClosestFit fit(start, points, keep_axis);
   double cutoff = tolerance;
   for (int round = 0; round < kRounds; ++round) {
     fit.run(cutoff);

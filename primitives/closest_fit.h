@@ -13,8 +13,9 @@ namespace prehend {
 // count less and less the farther they are (Tukey's biweight), with a cutoff that shrinks from
 // `tolerance` [m] with the median distance of those that count: a handle then does not tilt the
 // body of a cup that is round up to its tessellation, while a rough body keeps all of its points.
-// What the points do not determine, such as an open end, stays as it was.
+// What the points do not determine, such as an open end, stays as it was; with `keep_axis` the
+// z-axis of the primitive does, along which alone it is moved.
 Primitive closest_fit(const Primitive& start, std::span<const SurfacePoint> points,
-                      double tolerance);
+                      double tolerance, bool keep_axis = false);
 
 }  // namespace prehend

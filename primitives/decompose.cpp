@@ -9,11 +9,13 @@
 
 #include "primitives/align.h"
 #include "primitives/closest_fit.h"
+#include "primitives/coaxial_solids.h"
 #include "primitives/fit.h"
 #include "primitives/inscribed.h"
 #include "primitives/own_frame.h"
 #include "primitives/polish.h"
 #include "primitives/quantile.h"
+#include "primitives/smoothed_points.h"
 #include "primitives/split.h"
 #include "primitives/taper.h"
 #include "sim/base/formatted.h"
@@ -25,10 +27,11 @@
 namespace prehend {
 namespace {
 
-// Stages: scale the mesh to unit size, sample points from it, split greedily from the whole surface
-// down (grown), improve the pieces as a set (polished), drop to the number allowed (reduced), make
-// cones of cylinders that taper, bring each as close to its points as it gets (come_closest), then
-// correct radii for tessellation and scale back.
+// Stages: scale the mesh to unit size, sample points from it, take what turns about an axis
+// (coaxial_solids.h), split the rest greedily from the whole down (grown), improve the pieces as a
+// set (polished), drop to the number allowed (reduced), make cones of cylinders that taper, bring
+// each as close to its points as it gets (come_closest), then correct radii for tessellation and
+// scale back.
 
 // Throws InputError for options out of range and meshes with unusable indices or vertices.
 void check(const TriangleMesh& mesh, const DecomposeOptions& options) {
@@ -67,21 +70,40 @@ UnitMesh unit_mesh(const TriangleMesh& mesh) {
   return unit;
 }
 
-Surface surface_of(const TriangleMesh& mesh, const DecomposeOptions& options,
-                   const RunContext& context) {
+// The surface as decisions see it, and as sizes are taken from it.
+struct Surfaces {
+  Surface smooth;
+  Surface exact;
+};
+
+Surfaces surfaces_of(const TriangleMesh& mesh, const DecomposeOptions& options,
+                     const RunContext& context) {
   // Surface of a primitive counts as phantom when it is farther from the mesh than the tolerance.
   // The radius must also exceed the spacing of the points, or holes between them would look like
   // missing surface, and must not make the voxel grid too fine (memory).
   constexpr double kGaps = 2.0;
   constexpr double kFinestGrid = 0.02;
-  std::vector<SurfacePoint> points = sample_surface(mesh, options.points, options.seed);
-  require(!points.empty(), no_area(mesh));
+  // Normals and positions are means over this distance, of so many times more points: noise of a
+  // hundredth of the object and triangles as large as that hardly matter then.
+  constexpr double kSmoothing = 0.045;
+  constexpr int kMorePoints = 3;
+  const std::vector<SurfacePoint> rough =
+      sample_surface(mesh, kMorePoints * options.points, options.seed);
+  require(!rough.empty(), no_area(mesh));
+  SmoothedPoints points =
+      smoothed_points(rough, kSmoothing, static_cast<std::size_t>(options.points), context.threads);
+  require(!points.exact.empty(), no_area(mesh));
   const double area = surface_area(mesh);
   const double gap = std::sqrt(area / options.points);
   const double radius = std::max({options.tolerance, kGaps * gap, kFinestGrid});
-  NearSurface near(points, radius);
-  return {std::move(points), std::move(near),     area, options.tolerance, options.coverage,
-          context.threads,   context.cancellation};
+  const auto surface = [&](std::vector<SurfacePoint> of) {
+    NearSurface near(of, radius);
+    const std::size_t whole = of.size();
+    return Surface{std::move(of),   std::move(near),     area,
+                   whole,           options.tolerance,   options.coverage,
+                   context.threads, context.cancellation};
+  };
+  return {surface(std::move(points.smooth)), surface(std::move(points.exact))};
 }
 
 // A region of the present partition, with its best split once that has been looked for.
@@ -169,10 +191,28 @@ void come_closest(std::vector<Region>& regions, const Surface& surface) {
   for_each_in_parallel(regions.size(), surface.threads, [&](std::size_t k) {
     surface.cancellation.check();
     if (points[k].empty()) return;
-    Primitive& primitive = regions[k].fit.primitive;
-    primitive = closest_fit(primitive, points[k], surface.tolerance);
-    regions[k].points = std::move(points[k]);
+    Region& region = regions[k];
+    region.fit.primitive =
+        closest_fit(region.fit.primitive, points[k], surface.tolerance, region.shares_axis);
+    region.points = std::move(points[k]);
   });
+}
+
+// Regions of what coaxial solids leave: all of an object that is nowhere round.
+std::vector<Region> fitted_to_rest(const Surface& rest, const DecomposeOptions& options,
+                                   const UnitMesh& unit) {
+  // A primitive for less of the surface would describe how parts meet, not a part.
+  constexpr double kLeastShare = 0.03;
+  if (share_of(rest.points.size(), rest) < kLeastShare) return {};
+  std::vector<Region> regions = grown(rest, options);
+  if (regions.size() > 1) regions = polished(std::move(regions), rest);
+  if (rest.points.size() < rest.whole) {
+    std::erase_if(regions, [&](const Region& region) {
+      return share_of(region.points.size(), rest) - region.unexplained < kLeastShare;
+    });
+  }
+  make_cones(regions, rest, surface_moments(unit.mesh));
+  return regions;
 }
 
 // Of distances in units of `unit` metres.
@@ -242,6 +282,21 @@ Decomposition result_of(const std::vector<Region>& regions, const Surface& surfa
   return result;
 }
 
+// Whether one primitive describes the object: a box is a box although its middle could be a
+// cylinder with few gaps.
+bool is_enough(const Region& region, const Surface& surface) {
+  constexpr double kGoodFit = 0.08;
+  return region.unexplained <= 1.0 - surface.coverage && region.fit.cost <= kGoodFit;
+}
+
+std::vector<Region> fitted_in_parts(const Surface& surface, const DecomposeOptions& options,
+                                    const UnitMesh& unit) {
+  Surface rest = surface;
+  std::vector<Region> regions = take_coaxial_solids(rest);
+  for (Region& region : fitted_to_rest(rest, options, unit)) regions.push_back(std::move(region));
+  return regions;
+}
+
 }  // namespace
 
 double relative_tolerance(const TriangleMesh& mesh, double length) {
@@ -261,13 +316,12 @@ Decomposition decompose(const TriangleMesh& mesh, const DecomposeOptions& option
   context.cancellation.check();
   check(mesh, options);
   const UnitMesh unit = unit_mesh(mesh);
-  const Surface surface = surface_of(unit.mesh, options, context);
-  std::vector<Region> regions = grown(surface, options);
-  if (regions.size() > 1) regions = polished(std::move(regions), surface);
-  regions = reduced(std::move(regions), surface, static_cast<std::size_t>(options.max_primitives));
-  make_cones(regions, surface, surface_moments(unit.mesh));
-  come_closest(regions, surface);
-  return result_of(regions, surface, unit);
+  const auto [smooth, exact] = surfaces_of(unit.mesh, options, context);
+  std::vector<Region> regions = fit_regions({smooth.points}, smooth);
+  if (!is_enough(regions.front(), smooth)) regions = fitted_in_parts(smooth, options, unit);
+  regions = reduced(std::move(regions), smooth, static_cast<std::size_t>(options.max_primitives));
+  come_closest(regions, exact);
+  return result_of(regions, exact, unit);
 }
 
 }  // namespace prehend

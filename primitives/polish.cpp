@@ -28,7 +28,8 @@ double total_cost(const std::vector<std::vector<double>>& distance,
     if (used[k]) cost += phantom[k] + kPieceCost;
   }
   double sum = 0.0;
-  std::size_t explained = 0;
+  // What is not among the points is explained otherwise.
+  std::size_t explained = surface.whole - surface.points.size();
   for (std::size_t i = 0; i < surface.points.size(); ++i) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < distance.size(); ++k) {
@@ -37,7 +38,7 @@ double total_cost(const std::vector<std::vector<double>>& distance,
     sum += point_loss(nearest, surface.tolerance);
     if (nearest <= surface.tolerance) ++explained;
   }
-  const double count = static_cast<double>(surface.points.size());
+  const double count = static_cast<double>(surface.whole);
   const double shortfall = std::max(surface.coverage - static_cast<double>(explained) / count, 0.0);
   return cost + sum / count + kShortfallCost * shortfall;
 }

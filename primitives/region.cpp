@@ -27,7 +27,7 @@ double unexplained_share(const Primitive& primitive, std::span<const SurfacePoin
   const auto unexplained = std::count_if(points.begin(), points.end(), [&](const SurfacePoint& s) {
     return std::abs(signed_distance(primitive, s.p_O)) > surface.tolerance;
   });
-  return static_cast<double>(unexplained) / static_cast<double>(surface.points.size());
+  return static_cast<double>(unexplained) / static_cast<double>(surface.whole);
 }
 
 // Lengths are in the unit of the scaled mesh, whose bounding box has a diagonal of 1.
@@ -64,7 +64,7 @@ double phantom_cost(const Primitive& primitive, const Surface& surface) {
 }
 
 double share_of(std::size_t count, const Surface& surface) {
-  return static_cast<double>(count) / static_cast<double>(surface.points.size());
+  return static_cast<double>(count) / static_cast<double>(surface.whole);
 }
 
 std::vector<std::vector<SurfacePoint>> points_by_nearest(const std::vector<Region>& regions,

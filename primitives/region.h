@@ -22,6 +22,7 @@ struct Surface {
   std::vector<SurfacePoint> points;
   NearSurface near;
   double area = 0.0;
+  std::size_t whole = 0;  // number of points of the whole surface: `points` may be a part of it
   double tolerance = 0.0;
   double coverage = 0.0;
   int threads = 0;            // as in RunContext
@@ -47,6 +48,7 @@ struct Region {
   std::vector<SurfacePoint> points;
   Fit fit;
   double unexplained = 0.0;  // share of the whole surface: points of it beyond the tolerance
+  bool shares_axis = false;  // with other regions: better known than from its points
 };
 
 // So many points are enough for a quick fit.

@@ -25,7 +25,7 @@ constexpr double kSmallestShare = 0.008;
 // Fewest points of a part.
 std::size_t smallest(const Surface& surface) {
   return std::max<std::size_t>(
-      4, static_cast<std::size_t>(kSmallestShare * static_cast<double>(surface.points.size())));
+      4, static_cast<std::size_t>(kSmallestShare * static_cast<double>(surface.whole)));
 }
 
 // A value for each point of a region, such as its coordinate along a direction.
