@@ -272,6 +272,7 @@ CoaxialSolids best_of_axes(const Surface& surface) {
   constexpr int kSteps = 12;
   // Radii are means of many points: they are worth more than a single one's distance.
   const double tolerance = 0.4 * surface.tolerance;
+  constexpr double kClearly = 1.03;
   TurnAxis best_axis;
   double best_gain = 0.0;
   for (TurnAxis axis : likely_axes(surface.points)) {
@@ -279,7 +280,8 @@ CoaxialSolids best_of_axes(const Surface& surface) {
     axis = towards_the_tail(axis, surface.points);
     const TurnProfile profile = centered_profile(axis, surface, kQuickSteps);
     const double gain = best_coaxial_solids(axis, profile, surface.area, tolerance).gain;
-    if (gain <= best_gain) continue;
+    // Of a ball all axes are alike: the first ones are those of the whole object.
+    if (gain <= kClearly * best_gain) continue;
     best_gain = gain;
     best_axis = axis;
   }

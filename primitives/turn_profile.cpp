@@ -27,12 +27,39 @@ std::size_t step_of(double z, const TurnProfile& profile) {
   return std::min(static_cast<std::size_t>(steps), TurnProfile::kSteps - 1);
 }
 
+constexpr double kOfLength = 0.1;
+
+// Enters a step that has next to no side, such as the foot of a glass: a disc reaches as far as
+// nearly all of its points.
+void enter_disc(std::size_t k, const std::vector<SeenFromAxis>& points, std::size_t whole,
+                TurnProfile& profile) {
+  constexpr std::size_t kFewest = 20;
+  constexpr double kNearlyAll = 0.97;
+  constexpr std::size_t kSectors = 12;
+  std::vector<double> radii;
+  std::array<double, kSectors> reach = {};
+  for (const SeenFromAxis& s : points) {
+    radii.push_back(s.radius);
+    const double turns = s.angle / (2.0 * std::numbers::pi) + 0.5;
+    double& farthest = reach[std::min(static_cast<std::size_t>(turns * kSectors), kSectors - 1)];
+    farthest = std::max(farthest, s.radius);
+  }
+  if (radii.size() < kFewest) return;
+  const double radius = quantile(radii, kNearlyAll);
+  const bool round = std::all_of(reach.begin(), reach.end(), [&](double farthest) {
+    return std::abs(farthest - radius) < 0.1 * radius;
+  });
+  if (!round) return;
+  profile.radius[k] = radius;
+  profile.share[k] =
+      static_cast<double>(radii.size()) / static_cast<double>(whole) + kOfLength * profile.step;
+}
+
 // Enters a step from the points there, unless they are no circle.
 void enter_step(std::size_t k, const std::vector<SeenFromAxis>& points, std::size_t whole,
                 TurnProfile& profile) {
   constexpr double kApart = 0.015;  // farther from the middle radius a point is of something else
   constexpr double kLeastShare = 0.5;
-  constexpr double kOfLength = 0.1;
   constexpr std::size_t kFewest = 3;
   constexpr std::size_t kSectors = 12;
   constexpr auto kFewestSectors = 3;
@@ -40,7 +67,10 @@ void enter_step(std::size_t k, const std::vector<SeenFromAxis>& points, std::siz
   for (const SeenFromAxis& s : points) {
     if (is_side(s)) radii.push_back(s.radius);
   }
-  if (radii.size() < kFewest) return;
+  if (radii.size() < kFewest) {
+    enter_disc(k, points, whole, profile);
+    return;
+  }
   const double middle = quantile(radii, 0.5);
   std::array<bool, kSectors> seen = {};
   double sum = 0.0;
