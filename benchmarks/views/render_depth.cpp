@@ -9,9 +9,6 @@
 namespace prehend::bench {
 namespace {
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 480;
-constexpr double kFocal = 570.0;
 constexpr double kSteepest = 80.0 * std::numbers::pi / 180.0;
 
 struct PixelHit {
@@ -48,16 +45,6 @@ PixelHit look(const DepthCamera& camera, const std::vector<ShownThing>& things, 
 }
 
 }  // namespace
-
-DepthCamera camera_at(const Vector3& position, const Vector3& target) {
-  DepthCamera camera{kFocal, kFocal, 0.5 * (kWidth - 1), 0.5 * (kHeight - 1), kWidth, kHeight};
-  const Vector3 z = (target - position).normalized();
-  const Vector3 x = z.cross(Vector3::UnitZ()).normalized();
-  Matrix3 axes;
-  axes << x, z.cross(x), z;
-  camera.X_WC = pose_from(axes, position);
-  return camera;
-}
 
 DepthView render_depth(const DepthCamera& camera, const std::vector<ShownThing>& things,
                        double half_table, const CameraNoise& noise, Random& random) {

@@ -21,9 +21,6 @@ struct CameraNoise {
   double quantum = 0.001;  // depths are multiples of it [m]
 };
 
-// A camera at `position` that looks at `target`, with the picture upright in W.
-DepthCamera camera_at(const Vector3& position, const Vector3& target);
-
 // What the camera sees of the things and of a square table at z = 0, `half_table` [m] to each side
 // of the origin (0: there is none). Deviation of depths: 1.2 mm + 1.9 mm/m^2 (z - 0.4 m)^2 (Nguyen,
 // Izadi and Lovell 2012); no reading at surfaces steeper than 80 degrees against the ray; at edges

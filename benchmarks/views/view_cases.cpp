@@ -17,6 +17,7 @@
 #include "sim/shape/convex_hull.h"
 #include "sim/trial/perturbed_trials.h"
 #include "sim/trial/run_trial.h"
+#include "tests/support/depth_camera.h"
 
 namespace prehend::bench {
 namespace {
@@ -115,8 +116,8 @@ std::vector<DepthView> views_of(const TableCase& object, double angle, int count
     const Vector3 way(std::cos(turn) * std::cos(down), std::sin(turn) * std::cos(down),
                       std::sin(down));
     Random random(derived_seed(1, static_cast<std::uint64_t>(1000.0 * turn)));
-    views.push_back(
-        render_depth(camera_at(middle + kDistance * way, middle), {{&tree}}, kTable, {}, random));
+    views.push_back(render_depth(test::camera_at(middle + kDistance * way, middle), {{&tree}},
+                                 kTable, {}, random));
   }
   return views;
 }

@@ -10,7 +10,6 @@
 #include "sim/base/formatted.h"
 #include "sim/base/input_error.h"
 #include "sim/base/joined.h"
-#include "sim/base/require_settings.h"
 #include "sim/scene/collision_body.h"
 #include "sim/shape/basic_shapes.h"
 #include "sim/shape/mesh_checks.h"
@@ -163,7 +162,6 @@ void add_other(const SeenObject& other, const std::string& name, const Collision
 }  // namespace
 
 SeenThings seen_things(const ViewsInput& input, const RunContext& context) {
-  require_settings(input.steps);
   SeenThings things{reconstruct(input.views, input.steps, context), {}};
   things.bodies.notes.insert(things.bodies.notes.begin(), input.notes.begin(), input.notes.end());
   return things;

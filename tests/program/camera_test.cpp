@@ -24,7 +24,7 @@ json json_in(const std::filesystem::path& file) { return json::parse(content(fil
 // The folder, with views.json of one image.
 std::filesystem::path seen_table(const std::string& name) {
   const std::filesystem::path folder = fresh_folder(name);
-  const DepthCamera camera = camera_at({0.45, -0.35, 0.45}, {0.05, 0.0, 0.03});
+  const DepthCamera camera = camera_at({0.45, -0.35, 0.45}, {0.05, 0.0, 0.03}, kSmallImage);
   const DepthView view = view_of(kTable, camera);
   write_png(folder / "a.png", view);
   std::ofstream(folder / "a.json") << camera_json(camera);

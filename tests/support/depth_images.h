@@ -13,6 +13,7 @@
 #include <png.h>
 
 #include "sim/shape/cloud/depth_view.h"
+#include "tests/support/depth_camera.h"
 
 namespace prehend::test {
 
@@ -23,17 +24,8 @@ struct StandingBox {
   double y = 0.0;
 };
 
-// At `p`, looking at `target`, the world's z up in its image.
-inline DepthCamera camera_at(const Vector3& p, const Vector3& target, int width = 160,
-                             int height = 120, double f = 150.0) {
-  DepthCamera camera{f, f, 0.5 * (width - 1), 0.5 * (height - 1), width, height, {}};
-  Matrix3 axes;
-  axes.col(2) = (target - p).normalized();
-  axes.col(1) = (axes.col(2).z() * axes.col(2) - Vector3::UnitZ()).normalized();
-  axes.col(0) = axes.col(1).cross(axes.col(2));
-  camera.X_WC = pose_from(axes, p);
-  return camera;
-}
+// Small enough to be written and read in a moment.
+constexpr ImageSize kSmallImage{160, 120, 150.0};
 
 // Along the ray p + t d, the least t > 0 at which it enters the box; infinite where it does not.
 inline double entry(const StandingBox& box, const Vector3& p, const Vector3& d) {

@@ -9,6 +9,7 @@
 #include "sim/base/index.h"
 #include "sim/base/random.h"
 #include "sim/shape/cloud/depth_view.h"
+#include "tests/support/depth_camera.h"
 
 namespace prehend {
 
@@ -46,16 +47,6 @@ inline double way_to(const ShownShape& shape, const Vector3& from, const Vector3
   return std::numeric_limits<double>::infinity();
 }
 
-inline DepthCamera camera_towards(const Vector3& position, const Vector3& target) {
-  DepthCamera camera{570.0, 570.0, 319.5, 239.5, 640, 480};
-  const Vector3 z = (target - position).normalized();
-  const Vector3 x = z.cross(Vector3::UnitZ()).normalized();
-  Matrix3 axes;
-  axes << x, z.cross(x), z;
-  camera.X_WC = pose_from(axes, position);
-  return camera;
-}
-
 // What the camera sees of the shapes and of the plane z = 0 within 0.5 m, with normal noise of
 // `deviation` [m]. Without `table`, pixels beside the shapes have no reading.
 inline DepthView view_of(const DepthCamera& camera, const std::vector<ShownShape>& shapes,
@@ -84,7 +75,7 @@ inline DepthView view_of(const DepthCamera& camera, const std::vector<ShownShape
 // The camera of most tests: 0.65 m from the middle, 40 degrees down.
 inline DepthCamera camera_around(double angle, const Vector3& target = Vector3(0, 0, 0.04)) {
   const Vector3 way(std::cos(angle) * 0.766, std::sin(angle) * 0.766, 0.643);
-  return camera_towards(target + 0.65 * way, target);
+  return test::camera_at(target + 0.65 * way, target);
 }
 
 }  // namespace prehend

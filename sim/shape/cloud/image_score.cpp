@@ -12,6 +12,11 @@ namespace {
 constexpr float kAgreeingNormals = 0.7F;  // cosine of the angle between them
 constexpr float kFar = 0.05F;
 
+// 0 to 1, of how far a point is outside of what the thing may fill.
+float contradiction_of(float distance, const SymmetryOptions& options) {
+  return std::clamp((distance - options.tolerance) / (2.0F * options.tolerance), 0.0F, 1.0F);
+}
+
 }  // namespace
 
 std::vector<SeenPoint> thinned_points(const std::vector<SeenPoint>& points, double apart,
@@ -40,7 +45,7 @@ ImageScorer::ImageScorer(const std::vector<ObjectView>& views, const std::vector
 float ImageScorer::contradiction(const Eigen::Vector3f& p_P) const {
   float distance = allowed_distance(*views_, p_P, kFar);
   if (options_.upright) distance = std::max(distance, -p_P.z());
-  return std::clamp((distance - options_.tolerance) / (2.0F * options_.tolerance), 0.0F, 1.0F);
+  return contradiction_of(distance, options_);
 }
 
 ImageScore ImageScorer::of(const Congruence& image) const {
@@ -60,8 +65,7 @@ ImageScore ImageScorer::of(const Congruence& image) const {
       const float off = here.distance / options_.tolerance;
       agreement = std::max(agreement, 1.0F - 0.25F * off * off);
     }
-    const float contradiction =
-        std::clamp((distance - options_.tolerance) / (2.0F * options_.tolerance), 0.0F, 1.0F);
+    const float contradiction = contradiction_of(distance, options_);
     contradicted += contradiction;
     if (contradiction == 0.0F) confirmed += agreement;
   }

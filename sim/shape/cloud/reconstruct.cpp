@@ -5,6 +5,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/require_settings.h"
 #include "sim/shape/cloud/complete_shape.h"
 #include "sim/shape/cloud/cut_out.h"
 #include "sim/shape/cloud/grid_parts.h"
@@ -89,8 +90,7 @@ std::string millimetres(double metres) {
 
 Reconstruction reconstruct(const std::vector<DepthView>& views, const ReconstructOptions& options,
                            const RunContext& context) {
-  require(options.voxel >= 5e-4 && options.voxel <= 0.05,
-          {.field = "voxel", .problem = "must be 0.5 mm to 50 mm"});
+  require_settings(options);
   const PreparedViews prepared = prepare_views(views, options, context);
   Reconstruction result;
   if (prepared.plane) {

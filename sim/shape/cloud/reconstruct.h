@@ -33,7 +33,7 @@ struct ReconstructOptions {
 template <SettingsOf<ReconstructOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [voxel, drop_outliers, find_plane, use_symmetry, gap, min_readings, seed] = options;
-  constexpr Range kEdge{.lower = 5e-4, .upper = 0.1};
+  constexpr Range kEdge{.lower = 5e-4, .upper = 0.05};
   visit("voxel", voxel, kEdge, "m", "Edge of the grid.");
   visit({"drop_outliers", "outliers"}, drop_outliers,
         "Whether readings without others near them are left out.");
@@ -85,7 +85,7 @@ struct Reconstruction {
 };
 
 // The same result on any number of threads. Throws InputError where no object is left (no reading,
-// a plane only), Cancelled as all long calls.
+// a plane only) and for settings out of range, Cancelled as all long calls.
 Reconstruction reconstruct(const std::vector<DepthView>& views,
                            const ReconstructOptions& options = {}, const RunContext& context = {});
 

@@ -25,7 +25,8 @@ using test::refusal_of;
 
 const std::vector<test::StandingBox> kBoxes = {{{0.06, 0.05, 0.10}, 0.0, 0.0},
                                                {{0.04, 0.04, 0.05}, 0.14, 0.02}};
-const DepthCamera kCamera = test::camera_at({0.45, -0.35, 0.45}, {0.05, 0.0, 0.03});
+const DepthCamera kCamera =
+    test::camera_at({0.45, -0.35, 0.45}, {0.05, 0.0, 0.03}, test::kSmallImage);
 
 fs::path written_views(const std::string& name) {
   const fs::path folder = fs::path(testing::TempDir()) / name;

@@ -46,7 +46,7 @@ double farthest(const std::vector<Vector3>& a, const std::vector<Vector3>& b) {
   return std::sqrt(most);
 }
 
-const DepthCamera kCamera = test::camera_at({0.5, -0.3, 0.6}, {0.0, 0.0, 0.0}, 80, 60, 75.0);
+const DepthCamera kCamera = test::camera_at({0.5, -0.3, 0.6}, {0.0, 0.0, 0.0}, {80, 60, 75.0});
 
 TEST(CloudViews, FromTheViewpointThePointsAreWhereTheyWere) {
   const DepthView view = test::view_of({{}}, kCamera);

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::refusal_of;
 
-const DepthCamera kSmall = test::camera_at({0.5, -0.3, 0.6}, {0.0, 0.0, 0.0}, 40, 30, 37.0);
+const DepthCamera kSmall = test::camera_at({0.5, -0.3, 0.6}, {0.0, 0.0, 0.0}, {40, 30, 37.0});
 
 class ViewsFile : public testing::Test {
  protected:
@@ -143,7 +143,7 @@ TEST_F(ViewsFile, WrongCamerasAreRefused) {
             "({\"cloud\":\"a.pcd\",\"depth\":\"a.png\"})");
   EXPECT_EQ(why(R"({"views": []})"), "in.json: views: must have at least one view ([])");
   EXPECT_EQ(why(R"({"voxel": 3, "depth": "a.png", "camera": {}})"),
-            "in.json: voxel: must be at least 0.0005 and at most 0.1 (3)");
+            "in.json: voxel: must be at least 0.0005 and at most 0.05 (3)");
   fs::copy_file(folder_ / "a.png", folder_ / "b.png");
   EXPECT_EQ(std::string(refusal_of([&] { load_views(folder_ / "b.png"); }).what()),
             folder_.string() +
