@@ -45,11 +45,19 @@ Primitive changed(const Primitive& from, const Unknowns& by) {
   return to;
 }
 
-bool is_sound(Primitive primitive) {
+// Whether the sizes are possible, and the fit has not run away from where it started, as it may
+// where points hardly determine it.
+bool is_sound(Primitive primitive, Primitive start) {
+  constexpr double kFarthest = 0.1;  // of a shift, a size
+  constexpr double kMostTurned = 0.2;
   const std::vector<double*> sizes = sizes_of(primitive.shape);
-  return primitive.X_OP.matrix().allFinite() &&
-         std::all_of(sizes.begin(), sizes.end(),
-                     [](const double* size) { return std::isfinite(*size) && *size >= 0.0; });
+  const std::vector<double*> before = sizes_of(start.shape);
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    if (!(*sizes[k] >= 0.0 && std::abs(*sizes[k] - *before[k]) <= kFarthest)) return false;
+  }
+  const Pose moved = start.X_OP.inverse() * primitive.X_OP;
+  return moved.translation().norm() <= kFarthest &&
+         Eigen::AngleAxisd(moved.linear()).angle() <= kMostTurned;
 }
 
 // The loss of a point at this distance whose weight is biweight(distance, cutoff).
@@ -62,7 +70,7 @@ double loss_of(double distance, double cutoff) {
 class ClosestFit {
  public:
   ClosestFit(const Primitive& start, std::span<const SurfacePoint> points)
-      : points_(points), best_(start) {}
+      : points_(points), start_(start), best_(start) {}
 
   // One sequence of steps at a cutoff.
   void run(double cutoff) {
@@ -81,8 +89,8 @@ class ClosestFit {
                              Unknowns::Constant(1e-9 * normal.trace() + 1e-300);
         const Unknowns by = damped.ldlt().solve(right);
         const Primitive next = changed(best_, by);
-        const double reached =
-            is_sound(next) ? total_loss(next, cutoff) : std::numeric_limits<double>::infinity();
+        const double reached = is_sound(next, start_) ? total_loss(next, cutoff)
+                                                      : std::numeric_limits<double>::infinity();
         better = reached < loss;
         damping *= better ? 0.1 : 10.0;
         if (!better) continue;
@@ -173,6 +181,7 @@ class ClosestFit {
 
   std::span<const SurfacePoint> points_;
   std::vector<double> facing_;  // of each point
+  Primitive start_;
   Primitive best_;
 };
 

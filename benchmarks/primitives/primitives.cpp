@@ -1,12 +1,13 @@
 // Whether primitives are a property of the object, and how close they come to it:
 //
 //   primitives_benchmark FILE... [--quick] [--details]
+//   primitives_benchmark FILE... --sheet FILE.png
 //
 // The primitives of each mesh (in metres), and those of the same mesh moved, scaled, with finer and
 // coarser triangles, with noise, with holes, and seen from one side: how many of them have the same
 // kinds in the same numbers, and how far they are from those of the mesh as it is
-// (distance_between). --quick: fewer repetitions. --details:
-// also the kinds that differ.
+// (distance_between). --quick: fewer repetitions. --details: also the kinds that differ. --sheet:
+// pictures of the meshes with their primitives instead.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +20,8 @@
 #include "benchmarks/primitives/primitive_sets.h"
 #include "benchmarks/support/percentile.h"
 #include "benchmarks/support/resources.h"
+#include "planner/show/picture/image.h"
+#include "planner/show/primitives_picture.h"
 #include "primitives/decompose.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
@@ -124,12 +127,27 @@ void try_mesh(const std::string& file, const std::vector<Kind>& kinds, bool deta
   std::printf("  %s\n", kinds_text(known).c_str());
 }
 
+int draw_sheet(const std::vector<std::string>& files, const std::string& sheet) {
+  constexpr int kColumns = 3;
+  std::vector<Image> pictures;
+  for (const std::string& file : files) {
+    const TriangleMesh mesh = load_mesh(file).mesh;
+    pictures.push_back(primitives_picture(mesh, decompose(mesh), {.width = 600, .height = 300}));
+  }
+  write_png(sheet, grid(pictures, kColumns));
+  return 0;
+}
+
 int run(const std::vector<std::string>& words) {
   std::vector<std::string> files;
+  std::string sheet;
   bool quick = false;
   bool details = false;
-  for (const std::string& word : words) {
-    if (word == "--quick") {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "--sheet" && i + 1 < words.size()) {
+      sheet = words[++i];
+    } else if (word == "--quick") {
       quick = true;
     } else if (word == "--details") {
       details = true;
@@ -139,6 +157,7 @@ int run(const std::vector<std::string>& words) {
       files.push_back(word);
     }
   }
+  if (!sheet.empty()) return draw_sheet(files, sheet);
   const std::vector<Kind> tried = kinds(quick);
   std::vector<Tally> total(tried.size());
   std::printf("mesh, residual [mm]: median, 95 %%; seconds; the same kinds and numbers when");
