@@ -28,6 +28,9 @@ struct HeldContact {
   Eigen::Vector4d impulse = Eigen::Vector4d::Zero();  // of the last step, over its time [N]
   bool slides =
       false;  // in the last step; else it sticks where p_A and p_B were opposite each other
+  // Where the search for the next impulse begins: at that of the last step, or of an earlier try
+  // of this one, over its time [N].
+  Eigen::Vector4d guess = Eigen::Vector4d::Zero();
 };
 
 // What is known of a pair of solids since it was last looked at.
