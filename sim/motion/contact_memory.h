@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "sim/base/pose.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 
@@ -40,7 +41,8 @@ struct PairMemory {
   Pose X_AB = Pose::Identity();  // when it was looked at
   double at_least = 0.0;  // the gap was at least this [m]; where contacts are held, of all others
   std::vector<HeldContact> contacts = {};
-  double gap = 0.0;  // where contacts are held: that of the surfaces was at least this [m]
+  TrianglePair nearest = {};  // the closest that was found last
+  double gap = 0.0;           // where contacts are held: that of the surfaces was at least this [m]
   // The surfaces cross by a little: contacts cannot be found, and those held push them apart.
   bool crosses = false;
   // WarmStart::stiffness of the last step.
