@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "sim/base/pose.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 
@@ -28,6 +29,9 @@ struct HeldContact {
   Eigen::Vector4d impulse = Eigen::Vector4d::Zero();  // of the last step, over its time [N]
   bool slides =
       false;  // in the last step; else it sticks where p_A and p_B were opposite each other
+  // Where the search for the next impulse begins: at that of the last step, or of an earlier try
+  // of this one, over its time [N].
+  Eigen::Vector4d guess = Eigen::Vector4d::Zero();
 };
 
 // What is known of a pair of solids since it was last looked at.
@@ -37,7 +41,8 @@ struct PairMemory {
   Pose X_AB = Pose::Identity();  // when it was looked at
   double at_least = 0.0;  // the gap was at least this [m]; where contacts are held, of all others
   std::vector<HeldContact> contacts = {};
-  double gap = 0.0;  // where contacts are held: that of the surfaces was at least this [m]
+  TrianglePair nearest = {};  // the closest that was found last
+  double gap = 0.0;           // where contacts are held: that of the surfaces was at least this [m]
   // The surfaces cross by a little: contacts cannot be found, and those held push them apart.
   bool crosses = false;
   // WarmStart::stiffness of the last step.

@@ -169,6 +169,7 @@ void take_over(const std::vector<HeldContact>& before, std::vector<HeldContact>&
     }
     if (nearest == nullptr) continue;
     nearest->impulse += old.impulse;
+    nearest->guess += old.guess;
     nearest->slides = nearest->slides || old.slides;
   }
 }

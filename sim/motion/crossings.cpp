@@ -98,8 +98,7 @@ std::vector<Crossing> crossings_of(const ContactMemory& memory, const Solids& be
 }
 
 bool add_contacts(const Crossing& crossing, const Solids& before, PairMemory& pair) {
-  constexpr int kMost = 4;        // at once
-  constexpr double kSame = 0.05;  // of what makes contacts differ in a search
+  constexpr int kMost = 4;  // at once
   const ProximityMesh& a = before.at(pair.a).shape->mesh;
   const ProximityMesh& b = before.at(pair.b).shape->mesh;
   std::vector<TrianglePair> pairs;
@@ -115,16 +114,20 @@ bool add_contacts(const Crossing& crossing, const Solids& before, PairMemory& pa
                    [](const auto& p, const auto& q) { return p.first < q.first; });
   int added = 0;
   for (const auto& one : found) {
-    const HeldContact& contact = one.second;
-    const bool is_known =
-        std::any_of(pair.contacts.begin(), pair.contacts.end(), [&](const HeldContact& known) {
-          return difference(known, contact) < kSame * kContactsApart;
-        });
-    if (is_known) continue;
-    pair.contacts.push_back(contact);
+    if (!add_unknown(one.second, pair.contacts)) continue;
     if (++added == kMost) break;
   }
   return added > 0;
+}
+
+bool add_unknown(const HeldContact& contact, std::vector<HeldContact>& contacts) {
+  constexpr double kSame = 0.05;  // of what makes contacts differ in a search
+  const bool is_known =
+      std::any_of(contacts.begin(), contacts.end(), [&](const HeldContact& known) {
+        return difference(known, contact) < kSame * kContactsApart;
+      });
+  if (!is_known) contacts.push_back(contact);
+  return !is_known;
 }
 
 }  // namespace prehend

@@ -26,4 +26,7 @@ std::vector<Crossing> crossings_of(const ContactMemory& memory, const Solids& be
 // keeps them apart. Whether there is any that it did not have.
 bool add_contacts(const Crossing& crossing, const Solids& before, PairMemory& pair);
 
+// Adds a contact unless there is one like it: whether it did.
+bool add_unknown(const HeldContact& contact, std::vector<HeldContact>& contacts);
+
 }  // namespace prehend

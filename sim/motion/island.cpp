@@ -23,8 +23,13 @@ constexpr double kReturn = 0.5;
 class IslandStep {
  public:
   IslandStep(const World& world, const Solids& solids, const Island& island, double time,
-             const StepOptions& options)
-      : world_(world), solids_(solids), island_(island), time_(time), options_(options) {}
+             const StepOptions& options, const EarlierTry& earlier)
+      : world_(world),
+        solids_(solids),
+        island_(island),
+        time_(time),
+        options_(options),
+        earlier_(earlier) {}
 
   IslandMotion run() {
     build(had_impulses() ? time_ : 0.5 * time_);
@@ -37,7 +42,8 @@ class IslandStep {
       const bool has_warm = std::any_of(warm_.impulses.begin(), warm_.impulses.end(),
                                         [](const Eigen::Vector4d& w) { return !w.isZero(0.0); });
       if (!has_warm) warm_ = {};
-      motion_.solution = solve_contacts(problem_, {.acceptable = options_.acceptable}, warm_);
+      motion_.solution = solve_contacts(
+          problem_, {.tolerance = options_.tolerance, .acceptable = options_.acceptable}, warm_);
     }
     report();
     return std::move(motion_);
@@ -90,21 +96,25 @@ class IslandStep {
     const auto first = static_cast<int>(problem_.free.size());
     motion_.first.push_back(first);
     if (is_body(mover)) {
-      add_body(world_.bodies[index(mover)], first);
+      add_body(mover, first);
     } else {
-      add_robot(robot_at(mover), first);
+      add_robot(mover, first);
     }
   }
 
-  void add_velocities(const Eigen::VectorXd& now, const Eigen::VectorXd& free) {
+  void add_velocities(int mover, const Eigen::VectorXd& now, const Eigen::VectorXd& free) {
+    const bool is_known =
+        !earlier_.velocities.empty() && earlier_.velocities[index(mover)].size() == free.size();
+    const Eigen::VectorXd& start = is_known ? earlier_.velocities[index(mover)] : now;
     const Index before = problem_.free.size();
     problem_.free.conservativeResize(before + free.size());
     problem_.free.tail(free.size()) = free;
     warm_.velocity.conservativeResize(before + free.size());
-    warm_.velocity.tail(free.size()) = now;
+    warm_.velocity.tail(free.size()) = start;
   }
 
-  void add_body(const WorldBody& body, int first) {
+  void add_body(int mover, int first) {
+    const WorldBody& body = world_.bodies[index(mover)];
     Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(6, 6) * body.inertial.mass;
     const Matrix3 inertia = inertia_in_world(body.inertial, body.motion.X_WB);
     mass.topLeftCorner<3, 3>() = inertia;
@@ -115,17 +125,22 @@ class IslandStep {
     free.head<3>() = free_angular_velocity(body.inertial, body.motion.X_WB, momentum, time_);
     free.tail<3>() =
         body.motion.linear + kick_ * (world_.gravity + body.force_W / body.inertial.mass);
-    add_velocities(spatial(body.motion.angular, body.motion.linear), free);
+    add_velocities(mover, spatial(body.motion.angular, body.motion.linear), free);
   }
 
-  void add_robot(const WorldRobot& robot, int first) {
+  void add_robot(int mover, int first) {
+    const WorldRobot& robot = robot_at(mover);
     RobotKick kick = kicked(robot, world_.gravity, time_, kick_);
-    add_velocities(robot.rate, kick.mass.llt().solve(kick.momentum));
+    add_velocities(mover, robot.rate, kick.mass.llt().solve(kick.momentum));
     problem_.masses.push_back({first, std::move(kick.mass)});
+    const std::size_t r = index(mover) - world_.bodies.size();
+    const bool is_again = !earlier_.joint_impulses.empty() && !earlier_.joint_impulses[r].empty();
+    const std::vector<double>& guess = is_again ? earlier_.joint_impulses[r] : robot.joint_impulses;
+    const bool is_known = guess.size() == joint_places(robot);
     for (JointCondition& joint : joint_conditions(robot, first, time_)) {
-      const bool is_known = robot.joint_impulses.size() == joint_places(robot);
       warm_.impulses.push_back(Eigen::Vector4d::Zero());
-      if (is_known) warm_.impulses.back()[0] = time_ * robot.joint_impulses[joint.place];
+      if (is_known) warm_.impulses.back()[0] = time_ * guess[joint.place];
+      motion_.joints.push_back({mover, joint.place});
       problem_.contacts.push_back(std::move(joint.condition));
     }
   }
@@ -203,7 +218,7 @@ class IslandStep {
                                   .normal_W = at.directions[0],
                                   .gap = at.gap});
       places_.push_back({at.directions, arm, problem_.contacts.size()});
-      warm_.impulses.push_back(time_ * held.impulse);
+      warm_.impulses.push_back(time_ * held.guess);
       problem_.contacts.push_back(std::move(condition));
     }
   }
@@ -235,6 +250,7 @@ class IslandStep {
   double time_;
   double kick_ = 0.0;  // for how long forces act before it moves [s]
   const StepOptions& options_;
+  const EarlierTry& earlier_;
   ContactProblem problem_;
   WarmStart warm_;
   std::vector<Place> places_;  // of each contact
@@ -272,8 +288,8 @@ std::vector<Island> islands_of(const Solids& solids, const ContactMemory& memory
 }
 
 IslandMotion solve_island(const World& world, const Solids& solids, const Island& island,
-                          double time, const StepOptions& options) {
-  return IslandStep(world, solids, island, time, options).run();
+                          double time, const StepOptions& options, const EarlierTry& earlier) {
+  return IslandStep(world, solids, island, time, options, earlier).run();
 }
 
 }  // namespace prehend

@@ -21,6 +21,8 @@ using Eigen::VectorXd;
 constexpr double kFirstStiffness = 10.0;
 constexpr double kStiffness = 1e5;
 constexpr double kStiffnessGrowth = 30.0;
+// Where that was too stiff: softer by this, and after the next round stiffer by no more.
+constexpr double kSoftening = 10.0;
 // Where contacts jam, impulses are far larger than what the velocities alone would need, and change
 // little in a round; then up to this.
 constexpr double kMaxStiffness = 1e9;
@@ -59,8 +61,10 @@ int minimise(const SmoothedContacts& smoothed, int most, double scale, VectorXd&
 // Newton's method for momentum with the lifts that the velocities cause. There is no energy to go
 // down, so steps are shortened until the residual shrinks; false, and v as it was, where that
 // fails or leads forward slowly: softer contacts then get there in fewer steps. Multipliers change
-// after it, so a step that is small beside the first one ends it, too.
-bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, VectorXd& v) {
+// after it, so a step that is small beside the first one ends it, too, and so does a residual of
+// which `left` is left.
+bool solve_coupled(const SmoothedContacts& smoothed, double scale, double left, int& steps,
+                   VectorXd& v) {
   constexpr std::size_t kSteps = 25;
   constexpr double kSmall = 1e-3;  // of the first step
   constexpr double kShorten = 0.3;
@@ -74,33 +78,31 @@ bool solve_coupled(const SmoothedContacts& smoothed, double scale, int& steps, V
   NewtonMatrix matrix;
   std::array<double, kSteps> sizes;
   double small = 0.0;
-  smoothed.linearise_coupled(at, residual, matrix);
   for (std::size_t step = 0; step < kSteps; ++step) {
     ++steps;
+    smoothed.linearise_coupled(at, residual, matrix);
     const VectorXd d = -matrix.solve(residual);
     if (!d.allFinite()) return false;
-    next = at + d;
     const double change = d.lpNorm<Eigen::Infinity>();
     if (step == 0) small = std::max(kConverged * scale, kSmall * change);
+    sizes[step] = residual.norm();
+    next = at + d;
     if (change <= small) {
       v = next;
       return true;
     }
-    sizes[step] = residual.norm();
     if (step >= kLookBack && sizes[step] > kSlow * sizes[step - kLookBack]) return false;
-    const double size = sizes[step];
-    smoothed.linearise_coupled(next, residual, matrix);
-    if (!(residual.norm() < size)) {
-      double length = 1.0;
-      while (!(residual.norm() < size) && length > kShortest) {
-        length *= kShorten;
-        next = at + length * d;
-        smoothed.residual_coupled(next, residual);
-      }
-      if (!(residual.norm() < size)) return false;
-      smoothed.linearise_coupled(next, residual, matrix);
+    smoothed.residual_coupled(next, residual);
+    for (double length = kShorten; !(residual.norm() < sizes[step]); length *= kShorten) {
+      if (length < kShorten * kShortest) return false;
+      next = at + length * d;
+      smoothed.residual_coupled(next, residual);
     }
     at = next;
+    if (residual.norm() <= left * sizes[0]) {
+      v = at;
+      return true;
+    }
   }
   return false;
 }
@@ -164,7 +166,7 @@ class MultiplierRounds {
       update_multipliers();
       const double found = violation();
       if (!std::isfinite(found)) break;
-      stalled_ = found < 0.5 * best.violation ? 0 : stalled_ + 1;
+      note_progress(found < 0.5 * best.violation);
       if (found < best.violation) keep(found, best);
       // Where impulses may be shared in many ways, rounding and slow shifts between these are all
       // that is left to gain.
@@ -181,12 +183,21 @@ class MultiplierRounds {
   }
 
  private:
+  // Where a round led forward slowly, those after it are solved to the end. It is their progress
+  // that counts.
+  void note_progress(bool is_fast) {
+    const bool counts = is_exact_ || !coupled_;
+    if (!is_fast) is_exact_ = true;
+    if (is_fast || counts) stalled_ = is_fast ? 0 : stalled_ + 1;
+  }
+
   void adapt_stiffness() {
     if (!coupled_) {
       soften();
     } else {
-      stiffness_ = std::min(kStiffnessGrowth * stiffness_,
+      stiffness_ = std::min(growth_ * stiffness_,
                             stalled_ > 0 ? kMaxStiffness : std::max(kStiffness, stiffness_));
+      growth_ = kStiffnessGrowth;
     }
   }
 
@@ -217,10 +228,16 @@ class MultiplierRounds {
 
   bool moves_coupled() {
     smoothed_.set_stiffness(stiffness_);
-    return solve_coupled(smoothed_, scale_, steps_, velocity_);
+    // Of the first residual.
+    constexpr double kLeft = 1e-3;
+    const double left = is_exact_ ? 0.0 : kLeft;
+    return solve_coupled(smoothed_, scale_, left, steps_, velocity_);
   }
 
-  void soften() { stiffness_ = std::max(stiffness_ / kStiffnessGrowth, kFirstStiffness); }
+  void soften() {
+    stiffness_ = std::max(stiffness_ / kSoftening, kFirstStiffness);
+    growth_ = kSoftening;
+  }
 
   void update_multipliers() {
     for (std::size_t i = 0; i < impulses_.size(); ++i) {
@@ -257,9 +274,11 @@ class MultiplierRounds {
   double scale_;  // of the velocities that occur
   bool is_cold_;  // no impulses were known
   double stiffness_;
-  bool is_near_ = false;  // the velocities are probably near a solution of the coupled form
-  bool coupled_ = false;  // the last round solved the coupled form
-  int stalled_ = 0;       // rounds without much progress
+  double growth_ = kStiffnessGrowth;  // of the stiffness after the next round
+  bool is_near_ = false;   // the velocities are probably near a solution of the coupled form
+  bool coupled_ = false;   // the last round solved the coupled form
+  bool is_exact_ = false;  // rounds are solved to the end
+  int stalled_ = 0;        // rounds without much progress
   int steps_ = 0;
   Extrapolation extrapolation_;
 };

@@ -107,7 +107,8 @@ class PairSearch {
     // Farther than needed now, so that the answer lasts for some steps.
     const double far = kContactRange + 3.0 * need + kMargin;
     const Gap gap = find_gap(a.shape->mesh, b.shape->mesh, X_AB,
-                             {.cap = far, .relative_error = 0.1, .hint = {}});
+                             {.cap = far, .relative_error = 0.1, .hint = pair.nearest});
+    if (gap.pair.a >= 0) pair.nearest = gap.pair;
     if (gap.lower > range) {
       pair.contacts.clear();
       pair.crosses = false;

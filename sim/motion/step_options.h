@@ -16,8 +16,9 @@ struct StepOptions {
   double rest_gap = 5e-5;
   // Surfaces may cross by this much where no contact was found that keeps them apart [m].
   double shallow = 1e-5;
-  // Violation of the law of contact up to which a solution that cannot be made better with little
-  // work is taken (ContactSolverOptions).
+  // Violations of the law of contact: at which the search for a solution ends, and up to which a
+  // solution that cannot be made better with little work is taken (ContactSolverOptions).
+  double tolerance = ContactSolverOptions{}.tolerance;
   double acceptable = ContactSolverOptions{}.acceptable;
   // A step is not made shorter than this part of `step`.
   double shortest = 1e-6;

@@ -98,9 +98,11 @@ class WorldStep {
           met ? std::vector<Crossing>{} : crossings_of(world_.memory, solids_, after, options_);
       if (!met && crossings.empty()) return finished(after);
       if (!met && looked_again_ && accepts(crossings, after)) return finished(after);
+      remember();
+      const bool accepts_it = !met && are_shallow(crossings, after);
       set_motions(hit_, world_);
       if (!met && keep_apart(crossings)) continue;
-      shorten(after);
+      shorten(after, met || accepts_it);
     }
     return ended(StepOutcome::blocked);
   }
@@ -134,13 +136,51 @@ class WorldStep {
     result_.outcome = StepOutcome::moved;
     for (Island& island : islands_of(solids_, world_.memory)) {
       if (rests(island)) continue;
-      motions_.push_back(solve_island(world_, solids_, island, result_.time, options_));
+      motions_.push_back(solve_island(world_, solids_, island, result_.time, options_, earlier_));
       islands_.push_back(std::move(island));
       const ContactSolution& solution = motions_.back().solution;
       result_.newton_steps += solution.newton_steps;
       result_.violation = std::max(result_.violation, solution.violation);
       if (solution.outcome != ContactOutcome::solved) result_.outcome = StepOutcome::not_converged;
     }
+  }
+
+  // What this try found, for the next one.
+  void remember() {
+    const auto movers = static_cast<std::size_t>(solids_.movers());
+    earlier_.velocities.resize(movers);
+    earlier_.joint_impulses.resize(world_.robots.size());
+    for (std::size_t k = 0; k < islands_.size(); ++k) {
+      const IslandMotion& motion = motions_[k];
+      for (std::size_t m = 0; m < islands_[k].movers.size(); ++m) {
+        const std::size_t mover = index(islands_[k].movers[m]);
+        const bool is_body = mover < world_.bodies.size();
+        const Eigen::Index size =
+            is_body ? 6 : world_.robots[mover - world_.bodies.size()].rate.size();
+        earlier_.velocities[mover] = motion.solution.velocity.segment(motion.first[m], size);
+        if (!is_body) {
+          const std::size_t r = mover - world_.bodies.size();
+          earlier_.joint_impulses[r] = joint_impulses(motion, islands_[k].movers[m]);
+        }
+      }
+      std::size_t condition = motion.joints.size();
+      for (const std::size_t p : islands_[k].pairs) {
+        for (HeldContact& held : world_.memory.pairs[p].contacts) {
+          held.guess = motion.solution.impulses[condition++] / result_.time;
+        }
+      }
+    }
+  }
+
+  // Of a robot, over the time.
+  std::vector<double> joint_impulses(const IslandMotion& motion, int mover) const {
+    const WorldRobot& robot = world_.robots[index(mover) - world_.bodies.size()];
+    std::vector<double> impulses(joint_places(robot), 0.0);
+    for (std::size_t i = 0; i < motion.joints.size(); ++i) {
+      if (motion.joints[i].mover != mover) continue;
+      impulses[motion.joints[i].place] = motion.solution.impulses[i][0] / result_.time;
+    }
+    return impulses;
   }
 
   bool all_finite() const {
@@ -179,7 +219,12 @@ class WorldStep {
     bool added = false;
     for (const Crossing& crossing : crossings) {
       PairMemory& pair = world_.memory.pairs[crossing.pair];
-      added = add_contacts(crossing, solids_, pair) || added;
+      const std::size_t known = pair.contacts.size();
+      if (!add_contacts(crossing, solids_, pair)) continue;
+      added = true;
+      for (std::size_t i = known; i < pair.contacts.size(); ++i) {
+        added_.push_back({pair.a, pair.b, pair.contacts[i]});
+      }
     }
     if (!added) return false;
     ++rounds_;
@@ -189,27 +234,55 @@ class WorldStep {
 
   // What the step sets in motion may need more room than what moved before: once, contacts are
   // looked for with the new speeds. After that only a shorter step helps.
-  void shorten(const Solids& after) {
+  // Where it finds nothing new, the same try would fail again: `again` where it may not.
+  void shorten(const Solids& after, bool again) {
     ++result_.shortened;
-    if (looked_again_) {
-      result_.time *= 0.5;
-    } else {
-      result_.time = std::min(
-          result_.time, find_near(solids_, &after, world_, result_.time, options_, world_.memory));
-      looked_again_ = true;
-    }
     rounds_ = 0;
+    if (!looked_again_) {
+      looked_again_ = true;
+      if (look_again(after) || again) return;
+    }
+    result_.time *= 0.5;
+  }
+
+  // Whether it finds a contact, or that the step has to be shorter. Contacts that keep what crossed
+  // apart are kept: nothing has moved since.
+  bool look_again(const Solids& after) {
+    const std::vector<PairMemory> before = world_.memory.pairs;
+    const double time = find_near(solids_, &after, world_, result_.time, options_, world_.memory);
+    std::vector<PairMemory>& pairs = world_.memory.pairs;
+    for (const AddedContact& one : added_) {
+      for (PairMemory& pair : pairs) {
+        if (pair.a == one.a && pair.b == one.b) add_unknown(one.contact, pair.contacts);
+      }
+    }
+    const bool same = time >= result_.time && std::equal(before.begin(), before.end(),
+                                                         pairs.begin(), pairs.end(), are_alike);
+    result_.time = std::min(result_.time, time);
+    return !same;
+  }
+
+  static bool are_alike(const PairMemory& p, const PairMemory& q) {
+    return p.a == q.a && p.b == q.b && p.crosses == q.crosses &&
+           std::equal(p.contacts.begin(), p.contacts.end(), q.contacts.begin(), q.contacts.end(),
+                      [](const HeldContact& c, const HeldContact& d) {
+                        return c.p_A == d.p_A && c.p_B == d.p_B && c.normal_A == d.normal_A;
+                      });
+  }
+
+  bool are_shallow(const std::vector<Crossing>& crossings, const Solids& after) const {
+    return std::all_of(crossings.begin(), crossings.end(), [&](const Crossing& crossing) {
+      const PairMemory& pair = world_.memory.pairs[crossing.pair];
+      if (pair.crosses) return false;
+      const double speed = closing_speed(after.at(pair.a), after.at(pair.b));
+      return result_.time * speed <= options_.shallow;
+    });
   }
 
   // Where shorter steps do not help: once surfaces cannot cross by more than `shallow` in the step,
   // they may, and are pushed apart.
   bool accepts(const std::vector<Crossing>& crossings, const Solids& after) {
-    for (const Crossing& crossing : crossings) {
-      const PairMemory& pair = world_.memory.pairs[crossing.pair];
-      if (pair.crosses) return false;
-      const double speed = closing_speed(after.at(pair.a), after.at(pair.b));
-      if (result_.time * speed > options_.shallow) return false;
-    }
+    if (!are_shallow(crossings, after)) return false;
     for (const Crossing& crossing : crossings) world_.memory.pairs[crossing.pair].crosses = true;
     result_.crossings += static_cast<int>(crossings.size());
     return true;
@@ -252,7 +325,7 @@ class WorldStep {
   // The conditions of an island are those of the joints of its robots, then the contacts of its
   // pairs, in order.
   void keep_contacts(const Island& island, const Solids& after, IslandMotion& motion) {
-    std::size_t condition = motion.solution.impulses.size() - motion.contacts.size();
+    std::size_t condition = motion.joints.size();
     std::size_t contact = 0;
     for (const std::size_t p : island.pairs) {
       PairMemory& pair = world_.memory.pairs[p];
@@ -260,6 +333,7 @@ class WorldStep {
       const Pose X_AB = after.at(pair.a).X_WS.inverse() * after.at(pair.b).X_WS;
       for (HeldContact& held : pair.contacts) {
         held.impulse = motion.solution.impulses[condition++] / result_.time;
+        held.guess = held.impulse;
         held.slides = motion.contacts[contact++].slip > options_.sliding;
         if (held.slides) stick_here(X_AB, held);
       }
@@ -268,7 +342,6 @@ class WorldStep {
   }
 
   void keep_joints(const Island& island, const IslandMotion& motion) {
-    std::size_t condition = 0;
     for (std::size_t m = 0; m < island.movers.size(); ++m) {
       const std::size_t mover = index(island.movers[m]);
       if (mover < world_.bodies.size()) continue;
@@ -278,10 +351,7 @@ class WorldStep {
       earlier.x = before_.robots[mover - world_.bodies.size()].x;
       earlier.rate = before_.robots[mover - world_.bodies.size()].rate;
       robot.gear_stops = gear_stops(earlier, robot);
-      robot.joint_impulses.assign(joint_places(robot), 0.0);
-      for (const JointCondition& joint : joint_conditions(earlier, motion.first[m], result_.time)) {
-        robot.joint_impulses[joint.place] = motion.solution.impulses[condition++][0] / result_.time;
-      }
+      robot.joint_impulses = joint_impulses(motion, island.movers[m]);
     }
   }
 
@@ -317,7 +387,14 @@ class WorldStep {
   Motions hit_;    // with the velocities after impacts
   Solids solids_;  // before the step, after impacts
   StepResult result_;
-  bool looked_again_ = false;    // for contacts, with the speeds after a first try
+  bool looked_again_ = false;  // for contacts, with the speeds after a first try
+  struct AddedContact {
+    SolidId a;
+    SolidId b;
+    HeldContact contact;
+  };
+  std::vector<AddedContact> added_;  // in this step
+  EarlierTry earlier_;
   int rounds_ = 0;               // in which contacts were added, of this length of the step
   std::vector<Island> islands_;  // those that move
   std::vector<IslandMotion> motions_;

@@ -106,7 +106,9 @@ class DynamicGraspRun {
     // What a hand does to an object does not hang on a thousandth of a force, which some steps of
     // jammed contacts take a hundred times as long to find.
     constexpr double kAcceptable = 1e-3;
+    constexpr double kTolerance = 1e-5;
     StepOptions options;
+    options.tolerance = kTolerance;
     options.acceptable = kAcceptable;
     options.step = std::min(fitting_step(), longest);
     const StepResult result = step_world(world_, options);

@@ -27,13 +27,21 @@ Polygon cut(const Polygon& polygon, const Vector3& a, const Vector3& inward) {
 
 // Clips the triangle to the infinite prism over the face, which is bounded by the planes through
 // the edges of the face along its normal. For an edge in counter-clockwise order, normal x edge
-// points into the prism. Parts below the face are kept as well.
+// points into the prism. Parts below the face are kept as well. Most triangles are beside one of
+// the planes with all of their corners, or within it.
 Polygon over_face(const Corners& face, const Vector3& normal, const Corners& other) {
   Polygon polygon;
-  for (const Vector3& p : other) polygon.push(p);
-  for (std::size_t k = 0; k < 3 && polygon.size > 0; ++k) {
+  Corners inward;
+  std::array<int, 3> outside{};  // how many corners are beside the plane
+  for (std::size_t k = 0; k < 3; ++k) {
     const Vector3 edge = face[(k + 1) % 3] - face[k];
-    polygon = cut(polygon, face[k], normal.cross(edge).normalized());
+    inward[k] = normal.cross(edge).normalized();
+    for (const Vector3& p : other) outside[k] += (p - face[k]).dot(inward[k]) < 0.0 ? 1 : 0;
+    if (outside[k] == 3) return polygon;
+  }
+  for (const Vector3& p : other) polygon.push(p);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (outside[k] > 0) polygon = cut(polygon, face[k], inward[k]);
   }
   return polygon;
 }
