@@ -166,7 +166,7 @@ class MultiplierRounds {
       update_multipliers();
       const double found = violation();
       if (!std::isfinite(found)) break;
-      note_progress(found < 0.5 * best.violation);
+      note_progress(found < 0.5 * best.violation, found <= options_.acceptable);
       if (found < best.violation) keep(found, best);
       // Where impulses may be shared in many ways, rounding and slow shifts between these are all
       // that is left to gain.
@@ -184,9 +184,9 @@ class MultiplierRounds {
 
  private:
   // Where a round led forward slowly, those after it are solved to the end. It is their progress
-  // that counts.
-  void note_progress(bool is_fast) {
-    const bool counts = is_exact_ || !coupled_;
+  // that counts, unless the solution will do.
+  void note_progress(bool is_fast, bool will_do) {
+    const bool counts = is_exact_ || !coupled_ || will_do;
     if (!is_fast) is_exact_ = true;
     if (is_fast || counts) stalled_ = is_fast ? 0 : stalled_ + 1;
   }

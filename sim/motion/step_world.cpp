@@ -342,8 +342,8 @@ class WorldStep {
   }
 
   void keep_joints(const Island& island, const IslandMotion& motion) {
-    for (std::size_t m = 0; m < island.movers.size(); ++m) {
-      const std::size_t mover = index(island.movers[m]);
+    for (const int place : island.movers) {
+      const std::size_t mover = index(place);
       if (mover < world_.bodies.size()) continue;
       WorldRobot& robot = world_.robots[mover - world_.bodies.size()];
       // As they were before the step, with which the conditions were made.
@@ -351,7 +351,7 @@ class WorldStep {
       earlier.x = before_.robots[mover - world_.bodies.size()].x;
       earlier.rate = before_.robots[mover - world_.bodies.size()].rate;
       robot.gear_stops = gear_stops(earlier, robot);
-      robot.joint_impulses = joint_impulses(motion, island.movers[m]);
+      robot.joint_impulses = joint_impulses(motion, place);
     }
   }
 
