@@ -17,6 +17,9 @@ namespace {
 constexpr double kBaseMark = 1e-3;
 // Directions typed with few digits are still meant to be opposite [length of their sum].
 constexpr double kOpposedFingers = 1e-6;
+// Limits of a joint that leave less than this part of the range of the joint that it mimics are
+// mistakes: multiplier and limits have different signs.
+constexpr double kLeftToLeader = 0.1;
 
 // Where a link is: the joint that moves it (-1: the base) and its pose in the frame after that.
 struct LinkPlace {
@@ -169,7 +172,7 @@ void TreeRobot::add_dofs() {
                            .max_velocity = leader.max_velocity,
                            .max_acceleration = leader.max_acceleration});
   }
-  // Leaders come first: where their followers' limits leave no value, these are widened to them.
+  // Leaders come first: where their followers' limits leave next to nothing, these are widened.
   for (const bool leads : {true, false}) {
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       Joint& joint = robot_.joints[j];
@@ -179,14 +182,15 @@ void TreeRobot::add_dofs() {
       DegreeOfFreedom& dof = robot_.dofs[index(joint.dof)];
       const double from = (joint.lower - joint.offset) / joint.ratio;
       const double to = (joint.upper - joint.offset) / joint.ratio;
-      const double lower = std::max(dof.lower, std::min(from, to));
-      const double upper = std::min(dof.upper, std::max(from, to));
-      if (lower > upper) {
+      // Nothing becomes -0.
+      const double lower = std::max(dof.lower, std::min(from, to)) + 0.0;
+      const double upper = std::min(dof.upper, std::max(from, to)) + 0.0;
+      if (lower > upper || (!leads && upper - lower < kLeftToLeader * (dof.upper - dof.lower))) {
         const double low = joint.ratio * dof.lower + joint.offset;
         const double high = joint.ratio * dof.upper + joint.offset;
         joint.lower = std::min(low, high);
         joint.upper = std::max(low, high);
-        robot_.notes.push_back("joint " + joint.name + ": its limits leave no value to " +
+        robot_.notes.push_back("joint " + joint.name + ": its limits leave (nearly) no value to " +
                                dof.name + ", which it mimics; they are ignored");
         continue;
       }
