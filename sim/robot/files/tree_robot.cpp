@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
@@ -157,6 +158,18 @@ bool slides_apart(const Robot& robot, int dof) {
          (direction(*fingers[0]) + direction(*fingers[1])).norm() < kOpposedFingers;
 }
 
+// Whether it turns joints behind several first joints of the robot: fingers.
+bool turns_several(const Robot& robot, int dof) {
+  std::set<int> first;
+  for (int j = 0; j < static_cast<int>(robot.joints.size()); ++j) {
+    const Joint& joint = robot.joints[index(j)];
+    if (joint.dof != dof) continue;
+    if (joint.type != JointType::revolute) return false;
+    first.insert(joints_to(robot, j).front());
+  }
+  return first.size() > 1;
+}
+
 void TreeRobot::add_dofs() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> initial;
@@ -201,6 +214,12 @@ void TreeRobot::add_dofs() {
   for (std::size_t d = 0; d < robot_.dofs.size(); ++d) {
     DegreeOfFreedom& dof = robot_.dofs[d];
     dof.initial = std::clamp(initial[d], dof.lower, dof.upper);
+    if (turns_several(robot_, static_cast<int>(d))) {
+      dof.coupling = Coupling::by_finger;
+      robot_.notes.push_back("degree of freedom " + dof.name +
+                             " bends several fingers: taken as coupled by finger, where one that "
+                             "touches waits for the others");
+    }
     if (!slides_apart(robot_, static_cast<int>(d))) continue;
     dof.coupling = Coupling::self_centering;
     robot_.notes.push_back("degree of freedom " + dof.name +
