@@ -16,6 +16,7 @@ namespace {
 
 // What a hinge without a range may turn to either side.
 constexpr double kFreeTurn = 2.0 * std::numbers::pi;
+constexpr double kFreeWay = 1.0;  // of a slide joint without range [m]
 
 bool has_joint_below(const XmlElement& body) {
   const std::vector<XmlElement> bodies = body.children("body");
@@ -218,10 +219,11 @@ void MjcfReader::read_range(const XmlElement& element, const std::string& childc
   const std::string words = limited ? limited->text("limited") : "auto";
   const bool has_range = range && (words == "true" || (words == "auto" && defaults_.autolimits()));
   if (!has_range) {
-    if (!turns) element.fail("a slide joint needs a range", joint.name);
-    joint.lower = -kFreeTurn;
-    joint.upper = kFreeTurn;
-    tree_.notes.push_back("joint " + joint.name + " has no range: it may turn once to either side");
+    const double far = turns ? kFreeTurn : kFreeWay;
+    joint.lower = -far;
+    joint.upper = far;
+    tree_.notes.push_back("joint " + joint.name + " has no range: it may " +
+                          (turns ? "turn once" : "slide 1 m") + " to either side");
     return;
   }
   const std::vector<double> limits = range->numbers("range");
@@ -300,6 +302,12 @@ void MjcfReader::couple(const XmlElement& element) {
   }
   // It speaks of the ways from where the file shows the joints.
   const int leader = joint_called(element, "joint2");
+  if (tree_.joints[index(leader)].type != joint.type) {
+    tree_.notes.push_back(element.place() + ": joint " + joint.name + " follows " +
+                          tree_.joints[index(leader)].name +
+                          ", a joint of another type: left out, they move independently");
+    return;
+  }
   const auto ref = [&](int of) { return ref_.contains(of) ? ref_.at(of) : 0.0; };
   const double offset = poly[0] + ref(joint_called(element, "joint1")) - poly[1] * ref(leader);
   joint.mimic = Mimic{leader, poly[1], offset};
@@ -390,6 +398,7 @@ void MjcfReader::read_home() {
 }
 
 void MjcfReader::note_unread() {
+  for (const std::string& remark : geometry_.remarks()) tree_.notes.push_back(remark);
   const std::set<std::string> read = {"compiler", "option",   "size",      "visual",  "statistic",
                                       "default",  "asset",    "worldbody", "contact", "equality",
                                       "tendon",   "actuator", "keyframe",  "sensor",  "custom"};

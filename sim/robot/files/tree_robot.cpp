@@ -18,6 +18,7 @@ namespace {
 constexpr double kBaseMark = 1e-3;
 // Directions typed with few digits are still meant to be opposite [length of their sum].
 constexpr double kOpposedFingers = 1e-6;
+constexpr double kTimeToFullSpeed = 0.5;  // where no acceleration is said [s]
 // Limits of a joint that leave less than this part of the range of the joint that it mimics are
 // mistakes: multiplier and limits have different signs.
 constexpr double kLeftToLeader = 0.1;
@@ -52,6 +53,7 @@ class TreeRobot {
   void follow(const Start& start);
   void add_joint(int joint, int parent);
   void add_dofs();
+  void assume_accelerations();
   void add_exempt_pairs();
   void mark_base();
 
@@ -170,6 +172,20 @@ bool turns_several(const Robot& robot, int dof) {
   return first.size() > 1;
 }
 
+// The formats hardly ever say accelerations.
+void TreeRobot::assume_accelerations() {
+  bool assumed = false;
+  for (DegreeOfFreedom& dof : robot_.dofs) {
+    if (!(dof.max_velocity > 0.0) || dof.max_acceleration > 0.0) continue;
+    dof.max_acceleration = dof.max_velocity / kTimeToFullSpeed;
+    assumed = true;
+  }
+  if (!assumed) return;
+  robot_.notes.push_back(formatted(
+      "accelerations are not in the file: joints are taken to reach their velocities in %g s",
+      kTimeToFullSpeed));
+}
+
 void TreeRobot::add_dofs() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> initial;
@@ -211,6 +227,7 @@ void TreeRobot::add_dofs() {
       dof.upper = upper;
     }
   }
+  assume_accelerations();
   for (std::size_t d = 0; d < robot_.dofs.size(); ++d) {
     DegreeOfFreedom& dof = robot_.dofs[d];
     dof.initial = std::clamp(initial[d], dof.lower, dof.upper);
