@@ -326,7 +326,7 @@ TEST(UrdfFile, TipsOfFingersAreOfRubberWhereNothingIsSaid) {
 TEST(UrdfFile, SaysWhatStandsForAFile) {
   const std::filesystem::path folder = test::test_folder();
   const auto complaint = [&](const std::string& text) {
-    return test::refusal_of([&] { load_robot(write_text(folder / "made.urdf", text)); });
+    return test::refusal_of([&] { load_robot(write_text(folder / "made.urdf", text)); }).problem();
   };
   EXPECT_NE(
       complaint("version https://git-lfs.github.com/spec/v1\noid sha256:0\n").find("lfs pull"),
