@@ -39,9 +39,6 @@ std::string mistaken_for(std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/")) {
     return "a pointer of Git LFS stands for the file: fetch the file with git lfs pull";
   }
-  if (bytes.starts_with("\xFE\xFF") || bytes.starts_with("\xFF\xFE")) {
-    return "the text is UTF-16, save it as UTF-8";
-  }
   std::string start(bytes.substr(0, std::min<std::size_t>(bytes.size(), kStartOfText)));
   start.erase(0, std::min(start.find_first_not_of(" \t\r\n"), start.size()));
   for (char& c : start) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));

@@ -128,6 +128,9 @@ bool has_foreign_robot_name(const std::filesystem::path& file) {
 std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
                                            const ForeignRobotOptions& options) {
   const std::string text = read_file(file);
+  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) {
+    throw InputError({.file = file.string(), .problem = "the text is UTF-16, save it as UTF-8"});
+  }
   if (!looks_like_xml(text)) return std::nullopt;
   if (text.find("<xacro:") != text.npos) {
     throw InputError({.file = file.string(),
