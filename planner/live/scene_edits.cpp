@@ -86,7 +86,8 @@ BodySurface surface_of_text(const SurfaceOrder& order) {
     const double given = order.unit.empty() ? 1.0 : metres_per_unit(order.unit);
     LoadedMesh read = read_mesh(order.mesh_text, file, {.metres_per_unit = given});
     if (order.unit.empty() && !states_unit(file)) {
-      const std::string unit = likely_unit(bounds(read.mesh).size().maxCoeff());
+      const std::string unit =
+          likely_unit(bounds(read.mesh).size().maxCoeff(), order.format == "stl");
       read = read_mesh(order.mesh_text, file, {.metres_per_unit = metres_per_unit(unit)});
     }
     TriangleMesh mesh = repair_mesh(read.mesh).mesh;

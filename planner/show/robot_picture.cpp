@@ -79,7 +79,7 @@ Image robot_picture(const Robot& robot, const std::vector<NamedPosture>& posture
   std::vector<DrawnBody> reached = bodies_at(robot, postures.front().dofs);
   for (std::size_t t = 0; t < survey.tips.size(); ++t) {
     const TipWorkspace& tip = survey.tips[t];
-    if (tip.points.empty()) continue;
+    if (tip.points.empty() || !(tip.box.diagonal() > 0.0)) continue;  // none, or it never moves
     constexpr double kDot = 0.008;  // of the size of the workspace
     reached.push_back({SharedMesh(dots(tip.points, kDot * tip.box.diagonal())), Pose::Identity(),
                        palette::kTips[t % palette::kTips.size()], tip.name});

@@ -1,8 +1,10 @@
 #include "sim/base/input_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include "sim/base/file_failure.h"
@@ -12,6 +14,8 @@ namespace prehend {
 namespace {
 
 constexpr const char* kUnreadable = "cannot be read";
+
+constexpr std::size_t kStartOfText = 512;  // bytes that tell what a file is
 
 [[noreturn]] void refuse_to_read(const std::filesystem::path& file, const std::string& why) {
   throw InputError({.file = file.string(), .problem = std::string(kUnreadable) + ": " + why});
@@ -28,6 +32,26 @@ std::uintmax_t size_of_regular(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) throw_file_failure(file, kUnreadable, error);
   return size;
+}
+
+// Files that are not what their names say, and what to do about it; empty: none of them.
+std::string mistaken_for(std::string_view bytes) {
+  if (bytes.starts_with("version https://git-lfs.github.com/spec/")) {
+    return "a pointer of Git LFS stands for the file: fetch the file with git lfs pull";
+  }
+  std::string start(bytes.substr(0, std::min<std::size_t>(bytes.size(), kStartOfText)));
+  start.erase(0, std::min(start.find_first_not_of(" \t\r\n"), start.size()));
+  for (char& c : start) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (start.starts_with("<!doctype html") || start.starts_with("<html")) {
+    return "a web page stands for the file: download the file itself (raw)";
+  }
+  return {};
+}
+
+// The byte order mark of UTF-8 says nothing, and readers of most formats stumble over it.
+void drop_byte_order_mark(std::string& bytes) {
+  const std::string_view start = std::string_view(bytes).substr(0, kStartOfText);
+  if (start.starts_with("\xEF\xBB\xBF") && start.find('\0') == start.npos) bytes.erase(0, 3);
 }
 
 }  // namespace
@@ -61,6 +85,8 @@ std::string read_file(const std::filesystem::path& file) {
   std::string bytes(static_cast<std::size_t>(size), '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   if (!stream) fail();
+  drop_byte_order_mark(bytes);
+  if (const std::string what = mistaken_for(bytes); !what.empty()) refuse_to_read(file, what);
   return bytes;
 }
 

@@ -20,12 +20,17 @@ std::string counted_repeats(int count) {
                     : std::to_string(count) + " triangles that repeat others";
 }
 
+bool is_stl(const std::filesystem::path& file) {
+  const std::filesystem::path extension = file.extension();
+  return extension == ".stl" || extension == ".STL";
+}
+
 // Reads the file, in metres first where no unit is stated: the size tells whether they are.
 LoadedMesh read_in_likely_unit(const std::filesystem::path& file, bool part_surfaces,
                                ObjectMesh& object) {
   LoadedMesh loaded = load_mesh(file, {.part_surfaces = part_surfaces});
   const double size = longest_side(loaded.mesh);
-  object.unit = states_unit(file) ? "m" : likely_unit(size);
+  object.unit = states_unit(file) ? "m" : likely_unit(size, is_stl(file));
   if (object.unit == "m") return loaded;
   // Read again, not scaled, so that the same bytes come out as when the unit is stated.
   loaded = load_mesh(
@@ -54,7 +59,9 @@ void note_repair(const LoadedMesh& loaded, const MeshRepair& repair, ObjectMesh&
 
 }  // namespace
 
-std::string likely_unit(double longest_side) {
+std::string likely_unit(double longest_side, bool is_stl) {
+  constexpr double kLeastPart = 3.0;  // mm
+  constexpr double kLargestPart = 1000.0;
   constexpr double kLongest = 1.5;  // m
   constexpr std::array<const char*, 3> kUnits = {"mm", "cm", "in"};
   struct Sizes {
@@ -62,6 +69,7 @@ std::string likely_unit(double longest_side) {
     double largest;
   };
   if (!(longest_side > kLongest)) return "m";
+  if (is_stl && longest_side > kLeastPart && longest_side <= kLargestPart) return "mm";
   for (const Sizes& sizes : {Sizes{0.03, 0.5}, Sizes{0.01, 1.0}}) {
     for (const char* unit : kUnits) {
       const double size = longest_side * metres_per_unit(unit);

@@ -14,7 +14,8 @@ namespace prehend {
 // longer than 1.5 m. Then of mm, cm and in, in this order, the first in which the object is 30 to
 // 500 mm long, else the first in which it is 10 mm to 1 m: in up to 3, cm from 3 to 30, mm from 30
 // to 1000. "m" where none is.
-std::string likely_unit(double longest_side);
+// STL files are written by CAD programs, in mm: one of more than 3 is in mm at once.
+std::string likely_unit(double longest_side, bool is_stl = false);
 
 // How an object's file is read.
 struct ObjectMeshSource {

@@ -67,6 +67,23 @@ std::optional<int> hand_of_tree(JointTree& tree, const std::optional<RobotSideca
   return note(*inferred, ", on which several joints branch; what carries it is taken as the arm");
 }
 
+// Where several chains end, their last links are taken for fingertips, which hands have of rubber.
+void assume_materials(Robot& robot) {
+  std::vector<bool> last(robot.joints.size(), true);
+  for (const Joint& joint : robot.joints) {
+    if (joint.parent >= 0) last[index(joint.parent)] = false;
+  }
+  if (std::count(last.begin(), last.end(), true) < 2) {
+    robot.notes.push_back("materials are not in the file: all links count as plastic");
+    return;
+  }
+  for (Link& link : robot.links) {
+    if (link.joint >= 0 && last[index(link.joint)]) link.material = "rubber";
+  }
+  robot.notes.push_back(
+      "materials are not in the file: last links count as rubber, all others as plastic");
+}
+
 Platform platform_of(JointTree tree, const std::filesystem::path& srdf,
                      const std::optional<RobotSidecar>& sidecar) {
   (void)root_of(tree);
@@ -84,8 +101,7 @@ Platform platform_of(JointTree tree, const std::filesystem::path& srdf,
   if (sidecar) {
     sidecar->complete(platform);
   } else {
-    platform.robots.back().robot.notes.push_back(
-        "materials are not in the file: all links count as plastic");
+    assume_materials(platform.robots.back().robot);
   }
   return platform;
 }
@@ -105,13 +121,21 @@ Platform graspit_platform(const XmlFile& xml, const std::optional<RobotSidecar>&
 bool has_foreign_robot_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".urdf" || extension == ".mjcf" || extension == ".xml";
+  return extension == ".urdf" || extension == ".xacro" || extension == ".mjcf" ||
+         extension == ".xml";
 }
 
 std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
                                            const ForeignRobotOptions& options) {
   const std::string text = read_file(file);
+  if (text.starts_with("\xFE\xFF") || text.starts_with("\xFF\xFE")) {
+    throw InputError({.file = file.string(), .problem = "the text is UTF-16, save it as UTF-8"});
+  }
   if (!looks_like_xml(text)) return std::nullopt;
+  if (text.find("<xacro:") != text.npos) {
+    throw InputError({.file = file.string(),
+                      .problem = "has macros of xacro: expand it first (xacro FILE > FILE.urdf)"});
+  }
   const XmlFile xml(file, text);
   const std::filesystem::path beside = RobotSidecar::path_beside(file);
   std::optional<RobotSidecar> sidecar;

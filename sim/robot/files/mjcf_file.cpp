@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/robot/files/loop_closure.h"
 #include "sim/robot/files/mjcf_geometry.h"
 
 namespace prehend {
@@ -16,6 +17,7 @@ namespace {
 
 // What a hinge without a range may turn to either side.
 constexpr double kFreeTurn = 2.0 * std::numbers::pi;
+constexpr double kFreeWay = 1.0;  // of a slide joint without range [m]
 
 bool has_joint_below(const XmlElement& body) {
   const std::vector<XmlElement> bodies = body.children("body");
@@ -52,6 +54,8 @@ class MjcfReader {
   void add_fixed(const std::string& name, int parent, int child, const Pose& X,
                  const XmlElement& of);
   int add_link(const std::string& name, const XmlElement& of);
+  void read_loop(const XmlElement& element);
+  std::set<int> driven_joints() const;
   void read_couplings();
   void couple(const XmlElement& element);
   void read_tendons();
@@ -71,6 +75,7 @@ class MjcfReader {
   std::map<int, double> ref_;  // of joints that have one
   std::vector<int> moving_;    // joints in the order of the file
   std::set<std::string> names_;
+  std::vector<Loop> loops_;
 };
 
 JointTree MjcfReader::read() {
@@ -85,6 +90,7 @@ JointTree MjcfReader::read() {
   read_exclusions();
   read_efforts();
   read_home();
+  close_loops(loops_, driven_joints(), tree_);
   note_unread();
   return std::move(tree_);
 }
@@ -218,10 +224,11 @@ void MjcfReader::read_range(const XmlElement& element, const std::string& childc
   const std::string words = limited ? limited->text("limited") : "auto";
   const bool has_range = range && (words == "true" || (words == "auto" && defaults_.autolimits()));
   if (!has_range) {
-    if (!turns) element.fail("a slide joint needs a range", joint.name);
-    joint.lower = -kFreeTurn;
-    joint.upper = kFreeTurn;
-    tree_.notes.push_back("joint " + joint.name + " has no range: it may turn once to either side");
+    const double far = turns ? kFreeTurn : kFreeWay;
+    joint.lower = -far;
+    joint.upper = far;
+    tree_.notes.push_back("joint " + joint.name + " has no range: it may " +
+                          (turns ? "turn once" : "slide 1 m") + " to either side");
     return;
   }
   const std::vector<double> limits = range->numbers("range");
@@ -300,9 +307,48 @@ void MjcfReader::couple(const XmlElement& element) {
   }
   // It speaks of the ways from where the file shows the joints.
   const int leader = joint_called(element, "joint2");
+  if (tree_.joints[index(leader)].type != joint.type) {
+    tree_.notes.push_back(element.place() + ": joint " + joint.name + " follows " +
+                          tree_.joints[index(leader)].name +
+                          ", a joint of another type: left out, they move independently");
+    return;
+  }
   const auto ref = [&](int of) { return ref_.contains(of) ? ref_.at(of) : 0.0; };
   const double offset = poly[0] + ref(joint_called(element, "joint1")) - poly[1] * ref(leader);
   joint.mimic = Mimic{leader, poly[1], offset};
+}
+
+// The anchor is a point of body1, and of body2 where the file shows both.
+void MjcfReader::read_loop(const XmlElement& element) {
+  Loop loop{.a = body_called(element, "body1"),
+            .b = element.has("body2") ? body_called(element, "body2") : 0,
+            .p_A = element.vector3("anchor")};
+  std::vector<double> shown(tree_.joints.size(), 0.0);
+  for (const auto& [joint, value] : ref_) shown[index(joint)] = value;
+  loop.p_B = link_in_root(tree_, loop.b, shown).inverse() *
+             (link_in_root(tree_, loop.a, shown) * loop.p_A);
+  loops_.push_back(loop);
+}
+
+// Joints that an actuator moves, by itself or through a tendon.
+std::set<int> MjcfReader::driven_joints() const {
+  std::set<int> driven;
+  std::set<std::string> tendons;
+  for (const XmlElement& actuators : root_.children("actuator")) {
+    for (const XmlElement& actuator : actuators.children()) {
+      if (actuator.has("joint")) driven.insert(joint_called(actuator, "joint"));
+      tendons.insert(actuator.text_or("tendon", ""));
+    }
+  }
+  for (const XmlElement& all : root_.children("tendon")) {
+    for (const XmlElement& tendon : all.children("fixed")) {
+      if (!tendons.contains(tendon.text_or("name", ""))) continue;
+      for (const XmlElement& at : tendon.children("joint")) {
+        driven.insert(joint_called(at, "joint"));
+      }
+    }
+  }
+  return driven;
 }
 
 void MjcfReader::read_couplings() {
@@ -310,6 +356,9 @@ void MjcfReader::read_couplings() {
     for (const XmlElement& element : equality.children()) {
       if (element.name() == "joint" && element.text_or("active", "true") != "false") {
         couple(element);
+      } else if (element.name() == "connect" && element.has("anchor") &&
+                 element.text_or("active", "true") != "false") {
+        read_loop(element);
       } else if (element.name() != "joint") {
         tree_.notes.push_back(element.place() + ": closed loops are not read");
       }
@@ -390,6 +439,7 @@ void MjcfReader::read_home() {
 }
 
 void MjcfReader::note_unread() {
+  for (const std::string& remark : geometry_.remarks()) tree_.notes.push_back(remark);
   const std::set<std::string> read = {"compiler", "option",   "size",      "visual",  "statistic",
                                       "default",  "asset",    "worldbody", "contact", "equality",
                                       "tendon",   "actuator", "keyframe",  "sensor",  "custom"};

@@ -116,7 +116,12 @@ TriangleMesh MjcfGeometry::read_asset(const XmlElement& geom, const std::string&
     }
     const std::filesystem::path name = asset.text("file");
     const std::filesystem::path folder = defaults_.mesh_folder();
-    TriangleMesh mesh = load_mesh(resolved_uri((folder / name).string(), asset.file(), {})).mesh;
+    TriangleMesh mesh = mesh_or_nothing(resolved_uri((folder / name).string(), asset.file(), {}));
+    if (mesh.empty()) {
+      remarks_.push_back(asset.place() + ": " + name.string() +
+                         " has no triangles: it is left out");
+      return mesh;
+    }
     return sized ? scaled(std::move(mesh), sized->vector3("scale")) : mesh;
   });
 }
@@ -128,6 +133,11 @@ TriangleMesh MjcfGeometry::read_geom(const XmlElement& geom, const std::string& 
   if (type == "plane") return {};
   Pose X = defaults_.pose(geom, childclass);
   if (type == "mesh") return transformed(read_asset(geom, childclass), X);
+  if (has_mesh) {
+    remarks_.push_back(geom.place() + ": the mesh itself is taken, not a " + type +
+                       " that is fitted to it");
+    return transformed(read_asset(geom, childclass), X);
+  }
   const auto at = defaults_.saying("size", geom, childclass);
   if (!at) geom.fail("attribute size is missing");
   std::vector<double> size = at->numbers("size");

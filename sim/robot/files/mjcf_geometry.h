@@ -22,6 +22,9 @@ class MjcfGeometry {
   // names the line: an unknown mesh or type, sizes that are missing.
   TriangleMesh read(const std::vector<XmlElement>& geoms, const std::string& childclass);
 
+  // Meshes that were left out or taken in place of other shapes, one sentence each.
+  const std::vector<std::string>& remarks() const { return remarks_; }
+
  private:
   TriangleMesh read_geom(const XmlElement& geom, const std::string& childclass);
   static TriangleMesh read_written(const XmlElement& asset);
@@ -30,6 +33,7 @@ class MjcfGeometry {
 
   const MjcfDefaults& defaults_;
   std::map<std::string, XmlElement> meshes_;
+  std::vector<std::string> remarks_;
   std::size_t spent_ = 0;  // of kMostShapeTriangles
 };
 

@@ -1,5 +1,6 @@
 #include "sim/robot/files/package_folders.h"
 
+#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <sstream>
@@ -18,6 +19,23 @@ using Path = std::filesystem::path;
 std::optional<std::string> after(std::string_view scheme, const std::string& uri) {
   if (!uri.starts_with(scheme)) return std::nullopt;
   return uri.substr(scheme.size());
+}
+
+// %20 is a blank, as in addresses of the web; what is no such code stays.
+std::string percent_decoded(const std::string& text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned code = 0;
+    const char* const first = text.data() + i + 1;
+    if (text[i] == '%' && i + 2 < text.size() &&
+        std::from_chars(first, first + 2, code, 16).ptr == first + 2) {
+      decoded += static_cast<char>(code);
+      i += 2;
+    } else {
+      decoded += text[i];
+    }
+  }
+  return decoded;
 }
 
 // The folder of `file` and those above it.
@@ -74,10 +92,14 @@ Path in_package(const std::string& uri, const std::string& rest, const Path& fro
 
 Path resolved_uri(const std::string& uri, const Path& from, const PackageFolders& packages) {
   for (const char* scheme : {"package://", "model://"}) {
-    if (const auto rest = after(scheme, uri)) return in_package(uri, *rest, from, packages);
+    if (const auto rest = after(scheme, uri)) {
+      return in_package(uri, percent_decoded(*rest), from, packages);
+    }
   }
   const Path path = after("file://", uri).value_or(uri);
   const Path file = path.is_absolute() ? path : from.parent_path() / path;
+  const std::string decoded = percent_decoded(uri);
+  if (!is_file(file) && decoded != uri) return resolved_uri(decoded, from, packages);
   if (!is_file(file)) throw InputError({.problem = "no such file", .value = uri});
   return file;
 }

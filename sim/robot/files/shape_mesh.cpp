@@ -8,6 +8,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/range.h"
 #include "sim/shape/basic_shapes.h"
+#include "sim/shape/files/mesh_file.h"
 #include "sim/shape/revolve.h"
 #include "sim/shape/weld.h"
 
@@ -54,6 +55,15 @@ TriangleMesh scaled(TriangleMesh mesh, const Vector3& factors) {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   }
   return mesh;
+}
+
+TriangleMesh mesh_or_nothing(const std::filesystem::path& file) {
+  try {
+    return load_mesh(file).mesh;
+  } catch (const InputError& error) {
+    if (!error.problem().starts_with("no triangles")) throw;
+    return {};
+  }
 }
 
 }  // namespace prehend

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 
 #include "sim/shape/triangle_mesh.h"
 
@@ -24,5 +25,9 @@ TriangleMesh ellipsoid_mesh(const Vector3& radii);
 // The mesh with each coordinate multiplied; mirrored, its triangles still face outward. Throws
 // InputError for a factor of 0.
 TriangleMesh scaled(TriangleMesh mesh, const Vector3& factors);
+
+// The mesh of a file as load_mesh reads it, but empty where it has no triangles: one of a robot's
+// many parts.
+TriangleMesh mesh_or_nothing(const std::filesystem::path& file);
 
 }  // namespace prehend

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
@@ -17,6 +18,10 @@ namespace {
 constexpr double kBaseMark = 1e-3;
 // Directions typed with few digits are still meant to be opposite [length of their sum].
 constexpr double kOpposedFingers = 1e-6;
+constexpr double kTimeToFullSpeed = 0.5;  // where no acceleration is said [s]
+// Limits of a joint that leave less than this part of the range of the joint that it mimics are
+// mistakes: multiplier and limits have different signs.
+constexpr double kLeftToLeader = 0.1;
 
 // Where a link is: the joint that moves it (-1: the base) and its pose in the frame after that.
 struct LinkPlace {
@@ -48,6 +53,7 @@ class TreeRobot {
   void follow(const Start& start);
   void add_joint(int joint, int parent);
   void add_dofs();
+  void assume_accelerations();
   void add_exempt_pairs();
   void mark_base();
 
@@ -154,6 +160,32 @@ bool slides_apart(const Robot& robot, int dof) {
          (direction(*fingers[0]) + direction(*fingers[1])).norm() < kOpposedFingers;
 }
 
+// Whether it turns joints behind several first joints of the robot: fingers.
+bool turns_several(const Robot& robot, int dof) {
+  std::set<int> first;
+  for (int j = 0; j < static_cast<int>(robot.joints.size()); ++j) {
+    const Joint& joint = robot.joints[index(j)];
+    if (joint.dof != dof) continue;
+    if (joint.type != JointType::revolute) return false;
+    first.insert(joints_to(robot, j).front());
+  }
+  return first.size() > 1;
+}
+
+// The formats hardly ever say accelerations.
+void TreeRobot::assume_accelerations() {
+  bool assumed = false;
+  for (DegreeOfFreedom& dof : robot_.dofs) {
+    if (!(dof.max_velocity > 0.0) || dof.max_acceleration > 0.0) continue;
+    dof.max_acceleration = dof.max_velocity / kTimeToFullSpeed;
+    assumed = true;
+  }
+  if (!assumed) return;
+  robot_.notes.push_back(formatted(
+      "accelerations are not in the file: joints are taken to reach their velocities in %g s",
+      kTimeToFullSpeed));
+}
+
 void TreeRobot::add_dofs() {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<double> initial;
@@ -169,7 +201,7 @@ void TreeRobot::add_dofs() {
                            .max_velocity = leader.max_velocity,
                            .max_acceleration = leader.max_acceleration});
   }
-  // Leaders come first: where their followers' limits leave no value, these are widened to them.
+  // Leaders come first: where their followers' limits leave next to nothing, these are widened.
   for (const bool leads : {true, false}) {
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       Joint& joint = robot_.joints[j];
@@ -179,14 +211,15 @@ void TreeRobot::add_dofs() {
       DegreeOfFreedom& dof = robot_.dofs[index(joint.dof)];
       const double from = (joint.lower - joint.offset) / joint.ratio;
       const double to = (joint.upper - joint.offset) / joint.ratio;
-      const double lower = std::max(dof.lower, std::min(from, to));
-      const double upper = std::min(dof.upper, std::max(from, to));
-      if (lower > upper) {
+      // Nothing becomes -0.
+      const double lower = std::max(dof.lower, std::min(from, to)) + 0.0;
+      const double upper = std::min(dof.upper, std::max(from, to)) + 0.0;
+      if (lower > upper || (!leads && upper - lower < kLeftToLeader * (dof.upper - dof.lower))) {
         const double low = joint.ratio * dof.lower + joint.offset;
         const double high = joint.ratio * dof.upper + joint.offset;
         joint.lower = std::min(low, high);
         joint.upper = std::max(low, high);
-        robot_.notes.push_back("joint " + joint.name + ": its limits leave no value to " +
+        robot_.notes.push_back("joint " + joint.name + ": its limits leave (nearly) no value to " +
                                dof.name + ", which it mimics; they are ignored");
         continue;
       }
@@ -194,9 +227,16 @@ void TreeRobot::add_dofs() {
       dof.upper = upper;
     }
   }
+  assume_accelerations();
   for (std::size_t d = 0; d < robot_.dofs.size(); ++d) {
     DegreeOfFreedom& dof = robot_.dofs[d];
     dof.initial = std::clamp(initial[d], dof.lower, dof.upper);
+    if (turns_several(robot_, static_cast<int>(d))) {
+      dof.coupling = Coupling::by_finger;
+      robot_.notes.push_back("degree of freedom " + dof.name +
+                             " bends several fingers: taken as coupled by finger, where one that "
+                             "touches waits for the others");
+    }
     if (!slides_apart(robot_, static_cast<int>(d))) continue;
     dof.coupling = Coupling::self_centering;
     robot_.notes.push_back("degree of freedom " + dof.name +

@@ -1,6 +1,7 @@
 #include "sim/robot/files/urdf_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <numbers>
 #include <set>
@@ -15,6 +16,7 @@ namespace {
 
 // A continuous joint turns without end; a whole turn to either side reaches all postures.
 constexpr double kWholeTurn = 2.0 * std::numbers::pi;
+constexpr double kFreeSlide = 1.0;  // [m]
 constexpr double kShortestAxis = 1e-100;
 
 // Elements that need no word: they do not matter to planning, or say what else is said.
@@ -67,6 +69,7 @@ class UrdfReader {
   JointTree tree_;
   std::map<std::string, int> link_of_;
   std::map<std::string, int> joint_of_;
+  std::vector<std::string> endless_;
   std::vector<std::string> continuous_;
   std::vector<std::string> massless_;
   std::map<std::string, std::string> unread_;  // tag -> place of the first
@@ -139,10 +142,31 @@ int UrdfReader::link_named(const XmlElement& element) const {
   return found->second;
 }
 
+// What many files write for a joint without limits.
+std::optional<double> infinity_in(const XmlElement& limit, const char* attribute) {
+  std::string word = limit.has(attribute) ? limit.text(attribute) : "";
+  const bool negative = word.starts_with('-');
+  std::erase_if(word, [](char c) { return c == '-' || c == '+' || c == '.' || c == ' '; });
+  for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (word != "inf" && word != "infinity") return std::nullopt;
+  return negative ? -1.0 : 1.0;
+}
+
 // Limits that are not positive mean that they are not known, huge ones that there are none.
 double known_or_zero(const XmlElement& element, const char* attribute) {
+  if (infinity_in(element, attribute)) return 0.0;
   const double value = element.number_or(attribute, 0.0);
   return kRateAbove0.contains(value) ? value : 0.0;
+}
+
+bool endless(const XmlElement& limit) {
+  return infinity_in(limit, "lower") || infinity_in(limit, "upper");
+}
+
+// An infinite limit becomes `far`.
+double limit_or(const XmlElement& limit, const char* attribute, double far) {
+  const std::optional<double> side = infinity_in(limit, attribute);
+  return side ? *side * far : limit.number_or(attribute, 0.0);
 }
 
 void UrdfReader::read_limits(const XmlElement& element, bool continuous, TreeJoint& joint) {
@@ -153,8 +177,10 @@ void UrdfReader::read_limits(const XmlElement& element, bool continuous, TreeJoi
     joint.upper = kWholeTurn;
     continuous_.push_back(joint.name);
   } else {
-    joint.lower = limit->number_or("lower", 0.0);
-    joint.upper = limit->number_or("upper", 0.0);
+    const double far = joint.type == TreeJointType::prismatic ? kFreeSlide : kWholeTurn;
+    joint.lower = limit_or(*limit, "lower", far);
+    joint.upper = limit_or(*limit, "upper", far);
+    if (endless(*limit)) endless_.push_back(joint.name);
     if (joint.lower > joint.upper) limit->fail("limits the wrong way round", joint.name);
   }
   if (!limit) return;
@@ -209,6 +235,13 @@ void UrdfReader::read_mimic(const XmlElement& element) {
   if (!mimic || joint.type == TreeJointType::fixed) return;
   const auto found = joint_of_.find(mimic->text("joint"));
   if (found == joint_of_.end()) mimic->fail("no joint of this name", mimic->text("joint"));
+  const TreeJointType other = tree_.joints[index(found->second)].type;
+  if (other != joint.type && other != TreeJointType::fixed) {
+    tree_.notes.push_back(mimic->place() + ": joint " + joint.name + " mimics " +
+                          mimic->text("joint") +
+                          ", a joint of another type: left out, they move independently");
+    return;
+  }
   joint.mimic = Mimic{.joint = found->second,
                       .ratio = mimic->number_or("multiplier", 1.0),
                       .offset = mimic->number_or("offset", 0.0)};
@@ -255,6 +288,10 @@ void UrdfReader::note_all() {
   if (!continuous_.empty()) {
     note("joints without limits, which may turn once to either side: " + listed(continuous_));
   }
+  if (!endless_.empty()) {
+    note("joints with infinite limits, taken as one turn or 1 m to that side: " + listed(endless_));
+  }
+  for (const std::string& remark : geometry_.remarks()) note(remark);
   if (!massless_.empty()) {
     note("links with an inertia that no body has, found from their geometry in its place: " +
          listed(massless_));

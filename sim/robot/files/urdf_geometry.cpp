@@ -1,5 +1,8 @@
 #include "sim/robot/files/urdf_geometry.h"
 
+#include <algorithm>
+
+#include "sim/base/formatted.h"
 #include "sim/base/range.h"
 #include "sim/robot/files/shape_mesh.h"
 #include "sim/shape/basic_shapes.h"
@@ -14,6 +17,10 @@ std::string without_prefix(const std::string& tag) {
   const std::size_t colon = tag.find(':');
   return colon == std::string::npos ? tag : tag.substr(colon + 1);
 }
+
+// A part of a robot that is longer than this in metres is drawn in millimetres [m].
+constexpr double kLargestPart = 10.0;
+constexpr double kMillimetre = 1e-3;
 
 }  // namespace
 
@@ -57,6 +64,7 @@ TriangleMesh UrdfGeometry::read_shape(const XmlElement& geometry) {
   const XmlElement& shape = shapes.front();
   const std::string kind = without_prefix(shape.name());
   if (kind == "mesh") return mesh_of(shape);
+  if (is_flat(shape)) return {};
   TriangleMesh mesh = with_field_errors(shape, [&] {
     if (kind == "box") return make_box(shape.vector3("size"));
     if (kind == "sphere") return sphere_mesh(shape.number("radius"));
@@ -71,12 +79,36 @@ TriangleMesh UrdfGeometry::read_shape(const XmlElement& geometry) {
   return mesh;
 }
 
-TriangleMesh UrdfGeometry::mesh_of(const XmlElement& shape) const {
+// Whether a size of it is 0, so that it has no volume and is left out.
+bool UrdfGeometry::is_flat(const XmlElement& shape) {
+  for (const char* attribute : {"size", "radius", "length", "a", "b", "c"}) {
+    if (!shape.has(attribute)) continue;
+    const std::vector<double> sizes = shape.numbers(attribute);
+    if (std::find(sizes.begin(), sizes.end(), 0.0) == sizes.end()) continue;
+    remarks_.push_back(shape.place() + ": " + attribute + " is 0: the shape is left out");
+    return true;
+  }
+  return false;
+}
+
+TriangleMesh UrdfGeometry::mesh_of(const XmlElement& shape) {
   return with_field_errors(shape, [&] {
     const std::filesystem::path file =
         resolved_uri(shape.text("filename"), shape.file(), *packages_);
-    TriangleMesh mesh = load_mesh(file).mesh;
-    if (!shape.has("scale")) return mesh;
+    TriangleMesh mesh = mesh_or_nothing(file);
+    if (mesh.empty()) {
+      remarks_.push_back(shape.place() + ": " + shape.text("filename") +
+                         " has no triangles: it is left out");
+      return mesh;
+    }
+    if (!shape.has("scale")) {
+      const Bounds box = bounds(mesh);
+      const double longest = (box.upper - box.lower).maxCoeff();
+      if (longest < kLargestPart) return mesh;
+      remarks_.push_back(shape.place() + ": " + shape.text("filename") +
+                         formatted(" is %.4g long without a scale: read in mm", longest));
+      return scaled(std::move(mesh), Vector3::Constant(kMillimetre));
+    }
     const std::vector<double> factors = shape.numbers("scale");
     if (factors.size() == 1) return scaled(std::move(mesh), Vector3::Constant(factors[0]));
     return scaled(std::move(mesh), shape.vector3("scale"));

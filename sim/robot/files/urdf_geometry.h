@@ -23,14 +23,18 @@ class UrdfGeometry {
 
   // Links whose visual geometry was taken.
   const std::vector<std::string>& visual_links() const { return visual_links_; }
+  // Shapes that were left out or read in another unit, one sentence each.
+  const std::vector<std::string>& remarks() const { return remarks_; }
 
  private:
   TriangleMesh read_shape(const XmlElement& geometry);
-  TriangleMesh mesh_of(const XmlElement& shape) const;
+  TriangleMesh mesh_of(const XmlElement& shape);
+  bool is_flat(const XmlElement& shape);
 
   const PackageFolders* packages_;
   std::size_t spent_ = 0;  // of kMostShapeTriangles
   std::vector<std::string> visual_links_;
+  std::vector<std::string> remarks_;
 };
 
 // The pose of an <origin> inside the element, the identity where there is none: rotations about the

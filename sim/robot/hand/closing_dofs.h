@@ -18,16 +18,23 @@ struct ClosingDofs {
   bool closes(std::size_t dof) const { return velocity[dof] != 0.0; }
 };
 
-// Those that the robot states where it has any that closes, else inferred. A finger is closed by
-// the joints whose axes are within 45 degrees of that of its last one, in the initial posture; what
-// turns it sideways or about its length does not close it. Each closes towards the limit at which
-// the tips are nearer to each other and to the palm. Inferred joints turn at 1 rad/s or slide at
-// 0.05 m/s.
+// Those that the robot states where it has any that closes, else inferred (closing_signs.h).
+// Inferred joints turn at 1 rad/s or slide at 0.05 m/s.
+ClosingDofs find_closing_dofs(const Robot& robot, const HandParts& parts);
+
+// What closes towards these limits: 1, -1 or 0 (does not close) per degree of freedom.
 //
 // A degree of freedom is open at the limit opposite to closing. Where a finger has several joints
-// that bend it, the limit counts only up to 0.35 rad beyond the initial value: fingers do not grasp
-// from bent backwards.
-ClosingDofs find_closing_dofs(const Robot& robot, const HandParts& parts);
+// that bend it, or one that turns without end, the limit counts only up to 0.35 rad beyond the
+// initial value: fingers do not grasp from bent backwards.
+ClosingDofs closing_towards(const Robot& robot, const HandParts& parts,
+                            const std::vector<int>& signs);
+
+// The joints that bend or slide a finger shut, tip last: those whose axes are within 45 degrees of
+// that of its last one. What turns it sideways or about its length does not close it. `X_BJ` as
+// from joint_poses.
+std::vector<int> closing_joints(const Robot& robot, const Finger& finger,
+                                const std::vector<Pose>& X_BJ);
 
 // Values of the degrees of freedom `time` seconds [s] after the open hand began to close; what does
 // not close is as in `from`.

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/base/random.h"
 #include "sim/robot/hand/hand_axes.h"
 #include "sim/robot/hand/measure_preshape.h"
 #include "sim/robot/sound_robot.h"
@@ -32,25 +34,93 @@ std::string shown(const char* what, const Vector3& v, double unit = 1.0) {
   return formatted("%s (%.3f, %.3f, %.3f)", what, rounded(u.x()), rounded(u.y()), rounded(u.z()));
 }
 
+using LinkPair = std::pair<int, int>;
+
+bool contains(const std::vector<LinkPair>& pairs, const LinkPair& pair) {
+  return std::find(pairs.begin(), pairs.end(), pair) != pairs.end();
+}
+
+void exempt(const LinkPair& pair, const char* when, SelfCollision& collision, Robot& robot) {
+  collision.leave_out(pair);
+  robot.exempt_pairs.push_back(pair);
+  robot.notes.push_back("links " + robot.links[index(pair.first)].name + " and " +
+                        robot.links[index(pair.second)].name + " overlap " + when +
+                        ": their collision is not checked");
+}
+
+// Whether one of the links carries the other.
+bool carries(const Robot& robot, const LinkPair& pair) {
+  const std::vector<int> a = joints_to(robot, robot.links[index(pair.first)].joint);
+  const std::vector<int> b = joints_to(robot, robot.links[index(pair.second)].joint);
+  return std::equal(
+      a.begin(), a.begin() + static_cast<std::ptrdiff_t>(std::min(a.size(), b.size())), b.begin());
+}
+
+// Pairs that overlap by construction: in nearly all of some random postures, or at the start where
+// one link carries the other.
+void exempt_overlapping(SelfCollision& collision, Robot& robot) {
+  constexpr int kPostures = 60;
+  constexpr double kNearlyAll = 0.9;
+  Random random(1);
+  std::map<LinkPair, int> counts;
+  for (int i = 0; i < kPostures; ++i) {
+    std::vector<double> dofs;
+    for (const DegreeOfFreedom& dof : robot.dofs) {
+      dofs.push_back(random.uniform(dof.lower, dof.upper));
+    }
+    for (const LinkPair& pair : collision.colliding(dofs)) ++counts[pair];
+  }
+  const std::vector<LinkPair> at_start = collision.colliding(initial_dofs(robot));
+  for (const auto& [pair, count] : counts) {
+    if (count < kNearlyAll * kPostures) continue;
+    exempt(pair, "in every posture, or nearly", collision, robot);
+  }
+  for (const LinkPair& pair : at_start) {
+    if (contains(robot.exempt_pairs, pair) || !carries(robot, pair)) continue;
+    exempt(pair, "at the start, and one carries the other", collision, robot);
+  }
+}
+
 // Pairs that collide at the start, open and half closed always do.
 void exempt_always_colliding(const ClosingDofs& closing, const Opposition& best,
                              SelfCollision& collision, Robot& robot) {
   const double end = closing_time(robot, closing);
-  std::vector<std::pair<int, int>> always = collision.colliding(best.dofs);
+  std::vector<LinkPair> always = collision.colliding(best.dofs);
   for (const auto& dofs : {initial_dofs(robot), closed_for(robot, closing, 0.25 * end, best.dofs),
                            closed_for(robot, closing, 0.5 * end, best.dofs)}) {
     const auto now = collision.colliding(dofs);
-    std::erase_if(always, [&](const auto& pair) {
-      return std::find(now.begin(), now.end(), pair) == now.end();
-    });
+    std::erase_if(always, [&](const LinkPair& pair) { return !contains(now, pair); });
   }
-  for (const auto& [a, b] : always) {
-    collision.leave_out({a, b});
-    robot.exempt_pairs.emplace_back(a, b);
-    robot.notes.push_back("links " + robot.links[index(a)].name + " and " +
-                          robot.links[index(b)].name +
-                          " overlap in every posture: their collision is not checked");
+  for (const LinkPair& pair : always) exempt(pair, "in every posture", collision, robot);
+}
+
+// Names what is in the way of every opening, and how a sidecar can help.
+[[noreturn]] void refuse_openings(const Robot& robot, const HandParts& parts,
+                                  const ClosingDofs& closing, const Opposition& best,
+                                  const SelfCollision& collision) {
+  std::string pairs;
+  for (const LinkPair& pair : collision.colliding(best.dofs)) {
+    pairs += (pairs.empty() ? "[\"" : ", [\"") + robot.links[index(pair.first)].name + "\", \"" +
+             robot.links[index(pair.second)].name + "\"]";
   }
+  if (!pairs.empty()) {
+    refuse(robot,
+           "links collide in every opening; if they overlap by design, a sidecar file helps: "
+           "\"exempt_collisions\": [" +
+               pairs + "]");
+  }
+  std::string moved;
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    if (!closing.closes(d)) continue;
+    moved += (moved.empty() ? "" : ", ") + robot.dofs[d].name +
+             formatted(" from %.3g on", closing.open[d]) +
+             (closing.velocity[d] > 0.0 ? " upwards" : " downwards");
+  }
+  refuse(robot, "link " + robot.links[index(parts.fingers[best.thumb].tip_link)].name + " and " +
+                    (parts.fingers.size() > 1 ? "the other fingers" : "the base") +
+                    " open no gap that closes (" + moved +
+                    "); state preshapes, or the closing_velocity of degrees of freedom, in a "
+                    "sidecar file");
 }
 
 void state_velocities(const ClosingDofs& closing, Robot& robot) {
@@ -145,9 +215,25 @@ struct Grip {
   Opposition best;
 };
 
+// Names the joints whose limits leave them nowhere to go.
+[[noreturn]] void refuse_still(const Robot& robot, const HandParts& parts) {
+  std::string names;
+  for (const Finger& finger : parts.fingers) {
+    for (const int joint : finger.joints) {
+      const Joint& j = robot.joints[index(joint)];
+      const DegreeOfFreedom& dof = robot.dofs[index(j.dof)];
+      if (dof.lower < dof.upper) continue;
+      names += (names.empty() ? "" : ", ") + j.name;
+    }
+  }
+  refuse(robot, names.empty() ? "no finger can move"
+                              : "no finger can move: the limits of " + names +
+                                    " leave one value each; give them a range");
+}
+
 Grip grip_of(const Robot& robot, const HandParts& parts) {
   Grip grip{.closing = find_closing_dofs(robot, parts), .best = {}};
-  if (!(closing_time(robot, grip.closing) > 0.0)) refuse(robot, "no finger can move");
+  if (!(closing_time(robot, grip.closing) > 0.0)) refuse_still(robot, parts);
   if (parts.fingers.size() > 1) {
     grip.best = best_opposition(robot, parts, grip.closing);
   } else {
@@ -167,7 +253,10 @@ Grip find_grip(const HandParts& parts, Robot& robot) {
         "its fingers do not close on each other with the velocities that it states");
     grip = grip_of(robot, parts);
   }
-  if (grip.best.score < kLeastScore) refuse(robot, "its fingers do not close on each other");
+  if (grip.best.score < kLeastScore)
+    refuse(robot,
+           "its fingers do not close on each other; state the closing_velocity of its "
+           "degrees of freedom in a sidecar file");
   return grip;
 }
 
@@ -180,10 +269,11 @@ Robot with_derived_hand(Robot robot, const StatedHand& stated) {
   if (parts.fingers.empty()) {
     refuse(robot, robot.joints.empty() ? "it has no joints" : "its joints branch nowhere");
   }
-  const auto [closing, best] = find_grip(parts, robot);
   SelfCollision collision(robot);
+  exempt_overlapping(collision, robot);
+  const auto [closing, best] = find_grip(parts, robot);
   exempt_always_colliding(closing, best, collision, robot);
-  const HandAxes axes = find_hand_axes(robot, parts, closing, best, stated, collision);
+  const HandAxes axes = find_hand_axes(robot, parts, closing, best, stated);
   // A fifth of the effort moves what an ordinary finger is to move, and pushes an object that the
   // others do not hold yet a fifth as hard.
   constexpr double kGentle = 0.2;
@@ -204,7 +294,7 @@ Robot with_derived_hand(Robot robot, const StatedHand& stated) {
     if (half && k < 2) add(openings[k].name + "_half", openings[k].opposition, 0.5);
   }
   if (hand.preshapes.empty()) {
-    refuse(robot, "its links collide in every opening, or the fingers open no gap");
+    refuse_openings(robot, parts, closing, best, collision);
   }
   state_velocities(closing, robot);
   robot.notes.push_back("inferred: " + shown("approach", hand.approach) + ", " +

@@ -1,9 +1,11 @@
 #include "sim/robot/hand/fingers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "sim/base/index.h"
+#include "sim/shape/proximity.h"
 
 namespace prehend {
 namespace {
@@ -108,6 +110,30 @@ std::set<int> dofs_of(const Robot& robot, const Finger& finger) {
   return dofs;
 }
 
+// Whether links of the two fingers touch at the start and in the middle of what both can do.
+bool stay_in_touch(const Robot& robot, const Finger& a, const Finger& b) {
+  std::vector<double> middle;
+  for (const DegreeOfFreedom& dof : robot.dofs) {
+    const double mean = 0.5 * (dof.lower + dof.upper);
+    middle.push_back(std::isfinite(mean) ? mean : dof.initial);
+  }
+  for (const std::vector<double>& dofs : {initial_dofs(robot), middle}) {
+    std::vector<Pose> X_BL;
+    link_poses(robot, joint_values(robot, dofs), X_BL);
+    const auto touch = [&](int p, int q) {
+      const ProximityMesh first(robot.links[index(p)].mesh);
+      const ProximityMesh second(robot.links[index(q)].mesh);
+      const Pose X_PQ = X_BL[index(p)].inverse() * X_BL[index(q)];
+      return find_gap(first, second, X_PQ, {.cap = 1e-6, .hint = {}}).lower <= 0.0;
+    };
+    const bool touching = std::any_of(a.links.begin(), a.links.end(), [&](int p) {
+      return std::any_of(b.links.begin(), b.links.end(), [&](int q) { return touch(p, q); });
+    });
+    if (!touching) return false;
+  }
+  return true;
+}
+
 void drop_levers(const Robot& robot, const RobotPoses& poses, const Vector3& palm,
                  std::vector<Finger>& fingers) {
   const auto reach = [&](const Finger& finger) {
@@ -118,8 +144,9 @@ void drop_levers(const Robot& robot, const RobotPoses& poses, const Vector3& pal
     const std::set<int> own = dofs_of(robot, finger);
     return std::any_of(all.begin(), all.end(), [&](const Finger& other) {
       const std::set<int> dofs = dofs_of(robot, other);
-      return std::includes(dofs.begin(), dofs.end(), own.begin(), own.end()) &&
-             reach(finger) < kLeverReach * reach(other);
+      if (!std::includes(dofs.begin(), dofs.end(), own.begin(), own.end())) return false;
+      if (reach(finger) < kLeverReach * reach(other)) return true;
+      return finger.joints.size() < other.joints.size() && stay_in_touch(robot, finger, other);
     });
   });
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/base/index.h"
+#include "sim/robot/hand/fingertip_gap.h"
 
 namespace prehend {
 namespace {
@@ -103,18 +104,17 @@ class Pinching {
 }  // namespace
 
 HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
-                        const Opposition& best, const StatedHand& stated,
-                        const SelfCollision& collision) {
+                        const Opposition& best, const StatedHand& stated) {
   const Pinching pinching(robot, parts, closing, best);
   const bool alone = parts.fingers.size() < 2;
   double meeting = best.meeting;
   if (alone) {
     // The finger goes as far as the palm lets it.
     const double end = closing_time(robot, closing);
-    const std::vector<int>& tip = parts.fingers.front().tip_links;
+    const FingertipGap gap(robot, parts);
     for (int k = 1; k <= 64; ++k) {
       const auto dofs = closed_for(robot, closing, end * k / 64, best.dofs);
-      if (collision.meet(tip, parts.palm_links, dofs)) break;
+      if (gap.at(dofs) <= 0.0) break;
       meeting = end * k / 64;
     }
   }

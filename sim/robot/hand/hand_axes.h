@@ -3,7 +3,6 @@
 
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/robot/hand/opposition.h"
-#include "sim/robot/hand/self_collision.h"
 
 namespace prehend {
 
@@ -19,7 +18,6 @@ struct HandAxes {
 // meet, orthogonal to the closing axis and to those axes. Origin: where the line back from there
 // along the approach leaves the palm. What is stated is kept, and the rest fits it.
 HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
-                        const Opposition& best, const StatedHand& stated,
-                        const SelfCollision& collision);
+                        const Opposition& best, const StatedHand& stated);
 
 }  // namespace prehend

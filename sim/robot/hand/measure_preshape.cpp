@@ -11,6 +11,7 @@ namespace {
 constexpr int kTimes = 64;             // postures of a closing motion that are looked at
 constexpr int kHalvings = 20;          // of a step, to find where the fingers meet
 constexpr double kLeastClosing = 0.1;  // of the opening
+constexpr double kTouch = 1e-6;        // distance of the only finger from the palm [m]
 constexpr double kPad = 0.1;  // of a link's thickness along the closing axis: its side is the pad
 
 struct Reach {
@@ -51,8 +52,8 @@ double pad_height(const Robot& robot, const std::vector<int>& links, const std::
 }  // namespace
 
 double PreshapeMeasure::gap(const Opposition& opening, const std::vector<double>& dofs) const {
-  if (parts_.fingers.size() < 2) {
-    return collision_.distance(parts_.fingers.front().tip_links, parts_.palm_links, dofs);
+  if (tip_gap_) {
+    return tip_gap_->at(dofs);
   }
   std::vector<Pose> X_BL;
   link_poses(robot_, joint_values(robot_, dofs), X_BL);
@@ -89,7 +90,7 @@ double PreshapeMeasure::depth(const Opposition& opening, const std::vector<doubl
 // Whether the thumb touches another finger (the palm, where it is the only one).
 bool PreshapeMeasure::touching(const Opposition& opening, const std::vector<double>& dofs) const {
   const Finger& thumb = parts_.fingers[opening.thumb];
-  if (parts_.fingers.size() < 2) return collision_.meet(thumb.tip_links, parts_.palm_links, dofs);
+  if (tip_gap_) return tip_gap_->at(dofs) <= kTouch;
   for (std::size_t f = 0; f < parts_.fingers.size(); ++f) {
     if (f != opening.thumb && collision_.meet(thumb.links, parts_.fingers[f].links, dofs)) {
       return true;

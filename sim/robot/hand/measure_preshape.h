@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/robot/hand/fingertip_gap.h"
 #include "sim/robot/hand/opposition.h"
 #include "sim/robot/hand/self_collision.h"
 
@@ -14,7 +15,9 @@ class PreshapeMeasure {
  public:
   PreshapeMeasure(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
                   const Hand& hand, const SelfCollision& collision)
-      : robot_(robot), parts_(parts), closing_(closing), hand_(hand), collision_(collision) {}
+      : robot_(robot), parts_(parts), closing_(closing), hand_(hand), collision_(collision) {
+    if (parts.fingers.size() < 2) tip_gap_.emplace(robot, parts);
+  }
 
   // The preshape at which this part of the opening's gap is closed (0: open), or a little later
   // where links collide there. Nothing where they collide until half of the rest is closed, or
@@ -31,6 +34,7 @@ class PreshapeMeasure {
   const ClosingDofs& closing_;
   const Hand& hand_;
   const SelfCollision& collision_;
+  std::optional<FingertipGap> tip_gap_;  // of the only finger
 };
 
 }  // namespace prehend

@@ -36,6 +36,9 @@ bool is_known(const std::string& extension) {
 
 std::string known_extension_of(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
+  if (extension == "xacro") {
+    throw InputError("xacro is a program for a robot: expand it first (xacro FILE > FILE.urdf)");
+  }
   if (!is_known(extension)) {
     throw InputError(
         {.problem = "unknown mesh format, known: .obj .stl .ply .off .gltf .glb .dae .iv .wrl",

@@ -37,6 +37,8 @@ TEST(ObjectMesh, KnowsTheLikelyUnitOfASize) {
   for (const double size : {3.1, 9.0, 29.0}) EXPECT_EQ(likely_unit(size), "cm") << size;
   for (const double size : {30.5, 90.0, 499.0, 999.0}) EXPECT_EQ(likely_unit(size), "mm") << size;
   for (const double size : {1001.0, 1e6}) EXPECT_EQ(likely_unit(size), "m") << size;
+  for (const double size : {3.1, 20.0, 999.0}) EXPECT_EQ(likely_unit(size, true), "mm") << size;
+  for (const double size : {0.1, 1001.0}) EXPECT_EQ(likely_unit(size, true), "m") << size;
 }
 
 TEST(ObjectMesh, IsReadInTheLikelyUnitWithANote) {

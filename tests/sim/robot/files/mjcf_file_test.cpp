@@ -225,6 +225,22 @@ TEST(MjcfFile, AFreeBodyWithJointsIsTheRobot) {
   EXPECT_TRUE(has_note(robot, "beside the robot"));
 }
 
+TEST(MjcfFile, DetailsDoNotRefuseTheRobot) {
+  const Robot robot = robot_of(mjcf(
+      "<asset><mesh name=\"tetra\" vertex=\"0 0 0 0.1 0 0 0 0.1 0 0 0 0.1\"/></asset><worldbody>"
+      "<body name=\"palm\"><geom size=\"0.02\"/><body name=\"a\"><joint name=\"j\" "
+      "type=\"slide\"/><geom type=\"capsule\" mesh=\"tetra\"/></body><body name=\"b\"><joint "
+      "name=\"k\" range=\"0 90\"/><geom size=\"0.01\"/></body></body></worldbody>"
+      "<equality><joint joint1=\"k\" joint2=\"j\"/></equality>"));
+  ASSERT_EQ(robot.dofs.size(), 2U);
+  EXPECT_EQ(robot.dofs[0].lower, -1.0);
+  EXPECT_EQ(robot.dofs[0].upper, 1.0);
+  EXPECT_EQ(robot.links[1].mesh.triangles.size(), 4U);
+  EXPECT_TRUE(has_note(robot, "may slide 1 m to either side"));
+  EXPECT_TRUE(has_note(robot, "the mesh itself is taken, not a capsule"));
+  EXPECT_TRUE(has_note(robot, "joint k follows j, a joint of another type"));
+}
+
 struct BadMjcf {
   const char* name;
   std::string text;
@@ -247,8 +263,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadMjcf{"Ball", on_palm("<body><joint name=\"j\" type=\"ball\"/></body>"),
                 "line 2, <joint>: joints of type ball cannot be planned with; known are hinge and "
                 "slide (j)"},
-        BadMjcf{"SlideWithoutRange", on_palm("<body><joint name=\"j\" type=\"slide\"/></body>"),
-                "line 2, <joint>: a slide joint needs a range (j)"},
         BadMjcf{"SwappedRange", on_palm("<body><joint name=\"j\" range=\"1 0\"/></body>"),
                 "line 2, <joint>: attribute range must be two numbers, the lower one first (1 0)"},
         BadMjcf{"UnknownClass", on_palm("<body><joint name=\"j\" class=\"c\"/></body>"),
