@@ -282,7 +282,14 @@ Robot with_derived_hand(Robot robot, const StatedHand& stated) {
             .origin = axes.origin,
             .preshapes = {},
             .strategies = {{.name = "gentle", .effort = kGentle}}};
-  const PreshapeMeasure measure(robot, parts, closing, hand, collision);
+  // Gaps are measured from the thumb to the others; a stated closing axis may point back.
+  Hand measured = hand;
+  if (parts.fingers.size() > 1) {
+    const std::vector<Vector3> tips = tips_at(robot, parts, best.dofs);
+    const Vector3 apart = mean_of_others(tips, best.thumb) - tips[best.thumb];
+    if (apart.dot(hand.closing) < 0.0) measured.closing = -hand.closing;
+  }
+  const PreshapeMeasure measure(robot, parts, closing, measured, collision);
   const auto add = [&](const std::string& name, const Opposition& opening, double part) {
     if (hand.preshapes.size() >= kMostPreshapes) return;
     if (auto preshape = measure.at(name, opening, part)) hand.preshapes.push_back(*preshape);

@@ -33,6 +33,20 @@ TEST(DerivedHand, OfAJawIsTheStatedOne) {
   }
 }
 
+// The stated closing axis may point from either finger to the other one.
+TEST(DerivedHand, FitsAClosingAxisOfEitherSense) {
+  for (const char* name : {"parallel_jaw", "franka_hand"}) {
+    Robot robot = find_robot(name);
+    const double stated = robot.hand->preshapes.front().max_width;
+    robot.hand->preshapes.clear();
+    for (const double sense : {1.0, -1.0}) {
+      Robot turned = robot;
+      turned.hand->closing = sense * robot.hand->closing;
+      EXPECT_NEAR(with_hand(turned).hand->preshapes.at(0).max_width, stated, 1e-6) << name;
+    }
+  }
+}
+
 TEST(DerivedHand, HasTheDirectionsThatTheLibraryStates) {
   for (const char* name : {"barrett", "franka_hand"}) {
     const Robot stated = find_robot(name);
