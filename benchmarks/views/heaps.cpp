@@ -5,7 +5,7 @@
 // Each of N heaps (10) is of five of the meshes (in metres), dropped on a table, and seen from two
 // opposite sides. The first grasp of plan_any on what was seen, without an arm, is carried out on
 // what is there, in time: the hand comes as in the plan until it touches, closes on the thing,
-// which is free and heavy, and rises. The other things stand still.
+// which is free and has its weight, and rises. The other things stand still.
 #include <cstdio>
 #include <exception>
 #include <limits>
@@ -103,8 +103,8 @@ CompiledScene true_scene(const std::vector<HeapThing>& heap, std::size_t at, con
                  hand);
   scene.object.X_WO = X_WO;
   for (std::size_t k = 0; k < heap.size(); ++k) {
-    if (k != at)
-      add_obstacle(scene, heap[k].name, heap[k].mesh_W, Pose::Identity(), Material::plastic);
+    if (k == at) continue;
+    add_obstacle(scene, heap[k].name, heap[k].mesh_W, Pose::Identity(), Material::plastic);
   }
   add_obstacle(scene, "table", make_box({1.2, 1.2, 0.02}), translation({0.0, 0.0, -0.01}));
   return compile(std::move(scene));

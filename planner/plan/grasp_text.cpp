@@ -1,6 +1,5 @@
 #include "planner/plan/grasp_text.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "planner/plan/plan_result.h"
@@ -30,7 +29,8 @@ std::string opening_text(const CompiledScene& scene, const Candidate& candidate)
 }
 
 std::string load_factor_text(const LoadCase& load_case) {
-  return std::isinf(load_case.strength) ? "any" : formatted("%.2g", load_case.strength);
+  constexpr double kAny = 1e5;  // beyond it the figure is rounding of an effort that is nearly 0
+  return load_case.strength > kAny ? "any" : formatted("%.2g", load_case.strength);
 }
 
 std::string weakness_text(const Robustness& robustness) {

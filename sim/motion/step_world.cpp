@@ -233,8 +233,8 @@ class WorldStep {
   }
 
   // What the step sets in motion may need more room than what moved before: once, contacts are
-  // looked for with the new speeds. After that only a shorter step helps.
-  // Where it finds nothing new, the same try would fail again: `again` where it may not.
+  // looked for with the new speeds. After that, and where that finds nothing new, only a shorter
+  // step helps, unless the same try may succeed the second time (`again`).
   void shorten(const Solids& after, bool again) {
     ++result_.shortened;
     rounds_ = 0;

@@ -9,15 +9,6 @@
 namespace prehend {
 namespace {
 
-// The joint that carries each link, -1: the root.
-std::vector<int> carriers(const JointTree& tree) {
-  std::vector<int> carried_by(tree.links.size(), -1);
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    carried_by[index(tree.joints[j].child)] = static_cast<int>(j);
-  }
-  return carried_by;
-}
-
 // `link` and the links below it.
 std::vector<bool> below_and_itself(const JointTree& tree, int link) {
   const std::vector<std::vector<int>> below = joints_below(tree);
@@ -39,7 +30,7 @@ struct RigidPlace {
 };
 
 RigidPlace rigid_place(const JointTree& tree, int link) {
-  const std::vector<int> carried_by = carriers(tree);
+  const std::vector<int> carried_by = carriers_of(tree);
   RigidPlace place;
   for (int joint = carried_by[index(link)]; joint >= 0;) {
     const TreeJoint& held = tree.joints[index(joint)];
@@ -113,7 +104,7 @@ int chain_ending_at(const Robot& robot, const std::string& joint) {
 }  // namespace
 
 int carrier_of_all(const JointTree& tree, const std::vector<int>& links) {
-  const std::vector<int> carried_by = carriers(tree);
+  const std::vector<int> carried_by = carriers_of(tree);
   const auto path_to = [&](int link) {
     std::vector<int> path = {link};
     for (int joint = carried_by[index(link)]; joint >= 0;) {

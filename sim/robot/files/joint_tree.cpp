@@ -51,6 +51,14 @@ Mimic followed(const JointTree& tree, int at) {
 
 }  // namespace
 
+std::vector<int> carriers_of(const JointTree& tree) {
+  std::vector<int> carriers(tree.links.size(), -1);
+  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
+    carriers[index(tree.joints[j].child)] = static_cast<int>(j);
+  }
+  return carriers;
+}
+
 std::vector<std::vector<int>> joints_below(const JointTree& tree) {
   std::vector<std::vector<int>> below(tree.links.size());
   for (std::size_t j = 0; j < tree.joints.size(); ++j) {

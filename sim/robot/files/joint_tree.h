@@ -64,6 +64,9 @@ struct JointTree {
 // two parents, two roots, a cycle.
 int root_of(const JointTree& tree);
 
+// The joint that carries each link, -1: the root; an index into joints.
+std::vector<int> carriers_of(const JointTree& tree);
+
 // The joints by which each link carries others, in the order of the file; indices into joints.
 std::vector<std::vector<int>> joints_below(const JointTree& tree);
 

@@ -26,15 +26,6 @@ Pose motion(const TreeJoint& joint, double value) {
   return Pose(Eigen::AngleAxisd(value, joint.axis));
 }
 
-// The joint that carries each link, -1: none.
-std::vector<int> carriers_of(const JointTree& tree) {
-  std::vector<int> carriers(tree.links.size(), -1);
-  for (std::size_t j = 0; j < tree.joints.size(); ++j) {
-    carriers[index(tree.joints[j].child)] = static_cast<int>(j);
-  }
-  return carriers;
-}
-
 // Moving joints between the root and the link.
 std::set<int> joints_of(const JointTree& tree, int link) {
   const std::vector<int> carriers = carriers_of(tree);
