@@ -38,11 +38,13 @@ export function watch(page) {
 
 // A report that is open in a page of its own; complaints are what should not happen. With `stepped`
 // the page's time runs only as far as run() lets it, from the moment that the page has been drawn.
+// Half the pixels each way: without a graphics card nearly all time goes into drawing them.
 export class OpenReport {
   static async open(browser, out, {
     address = '',
     slowdown = 1,
     stepped = false,
+    deviceScaleFactor = 0.5,
     viewport =
     {
       width: 1280, height: 900
@@ -50,7 +52,7 @@ export class OpenReport {
   } = {}) {
     const report = new OpenReport();
     report.url = pathToFileURL(join(out, 'report.html')).href;
-    report.page = await browser.newPage({viewport});
+    report.page = await browser.newPage({viewport, deviceScaleFactor});
     Object.assign(report, watch(report.page));
     report.page.setDefaultTimeout(0);
     const session = await report.page.context().newCDPSession(report.page);

@@ -38,13 +38,14 @@ export class Studio {
 // One page of a session; complaints are what should not happen.
 export class OpenStudio {
   static async open(browser, address, {
+    deviceScaleFactor = 0.5,
     viewport =
     {
       width: 1280, height: 900
     }
   } = {}) {
     const studio = new OpenStudio();
-    const context = await browser.newContext({viewport, acceptDownloads: true});
+    const context = await browser.newContext({viewport, deviceScaleFactor, acceptDownloads: true});
     studio.page = await context.newPage();
     Object.assign(studio, watch(studio.page));
     await studio.page.addInitScript(() => localStorage.setItem('prehend-toured', 'yes'));
