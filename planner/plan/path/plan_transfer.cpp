@@ -27,6 +27,9 @@ namespace og = ompl::geometric;
 // freedom counts with the farthest that it moves any point of the arm [m].
 constexpr double kLongestEdge = 0.8;
 
+// How far a joint at its limit may be beyond it by rounding [rad or m].
+constexpr double kBeyondLimits = 1e-9;
+
 // OMPL seeds its random generators in the order of their creation, counted over all threads. With
 // several searches at a time the result would depend on which of them comes first, so the classes
 // below give each generator a seed from the options.
@@ -100,6 +103,25 @@ class TransferSpace {
   bool is_free(const ob::State* state) const {
     if (is_cancelled()) return false;
     return !first_meeting(arm_, pairs_, joints(dofs(state)));
+  }
+
+  // Whether the arm can be in a posture: within its limits, but for rounding, and free of
+  // collision.
+  bool is_possible(const DofValues& dofs) const {
+    for (std::size_t k = 0; k < size(); ++k) {
+      const double value = dofs[index(arm_.dofs[k])];
+      if (value < dof(k).lower - kBeyondLimits || value > dof(k).upper + kBeyondLimits)
+        return false;
+    }
+    return !first_meeting(arm_, pairs_, joints(dofs));
+  }
+
+  // Whether the lines between postures are proven free of collision.
+  bool is_free(const std::vector<DofValues>& waypoints) const {
+    for (std::size_t i = 1; i < waypoints.size(); ++i) {
+      if (!is_free(waypoints[i - 1], waypoints[i])) return false;
+    }
+    return true;
   }
 
   // Whether the straight line between two postures is proven free of collision.
@@ -211,11 +233,28 @@ ob::PlannerTerminationCondition after(int iterations, const TransferSpace& space
       [left, &space] { return --*left < 0 || space.is_cancelled(); });
 }
 
+// A path that the planner found, and the same shortened.
+struct FoundPath {
+  std::vector<DofValues> whole;
+  std::vector<DofValues> shortened;
+};
+
+// The ends are as they were given, to the bit: scaling into the planner's coordinates and back
+// rounds.
+std::vector<DofValues> waypoints_of(og::PathGeometric& path, const TransferSpace& space,
+                                    const Transfer& transfer) {
+  std::vector<DofValues> waypoints;
+  for (const ob::State* state : path.getStates()) waypoints.push_back(space.dofs(state));
+  waypoints.front() = transfer.from;
+  waypoints.back() = transfer.to;
+  return waypoints;
+}
+
 // One run of the planner, and shortening of the path that it finds. Planner and simplifier check
 // states and motions through TransferSpace, so every edge of the path is proven free. Empty when
 // the iterations were used up.
-std::vector<DofValues> search(const TransferSpace& space, const Transfer& transfer,
-                              const TransferOptions& options) {
+FoundPath search(const TransferSpace& space, const Transfer& transfer,
+                 const TransferOptions& options) {
   const ob::SpaceInformationPtr information = information_of(space, options.seed);
   auto problem = std::make_shared<ob::ProblemDefinition>(information);
   ob::ScopedState<> from(information);
@@ -233,6 +272,7 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   // Planners also report approximate solutions, which end near the goal but not at it.
   if (!problem->hasExactSolution()) return {};
   auto path = std::static_pointer_cast<og::PathGeometric>(problem->getSolutionPath());
+  FoundPath result{.whole = waypoints_of(*path, space, transfer), .shortened = {}};
   SeededSimplifier simplifier(information, options.seed);
   const auto steps = static_cast<unsigned>(options.simplify_steps);
   // Dropping vertices first is cheap and leaves fewer corners to cut; cutting corners makes new
@@ -240,13 +280,8 @@ std::vector<DofValues> search(const TransferSpace& space, const Transfer& transf
   simplifier.reduceVertices(*path, steps, steps);
   simplifier.shortcutPath(*path, steps, steps);
   simplifier.reduceVertices(*path, steps, steps);
-  std::vector<DofValues> waypoints;
-  for (const ob::State* state : path->getStates()) waypoints.push_back(space.dofs(state));
-  // The ends as they were given, to the bit: scaling into the planner's coordinates and back
-  // rounds.
-  waypoints.front() = transfer.from;
-  waypoints.back() = transfer.to;
-  return waypoints;
+  result.shortened = waypoints_of(*path, space, transfer);
+  return result;
 }
 
 }  // namespace
@@ -257,19 +292,19 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
   const TransferSpace space(arm, transfer, options, context);
+  // OMPL waits for other starts and goals where these are not valid.
+  if (!space.is_possible(transfer.from) || !space.is_possible(transfer.to)) return {};
   // Often the straight line is free, which saves the search and is the shortest path.
   if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
-  std::vector<DofValues> waypoints = search(space, transfer, options);
+  FoundPath found = search(space, transfer, options);
   // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
-  // repeated for the lines that are returned.
-  for (std::size_t i = 1; i < waypoints.size(); ++i) {
-    if (!space.is_free(waypoints[i - 1], waypoints[i])) {
-      context.cancellation.check();
-      return {};
-    }
-  }
+  // repeated for the lines that are returned. Shortening ends at what just passes it, which the
+  // rounding can undo; the path before it has more room.
+  const bool shortened = space.is_free(found.shortened);
+  const bool whole = shortened || space.is_free(found.whole);
   context.cancellation.check();
-  return waypoints;
+  if (!whole) return {};
+  return shortened ? std::move(found.shortened) : std::move(found.whole);
 }
 
 }  // namespace prehend

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "sim/base/index.h"
 #include "sim/scene/compiled_arm.h"
 
 namespace prehend {
 namespace {
+
+// Levels of the bisection that are searched breadth first: up to 15 postures of the path.
+constexpr int kCoarseLevels = 4;
 
 // A path and the way of each joint along it: the sum of its motions back and forth since the start.
 // A position on the path is a number from 0 to end(), whole at the waypoints. The difference of the
@@ -52,6 +56,11 @@ class MeasuredPath {
 // pair by one distance query in its middle, or else halved. Large gaps settle long stretches, so
 // that queries concentrate where bodies come close. All pairs share the bisection, so that
 // the poses of the links in the middle are computed once for all of them.
+//
+// Most of a search's time goes into motions that are blocked. Depth first, a collision at the end
+// of a motion would be found only after all that lies before it is proven free; the first levels
+// are therefore searched breadth first. Not all levels: a motion that grazes would divide all of
+// its stretches down to the finest before the first of them could refuse it.
 class MotionCheck {
  public:
   MotionCheck(const CompiledArm& arm, const std::vector<ArmPair>& pairs, const JointPath& path,
@@ -69,52 +78,76 @@ class MotionCheck {
   std::optional<ArmPair> run() {
     std::vector<std::size_t> all(pairs_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    const std::optional<std::size_t> blocked = stretch(0.0, path_.end(), all);
+    std::vector<Stretch> level = {{0.0, path_.end(), std::move(all)}};
+    std::optional<std::size_t> blocked;
+    for (int k = 0; k < kCoarseLevels && !blocked; ++k) {
+      std::vector<Stretch> halves;
+      for (auto of = level.begin(); of != level.end() && !blocked; ++of)
+        blocked = halve(*of, halves);
+      level = std::move(halves);
+    }
+    for (auto of = level.begin(); of != level.end() && !blocked; ++of) blocked = first_in(*of);
     if (!blocked) return std::nullopt;
     return pairs_[*blocked];
   }
 
  private:
-  // The first of the pairs `open` that is not proved free from `from` to `to`.
-  std::optional<std::size_t> stretch(double from, double to, const std::vector<std::size_t>& open) {
-    double middle = 0.5 * (from + to);
+  // A part of the path, and the pairs that are not settled on it.
+  struct Stretch {
+    double from = 0.0;
+    double to = 0.0;
+    std::vector<std::size_t> open;
+  };
+
+  // The first pair that is not proved free on a stretch.
+  std::optional<std::size_t> first_in(const Stretch& stretch) {
+    std::vector<Stretch> halves;
+    std::optional<std::size_t> blocked = halve(stretch, halves);
+    for (auto of = halves.begin(); of != halves.end() && !blocked; ++of) blocked = first_in(*of);
+    return blocked;
+  }
+
+  // Settles pairs of a stretch by one query each in its middle, and appends its halves with the
+  // pairs that this did not settle. A pair that is blocked ends it.
+  std::optional<std::size_t> halve(const Stretch& stretch, std::vector<Stretch>& halves) {
+    double middle = 0.5 * (stretch.from + stretch.to);
     // A stretch over several waypoints is divided at one of them: no blend is needed there, and the
     // halves contain no more bends than necessary.
-    if (to - from > 1.0) middle = std::round(middle);
-    std::vector<double> before;
-    std::vector<double> here;
-    std::vector<double> after;
-    path_.way(from, before);
-    path_.way(middle, here);
-    path_.way(to, after);
+    if (stretch.to - stretch.from > 1.0) middle = std::round(middle);
+    path_.way(stretch.from, before_);
+    path_.way(middle, here_);
+    path_.way(stretch.to, after_);
     path_.posture(middle, joints_);
     arm_link_poses(arm_, joints_, X_BL_);
-    // Pairs neither free nor blocked after the query in the middle.
-    std::vector<std::size_t> left;
-    for (const std::size_t p : open) {
+    std::vector<std::size_t> left;  // pairs neither free nor blocked after the query in the middle
+    for (const std::size_t p : stretch.open) {
       context_.cancellation.check();
-      const ArmPair& pair = pairs_[p];
-      // Upper bound of how far a point of one body moves relative to the other, from the middle to
-      // either end: each joint between them contributes its motion times its reach, the largest
-      // distance from its axis of a point that it moves.
-      double back = 0.0;
-      double ahead = 0.0;
-      for (std::size_t k = 0; k < pair.joints.size(); ++k) {
-        const std::size_t j = index(pair.joints[k]);
-        back += pair.reach[k] * (here[j] - before[j]);
-        ahead += pair.reach[k] * (after[j] - here[j]);
-      }
-      const double farthest = std::max(back, ahead);
-      const GapAnswer gap = gap_beyond(arm_, pair, X_BL_, farthest + sway_[p], kMotionGapError);
+      const double farthest = farthest_in(pairs_[p]);
+      const GapAnswer gap =
+          gap_beyond(arm_, pairs_[p], X_BL_, farthest + sway_[p], kMotionGapError);
       if (gap == GapAnswer::larger) continue;
       // Each half of the stretch moves the bodies by `farthest` at most, the whole by twice that.
       if (gap == GapAnswer::meets || farthest <= 0.5 * options_.tightest) return p;
       left.push_back(p);
     }
-    // Only the pairs that the middle did not settle are checked on the halves.
     if (left.empty()) return std::nullopt;
-    const std::optional<std::size_t> first = stretch(from, middle, left);
-    return first ? first : stretch(middle, to, left);
+    halves.push_back({stretch.from, middle, left});
+    halves.push_back({middle, stretch.to, std::move(left)});
+    return std::nullopt;
+  }
+
+  // Upper bound of how far a point of one body of a pair moves relative to the other, from the
+  // middle of the stretch to either end: each joint between them contributes its motion times its
+  // reach, the largest distance from its axis of a point that it moves.
+  double farthest_in(const ArmPair& pair) const {
+    double back = 0.0;
+    double ahead = 0.0;
+    for (std::size_t k = 0; k < pair.joints.size(); ++k) {
+      const std::size_t j = index(pair.joints[k]);
+      back += pair.reach[k] * (here_[j] - before_[j]);
+      ahead += pair.reach[k] * (after_[j] - here_[j]);
+    }
+    return std::max(back, ahead);
   }
 
   const CompiledArm& arm_;
@@ -122,7 +155,10 @@ class MotionCheck {
   const MeasuredPath path_;
   const MotionCheckOptions& options_;
   const RunContext& context_;
-  std::vector<double> sway_;  // how far each pair may move beside the lines [m]
+  std::vector<double> sway_;    // how far each pair may move beside the lines [m]
+  std::vector<double> before_;  // ways at the start, the middle and the end of a stretch
+  std::vector<double> here_;
+  std::vector<double> after_;
   std::vector<double> joints_;
   std::vector<Pose> X_BL_;
 };
