@@ -1,6 +1,8 @@
 // Approach axis, closing axis and grasp origin of a hand from how its fingers meet.
 #pragma once
 
+#include <optional>
+
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/robot/hand/opposition.h"
 
@@ -19,5 +21,17 @@ struct HandAxes {
 // along the approach leaves the palm. What is stated is kept, and the rest fits it.
 HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
                         const Opposition& best, const StatedHand& stated);
+
+// Other directions in which the palm may face: that in which the tips of the others begin to move
+// about their fingers' roots, the palm's thinnest one, and those half-way to the approach that
+// find_hand_axes gives. Unit, base frame.
+std::vector<Vector3> other_approaches(const Robot& robot, const HandParts& parts,
+                                      const ClosingDofs& closing, const Opposition& best,
+                                      const Vector3& approach);
+
+// These axes with the closing axis turned about the approach until it is orthogonal to the axes
+// about which the others bend, where these are parallel and it is not so already.
+std::optional<HandAxes> across_bending(const Robot& robot, const HandParts& parts,
+                                       const Opposition& best, const HandAxes& axes);
 
 }  // namespace prehend
