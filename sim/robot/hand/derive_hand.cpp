@@ -17,7 +17,7 @@ namespace prehend {
 namespace {
 
 // Less opposition than this and nothing is held between the fingers.
-constexpr double kLeastScore = -0.6;
+constexpr double kLeastScore = -1.5;
 // A preshape beside the best one may oppose less well, but not by more than this.
 constexpr double kScoreGivenUp = 1.0;
 constexpr double kDegree = std::numbers::pi / 180.0;

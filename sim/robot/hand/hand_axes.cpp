@@ -59,7 +59,7 @@ std::optional<double> distance_back(const Vector3& p, const Vector3& u, const Ve
   return ac.dot(q) / det;
 }
 
-// Where the palm is behind the point g, seen along the approach.
+// Where the line through g along the approach meets the front of the palm; g may lie inside it.
 Vector3 palm_behind(const Robot& robot, const HandParts& parts, const Opposition& best,
                     const Vector3& g, const Vector3& approach) {
   std::vector<Pose> X_BL;
@@ -72,7 +72,7 @@ Vector3 palm_behind(const Robot& robot, const HandParts& parts, const Opposition
     for (const Triangle& t : mesh.triangles) {
       const auto hit = distance_back(g, approach, mesh.vertices[index(t[0])],
                                      mesh.vertices[index(t[1])], mesh.vertices[index(t[2])]);
-      if (hit && *hit >= 0.0) back = std::min(back, *hit);
+      if (hit) back = std::min(back, *hit);
     }
   }
   if (!std::isfinite(back)) back = std::isfinite(highest) ? std::max(0.0, -highest) : 0.0;

@@ -17,7 +17,7 @@ struct HandAxes {
 // Closing axis: from the thumb's tip to the mean of the others' half-way to where they meet, or the
 // direction of the thumb's motion where it slides; without the part along the axes about which the
 // fingers bend, where these are parallel. Approach: from the middle of the palm to where the tips
-// meet, orthogonal to the closing axis and to those axes. Origin: where the line back from there
+// meet, orthogonal to the closing axis and to those axes. Origin: where the line through there
 // along the approach leaves the palm. What is stated is kept, and the rest fits it.
 HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
                         const Opposition& best, const StatedHand& stated);

@@ -18,7 +18,7 @@ constexpr double kLean = 0.17;         // sine of 10 degrees: a last link that l
 constexpr double kTouch = 1e-6;        // distance of the only finger from the palm [m]
 constexpr double kPad = 0.03;  // of a link's thickness along the closing axis: its side is the pad
 
-struct Reach {
+struct Extent {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
   void add(double value) {
@@ -28,9 +28,9 @@ struct Reach {
 };
 
 // How far links reach along a direction [m].
-Reach reach_along(const Robot& robot, const std::vector<int>& links, const std::vector<Pose>& X_BL,
-                  const Vector3& direction) {
-  Reach reach;
+Extent reach_along(const Robot& robot, const std::vector<int>& links, const std::vector<Pose>& X_BL,
+                   const Vector3& direction) {
+  Extent reach;
   for (const int link : links) {
     for (const Vector3& p : robot.links[index(link)].mesh.vertices) {
       reach.add(direction.dot(X_BL[index(link)] * p));
@@ -42,8 +42,8 @@ Reach reach_along(const Robot& robot, const std::vector<int>& links, const std::
 // The middle of the side of the links that faces along `facing`, as a height along `up` [m].
 double pad_height(const Robot& robot, const std::vector<int>& links, const std::vector<Pose>& X_BL,
                   const Vector3& facing, const Vector3& up) {
-  const Reach thick = reach_along(robot, links, X_BL, facing);
-  Reach height;
+  const Extent thick = reach_along(robot, links, X_BL, facing);
+  Extent height;
   for (const int link : links) {
     for (const Vector3& p : robot.links[index(link)].mesh.vertices) {
       const Vector3 q = X_BL[index(link)] * p;
@@ -64,11 +64,11 @@ double PreshapeMeasure::gap(const Opposition& opening, const std::vector<double>
   double thumb = 0.0;
   double others = std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < parts_.fingers.size(); ++f) {
-    const Reach reach = reach_along(robot_, parts_.fingers[f].tip_links, X_BL, hand_.closing);
+    const Extent along = reach_along(robot_, parts_.fingers[f].tip_links, X_BL, hand_.closing);
     if (f == opening.thumb) {
-      thumb = reach.most;
+      thumb = along.most;
     } else {
-      others = std::min(others, reach.least);
+      others = std::min(others, along.least);
     }
   }
   return others - thumb;
@@ -106,11 +106,11 @@ PreshapeMeasure::Sides PreshapeMeasure::sides(const Opposition& opening, double 
     const double time = upright(opening, f, start);
     link_poses(robot_, joint_values(robot_, closed_for(robot_, closing_, time, opening.dofs)),
                X_BL);
-    const Reach reach = reach_along(robot_, parts_.fingers[f].tip_links, X_BL, hand_.closing);
+    const Extent along = reach_along(robot_, parts_.fingers[f].tip_links, X_BL, hand_.closing);
     if (f == opening.thumb) {
-      sides.thumb = reach.most;
+      sides.thumb = along.most;
     } else {
-      sides.others = std::min(sides.others, reach.least);
+      sides.others = std::min(sides.others, along.least);
     }
   }
   return sides;
@@ -128,6 +128,20 @@ double PreshapeMeasure::off_middle(const Opposition& opening) const {
   if (tip_gap_) return 0.0;
   const Sides s = sides(opening, 0.0);
   return 0.5 * (s.thumb + s.others) - hand_.closing.dot(hand_.origin);
+}
+
+bool PreshapeMeasure::turns(const Opposition& opening, double start) const {
+  if (tip_gap_) return true;
+  std::vector<Pose> X_BL;
+  std::vector<Pose> X_BL_met;
+  const double meeting = std::max(start, opening.meeting);
+  link_poses(robot_, joint_values(robot_, closed_for(robot_, closing_, start, opening.dofs)), X_BL);
+  link_poses(robot_, joint_values(robot_, closed_for(robot_, closing_, meeting, opening.dofs)),
+             X_BL_met);
+  return std::any_of(parts_.fingers.begin(), parts_.fingers.end(), [&](const Finger& finger) {
+    const auto l = index(finger.tip_link);
+    return Eigen::AngleAxisd(X_BL[l].linear().transpose() * X_BL_met[l].linear()).angle() > kTurns;
+  });
 }
 
 double PreshapeMeasure::depth(const Opposition& opening, const std::vector<double>& dofs) const {
@@ -203,7 +217,10 @@ std::optional<Preshape> PreshapeMeasure::at(const std::string& name, const Oppos
   if (!(preshape.max_width - preshape.min_width > kLeastClosing * preshape.max_width)) {
     return std::nullopt;
   }
-  preshape.depth = depth(opening, posture(met));
+  // Pads that swing without turning are met in the middle of their swing on the average.
+  preshape.depth = turns(opening, start)
+                       ? depth(opening, posture(met))
+                       : 0.5 * (depth(opening, posture(start)) + depth(opening, posture(met)));
   return preshape;
 }
 

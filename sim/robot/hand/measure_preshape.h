@@ -42,6 +42,8 @@ class PreshapeMeasure {
   Sides sides(const Opposition& opening, double start) const;
   double widest(const Opposition& opening, double start) const;
   double upright(const Opposition& opening, std::size_t finger, double start) const;
+  // Whether a last link turns until thumb and fingers meet.
+  bool turns(const Opposition& opening, double start) const;
   double depth(const Opposition& opening, const std::vector<double>& dofs) const;
   bool touching(const Opposition& opening, const std::vector<double>& dofs) const;
 
