@@ -190,15 +190,6 @@ std::vector<Opening> openings_of(const Robot& robot, const HandParts& parts,
   return openings;
 }
 
-bool bends(const Robot& robot, const HandParts& parts, const ClosingDofs& closing) {
-  return std::any_of(parts.fingers.begin(), parts.fingers.end(), [&](const Finger& finger) {
-    return std::count_if(finger.joints.begin(), finger.joints.end(), [&](int joint) {
-             const Joint& j = robot.joints[index(joint)];
-             return j.type == JointType::revolute && closing.closes(index(j.dof));
-           }) > 1;
-  });
-}
-
 struct TestedPreshape {
   Preshape preshape;
   TestHolds holds;
@@ -224,7 +215,7 @@ std::vector<TestedPreshape> tested_preshapes(const Robot& robot, const HandParts
     (holds.held() > 0 ? tested : idle).push_back({*preshape, std::move(holds)});
   };
   const std::vector<Opening> openings = openings_of(robot, parts, closing, choice.opposition);
-  const bool half = bends(robot, parts, closing);
+  const bool half = measure.turns(choice.opposition);
   for (std::size_t k = 0; k < openings.size(); ++k) {
     add(openings[k].name, openings[k].opposition, 0.0);
     if (half && k < 2) add(openings[k].name + "_half", openings[k].opposition, 0.5);

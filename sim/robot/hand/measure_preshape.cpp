@@ -16,7 +16,7 @@ constexpr double kLeastClosing = 0.1;  // of the opening
 constexpr double kTurns = 0.2;         // of a last link, less is none [rad]
 constexpr double kLean = 0.17;         // sine of 10 degrees: a last link that leans so still stands
 constexpr double kTouch = 1e-6;        // distance of the only finger from the palm [m]
-constexpr double kPad = 0.03;  // of a link's thickness along the closing axis: its side is the pad
+constexpr double kPad = 0.05;  // of a link's thickness along the closing axis: its side is the pad
 
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
@@ -130,13 +130,13 @@ double PreshapeMeasure::off_middle(const Opposition& opening) const {
   return 0.5 * (s.thumb + s.others) - hand_.closing.dot(hand_.origin);
 }
 
-bool PreshapeMeasure::turns(const Opposition& opening, double start) const {
-  if (tip_gap_) return true;
+bool PreshapeMeasure::turns(const Opposition& opening) const {
+  if (tip_gap_) return false;
   std::vector<Pose> X_BL;
   std::vector<Pose> X_BL_met;
-  const double meeting = std::max(start, opening.meeting);
-  link_poses(robot_, joint_values(robot_, closed_for(robot_, closing_, start, opening.dofs)), X_BL);
-  link_poses(robot_, joint_values(robot_, closed_for(robot_, closing_, meeting, opening.dofs)),
+  link_poses(robot_, joint_values(robot_, opening.dofs), X_BL);
+  link_poses(robot_,
+             joint_values(robot_, closed_for(robot_, closing_, opening.meeting, opening.dofs)),
              X_BL_met);
   return std::any_of(parts_.fingers.begin(), parts_.fingers.end(), [&](const Finger& finger) {
     const auto l = index(finger.tip_link);
@@ -217,10 +217,7 @@ std::optional<Preshape> PreshapeMeasure::at(const std::string& name, const Oppos
   if (!(preshape.max_width - preshape.min_width > kLeastClosing * preshape.max_width)) {
     return std::nullopt;
   }
-  // Pads that swing without turning are met in the middle of their swing on the average.
-  preshape.depth = turns(opening, start)
-                       ? depth(opening, posture(met))
-                       : 0.5 * (depth(opening, posture(start)) + depth(opening, posture(met)));
+  preshape.depth = depth(opening, posture(met));
   return preshape;
 }
 

@@ -25,6 +25,10 @@ class PreshapeMeasure {
   // of the hand until their last links stand along the approach, and count from there on.
   double widest(const Opposition& opening) const { return widest(opening, 0.0); }
 
+  // Whether a last link turns until thumb and fingers meet. Those of jaws and of parallel linkages
+  // do not: half closed they are as when open.
+  bool turns(const Opposition& opening) const;
+
   // How far the middle of the opening is from that line, along the closing axis [m].
   double off_middle(const Opposition& opening) const;
 
@@ -42,8 +46,6 @@ class PreshapeMeasure {
   Sides sides(const Opposition& opening, double start) const;
   double widest(const Opposition& opening, double start) const;
   double upright(const Opposition& opening, std::size_t finger, double start) const;
-  // Whether a last link turns until thumb and fingers meet.
-  bool turns(const Opposition& opening, double start) const;
   double depth(const Opposition& opening, const std::vector<double>& dofs) const;
   bool touching(const Opposition& opening, const std::vector<double>& dofs) const;
 
