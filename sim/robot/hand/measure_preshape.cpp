@@ -13,6 +13,7 @@ namespace {
 constexpr int kTimes = 64;             // postures of a closing motion that are looked at
 constexpr int kHalvings = 20;          // of a step, to find where the fingers meet
 constexpr double kLeastClosing = 0.1;  // of the opening
+constexpr double kLeastDepth = 0.25;   // of the opening
 constexpr double kTurns = 0.2;         // of a last link, less is none [rad]
 constexpr double kLean = 0.17;         // sine of 10 degrees: a last link that leans so still stands
 constexpr double kTouch = 1e-6;        // distance of the only finger from the palm [m]
@@ -217,7 +218,9 @@ std::optional<Preshape> PreshapeMeasure::at(const std::string& name, const Oppos
   if (!(preshape.max_width - preshape.min_width > kLeastClosing * preshape.max_width)) {
     return std::nullopt;
   }
-  preshape.depth = depth(opening, posture(met));
+  // Fingers that curl meet close to the palm, where no body has room that is worth their opening:
+  // the middle of one of half the width is at least a quarter of it away.
+  preshape.depth = std::max(depth(opening, posture(met)), kLeastDepth * preshape.max_width);
   return preshape;
 }
 
