@@ -181,7 +181,8 @@ std::vector<Vector3> other_approaches(const Robot& robot, const HandParts& parts
   const Vector3 thin = thinnest_axis(robot, parts);
   add(thin.dot(approach + curl) < 0.0 ? Vector3(-thin) : thin);
   add(curl);
-  for (std::size_t k = 0, count = others.size(); k < count; ++k) add(approach + others[k]);
+  const std::vector<Vector3> whole = others;
+  for (const Vector3& direction : whole) add(approach + direction);
   return others;
 }
 
