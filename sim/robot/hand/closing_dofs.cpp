@@ -12,7 +12,7 @@ namespace {
 constexpr double kAlike = 0.7071;        // cosine of 45 degrees
 constexpr double kTurnRate = 1.0;        // [rad/s]
 constexpr double kSlideRate = 0.05;      // [m/s]
-constexpr double kBentBackwards = 0.35;  // [rad]
+constexpr double kBentBackwards = 0.35;  // of all joints that bend a finger [rad]
 // A joint that turns over more than this is taken for one that turns without end, which bends a
 // finger from its initial value by at most the second one [rad].
 constexpr double kEndless = 4.0;
@@ -37,8 +37,9 @@ double open_value(const Robot& robot, std::size_t dof, double velocity, std::siz
   const double limit = velocity > 0.0 ? d.lower : d.upper;
   const bool endless = d.upper - d.lower > kEndless;
   if (slides(robot, dof) || (bends < 2 && !endless)) return limit;
-  if (velocity > 0.0) return std::max(limit, d.initial - kBentBackwards);
-  return std::min(limit, d.initial + kBentBackwards);
+  const double backwards = kBentBackwards / static_cast<double>(std::max<std::size_t>(bends, 1));
+  if (velocity > 0.0) return std::max(limit, d.initial - backwards);
+  return std::min(limit, d.initial + backwards);
 }
 
 // Opens what closes.
@@ -49,15 +50,6 @@ void open_hand(const Robot& robot, const HandParts& parts, ClosingDofs& closing)
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     if (closing.closes(d)) closing.open[d] = open_value(robot, d, closing.velocity[d], bends[d]);
   }
-}
-
-// Where closing ends.
-double closed_value(const Robot& robot, const ClosingDofs& closing, std::size_t dof) {
-  const DegreeOfFreedom& d = robot.dofs[dof];
-  const bool up = closing.velocity[dof] > 0.0;
-  const double limit = up ? d.upper : d.lower;
-  if (slides(robot, dof) || d.upper - d.lower <= kEndless) return limit;
-  return up ? std::min(limit, d.initial + kBentShut) : std::max(limit, d.initial - kBentShut);
 }
 
 }  // namespace
@@ -102,6 +94,14 @@ ClosingDofs find_closing_dofs(const Robot& robot, const HandParts& parts) {
   if (!closing.stated) return closing_towards(robot, parts, find_closing_signs(robot, parts));
   open_hand(robot, parts, closing);
   return closing;
+}
+
+double closed_value(const Robot& robot, const ClosingDofs& closing, std::size_t dof) {
+  const DegreeOfFreedom& d = robot.dofs[dof];
+  const bool up = closing.velocity[dof] > 0.0;
+  const double limit = up ? d.upper : d.lower;
+  if (slides(robot, dof) || d.upper - d.lower <= kEndless) return limit;
+  return up ? std::min(limit, d.initial + kBentShut) : std::max(limit, d.initial - kBentShut);
 }
 
 std::vector<double> closed_for(const Robot& robot, const ClosingDofs& closing, double time,

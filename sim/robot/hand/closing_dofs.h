@@ -26,7 +26,7 @@ ClosingDofs find_closing_dofs(const Robot& robot, const HandParts& parts);
 //
 // A degree of freedom is open at the limit opposite to closing. Where a finger has several joints
 // that bend it, or one that turns without end, the limit counts only up to 0.35 rad beyond the
-// initial value: fingers do not grasp from bent backwards.
+// initial value, of all its joints together: fingers do not grasp from bent backwards.
 ClosingDofs closing_towards(const Robot& robot, const HandParts& parts,
                             const std::vector<int>& signs);
 
@@ -43,6 +43,10 @@ std::vector<double> closed_for(const Robot& robot, const ClosingDofs& closing, d
 
 // The direction of a joint's axis in the base frame; `X_BJ` as from joint_poses.
 Vector3 axis_in_base(const Robot& robot, int joint, const std::vector<Pose>& X_BJ);
+
+// Where a degree of freedom that closes ends: at its limit, or where a finger is bent shut that
+// turns without end [rad or m].
+double closed_value(const Robot& robot, const ClosingDofs& closing, std::size_t dof);
 
 // When the last degree of freedom arrives at its limit [s].
 double closing_time(const Robot& robot, const ClosingDofs& closing);

@@ -10,15 +10,14 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/random.h"
-#include "sim/robot/hand/hand_axes.h"
-#include "sim/robot/hand/measure_preshape.h"
+#include "sim/robot/hand/grasp_choice.h"
 #include "sim/robot/sound_robot.h"
 
 namespace prehend {
 namespace {
 
 // Less opposition than this and nothing is held between the fingers.
-constexpr double kLeastScore = -0.6;
+constexpr double kLeastScore = -1.5;
 // A preshape beside the best one may oppose less well, but not by more than this.
 constexpr double kScoreGivenUp = 1.0;
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -135,15 +134,6 @@ void state_velocities(const ClosingDofs& closing, Robot& robot) {
   }
 }
 
-void note_preshapes(Robot& robot) {
-  for (const Preshape& preshape : robot.hand->preshapes) {
-    robot.notes.push_back("inferred: preshape " + preshape.name +
-                          formatted(" holds %.1f to %.1f mm, fingers meet at %.1f mm",
-                                    1000.0 * preshape.min_width, 1000.0 * preshape.max_width,
-                                    1000.0 * preshape.depth));
-  }
-}
-
 // Degrees of freedom that take part in one way to spread a hand, and its name.
 struct Spread {
   std::string name;
@@ -200,13 +190,67 @@ std::vector<Opening> openings_of(const Robot& robot, const HandParts& parts,
   return openings;
 }
 
-bool bends(const Robot& robot, const HandParts& parts, const ClosingDofs& closing) {
-  return std::any_of(parts.fingers.begin(), parts.fingers.end(), [&](const Finger& finger) {
-    return std::count_if(finger.joints.begin(), finger.joints.end(), [&](int joint) {
-             const Joint& j = robot.joints[index(joint)];
-             return j.type == JointType::revolute && closing.closes(index(j.dof));
-           }) > 1;
-  });
+struct TestedPreshape {
+  Preshape preshape;
+  TestHolds holds;
+};
+
+// At most eight preshapes: the openings, and the first two half closed. Those that hold no test
+// body are left out, but for the first one where none holds any.
+std::vector<TestedPreshape> tested_preshapes(const Robot& robot, const HandParts& parts,
+                                             const ClosingDofs& closing, const GraspChoice& choice,
+                                             const SelfCollision& collision) {
+  constexpr std::size_t kMostPreshapes = 8;
+  const Hand hand = measured_hand(robot, parts, choice.opposition, choice.axes);
+  const PreshapeMeasure measure(robot, parts, closing, hand, collision);
+  const TestClosing test(robot, parts, closing, collision);
+  std::vector<TestedPreshape> tested;
+  std::vector<TestedPreshape> idle;
+  const auto add = [&](const std::string& name, const Opposition& opening, double part) {
+    if (tested.size() >= kMostPreshapes) return;
+    const std::optional<Preshape> preshape = measure.at(name, opening, part);
+    if (!preshape) return;
+    TestHolds holds = try_bodies(test, choice.axes, choice.opposition.thumb, *preshape,
+                                 test_sizes(preshape->max_width));
+    (holds.held() > 0 ? tested : idle).push_back({*preshape, std::move(holds)});
+  };
+  const std::vector<Opening> openings = openings_of(robot, parts, closing, choice.opposition);
+  const bool half = measure.turns(choice.opposition);
+  for (std::size_t k = 0; k < openings.size(); ++k) {
+    add(openings[k].name, openings[k].opposition, 0.0);
+    if (half && k < 2) add(openings[k].name + "_half", openings[k].opposition, 0.5);
+  }
+  if (tested.empty() && !idle.empty()) tested.push_back(idle.front());
+  return tested;
+}
+
+// "sphere 21 and 43, box 43"
+std::string shown(const TestHolds& holds) {
+  std::string text;
+  std::string last;
+  for (const char* body : kTestBodies) {
+    for (const TestHolds::Held& held : holds.bodies) {
+      if (held.body != body || !(held.epsilon > 0.0)) continue;
+      text += last.empty() ? "" : last == held.body ? " and" : ",";
+      if (last != held.body) text += (text.empty() ? "" : " ") + held.body;
+      text += formatted(" %.0f", 1e3 * held.width);
+      last = held.body;
+    }
+  }
+  return text;
+}
+
+void note_preshapes(const std::vector<TestedPreshape>& tested, Robot& robot) {
+  for (const TestedPreshape& one : tested) {
+    const Preshape& preshape = one.preshape;
+    const std::string held = shown(one.holds);
+    robot.notes.push_back("inferred: preshape " + preshape.name +
+                          formatted(" takes %.1f to %.1f mm, fingers meet at %.1f mm; ",
+                                    1e3 * preshape.min_width, 1e3 * preshape.max_width,
+                                    1e3 * preshape.depth) +
+                          (held.empty() ? "it held no test body"
+                                        : "held when closed on test bodies: " + held + " mm"));
+  }
 }
 
 // How the hand closes, and with which thumb.
@@ -263,7 +307,6 @@ Grip find_grip(const HandParts& parts, Robot& robot) {
 }  // namespace
 
 Robot with_derived_hand(Robot robot, const StatedHand& stated) {
-  constexpr std::size_t kMostPreshapes = 8;
   require_sound(robot);
   const HandParts parts = find_hand_parts(robot);
   if (parts.fingers.empty()) {
@@ -271,44 +314,27 @@ Robot with_derived_hand(Robot robot, const StatedHand& stated) {
   }
   SelfCollision collision(robot);
   exempt_overlapping(collision, robot);
-  const auto [closing, best] = find_grip(parts, robot);
-  exempt_always_colliding(closing, best, collision, robot);
-  const HandAxes axes = find_hand_axes(robot, parts, closing, best, stated);
+  const auto [closing, first] = find_grip(parts, robot);
+  exempt_always_colliding(closing, first, collision, robot);
+  const GraspChoice choice = choose_grasp(robot, parts, closing, first, stated, collision);
+  const std::vector<TestedPreshape> tested =
+      tested_preshapes(robot, parts, closing, choice, collision);
+  if (tested.empty()) refuse_openings(robot, parts, closing, choice.opposition, collision);
+  state_velocities(closing, robot);
   // A fifth of the effort moves what an ordinary finger is to move, and pushes an object that the
   // others do not hold yet a fifth as hard.
   constexpr double kGentle = 0.2;
-  Hand hand{.approach = axes.approach,
-            .closing = axes.closing,
-            .origin = axes.origin,
+  Hand hand{.approach = choice.axes.approach,
+            .closing = choice.axes.closing,
+            .origin = choice.axes.origin,
             .preshapes = {},
             .strategies = {{.name = "gentle", .effort = kGentle}}};
-  // Gaps are measured from the thumb to the others; a stated closing axis may point back.
-  Hand measured = hand;
-  if (parts.fingers.size() > 1) {
-    const std::vector<Vector3> tips = tips_at(robot, parts, best.dofs);
-    const Vector3 apart = mean_of_others(tips, best.thumb) - tips[best.thumb];
-    if (apart.dot(hand.closing) < 0.0) measured.closing = -hand.closing;
-  }
-  const PreshapeMeasure measure(robot, parts, closing, measured, collision);
-  const auto add = [&](const std::string& name, const Opposition& opening, double part) {
-    if (hand.preshapes.size() >= kMostPreshapes) return;
-    if (auto preshape = measure.at(name, opening, part)) hand.preshapes.push_back(*preshape);
-  };
-  const auto openings = openings_of(robot, parts, closing, best);
-  const bool half = bends(robot, parts, closing);
-  for (std::size_t k = 0; k < openings.size(); ++k) {
-    add(openings[k].name, openings[k].opposition, 0.0);
-    if (half && k < 2) add(openings[k].name + "_half", openings[k].opposition, 0.5);
-  }
-  if (hand.preshapes.empty()) {
-    refuse_openings(robot, parts, closing, best, collision);
-  }
-  state_velocities(closing, robot);
+  for (const TestedPreshape& one : tested) hand.preshapes.push_back(one.preshape);
   robot.notes.push_back("inferred: " + shown("approach", hand.approach) + ", " +
                         shown("closing axis", hand.closing) + ", " +
                         shown("grasp origin", hand.origin, 1e-3) + " mm");
   robot.hand = std::move(hand);
-  note_preshapes(robot);
+  note_preshapes(tested, robot);
   return robot;
 }
 

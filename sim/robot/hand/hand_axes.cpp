@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Eigenvalues>
+
 #include "sim/base/index.h"
 #include "sim/robot/hand/fingertip_gap.h"
 
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kParallel = 0.9;      // cosine between bending axes
 constexpr double kSideways = 0.5;      // most that the closing axis may be along them
+constexpr double kSame = 0.985;        // cosine of 10 degrees: of directions that count as one
 constexpr double kNoDirection = 1e-9;  // [m]
 
 Vector3 without(const Vector3& v, const Vector3& unit) { return v - unit.dot(v) * unit; }
@@ -56,7 +59,7 @@ std::optional<double> distance_back(const Vector3& p, const Vector3& u, const Ve
   return ac.dot(q) / det;
 }
 
-// Where the palm is behind the point g, seen along the approach.
+// Where the line through g along the approach meets the front of the palm; g may lie inside it.
 Vector3 palm_behind(const Robot& robot, const HandParts& parts, const Opposition& best,
                     const Vector3& g, const Vector3& approach) {
   std::vector<Pose> X_BL;
@@ -69,7 +72,7 @@ Vector3 palm_behind(const Robot& robot, const HandParts& parts, const Opposition
     for (const Triangle& t : mesh.triangles) {
       const auto hit = distance_back(g, approach, mesh.vertices[index(t[0])],
                                      mesh.vertices[index(t[1])], mesh.vertices[index(t[2])]);
-      if (hit && *hit >= 0.0) back = std::min(back, *hit);
+      if (hit) back = std::min(back, *hit);
     }
   }
   if (!std::isfinite(back)) back = std::isfinite(highest) ? std::max(0.0, -highest) : 0.0;
@@ -101,7 +104,100 @@ class Pinching {
   const Opposition& best_;
 };
 
+// The links that move with the palm's joint: those before a wrist say nothing of the palm.
+std::vector<int> palm_body(const Robot& robot, const HandParts& parts) {
+  std::vector<int> links;
+  for (const int link : parts.palm_links) {
+    if (robot.links[index(link)].joint == parts.palm_joint) links.push_back(link);
+  }
+  return links.empty() ? parts.palm_links : links;
+}
+
+// The axis of the palm's surface along which it extends least.
+Vector3 thinnest_axis(const Robot& robot, const HandParts& parts) {
+  const std::vector<int> links = palm_body(robot, parts);
+  const Vector3 middle = middle_of(robot, links);
+  std::vector<Pose> X_BL;
+  link_poses(robot, joint_values(robot, initial_dofs(robot)), X_BL);
+  Matrix3 spread = Matrix3::Zero();
+  for (const int link : links) {
+    const TriangleMesh mesh = transformed(robot.links[index(link)].mesh, X_BL[index(link)]);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const double area = doubled_area_vector(mesh, t).norm();
+      Vector3 sum = Vector3::Zero();
+      for (const int v : mesh.triangles[t]) {
+        const Vector3 p = mesh.vertices[index(v)] - middle;
+        spread += area * p * p.transpose();
+        sum += p;
+      }
+      spread += area * sum * sum.transpose();
+    }
+  }
+  return Eigen::SelfAdjointEigenSolver<Matrix3>(spread).eigenvectors().col(0);
+}
+
+// How the tips of the others move where each finger turns about its first joint that closes it.
+Vector3 curl_of(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
+                const Opposition& best) {
+  RobotPoses poses;
+  robot_poses(robot, joint_values(robot, best.dofs), poses);
+  Vector3 sum = Vector3::Zero();
+  for (std::size_t f = 0; f < parts.fingers.size(); ++f) {
+    if (f == best.thumb && parts.fingers.size() > 1) continue;
+    const Finger& finger = parts.fingers[f];
+    const std::vector<int> joints = closing_joints(robot, finger, poses.X_BJ);
+    const auto first = std::find_if(joints.begin(), joints.end(), [&](int joint) {
+      return closing.closes(index(robot.joints[index(joint)].dof));
+    });
+    if (first == joints.end()) continue;
+    const Joint& joint = robot.joints[index(*first)];
+    const double rate = joint.ratio * closing.velocity[index(joint.dof)];
+    const Vector3 axis = axis_in_base(robot, *first, poses.X_BJ);
+    const Vector3 tip = poses.X_BL[index(finger.tip_link)] * finger.tip;
+    if (joint.type == JointType::prismatic) {
+      sum += rate * axis;
+      continue;
+    }
+    const Pose X_BP = joint.parent < 0 ? Pose::Identity() : poses.X_BJ[index(joint.parent)];
+    const Vector3 motion = rate * axis.cross(tip - X_BP * joint.X_PJ.translation());
+    if (motion.norm() > kNoDirection) sum += motion.normalized();
+  }
+  return sum;
+}
+
 }  // namespace
+
+std::vector<Vector3> other_approaches(const Robot& robot, const HandParts& parts,
+                                      const ClosingDofs& closing, const Opposition& best,
+                                      const Vector3& approach) {
+  std::vector<Vector3> others;
+  const auto add = [&](const Vector3& direction) {
+    if (direction.norm() < kNoDirection) return;
+    const Vector3 unit = direction.normalized();
+    const auto same = [&](const Vector3& known) { return unit.dot(known) > kSame; };
+    if (!same(approach) && std::none_of(others.begin(), others.end(), same)) others.push_back(unit);
+  };
+  const Vector3 curl = curl_of(robot, parts, closing, best);
+  const Vector3 thin = thinnest_axis(robot, parts);
+  add(thin.dot(approach + curl) < 0.0 ? Vector3(-thin) : thin);
+  add(curl);
+  const std::vector<Vector3> whole = others;
+  for (const Vector3& direction : whole) add(approach + direction);
+  return others;
+}
+
+std::optional<HandAxes> across_bending(const Robot& robot, const HandParts& parts,
+                                       const Opposition& best, const HandAxes& axes) {
+  const std::optional<Vector3> bending = bending_axis(robot, parts, best);
+  if (!bending) return std::nullopt;
+  const Vector3 across = bending->cross(axes.approach);
+  if (across.norm() < kParallel || std::abs(across.normalized().dot(axes.closing)) > kSame) {
+    return std::nullopt;
+  }
+  HandAxes turned = axes;
+  turned.closing = (across.dot(axes.closing) < 0.0 ? -1.0 : 1.0) * across.normalized();
+  return turned;
+}
 
 HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const ClosingDofs& closing,
                         const Opposition& best, const StatedHand& stated) {
@@ -132,7 +228,7 @@ HandAxes find_hand_axes(const Robot& robot, const HandParts& parts, const Closin
   if (c.norm() < kNoDirection) c = any_orthogonal(stated.approach.value_or(Vector3::UnitZ()));
   axes.closing = c.normalized();
   const Vector3 g = 0.5 * (met.thumb + met.others);
-  Vector3 a = without(g - middle_of(robot, parts.palm_links), axes.closing);
+  Vector3 a = without(g - middle_of(robot, palm_body(robot, parts)), axes.closing);
   if (bending && std::abs(bending->dot(axes.closing)) < kSideways) {
     const Vector3 w = without(*bending, axes.closing).normalized();
     const Vector3 in_plane = without(a, w);

@@ -12,6 +12,8 @@ constexpr int kLooks = 32;            // postures of a closing motion that are l
 constexpr double kLeastRange = 0.6;   // of a posing degree of freedom [rad]
 constexpr double kReluctance = 0.05;  // score that moving one over its whole range has to gain
 constexpr double kClearlyBetter = 1e-6;
+constexpr double kNearlyAsWell = 0.6;  // score below that of the best
+constexpr double kOtherPlace = 0.24;   // of a posing degree of freedom's range
 
 double reluctance(const Robot& robot, const std::vector<std::size_t>& posing,
                   const std::vector<double>& dofs) {
@@ -22,6 +24,11 @@ double reluctance(const Robot& robot, const std::vector<std::size_t>& posing,
   }
   return sum;
 }
+
+struct Considered {
+  Opposition opposition;
+  double worth = 0.0;
+};
 
 }  // namespace
 
@@ -90,31 +97,31 @@ std::vector<std::size_t> posing_dofs(const Robot& robot, const HandParts& parts,
   return dofs;
 }
 
-Opposition best_opposition(const Robot& robot, const HandParts& parts, const ClosingDofs& closing) {
+namespace {
+
+// All oppositions that a search of the posing degrees of freedom, one at a time, looks at: the best
+// first.
+std::vector<Considered> searched(const Robot& robot, const HandParts& parts,
+                                 const ClosingDofs& closing) {
   const std::vector<std::size_t> posing = posing_dofs(robot, parts, closing);
-  Opposition best;
-  double best_worth = -1e9;
-  const auto consider = [&](std::size_t thumb, const std::vector<double>& dofs, double& worth) {
+  std::vector<Considered> all;
+  const auto consider = [&](std::size_t thumb, const std::vector<double>& dofs) {
     Opposition found = opposition_of(robot, parts, closing, thumb, dofs);
-    const double its = found.score - reluctance(robot, posing, dofs);
-    if (its > best_worth + kClearlyBetter) {
-      best = std::move(found);
-      best_worth = its;
-    }
-    worth = its;
+    const double worth = found.score - reluctance(robot, posing, dofs);
+    all.push_back({std::move(found), worth});
+    return worth;
   };
-  for (std::size_t thumb = 0; thumb < parts.fingers.size(); ++thumb) {
+  // Thumbs tend to come last in files; of fingers that are alike the last one counts as the thumb.
+  for (std::size_t thumb = parts.fingers.size(); thumb-- > 0;) {
     std::vector<double> at = closing.open;
-    double worth = 0.0;
-    consider(thumb, at, worth);
+    double worth = consider(thumb, at);
     for (int round = 0; round < 2; ++round) {
       for (const std::size_t d : posing) {
         for (const double part : {0.0, 0.25, 0.5, 0.75, 1.0}) {
           std::vector<double> other = at;
           const DegreeOfFreedom& dof = robot.dofs[d];
           other[d] = dof.lower + part * (dof.upper - dof.lower);
-          double its = 0.0;
-          consider(thumb, other, its);
+          const double its = consider(thumb, other);
           if (its <= worth + kClearlyBetter) continue;
           worth = its;
           at = other;
@@ -122,7 +129,39 @@ Opposition best_opposition(const Robot& robot, const HandParts& parts, const Clo
       }
     }
   }
-  return best;
+  // Of those that are as good but for rounding, the one that was looked at first.
+  std::stable_sort(all.begin(), all.end(), [](const Considered& a, const Considered& b) {
+    return std::round(a.worth / kClearlyBetter) > std::round(b.worth / kClearlyBetter);
+  });
+  return all;
+}
+
+}  // namespace
+
+Opposition best_opposition(const Robot& robot, const HandParts& parts, const ClosingDofs& closing) {
+  return std::move(searched(robot, parts, closing).front().opposition);
+}
+
+std::vector<Opposition> good_oppositions(const Robot& robot, const HandParts& parts,
+                                         const ClosingDofs& closing, std::size_t most) {
+  const std::vector<Considered> all = searched(robot, parts, closing);
+  const std::vector<std::size_t> posing = posing_dofs(robot, parts, closing);
+  const auto differ = [&](const Opposition& a, const Opposition& b) {
+    return std::any_of(posing.begin(), posing.end(), [&](std::size_t d) {
+      const double range = robot.dofs[d].upper - robot.dofs[d].lower;
+      return std::abs(a.dofs[d] - b.dofs[d]) > kOtherPlace * range;
+    });
+  };
+  std::vector<Opposition> good;
+  for (const Considered& considered : all) {
+    if (good.size() == most || considered.worth < all.front().worth - kNearlyAsWell) break;
+    const Opposition& other = considered.opposition;
+    const bool is_new = std::all_of(good.begin(), good.end(), [&](const Opposition& known) {
+      return other.thumb == known.thumb && differ(known, other);
+    });
+    if (is_new) good.push_back(other);
+  }
+  return good;
 }
 
 }  // namespace prehend

@@ -37,4 +37,9 @@ std::vector<std::size_t> posing_dofs(const Robot& robot, const HandParts& parts,
 // found one of them at a time from the initial values, of which a good reason is needed to depart.
 Opposition best_opposition(const Robot& robot, const HandParts& parts, const ClosingDofs& closing);
 
+// The best one, then at most `most` - 1 others of the same thumb that oppose nearly as well with a
+// posing degree of freedom about a quarter of its range away, best first.
+std::vector<Opposition> good_oppositions(const Robot& robot, const HandParts& parts,
+                                         const ClosingDofs& closing, std::size_t most);
+
 }  // namespace prehend

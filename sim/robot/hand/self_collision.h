@@ -29,6 +29,7 @@ class SelfCollision {
   // No longer asks about this pair.
   void leave_out(const std::pair<int, int>& pair);
   const std::vector<std::pair<int, int>>& pairs() const { return pairs_; }
+  const ProximityMesh& mesh(int link) const { return meshes_[static_cast<std::size_t>(link)]; }
 
  private:
   std::vector<Pose> poses_at(const std::vector<double>& dofs) const;

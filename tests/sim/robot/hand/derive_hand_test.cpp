@@ -1,11 +1,15 @@
 #include "sim/robot/hand/derive_hand.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/hand/self_collision.h"
+#include "tests/sim/robot/hand/made_hand.h"
 
 namespace prehend {
 namespace {
@@ -96,6 +100,61 @@ TEST(DerivedHand, TurnsWithTheRobot) {
   for (std::size_t k = 0; k < hand.preshapes.size(); ++k) {
     EXPECT_NEAR(other.preshapes[k].max_width, hand.preshapes[k].max_width, 1e-9);
     EXPECT_NEAR(other.preshapes[k].min_width, hand.preshapes[k].min_width, 1e-6);
+  }
+}
+
+// The gap of upright last links; of Barrett's and Robotiq's three fingers its source measures other
+// points of them.
+TEST(DerivedHand, OpensAndReachesAsFarAsTheLibraryStates) {
+  for (const char* name : {"barrett", "franka_hand", "parallel_jaw", "parallel_jaw_wide",
+                           "robotiq_2f85", "robotiq_3f"}) {
+    const double stated = find_robot(name).hand->preshapes.front().max_width;
+    const Robot derived = with_hand(without_hand(name));
+    EXPECT_NEAR(derived.hand->preshapes.front().max_width, stated, 0.1 * stated) << name;
+  }
+  for (const char* name : {"barrett", "franka_hand", "robotiq_2f85"}) {
+    const Robot stated = find_robot(name);
+    const double depth = stated.hand->preshapes.front().depth;
+    const Robot derived = with_hand(without_hand(name));
+    EXPECT_NEAR(derived.hand->preshapes.front().depth, depth, 0.1 * depth) << name;
+  }
+}
+
+// The palm of hands like a human's faces what the fingers close on, not where they point.
+TEST(DerivedHand, FacesWithThePalm) {
+  for (const char* name : {"allegro", "shadow_like"}) {
+    const Robot stated = find_robot(name);
+    const Robot derived = with_hand(without_hand(name));
+    EXPECT_GT(derived.hand->approach.dot(stated.hand->approach), 0.94) << name;
+    EXPECT_GT(std::abs(derived.hand->closing.dot(stated.hand->closing)), 0.9) << name;
+  }
+}
+
+// Whatever axes and frames the joints are written with, and turned as a whole.
+TEST(DerivedHand, OfMadeFingersFacesWhereTheyBend) {
+  constexpr int kHands = 6;
+  Random random(5);
+  for (int hand = 0; hand < kHands; ++hand) {
+    const std::vector<MadeFinger> fingers = random_fingers(random);
+    const std::size_t joints = kPhalanges * fingers.size();
+    const Robot robot = with_hand(made_hand(fingers, random_writings(random, joints)));
+    EXPECT_GT(robot.hand->approach.x(), 0.7) << hand;
+    EXPECT_GT(std::abs(robot.hand->closing.z()), 0.7) << hand;
+    const Preshape& open = robot.hand->preshapes.front();
+    EXPECT_GT(open.max_width, 0.05) << hand;
+    EXPECT_LT(open.max_width, 0.2) << hand;
+    EXPECT_GT(open.depth, 0.01) << hand;
+  }
+}
+
+// Each was closed on spheres, cylinders and boxes.
+TEST(DerivedHand, OffersPreshapesThatHoldTestBodies) {
+  for (const char* name : {"barrett", "franka_hand", "robotiq_2f85"}) {
+    const Robot robot = with_hand(without_hand(name));
+    const auto held = std::count_if(robot.notes.begin(), robot.notes.end(), [](const auto& note) {
+      return note.find("held when closed on test bodies") != std::string::npos;
+    });
+    EXPECT_EQ(held, static_cast<std::ptrdiff_t>(robot.hand->preshapes.size())) << name;
   }
 }
 
