@@ -18,12 +18,14 @@ XmlMaker::XmlMaker(std::filesystem::path file) : file_(std::move(file), "<made/>
 
 XmlMaker::~XmlMaker() = default;
 
-void XmlMaker::open(const XmlElement& like) {
+void XmlMaker::open(const XmlElement& like) { open(like, like.name()); }
+
+void XmlMaker::open(const XmlElement& like, const std::string& tag) {
   if (++count_ > kMostElements) {
     like.fail("the file grows to more than " + std::to_string(kMostElements) + " elements");
   }
   if (++depth_ > kDeepest) like.fail("elements are nested too deeply");
-  tinyxml2::XMLElement* made = file_.document_->NewElement(like.name().c_str());
+  tinyxml2::XMLElement* made = file_.document_->NewElement(tag.c_str());
   XmlPlace place = like.written();
   if (place.file.empty() && like.file() != file_.path()) {
     place.file = like.file().filename().string();

@@ -18,10 +18,11 @@ class XmlMaker {
   explicit XmlMaker(std::filesystem::path file);
   ~XmlMaker();
 
-  // An element around those that follow, until close(), with the tag and the place of `like` and
-  // without its attributes. Throws InputError where that makes more than 200,000 elements, or 100
-  // inside each other.
+  // An element around those that follow, until close(), with the place of `like` and its tag, or
+  // another one, and without its attributes. Throws InputError where that makes more than 200,000
+  // elements, or 100 inside each other.
   void open(const XmlElement& like);
+  void open(const XmlElement& like, const std::string& tag);
   void attribute(const std::string& name, const std::string& value);
   void content(const std::string& text);
   void close();

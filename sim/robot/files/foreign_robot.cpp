@@ -14,6 +14,7 @@
 #include "sim/robot/files/hand_split.h"
 #include "sim/robot/files/mjcf_file.h"
 #include "sim/robot/files/robot_sidecar.h"
+#include "sim/robot/files/sdf_file.h"
 #include "sim/robot/files/srdf_file.h"
 #include "sim/robot/files/urdf_file.h"
 #include "sim/robot/files/xacro_file.h"
@@ -127,8 +128,8 @@ Platform graspit_platform(const XmlFile& xml, const std::optional<RobotSidecar>&
 bool has_foreign_robot_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".urdf" || extension == ".xacro" || extension == ".mjcf" ||
-         extension == ".xml";
+  return extension == ".urdf" || extension == ".sdf" || extension == ".xacro" ||
+         extension == ".mjcf" || extension == ".xml";
 }
 
 std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
@@ -154,9 +155,13 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
   if (kind == "robot") {
     return platform_of(read_urdf(xml, all), all.scale, srdf_of(file, all), sidecar);
   }
+  if (kind == "sdf") {
+    return platform_of(read_urdf(urdf_of_sdf(xml), all), all.scale, srdf_of(file, all), sidecar);
+  }
   if (kind == "mujoco") return platform_of(read_mjcf(xml), all.scale, {}, sidecar);
   xml.root().fail(
-      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), GraspIt! robots "
+      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), SDF (<sdf>), GraspIt! "
+      "robots "
       "(<robot> with <palm>) and worlds (<world>)");
 }
 
