@@ -8,6 +8,8 @@
 #include "planner/plan/learn/tree_model_file.h"
 #include "planner/show/report/plan_report.h"
 #include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
+#include "sim/robot/files/platform_file.h"
 #include "sim/scene/scene_library.h"
 
 namespace prehend {
@@ -55,6 +57,22 @@ void add_model(const PlanCommand& command, const CompiledScene& scene, PlanOptio
   options.search.learned = LearnedOrder{.model = std::move(model)};
 }
 
+// Where no arm carries the hand: what is missing and where it is stated.
+[[noreturn]] void refuse_paths(const PlanCommand& command, const Scene& scene) {
+  const std::string& hand = scene.hand_source;
+  const bool has_arm =
+      is_file(hand) && find_platform(hand, foreign_options(command.packages, {})).robots.size() > 1;
+  const std::string problem =
+      has_arm ? hand +
+                    " has an arm, but nothing says where it stands and where the object lies: "
+                    "write a scene file, {\"object\": {\"mesh\": FILE, \"unit\": \"m\", "
+                    "\"pose\": {\"position\": [0.5, 0, 0.1]}}, \"robot\": {\"platform\": " +
+                    "\"" + hand + "\"}}, and plan that"
+              : "no arm to plan paths for, the hand flies free; a scene file names one in "
+                "\"robot\", as docs/reference/scene-file.md says";
+  throw InputError({.file = scene.name, .field = "--path", .problem = problem});
+}
+
 }  // namespace
 
 SceneSource source_of(const PlanCommand& command, const ObjectChoice& choice) {
@@ -73,6 +91,7 @@ PlanTask make_task(const PlanCommand& command, const ObjectChoice& choice, Scene
                    Stopwatch& watch) {
   const std::string unit = unit_of_source(command.scene, loaded);
   print_notes(loaded);
+  if (command.path && !loaded.carrier) refuse_paths(command, loaded);
   watch.lap(Stage::load);
   CompiledScene scene = compile(std::move(loaded));
   watch.lap(Stage::compile);

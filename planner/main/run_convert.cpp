@@ -13,7 +13,7 @@ namespace {
 struct ConvertCommand {
   std::string source;
   std::filesystem::path target;
-  std::string unit = "m";             // of a mesh file that is read
+  std::string unit;                   // of what is read; empty: m
   std::vector<std::string> packages;  // NAME=FOLDER
   std::filesystem::path srdf;         // empty: beside the URDF file, if it is there
 };
@@ -25,8 +25,7 @@ void declare(CLI::App& command, ConvertCommand& options) {
       .add_option("target", options.target,
                   "file to write: .json or .urdf for a robot, .obj .stl .ply .off for a mesh")
       ->required();
-  command.add_option("--unit", options.unit, "unit of a mesh file that is read: m, cm, mm, in")
-      ->capture_default_str();
+  add_unit(command, options.unit);
   add_foreign(command, options.packages, options.srdf);
 }
 
@@ -35,7 +34,7 @@ int run_convert(const ConvertCommand& command, Interrupts& interrupts) {
   require_writable(folder);
   std::vector<std::string> notes;
   const std::vector<RobotTextFile> files =
-      converted(command.source, command.target, command.unit,
+      converted(command.source, command.target, command.unit.empty() ? "m" : command.unit,
                 foreign_options(command.packages, command.srdf), notes);
   for (const std::string& note : notes) std::cerr << "note: " << on_one_line(note) << "\n";
   std::string names;

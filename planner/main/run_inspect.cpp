@@ -332,8 +332,11 @@ int run_inspect(const InspectCommand& command, Interrupts& interrupts) {
     need_metres(command);
     inspect_scene(graspit_scene(file, command), command, interrupts);
   } else if (has_foreign_robot_name(file)) {
-    inspect_platform(load_platform(file, foreign_options(command.packages, command.srdf)), command,
-                     interrupts);
+    ForeignRobotOptions options = foreign_options(command.packages, command.srdf);
+    if (!command.unit.empty()) options.scale = metres_per_unit(command.unit);
+    InspectCommand in_metres = command;
+    in_metres.unit.clear();
+    inspect_platform(load_platform(file, options), in_metres, interrupts);
   } else if (file.extension() != ".json" && is_views_file(file)) {
     inspect_scene(load_scene(file, {.hand = "", .unit = command.unit}), command, interrupts);
   } else if (file.extension() != ".json") {

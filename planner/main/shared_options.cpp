@@ -66,9 +66,17 @@ void add_contacts(CLI::App& command, CommonOptions& common) {
       ->default_str("soft");
 }
 
+void add_unit(CLI::App& command, std::string& unit) {
+  CLI::Option* name = command.add_option(
+      "--unit", unit, "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
+  command
+      .add_option("--scale", unit, "another unit than these: its length in metres, such as 0.0254")
+      ->check(CLI::PositiveNumber)
+      ->excludes(name);
+}
+
 void add_mesh_options(CLI::App& command, std::string& unit, bool& repair) {
-  command.add_option("--unit", unit,
-                     "unit of a mesh file: m, cm, mm, in; without it the likely one by its size");
+  add_unit(command, unit);
   command.add_flag("!--no-repair", repair, "take the surface of a mesh file as it is");
 }
 

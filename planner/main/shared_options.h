@@ -74,7 +74,9 @@ void add_accuracy(CLI::App& command, CommonOptions& common);
 // --contacts.
 void add_contacts(CLI::App& command, CommonOptions& common);
 
-// --unit, --no-repair.
+// --unit, and --scale in its place.
+void add_unit(CLI::App& command, std::string& unit);
+// The same, and --no-repair.
 void add_mesh_options(CLI::App& command, std::string& unit, bool& repair);
 
 // Words of --object, --keep-out and --prefer.

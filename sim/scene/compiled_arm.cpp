@@ -10,6 +10,7 @@
 #include "sim/robot/inverse_kinematics.h"
 #include "sim/scene/never_collide.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/sunk_object.h"
 #include "sim/shape/proximity.h"
 
 namespace prehend {
@@ -55,8 +56,18 @@ using IsChecked = std::function<bool(const ArmPair& pair)>;
 
 // Pairs of links with bodies, behind those of links.
 void find_body_pairs(CompiledArm& arm, const IsChecked& is_checked) {
+  std::vector<Pose> X_BL;
+  arm_link_poses(arm, joint_values(arm.robot(), arm.start), X_BL);
+  const auto is_screwed_to = [&](std::size_t l, std::size_t b) {
+    if (!arm.links[l].joints.empty() || BodyId::at(b).is_object()) return false;
+    PlacedBody body = arm.bodies[b];
+    body.X_RB = X_BL[l].inverse() * body.X_RB;
+    const Matrix3 R_WL = arm.X_WB.linear() * X_BL[l].linear();
+    return stands_in(arm.links[l], body, R_WL.transpose() * Vector3::UnitZ());
+  };
   for (std::size_t l = 0; l < arm.links.size(); ++l) {
     for (std::size_t b = 0; b < arm.bodies.size(); ++b) {
+      if (is_screwed_to(l, b)) continue;
       ArmPair pair = arm_pair(arm, link_id(l), BodyId::at(b));
       // The hand is meant to come near the object and what it stands on: a proof that it stays
       // away in all postures would fail, at some cost.

@@ -8,6 +8,7 @@
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/scene/sunk_object.h"
 #include "sim/shape/mesh_checks.h"
 #include "sim/shape/proximity.h"
 
@@ -35,10 +36,15 @@ std::vector<double> gaps_at(const CompiledScene& scene, const Preshape& preshape
 }
 
 void check_object_is_free(const CompiledScene& scene) {
+  constexpr double kFarUp = 1.0;  // m
   for (const PlacedBody& obstacle : scene.obstacles()) {
     if (!bodies_overlap(scene.object(), obstacle, obstacle.X_RB)) continue;
-    throw InputError({scene.scene.name, "object",
-                      scene.scene.object.name + " overlaps the obstacle " + obstacle.name});
+    std::string problem = scene.scene.object.name + " overlaps the obstacle " + obstacle.name;
+    const Vector3 up_O = scene.scene.object.X_WO.linear().transpose() * Vector3::UnitZ();
+    if (const auto rise = rise_to_be_free(scene.object(), {obstacle}, up_O, kFarUp)) {
+      problem += formatted(", and would be free of it %.3g mm higher", 1000.0 * *rise);
+    }
+    throw InputError({scene.scene.name, "object", problem});
   }
 }
 

@@ -6,9 +6,11 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/hand/derive_hand.h"
+#include "sim/scene/free_start.h"
 
 namespace prehend {
 namespace {
@@ -38,6 +40,8 @@ Carrier find_carrier(const std::string& platform, const ForeignRobotOptions& for
   Carrier carrier;
   carrier.source = robot_source(platform);
   carrier.platform = find_platform(platform, foreign);
+  // Files of other programs do not say where a robot starts.
+  if (is_file(platform) && has_foreign_robot_name(platform)) find_free_start(carrier.platform);
   derive_hands(carrier.platform);
   carrier.hand = hand_of(carrier.platform);
   if (carrier.platform.robots[index(carrier.hand)].parent < 0) {

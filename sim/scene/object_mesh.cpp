@@ -1,6 +1,11 @@
 #include "sim/scene/object_mesh.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
+#include <fstream>
+#include <sstream>
+#include <string_view>
 
 #include "sim/base/formatted.h"
 #include "sim/base/joined.h"
@@ -20,9 +25,32 @@ std::string counted_repeats(int count) {
                     : std::to_string(count) + " triangles that repeat others";
 }
 
-bool is_stl(const std::filesystem::path& file) {
-  const std::filesystem::path extension = file.extension();
-  return extension == ".stl" || extension == ".STL";
+// Whether a CAD program has written the file: STL is their format, and OBJ files name their writer
+// in the first comments.
+bool of_cad(const std::filesystem::path& file) {
+  constexpr std::size_t kHead = 1000;
+  constexpr std::array<std::string_view, 14> kPrograms = {
+      "freecad",  "solidworks",   "onshape",     "fusion",     "autodesk inventor",
+      "openscad", "catia",        "creo",        "solid edge", "siemens nx",
+      "cadquery", "open cascade", "opencascade", "rhino"};
+  const auto lower = [](std::string text) {
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return text;
+  };
+  const std::string extension = lower(file.extension().string());
+  if (extension == ".stl") return true;
+  if (extension != ".obj") return false;
+  std::string head(kHead, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(kHead));
+  head = lower(head.substr(0, static_cast<std::size_t>(stream.gcount())));
+  std::istringstream lines(head);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('#')) continue;
+    const auto names = [&](std::string_view program) { return line.find(program) != line.npos; };
+    if (std::any_of(kPrograms.begin(), kPrograms.end(), names)) return true;
+  }
+  return false;
 }
 
 // Reads the file, in metres first where no unit is stated: the size tells whether they are.
@@ -30,7 +58,7 @@ LoadedMesh read_in_likely_unit(const std::filesystem::path& file, bool part_surf
                                ObjectMesh& object) {
   LoadedMesh loaded = load_mesh(file, {.part_surfaces = part_surfaces});
   const double size = longest_side(loaded.mesh);
-  object.unit = states_unit(file) ? "m" : likely_unit(size, is_stl(file));
+  object.unit = states_unit(file) ? "m" : likely_unit(size, of_cad(file));
   if (object.unit == "m") return loaded;
   // Read again, not scaled, so that the same bytes come out as when the unit is stated.
   loaded = load_mesh(
@@ -59,17 +87,16 @@ void note_repair(const LoadedMesh& loaded, const MeshRepair& repair, ObjectMesh&
 
 }  // namespace
 
-std::string likely_unit(double longest_side, bool is_stl) {
-  constexpr double kLeastPart = 3.0;  // mm
-  constexpr double kLargestPart = 1000.0;
-  constexpr double kLongest = 1.5;  // m
+std::string likely_unit(double longest_side, bool of_cad) {
+  constexpr double kLargestPart = 1000.0;  // mm
+  constexpr double kLongest = 1.5;         // m
   constexpr std::array<const char*, 3> kUnits = {"mm", "cm", "in"};
   struct Sizes {
     double smallest;
     double largest;
   };
   if (!(longest_side > kLongest)) return "m";
-  if (is_stl && longest_side > kLeastPart && longest_side <= kLargestPart) return "mm";
+  if (of_cad && longest_side <= kLargestPart) return "mm";
   for (const Sizes& sizes : {Sizes{0.03, 0.5}, Sizes{0.01, 1.0}}) {
     for (const char* unit : kUnits) {
       const double size = longest_side * metres_per_unit(unit);

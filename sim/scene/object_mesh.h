@@ -14,12 +14,12 @@ namespace prehend {
 // longer than 1.5 m. Then of mm, cm and in, in this order, the first in which the object is 30 to
 // 500 mm long, else the first in which it is 10 mm to 1 m: in up to 3, cm from 3 to 30, mm from 30
 // to 1000. "m" where none is.
-// STL files are written by CAD programs, in mm: one of more than 3 is in mm at once.
-std::string likely_unit(double longest_side, bool is_stl = false);
+// CAD programs write mm: what they wrote, as all STL files, is in mm from 1.5 to 1000.
+std::string likely_unit(double longest_side, bool of_cad = false);
 
 // How an object's file is read.
 struct ObjectMeshSource {
-  std::string unit;            // m, cm, mm or in; empty: likely_unit, of glTF and COLLADA m
+  std::string unit;            // as of metres_per_unit; empty: likely_unit, of glTF, COLLADA m
   bool repair = true;          // repair_mesh; else the surface is only turned outward
   bool part_surfaces = false;  // whether those of ObjectMesh::parts are wanted
 };

@@ -26,6 +26,7 @@
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
 #include "sim/scene/seen_scene.h"
+#include "sim/scene/sunk_object.h"
 #include "sim/shape/files/mesh_file.h"
 #include "sim/shape/mesh_checks.h"
 #include "sim/shape/object_generator.h"
@@ -469,6 +470,8 @@ Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& see
       scene.obstacles.push_back(read_obstacle(field, budget));
     }
   }
+  raise_sunk_object(scene);
+  note_standing_base(scene);
   if (root.has("friction")) read_friction(root["friction"], scene);
   if (root.has("compliant_depths"))
     read_compliant_depths(root["compliant_depths"], scene.compliant_depths);
@@ -549,6 +552,7 @@ Scene load_scene(const fs::path& name_or_file, const SceneSource& source) {
     require_object(source.choice, {scene.object.name}, file);
     choose_regions(source.choice, {}, file, scene);
     note_uniform_mass(scene);
+    raise_sunk_object(scene);
     return scene;
   }
   ObjectMesh read =

@@ -27,10 +27,10 @@ enum class MassSource {
   surface,
 };
 
-// A phrase for reports, such as "convex hull, the mesh is not closed".
+// A phrase for reports, such as "convex hull, for holes or parts that overlap".
 constexpr auto enum_names(MassSource /*of*/) {
   return std::to_array<std::string_view>({"signed volume", "signed volume, holes closed",
-                                          "convex hull, the mesh is not closed",
+                                          "convex hull, for holes or parts that overlap",
                                           "surface, the mesh encloses nothing"});
 }
 

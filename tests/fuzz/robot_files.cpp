@@ -8,7 +8,9 @@
 #include "sim/robot/files/mjcf_file.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
+#include "sim/robot/files/sdf_file.h"
 #include "sim/robot/files/urdf_file.h"
+#include "sim/robot/files/xacro_file.h"
 #include "sim/robot/hand/self_collision.h"
 #include "sim/robot/sound_robot.h"
 #include "tests/fuzz/mesh_promises.h"
@@ -129,6 +131,14 @@ void read_graspit_robot_file(std::string_view name, const std::string& bytes) {
 
 void read_urdf_file(std::string_view name, const std::string& bytes) {
   check_tree(read_urdf(XmlFile(pretended_path(name, "urdf"), bytes)));
+}
+
+void read_xacro_file(std::string_view name, const std::string& bytes) {
+  check_tree(read_urdf(expanded_xacro(XmlFile(pretended_path(name, "xacro"), bytes), {})));
+}
+
+void read_sdf_file(std::string_view name, const std::string& bytes) {
+  check_tree(read_urdf(urdf_of_sdf(XmlFile(pretended_path(name, "sdf"), bytes))));
 }
 
 void read_mjcf_file(std::string_view name, const std::string& bytes) {

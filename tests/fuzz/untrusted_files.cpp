@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 26> kKinds{{
+constexpr std::array<FileKind, 28> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -24,6 +24,8 @@ constexpr std::array<FileKind, 26> kKinds{{
     {"graspit_world", Grammar::bytes, read_graspit_world_file},
     {"urdf", Grammar::bytes, read_urdf_file},
     {"mjcf", Grammar::bytes, read_mjcf_file},
+    {"xacro", Grammar::bytes, read_xacro_file},
+    {"sdf", Grammar::bytes, read_sdf_file},
     {"scene", Grammar::json, read_scene_file},
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},

@@ -49,6 +49,8 @@ void read_graspit_robot_file(std::string_view name, const std::string& bytes);
 void read_graspit_world_file(std::string_view name, const std::string& bytes);
 void read_urdf_file(std::string_view name, const std::string& bytes);
 void read_mjcf_file(std::string_view name, const std::string& bytes);
+void read_xacro_file(std::string_view name, const std::string& bytes);
+void read_sdf_file(std::string_view name, const std::string& bytes);
 void read_scene_file(std::string_view name, const std::string& bytes);
 void read_grasps_file(std::string_view name, const std::string& bytes);
 void read_contacts_file(std::string_view name, const std::string& bytes);

@@ -227,6 +227,28 @@ struct BadScene {
 
 void PrintTo(const BadScene& bad, std::ostream* stream) { *stream << bad.name; }
 
+// The fingers touch where the path begins.
+TEST(ArmStart, AClosedGripperOpensOnItsWay) {
+  const std::filesystem::path folder = fresh_folder("arm_closed_start");
+  std::ofstream(folder / "in.json") << R"({
+      "object": {"geometry": [{"shape": "box", "size": [0.04, 0.05, 0.08]}],
+                 "pose": {"position": [0.45, 0.1, 0.0401]}},
+      "robot": {"platform": "panda", "pose": {"position": [0, 0, 0.001]},
+                "start": {"hand/opening": 0}},
+      "obstacles": [{"name": "table", "pose": {"position": [0.3, 0, -0.02]},
+                     "geometry": [{"shape": "box", "size": [1.6, 1.2, 0.04]}]}]})";
+  const ProgramRun run = run_program("plan " + (folder / "in.json").string() +
+                                     " --path --accuracy draft --trials 60 --enough 1 --top 1 "
+                                     "--no-report --out " +
+                                     (folder / "out").string());
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json grasps = json::parse(content(folder / "out" / "grasps.json"));
+  ASSERT_EQ(grasps["grasps"].size(), 1U) << run.out;
+  const json& path = grasps["grasps"][0]["path"];
+  EXPECT_EQ(path["segments"][0]["name"], "preshape");
+  EXPECT_EQ(path["positions"][0].back(), 0.0);
+}
+
 class BadArmScene : public testing::TestWithParam<BadScene> {};
 
 TEST_P(BadArmScene, OneLineAndNothingWritten) {
@@ -256,6 +278,60 @@ INSTANTIATE_TEST_SUITE_P(
                              "no degree of freedom is called arm/thumb"},
                     BadScene{"NoHand", "/robot/platform", R"("puma560")", "none is a hand"}),
     [](const auto& bad) { return std::string(bad.param.name); });
+
+// Arm and hand in one URDF file, whose base stands 5 mm in the table.
+TEST(ArmStart, AnArmAndAHandInOneUrdfFileGetPaths) {
+  const std::filesystem::path folder = fresh_folder("arm_bare_urdf");
+  const auto box = [](const char* name, const char* size, const char* xyz) {
+    return std::string("<link name='") + name + "'><collision><origin xyz='" + xyz +
+           "'/><geometry><box size='" + size + "'/></geometry></collision></link>";
+  };
+  const auto joint = [](const char* name, const char* parent, const char* child, const char* xyz,
+                        const char* axis) {
+    return std::string("<joint name='") + name + "' type='revolute'><parent link='" + parent +
+           "'/><child link='" + child + "'/><origin xyz='" + xyz + "'/><axis xyz='" + axis +
+           "'/><limit lower='-3' upper='3' effort='50' velocity='2'/></joint>";
+  };
+  const auto finger = [](const char* name, const char* link, const char* axis) {
+    return std::string("<joint name='") + name +
+           "' type='prismatic'><parent link='palm'/><child link='" + link +
+           "'/><origin xyz='0 0 0.05'/><axis xyz='" + axis +
+           "'/><limit lower='0' upper='0.035' effort='20' velocity='0.1'/>" +
+           (std::string(name) == "g2" ? "<mimic joint='g1'/>" : "") + "</joint>";
+  };
+  std::ofstream(folder / "arm.urdf")
+      << "<robot name='arm'>" << box("base", "0.1 0.1 0.105", "0 0 0.0475")
+      << box("l1", "0.06 0.06 0.08", "0 0 0.05") << box("l2", "0.05 0.05 0.3", "0 0 0.2")
+      << box("l3", "0.05 0.05 0.2", "0 0 0.15") << box("l4", "0.04 0.04 0.06", "0 0 0.05")
+      << box("l5", "0.04 0.04 0.05", "0 0 0.04") << box("palm", "0.1 0.04 0.03", "0 0 0.03")
+      << box("fa", "0.01 0.02 0.06", "0.005 0 0.03") << box("fb", "0.01 0.02 0.06", "-0.005 0 0.03")
+      << joint("q1", "base", "l1", "0 0 0.1", "0 0 1")
+      << joint("q2", "l1", "l2", "0 0 0.1", "0 1 0") << joint("q3", "l2", "l3", "0 0 0.4", "0 1 0")
+      << joint("q4", "l3", "l4", "0 0 0.3", "0 0 1") << joint("q5", "l4", "l5", "0 0 0.1", "0 1 0")
+      << joint("q6", "l5", "palm", "0 0 0.08", "0 0 1") << finger("g1", "fa", "1 0 0")
+      << finger("g2", "fb", "-1 0 0") << "</robot>";
+  std::ofstream(folder / "in.json") << R"({
+      "object": {"geometry": [{"shape": "box", "size": [0.04, 0.05, 0.08]}],
+                 "pose": {"position": [0.4, 0, 0.0395]}},
+      "robot": {"platform": "arm.urdf"},
+      "obstacles": [{"name": "table", "pose": {"position": [0.3, 0, -0.02]},
+                     "geometry": [{"shape": "box", "size": [1.6, 1.2, 0.04]}]}]})";
+  const ProgramRun run = run_program("plan " + (folder / "in.json").string() +
+                                     " --path --accuracy draft --trials 200 --enough 1 --top 1 "
+                                     "--no-report --out " +
+                                     (folder / "out").string());
+  ASSERT_EQ(run.status, 0) << run.err;
+  const json grasps = json::parse(content(folder / "out" / "grasps.json"));
+  EXPECT_EQ(grasps["grasps"].size(), 1U) << run.out;
+  EXPECT_NE(run.err.find("base stands in table"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("is sunk into table by 0.5"), std::string::npos) << run.err;
+  // A mesh alone does not say where it lies.
+  const ProgramRun bare = run_program("plan mug --hand " + (folder / "arm.urdf").string() +
+                                      " --path --out " + (folder / "none").string());
+  EXPECT_EQ(bare.status, 2);
+  EXPECT_NE(bare.err.find("has an arm, but nothing says where it stands"), std::string::npos)
+      << bare.err;
+}
 
 struct BadWords {
   const char* name;

@@ -45,6 +45,26 @@ TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   EXPECT_NE(flat.find("from the surface, the mesh encloses nothing\n"), std::string::npos) << flat;
 }
 
+// The volumes of both parts together are more than there is room for.
+TEST(Inspect, APartInsideAnotherIsNoHole) {
+  const std::filesystem::path file = cube_without("inspect_inner", 0);
+  std::ofstream stream(file, std::ios::app);
+  for (const char* z : {"0.001", "0.039"}) {
+    for (const char* xy : {"0.001 0.001 ", "0.039 0.001 ", "0.039 0.039 ", "0.001 0.039 "}) {
+      stream << "v " << xy << z << "\n";
+    }
+  }
+  stream
+      << "f 9 12 11 10\nf 13 14 15 16\nf 9 10 14 13\nf 10 11 15 14\nf 11 12 16 15\nf 12 9 13 16\n";
+  stream.close();
+  const std::string inner = inspected(file);
+  EXPECT_NE(inner.find("closed yes"), std::string::npos) << inner;
+  EXPECT_NE(inner.find("from the convex hull, for holes or parts that overlap\n"),
+            std::string::npos)
+      << inner;
+  EXPECT_EQ(inner.find("not closed"), std::string::npos) << inner;
+}
+
 // A scene of a bar of two boxes, the lower one 0 to 0.2 m along z, with these fields of the object.
 std::filesystem::path bar_with(const std::string& name, const std::string& fields) {
   const std::filesystem::path file = fresh_folder(name) / "bar.json";

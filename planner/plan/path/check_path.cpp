@@ -81,10 +81,9 @@ class PathChecker {
   PathCheck run(std::size_t first, std::size_t last) {
     check_limits(first, last);
     // walk(i) tests the postures after sample i. The one before all of them is tested here.
-    if (carries_) {
-      arm_link_poses(arm_, path_.positions[first], X_BL_);
-      std::erase_if(touching_ = pairs_, [&](const ArmPair& pair) { return !meet(pair); });
-    }
+    arm_link_poses(arm_, path_.positions[first], X_BL_);
+    std::erase_if(touching_ = pairs_,
+                  [&](const ArmPair& pair) { return !may_part(pair) || !meet(pair); });
     look(path_.positions[first], path_.times[first]);
     for (std::size_t i = first; i < last; ++i) walk(i);
     return check_;
@@ -185,6 +184,14 @@ class PathChecker {
     check_.first_collision = met + formatted(" at %.3f s", time);
   }
 
+  // Whether the bodies may touch where the path begins, until they part: a held object lies on
+  // something, and the fingers of a closed hand touch each other.
+  bool may_part(const ArmPair& pair) const {
+    const LinkId* other = std::get_if<LinkId>(&pair.other);
+    return carries_ ||
+           (other != nullptr && arm_.is_hand_link(pair.link) && arm_.is_hand_link(*other));
+  }
+
   // All pairs of the scene's arm `arm`, and with the object in the hand those of the object.
   void find_pairs(const CompiledArm& arm) {
     for (const LinkPair& pair : collision_pairs(arm.links, arm.robot())) {
@@ -192,6 +199,8 @@ class PathChecker {
     }
     for (std::size_t l = 0; l < arm_.links.size(); ++l) {
       for (std::size_t b = carries_ ? 1 : 0; b < arm_.bodies.size(); ++b) {
+        // Neither moves; the start was checked when the scene was compiled.
+        if (arm_.links[l].joints.empty() && b > 0) continue;
         pairs_.push_back({.link = link_id(l), .other = BodyId::at(b)});
       }
       if (!carries_ || arm_.is_hand_link(link_id(l))) continue;
@@ -242,7 +251,7 @@ class PathChecker {
   const std::size_t hand_joints_;
   const std::vector<std::vector<Vector3>> corners_;
   std::vector<ArmPair> pairs_;
-  std::vector<ArmPair> touching_;  // since the object was lifted
+  std::vector<ArmPair> touching_;  // since the first sample
   std::vector<Pose> X_BL_;
   PathCheck check_;
 };

@@ -111,7 +111,12 @@ XmlElement XmlFile::root() const { return {*document_->RootElement(), path_}; }
 
 std::string XmlElement::name() const { return element_->Name(); }
 
-int XmlElement::line() const { return element_->GetLineNum(); }
+XmlPlace XmlElement::written() const {
+  const void* place = element_->GetUserData();
+  return place ? *static_cast<const XmlPlace*>(place) : XmlPlace{"", element_->GetLineNum()};
+}
+
+int XmlElement::line() const { return written().line; }
 
 std::vector<XmlElement> XmlElement::children() const {
   std::vector<XmlElement> found;
@@ -154,6 +159,11 @@ std::string XmlElement::text(std::string_view attribute) const {
   std::string text(trimmed(value));
   if (text.empty()) fail(named(attribute) + " is empty");
   return text;
+}
+
+std::string XmlElement::raw(std::string_view attribute) const {
+  const char* value = element_->Attribute(std::string(attribute).c_str());
+  return value ? value : "";
 }
 
 double XmlElement::number(std::string_view attribute) const {
@@ -214,6 +224,9 @@ void XmlElement::fail_about(const InputError& error) const {
   throw error.file() == own ? error : error.about(place()).in_file(own);
 }
 
-std::string XmlElement::place() const { return line_text(line()) + ", <" + name() + ">"; }
+std::string XmlElement::place() const {
+  const XmlPlace at = written();
+  return (at.file.empty() ? "" : at.file + " ") + line_text(at.line) + ", <" + name() + ">";
+}
 
 }  // namespace prehend

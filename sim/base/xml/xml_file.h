@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -23,6 +24,12 @@ namespace prehend {
 
 class XmlElement;
 
+// Where an element was written that became part of another file, for messages.
+struct XmlPlace {
+  std::string file;  // its name; empty: the file itself
+  int line = 0;      // from 1
+};
+
 // A parsed XML file. XmlElements refer to it, so it must outlive them.
 class XmlFile {
  public:
@@ -41,8 +48,11 @@ class XmlFile {
   XmlElement root() const;
 
  private:
+  friend class XmlMaker;
+
   std::filesystem::path path_;
   std::unique_ptr<tinyxml2::XMLDocument> document_;
+  std::deque<XmlPlace> places_;  // of elements that XmlMaker has made, which point to them
 };
 
 // An element of an XML file. Every function that reads a value throws InputError
@@ -54,7 +64,8 @@ class XmlElement {
       : element_(&element), file_(&file) {}
 
   std::string name() const;  // the tag
-  int line() const;          // in the file, from 1
+  int line() const;          // from 1, in the file where it was written
+  XmlPlace written() const;
   const std::filesystem::path& file() const { return *file_; }
 
   // Elements directly inside, in the order of the file; with a tag, only those.
@@ -76,6 +87,9 @@ class XmlElement {
   double number_or(std::string_view attribute, double otherwise) const;
   Vector3 vector3_or(std::string_view attribute, const Vector3& otherwise) const;
 
+  // As the file has it, maybe empty; also "" where it is missing.
+  std::string raw(std::string_view attribute) const;
+
   // What stands between the tags, without white space around it; may be empty.
   std::string content() const;
   double content_number() const;
@@ -89,7 +103,7 @@ class XmlElement {
   [[noreturn]] void fail(const std::string& problem, const std::string& value = "") const;
   // Throws `error` as one of this element: for errors of a function that was given its values.
   [[noreturn]] void fail_about(const InputError& error) const;
-  // "line 12, <joint>", for messages that are no errors.
+  // "line 12, <joint>", and "arm.xml line 12, <joint>" where it was written in another file.
   std::string place() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/urdf_text.h"
 #include "sim/shape/files/mesh_file.h"
@@ -38,7 +39,15 @@ std::vector<RobotTextFile> converted(const std::string& source, const std::files
                                  ".obj .stl .ply .off for meshes",
                       .value = extension});
   }
-  const Platform platform = find_platform(source, foreign);
+  ForeignRobotOptions options = foreign;
+  if (unit != "m") {
+    require(is_there(source) && has_foreign_robot_name(source),
+            {.field = "unit",
+             .problem = "only for meshes and robots in another program's format, not for our own",
+             .value = unit});
+    options.scale = metres_per_unit(unit);
+  }
+  const Platform platform = find_platform(source, options);
   for (const MountedRobot& mounted : platform.robots) {
     notes.insert(notes.end(), mounted.robot.notes.begin(), mounted.robot.notes.end());
   }

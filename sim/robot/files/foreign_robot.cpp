@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/input_file.h"
 #include "sim/base/xml/xml_file.h"
@@ -13,8 +14,10 @@
 #include "sim/robot/files/hand_split.h"
 #include "sim/robot/files/mjcf_file.h"
 #include "sim/robot/files/robot_sidecar.h"
+#include "sim/robot/files/sdf_file.h"
 #include "sim/robot/files/srdf_file.h"
 #include "sim/robot/files/urdf_file.h"
+#include "sim/robot/files/xacro_file.h"
 
 namespace prehend {
 namespace {
@@ -84,9 +87,13 @@ void assume_materials(Robot& robot) {
       "materials are not in the file: last links count as rubber, all others as plastic");
 }
 
-Platform platform_of(JointTree tree, const std::filesystem::path& srdf,
+Platform platform_of(JointTree tree, double scale, const std::filesystem::path& srdf,
                      const std::optional<RobotSidecar>& sidecar) {
   (void)root_of(tree);
+  if (scale != 1.0) {
+    scale_lengths(tree, scale);
+    tree.notes.push_back(formatted("all lengths of the file are multiplied by %g", scale));
+  }
   std::optional<int> of_srdf;
   if (!srdf.empty()) of_srdf = read_srdf(XmlFile(srdf), tree);
   if (sidecar) sidecar->complete(tree);
@@ -121,8 +128,8 @@ Platform graspit_platform(const XmlFile& xml, const std::optional<RobotSidecar>&
 bool has_foreign_robot_name(const std::filesystem::path& file) {
   std::string extension = file.extension().string();
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".urdf" || extension == ".xacro" || extension == ".mjcf" ||
-         extension == ".xml";
+  return extension == ".urdf" || extension == ".sdf" || extension == ".xacro" ||
+         extension == ".mjcf" || extension == ".xml";
 }
 
 std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
@@ -132,22 +139,29 @@ std::optional<Platform> read_foreign_robot(const std::filesystem::path& file,
     throw InputError({.file = file.string(), .problem = "the text is UTF-16, save it as UTF-8"});
   }
   if (!looks_like_xml(text)) return std::nullopt;
-  if (text.find("<xacro:") != text.npos) {
-    throw InputError({.file = file.string(),
-                      .problem = "has macros of xacro: expand it first (xacro FILE > FILE.urdf)"});
-  }
-  const XmlFile xml(file, text);
+  const XmlFile written(file, text);
   const std::filesystem::path beside = RobotSidecar::path_beside(file);
   std::optional<RobotSidecar> sidecar;
   if (is_file(beside)) sidecar.emplace(beside);
   const ForeignRobotOptions all = sidecar ? sidecar->options(options) : options;
+  std::optional<XmlFile> expanded;
+  if (has_xacro(written)) expanded = expanded_xacro(written, all);
+  const XmlFile& xml = expanded ? *expanded : written;
   const std::string kind = xml.root().name();
-  if (is_graspit_robot(xml)) return graspit_platform(xml, sidecar);
-  if (kind == "world") return read_graspit_platform(xml);
-  if (kind == "robot") return platform_of(read_urdf(xml, all), srdf_of(file, all), sidecar);
-  if (kind == "mujoco") return platform_of(read_mjcf(xml), {}, sidecar);
+  if (is_graspit_robot(xml) || kind == "world") {
+    if (all.scale != 1.0) xml.root().fail("robots of GraspIt! are in mm and cannot be scaled");
+    return kind == "world" ? read_graspit_platform(xml) : graspit_platform(xml, sidecar);
+  }
+  if (kind == "robot") {
+    return platform_of(read_urdf(xml, all), all.scale, srdf_of(file, all), sidecar);
+  }
+  if (kind == "sdf") {
+    return platform_of(read_urdf(urdf_of_sdf(xml), all), all.scale, srdf_of(file, all), sidecar);
+  }
+  if (kind == "mujoco") return platform_of(read_mjcf(xml), all.scale, {}, sidecar);
   xml.root().fail(
-      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), GraspIt! robots "
+      "no robot that can be read; known are URDF (<robot>), MJCF (<mujoco>), SDF (<sdf>), GraspIt! "
+      "robots "
       "(<robot> with <palm>) and worlds (<world>)");
 }
 

@@ -1,10 +1,12 @@
 #include "sim/robot/files/joint_tree.h"
 
 #include <cmath>
+#include <utility>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/range.h"
+#include "sim/robot/files/shape_mesh.h"
 #include "sim/robot/sound_robot.h"
 
 namespace prehend {
@@ -65,6 +67,25 @@ std::vector<std::vector<int>> joints_below(const JointTree& tree) {
     below[index(tree.joints[j].parent)].push_back(static_cast<int>(j));
   }
   return below;
+}
+
+void scale_lengths(JointTree& tree, double factor) {
+  for (TreeLink& link : tree.links) {
+    link.mesh = scaled(std::move(link.mesh), Vector3::Constant(factor));
+    link.inertial.center_of_mass *= factor;
+    link.inertial.inertia *= factor * factor;
+  }
+  for (TreeJoint& joint : tree.joints) {
+    joint.X_LJ.translation() *= factor;
+    if (joint.type != TreeJointType::prismatic) continue;
+    joint.lower *= factor;
+    joint.upper *= factor;
+    joint.max_velocity *= factor;
+    joint.max_acceleration *= factor;
+    joint.spring.rest *= factor;
+    if (joint.initial) *joint.initial *= factor;
+    if (joint.mimic) joint.mimic->offset *= factor;
+  }
 }
 
 int root_of(const JointTree& tree) {

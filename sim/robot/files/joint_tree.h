@@ -60,6 +60,10 @@ struct JointTree {
   std::vector<std::string> notes = {};                 // as in Robot
 };
 
+// Multiplies all lengths, those of sliding joints too, and moments of inertia by the square;
+// masses, forces and torques stay.
+void scale_lengths(JointTree& tree, double factor);
+
 // The one link that is no joint's child. Throws InputError that names file and line: a link with
 // two parents, two roots, a cycle.
 int root_of(const JointTree& tree);

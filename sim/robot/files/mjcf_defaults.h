@@ -25,6 +25,9 @@ class MjcfDefaults {
   // The pose that pos and one of quat, axisangle, euler, xyaxes and zaxis say.
   Pose pose(const XmlElement& element, const std::string& childclass) const;
 
+  // The rotation by angles in the file's unit and order.
+  Matrix3 from_euler(const Vector3& angles) const;
+
   double angle_unit() const { return angle_unit_; }  // rad
   bool autolimits() const { return autolimits_; }
   const std::string& mesh_folder() const { return mesh_folder_; }
@@ -36,7 +39,6 @@ class MjcfDefaults {
   };
   void read_class(const XmlElement& element, const std::string& around);
   Matrix3 rotation(const XmlElement& element, const std::string& childclass) const;
-  Matrix3 from_euler(const Vector3& angles) const;
 
   std::map<std::string, Class> classes_;
   double angle_unit_ = 1.0;

@@ -11,6 +11,7 @@
 #include "sim/base/index.h"
 #include "sim/robot/files/loop_closure.h"
 #include "sim/robot/files/mjcf_geometry.h"
+#include "sim/robot/files/mjcf_parts.h"
 
 namespace prehend {
 namespace {
@@ -81,8 +82,8 @@ class MjcfReader {
 JointTree MjcfReader::read() {
   tree_.file = root_.file().string();
   tree_.name = root_.text_or("model", root_.file().stem().string());
-  for (const char* maker : {"include", "extension"}) {
-    if (const auto found = root_.child(maker)) found->fail("cannot be read; give one whole file");
+  if (const auto found = root_.child("extension")) {
+    found->fail("cannot be read; save the model without plugins");
   }
   read_world();
   read_couplings();
@@ -114,8 +115,9 @@ void MjcfReader::read_world() {
     if (world.child("geom")) {
       tree_.notes.push_back("geoms of the world itself are left out");
     }
-    for (const char* maker : {"frame", "replicate", "composite", "flexcomp", "include"}) {
-      if (const auto found = world.child(maker)) found->fail("cannot be read");
+    for (const char* maker : {"composite", "flexcomp", "attach"}) {
+      if (const auto found = world.child(maker))
+        found->fail("cannot be read; save the model as one file (mj_saveLastXML)");
     }
   }
   if (bodies.empty()) root_.fail("there is no body in <worldbody>");
@@ -163,8 +165,9 @@ Inertial MjcfReader::read_inertial(const XmlElement& body) const {
 
 void MjcfReader::read_body(const XmlElement& body, int parent, const Pose& X_PB,
                            const std::string& around) {
-  for (const char* maker : {"frame", "replicate", "composite", "flexcomp", "include"}) {
-    if (const auto found = body.child(maker)) found->fail("cannot be read");
+  for (const char* maker : {"composite", "flexcomp", "attach"}) {
+    if (const auto found = body.child(maker))
+      found->fail("cannot be read; save the model as one file (mj_saveLastXML)");
   }
   const std::string childclass = body.text_or("childclass", around);
   const std::string name = body.text_or("name", "body_" + std::to_string(tree_.links.size()));
@@ -452,6 +455,8 @@ void MjcfReader::note_unread() {
 
 }  // namespace
 
-JointTree read_mjcf(const XmlFile& file) { return MjcfReader(file).read(); }
+JointTree read_mjcf(const XmlFile& file) {
+  return has_mjcf_parts(file) ? MjcfReader(whole_mjcf(file)).read() : MjcfReader(file).read();
+}
 
 }  // namespace prehend

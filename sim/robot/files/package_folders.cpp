@@ -91,6 +91,8 @@ Path in_package(const std::string& uri, const std::string& rest, const Path& fro
 }  // namespace
 
 Path resolved_uri(const std::string& uri, const Path& from, const PackageFolders& packages) {
+  // What $(find PACKAGE) of xacro becomes behind file://.
+  if (uri.starts_with("file://package://")) return resolved_uri(uri.substr(7), from, packages);
   for (const char* scheme : {"package://", "model://"}) {
     if (const auto rest = after(scheme, uri)) {
       return in_package(uri, percent_decoded(*rest), from, packages);

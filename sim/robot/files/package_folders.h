@@ -14,6 +14,8 @@ using PackageFolders = std::map<std::string, std::filesystem::path>;
 struct ForeignRobotOptions {
   PackageFolders packages = {};     // of package://NAME/... in URDF
   std::filesystem::path srdf = {};  // empty: NAME.srdf beside NAME.urdf, if it is there
+  std::map<std::string, std::string> arguments = {};  // of xacro: values of <xacro:arg>
+  double scale = 1.0;  // of all lengths of the file: 0.001 where they are in mm
 };
 
 // The file that `uri` names in the file `from`: a path beside it, file://PATH, or

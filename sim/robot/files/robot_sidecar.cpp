@@ -2,6 +2,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/material.h"
+#include "sim/base/range.h"
 #include "sim/robot/files/robot_file_parts.h"
 
 namespace prehend {
@@ -67,8 +68,8 @@ void read_spring_of(const JsonField& field, const std::string& name, const FileU
 }  // namespace
 
 RobotSidecar::RobotSidecar(const std::filesystem::path& file) : file_(file) {
-  file_.root().allow_only({"units", "packages", "srdf", "materials", "hand_root", "dofs", "springs",
-                           "hand", "exempt_collisions"});
+  file_.root().allow_only({"units", "packages", "srdf", "arguments", "scale", "materials",
+                           "hand_root", "dofs", "springs", "hand", "exempt_collisions"});
 }
 
 std::filesystem::path RobotSidecar::path_beside(const std::filesystem::path& robot_file) {
@@ -85,6 +86,14 @@ ForeignRobotOptions RobotSidecar::options(ForeignRobotOptions options) const {
     }
   }
   if (root.has("srdf") && options.srdf.empty()) options.srdf = folder / root["srdf"].text();
+  if (root.has("arguments")) {
+    for (const std::string& name : root["arguments"].keys()) {
+      options.arguments.emplace(name, root["arguments"][name].text());
+    }
+  }
+  if (root.has("scale") && options.scale == 1.0) {
+    options.scale = root["scale"].number(kLengthAbove0);
+  }
   return options;
 }
 

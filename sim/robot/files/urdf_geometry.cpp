@@ -1,6 +1,7 @@
 #include "sim/robot/files/urdf_geometry.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/base/formatted.h"
 #include "sim/base/range.h"
@@ -35,6 +36,12 @@ Pose urdf_origin(const XmlElement& element) {
   return translation(p) * Eigen::AngleAxisd(rpy.z(), Vector3::UnitZ()) *
          Eigen::AngleAxisd(rpy.y(), Vector3::UnitY()) *
          Eigen::AngleAxisd(rpy.x(), Vector3::UnitX());
+}
+
+Vector3 urdf_angles(const Matrix3& R) {
+  const double yaw = std::hypot(R(0, 0), R(1, 0)) > 0.0 ? std::atan2(R(1, 0), R(0, 0)) : 0.0;
+  const Matrix3 rest = Eigen::AngleAxisd(-yaw, Vector3::UnitZ()).toRotationMatrix() * R;
+  return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
 }
 
 TriangleMesh UrdfGeometry::read(const XmlElement& link) {

@@ -41,4 +41,8 @@ class UrdfGeometry {
 // fixed axes x, y, z in this order (roll, pitch, yaw). Throws InputError beyond 1e6 m.
 Pose urdf_origin(const XmlElement& element);
 
+// Those angles of a rotation. The yaw is taken out before the others are found, so that they make
+// up for its rounding where the pitch is near a right angle.
+Vector3 urdf_angles(const Matrix3& R);
+
 }  // namespace prehend

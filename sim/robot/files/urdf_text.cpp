@@ -11,6 +11,7 @@
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
 #include "sim/robot/files/robot_text_parts.h"
+#include "sim/robot/files/urdf_geometry.h"
 #include "sim/robot/sound_robot.h"
 #include "sim/shape/files/mesh_text.h"
 
@@ -23,19 +24,11 @@ std::string digits(const Vector3& v) {
   return shortest_text(v.x()) + " " + shortest_text(v.y()) + " " + shortest_text(v.z());
 }
 
-// Angles about the fixed axes x, y, z. The yaw is taken out before the others are found, so that
-// they make up for its rounding where the pitch is near a right angle.
-Vector3 roll_pitch_yaw(const Matrix3& R) {
-  const double yaw = std::hypot(R(0, 0), R(1, 0)) > 0.0 ? std::atan2(R(1, 0), R(0, 0)) : 0.0;
-  const Matrix3 rest = Eigen::AngleAxisd(-yaw, Vector3::UnitZ()).toRotationMatrix() * R;
-  return {std::atan2(-rest(1, 2), rest(1, 1)), std::atan2(-rest(2, 0), rest(0, 0)), yaw};
-}
-
 void write_origin(XmlText& xml, const Pose& pose) {
   if (pose.matrix() == Pose::Identity().matrix()) return;
   XmlAttributes attributes{{"xyz", digits(Vector3(pose.translation()))}};
   if (pose.linear() != Matrix3::Identity()) {
-    attributes.emplace_back("rpy", digits(roll_pitch_yaw(pose.linear())));
+    attributes.emplace_back("rpy", digits(urdf_angles(pose.linear())));
   }
   xml.element("origin", attributes);
 }

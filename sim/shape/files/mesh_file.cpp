@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 
@@ -37,7 +38,7 @@ bool is_known(const std::string& extension) {
 std::string known_extension_of(const std::filesystem::path& file) {
   const std::string extension = extension_of(file);
   if (extension == "xacro") {
-    throw InputError("xacro is a program for a robot: expand it first (xacro FILE > FILE.urdf)");
+    throw InputError("a robot, not a mesh: name it after --hand");
   }
   if (!is_known(extension)) {
     throw InputError(
@@ -139,8 +140,14 @@ double metres_per_unit(std::string_view unit) {
   if (unit == "cm") return 0.01;
   if (unit == "mm") return 0.001;
   if (unit == "in") return 0.0254;
-  throw InputError(
-      {.field = "unit", .problem = "must be m, cm, mm or in", .value = std::string(unit)});
+  double metres = 0.0;
+  const auto [end, error] = std::from_chars(unit.data(), unit.data() + unit.size(), metres);
+  const bool is_number = error == std::errc() && end == unit.data() + unit.size();
+  require(is_number && kLengthAbove0.contains(metres),
+          {.field = "unit",
+           .problem = "must be m, cm, mm, in or a number of metres, such as 0.0254",
+           .value = std::string(unit)});
+  return metres;
 }
 
 bool has_mesh_format(const std::filesystem::path& file) { return is_known(extension_of(file)); }

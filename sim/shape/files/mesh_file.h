@@ -10,7 +10,8 @@
 
 namespace prehend {
 
-// Length of a unit in metres: "m", "cm", "mm" or "in". Throws InputError for any other name.
+// Length of a unit in metres: of "m", "cm", "mm" or "in", or stated as a number, such as
+// "0.0254". Throws InputError for any other name.
 double metres_per_unit(std::string_view unit);
 
 // Whether the extension of a file is one that load_mesh knows.

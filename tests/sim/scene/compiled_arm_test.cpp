@@ -192,13 +192,18 @@ std::string compile_complaint(const json& scene) {
 TEST(BadArmScene, AnObjectInAnObstacle) {
   json scene = test::scene_json("mug_on_table");
   scene["object"]["pose"]["position"] = {0.58, 0.05, 0.71};  // 10 mm into the board
-  EXPECT_EQ(compile_complaint(scene), "mug_on_table: object: mug overlaps the obstacle table");
+  const std::string complaint = compile_complaint(scene);
+  EXPECT_EQ(complaint.find("mug_on_table: object: mug overlaps the obstacle table, and would be "
+                           "free of it 10"),
+            0U)
+      << complaint;
 }
 
 TEST(BadArmScene, AnObjectInsideAnObstacleWithoutTouchingIt) {
   json scene = test::scene_json("mug_on_table");
   scene["obstacles"].push_back(test::box_obstacle("crate", {0.3, 0.3, 0.3}, {0.58, 0.05, 0.75}));
-  EXPECT_EQ(compile_complaint(scene), "mug_on_table: object: mug overlaps the obstacle crate");
+  const std::string complaint = compile_complaint(scene);
+  EXPECT_EQ(complaint.find("mug_on_table: object: mug overlaps the obstacle crate"), 0U);
 }
 
 TEST(BadArmScene, AStartThatCollides) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sim/base/input_error.h"
+#include "sim/base/input_file.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_text.h"
 #include "sim/shape/basic_shapes.h"
@@ -37,8 +39,30 @@ TEST(ObjectMesh, KnowsTheLikelyUnitOfASize) {
   for (const double size : {3.1, 9.0, 29.0}) EXPECT_EQ(likely_unit(size), "cm") << size;
   for (const double size : {30.5, 90.0, 499.0, 999.0}) EXPECT_EQ(likely_unit(size), "mm") << size;
   for (const double size : {1001.0, 1e6}) EXPECT_EQ(likely_unit(size), "m") << size;
-  for (const double size : {3.1, 20.0, 999.0}) EXPECT_EQ(likely_unit(size, true), "mm") << size;
+  for (const double size : {1.6, 3.1, 20.0, 999.0})
+    EXPECT_EQ(likely_unit(size, true), "mm") << size;
   for (const double size : {0.1, 1001.0}) EXPECT_EQ(likely_unit(size, true), "m") << size;
+}
+
+TEST(ObjectMesh, OfACadProgramIsInMillimetres) {
+  const std::filesystem::path file = box_file("part.obj", 8.0, false);
+  const std::string text = read_file(file);
+  EXPECT_NEAR(bounds(load_scene(file).object.mesh).size().x(), 0.08, 1e-8);
+  std::ofstream(file) << "# made with FreeCAD 0.21\n" << text;
+  EXPECT_NEAR(bounds(load_scene(file).object.mesh).size().x(), 0.008, 1e-8);
+  // Only in the comments at the head.
+  std::ofstream(file) << "o freecad\n" << text;
+  EXPECT_NEAR(bounds(load_scene(file).object.mesh).size().x(), 0.08, 1e-8);
+}
+
+TEST(ObjectMesh, AUnitMayBeANumberOfMetres) {
+  const std::filesystem::path file = box_file("scaled.obj", 3.0, false);
+  const Scene scene = load_scene(file, {.hand = "", .unit = "0.02"});
+  EXPECT_NEAR(bounds(scene.object.mesh).size().x(), 0.06, 1e-8);
+  EXPECT_EQ(unit_of_source(file, scene), "0.02");
+  for (const char* unit : {"0", "-1", "1e9", "nan", "1 m", "0x1", ""}) {
+    EXPECT_THROW((void)metres_per_unit(unit), InputError) << unit;
+  }
 }
 
 TEST(ObjectMesh, IsReadInTheLikelyUnitWithANote) {

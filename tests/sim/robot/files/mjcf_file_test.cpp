@@ -241,6 +241,75 @@ TEST(MjcfFile, DetailsDoNotRefuseTheRobot) {
   EXPECT_TRUE(has_note(robot, "joint k follows j, a joint of another type"));
 }
 
+// Two of them inside each other turn and move all that is in them, by classes too.
+TEST(MjcfFile, FramesMoveWhatIsInThem) {
+  const std::string classes =
+      "<compiler angle=\"radian\"/><default><default class=\"far\"><geom pos=\"0 0 0.5\" "
+      "size=\"0.01\"/></default></default>";
+  const Robot framed = robot_of(on_palm(
+      "<frame pos=\"0 0 0.1\" euler=\"0 0 0.5\"><frame pos=\"0.2 0 0\" euler=\"0.3 0 0\" "
+      "childclass=\"far\"><geom/><geom class=\"far\" fromto=\"0 0 0 0.1 0 0\" type=\"capsule\"/>"
+      "<body name=\"a\" pos=\"0 0.3 0\" quat=\"0 1 0 0\"><joint name=\"j\"/><geom/></body>"
+      "</frame></frame>",
+      classes));
+  const Pose X = translation({0.0, 0.0, 0.1}) * Eigen::AngleAxisd(0.5, Vector3::UnitZ()) *
+                 translation({0.2, 0.0, 0.0}) * Eigen::AngleAxisd(0.3, Vector3::UnitX());
+  const auto box = [](const Robot& robot, std::size_t link) {
+    return bounds(transformed(robot.links[link].mesh, poses(robot, {0.0})[link])).center();
+  };
+  const Pose X_A =
+      X * translation({0.0, 0.3, 0.0}) * Eigen::AngleAxisd(2.0 * kRightAngle, Vector3::UnitX());
+  EXPECT_LT((box(framed, 1) - X_A * Vector3(0.0, 0.0, 0.5)).norm(), 1e-9);
+  // Of the palm: itself, a ball at the class's place, a capsule between two points.
+  const Vector3 ball = X * Vector3(0.0, 0.0, 0.5);
+  const Bounds all = bounds(framed.links[0].mesh);
+  EXPECT_NEAR(all.upper.z(), ball.z() + 0.01, 1e-4);
+  EXPECT_NEAR(all.upper.x(), (X * Vector3(0.1, 0.0, 0.0)).x() + 0.01, 1e-3);
+}
+
+TEST(MjcfFile, ReplicatedPartsStandBesideEachOther) {
+  const Robot robot = robot_of(on_palm(
+      "<replicate count=\"3\" offset=\"0.1 0 0\" euler=\"0 0 90\" sep=\"-\"><body name=\"finger\" "
+      "pos=\"0 0 0.2\"><joint name=\"bend\" range=\"0 90\"/><geom "
+      "size=\"0.01\"/></body></replicate>"));
+  ASSERT_EQ(robot.links.size(), 4U);
+  const std::vector<Vector3> expected = {{0.0, 0.0, 0.2}, {0.1, 0.0, 0.2}, {0.1, 0.1, 0.2}};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(robot.links[k + 1].name, "finger-" + std::to_string(k));
+    EXPECT_EQ(robot.dofs[k].name, "bend-" + std::to_string(k));
+    EXPECT_LT((poses(robot, {0, 0, 0})[k + 1].translation() - expected[k]).norm(), kExact);
+  }
+}
+
+TEST(MjcfFile, IncludedFilesStandInTheirPlace) {
+  const std::filesystem::path folder = test_folder();
+  write_text(folder / "parts" / "classes.xml",
+             "<mujocoinclude><default><geom size=\"0.02\"/></default></mujocoinclude>");
+  write_text(folder / "parts" / "finger.xml",
+             "<mujocoinclude><body name=\"a\"><joint name=\"j\"/>\n<geom/></body></mujocoinclude>");
+  const std::string head = "<include file=\"parts/classes.xml\"/>";
+  const std::filesystem::path file =
+      write_text(folder / "made.xml", on_palm("<include file=\"parts/finger.xml\"/>", head));
+  const Robot robot = read_foreign_robot(file).value().robots.at(0).robot;
+  ASSERT_EQ(robot.links.size(), 2U);
+  EXPECT_NEAR(bounds(robot.links[1].mesh).size().x(), 0.04, 1e-3);
+  write_text(
+      folder / "parts" / "finger.xml",
+      "<mujocoinclude><body name=\"a\"><joint name=\"j\" type=\"ball\"/></body></mujocoinclude>");
+  try {
+    (void)read_foreign_robot(file);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(
+        std::string(error.what()).find("made.xml: finger.xml line 1, <joint>: joints of type"),
+        std::string::npos)
+        << error.what();
+  }
+  write_text(folder / "parts" / "finger.xml",
+             "<mujocoinclude><include file=\"parts/finger.xml\"/></mujocoinclude>");
+  EXPECT_THROW((void)read_foreign_robot(file), InputError);
+}
+
 struct BadMjcf {
   const char* name;
   std::string text;
@@ -259,7 +328,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadMjcf{"NoBody", mjcf("<worldbody/>"),
                 "line 1, <mujoco>: there is no body in <worldbody>"},
         BadMjcf{"Includes", mjcf("<include file=\"a.xml\"/>"),
-                "line 2, <include>: cannot be read; give one whole file"},
+                "line 2, <include>: no such file (a.xml)"},
+        BadMjcf{"Composite", on_palm("<composite type=\"grid\"/>"),
+                "line 2, <composite>: cannot be read; save the model as one file "
+                "(mj_saveLastXML)"},
+        BadMjcf{"JointInAFrame", on_palm("<body><frame><joint name=\"j\"/></frame></body>"),
+                "line 2, <joint>: cannot stand in a frame"},
+        BadMjcf{"ReplicatesALot",
+                on_palm("<replicate count=\"1e9\"><geom size=\"1\"/></replicate>"),
+                "line 2, <replicate>: count must be a whole number from 1 to 10000 (1e9)"},
         BadMjcf{"Ball", on_palm("<body><joint name=\"j\" type=\"ball\"/></body>"),
                 "line 2, <joint>: joints of type ball cannot be planned with; known are hinge and "
                 "slide (j)"},

@@ -323,6 +323,36 @@ TEST(UrdfFile, TipsOfFingersAreOfRubberWhereNothingIsSaid) {
   }
 }
 
+// The whole file in mm, as a sidecar says it.
+TEST(UrdfFile, LengthsAreScaledTogether) {
+  const std::string text =
+      urdf(box_link("base", "60 60 60") + box_link("a", "20 20 20", "0 0 10") +
+           "<link name=\"b\"><inertial><origin xyz=\"0 0 5\"/><mass value=\"2\"/><inertia "
+           "ixx=\"8\" iyy=\"8\" izz=\"8\"/></inertial><collision><geometry><sphere "
+           "radius=\"4\"/></geometry></collision></link>\n" +
+           urdf_joint("slide", "prismatic", "base", "a",
+                      "<origin xyz=\"0 0 30\"/><limit lower=\"-5\" upper=\"40\" effort=\"3\" "
+                      "velocity=\"100\"/>") +
+           urdf_joint("turn", "revolute", "a", "b", kLimit));
+  const std::filesystem::path folder = test::test_folder();
+  const std::filesystem::path file = write_text(folder / "made.urdf", text);
+  write_text(folder / "made.prehend.json", R"({"scale": 0.001})");
+  const Robot robot = load_robot(file);
+  EXPECT_NEAR(robot.joints[0].X_PJ.translation().z(), 0.03, kRounding);
+  EXPECT_NEAR(robot.dofs[0].lower, -0.005, kRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, 0.04, kRounding);
+  EXPECT_NEAR(robot.dofs[0].max_velocity, 0.1, kRounding);
+  EXPECT_EQ(robot.joints[0].max_effort, 3.0);
+  EXPECT_EQ(robot.dofs[1].upper, 2.0);
+  EXPECT_NEAR(bounds(robot.links[0].mesh).size().x(), 0.06, kRounding);
+  EXPECT_EQ(robot.links[2].inertial.mass, 2.0);
+  EXPECT_NEAR(robot.links[2].inertial.center_of_mass.z(), 0.005, kRounding);
+  EXPECT_NEAR(robot.links[2].inertial.inertia(0, 0), 8e-6, kRounding);
+  EXPECT_TRUE(has_note(robot, "multiplied by 0.001"));
+  // What the caller says comes first.
+  EXPECT_NEAR(load_robot(file, {.scale = 0.01}).dofs[0].upper, 0.4, kRounding);
+}
+
 TEST(UrdfFile, SaysWhatStandsForAFile) {
   const std::filesystem::path folder = test::test_folder();
   const auto complaint = [&](const std::string& text) {
@@ -333,9 +363,6 @@ TEST(UrdfFile, SaysWhatStandsForAFile) {
       std::string::npos);
   EXPECT_NE(complaint("<!DOCTYPE html>\n<html></html>\n").find("a web page"), std::string::npos);
   EXPECT_NE(complaint("\xFF\xFE<").find("UTF-16"), std::string::npos);
-  EXPECT_NE(
-      complaint("<robot xmlns:xacro=\"x\"><xacro:property name=\"a\"/></robot>").find("xacro"),
-      std::string::npos);
   const std::string sound =
       urdf(box_link("base") + box_link("a") + urdf_joint("ja", "revolute", "base", "a", kLimit));
   EXPECT_EQ(load_robot(write_text(folder / "made.urdf", "\xEF\xBB\xBF" + sound)).joints.size(), 1U);
@@ -364,9 +391,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "line 2: a tag is closed that is not open, or stays open"},
         BadUrdf{"Entities", "<!DOCTYPE r [<!ENTITY a \"aa\">]>\n<robot name=\"&a;\"/>",
                 "line 1: entities must not be defined here"},
-        BadUrdf{"OtherRoot", "<COLLADA/>",
-                "line 1, <COLLADA>: no robot that can be read; known are URDF (<robot>), MJCF "
-                "(<mujoco>), GraspIt! robots (<robot> with <palm>) and worlds (<world>)"},
+        BadUrdf{
+            "OtherRoot", "<COLLADA/>",
+            "line 1, <COLLADA>: no robot that can be read; known are URDF (<robot>), MJCF "
+            "(<mujoco>), SDF (<sdf>), GraspIt! robots (<robot> with <palm>) and worlds (<world>)"},
         BadUrdf{"Empty", urdf(""), "there is no link"},
         BadUrdf{"NothingMoves", urdf(box_link("base")), "no joint moves (made)"},
         BadUrdf{"MissingLink", two(urdf_joint("j", "revolute", "base", "tpi", kLimit)),
