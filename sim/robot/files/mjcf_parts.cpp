@@ -135,7 +135,8 @@ class MjcfUnframer {
     around.is_moved = true;
     for (int k = 0; k < static_cast<int>(count); ++k) {
       const std::string number = std::to_string(k);
-      around.suffix = before + std::string(digits - number.size(), '0') + number;
+      around.suffix = before;
+      around.suffix.append(digits - number.size(), '0').append(number);
       for (const XmlElement& child : element.children()) place(child, around);
       around.X_BF = around.X_BF * pose_from(turn, offset);
     }
