@@ -34,22 +34,6 @@ double TestHolds::mean_epsilon() const {
   return bodies.empty() ? 0.0 : sum / static_cast<double>(bodies.size());
 }
 
-double TestHolds::smallest() const {
-  double least = 0.0;
-  for (const Held& body : bodies) {
-    if (body.epsilon > 0.0 && (least == 0.0 || body.width < least)) least = body.width;
-  }
-  return least;
-}
-
-double TestHolds::largest() const {
-  double most = 0.0;
-  for (const Held& body : bodies) {
-    if (body.epsilon > 0.0) most = std::max(most, body.width);
-  }
-  return most;
-}
-
 std::vector<double> test_sizes(double width) { return {0.25 * width, 0.5 * width, 0.8 * width}; }
 
 TestHolds try_bodies(const TestClosing& closing, const HandAxes& axes, std::size_t thumb,

@@ -21,9 +21,6 @@ struct TestHolds {
 
   int held() const;
   double mean_epsilon() const;
-  // The smallest and the largest width of those that are held, 0: none [m].
-  double smallest() const;
-  double largest() const;
 };
 
 // Their names, in the order in which they are tried.
