@@ -51,6 +51,7 @@
 //   inverse_kinematics.h  the degrees of freedom that bring a robot to a pose
 //   move_robot.h          the same for a robot that others carry
 //   reach.h               whether an arm follows the hand's approach
+//   arm_path.h            the motion of an arm to a posture, without a grasp
 //   grasp_path.h          the arm's whole motion to a grasp
 //   lift_object.h         what comes after it: the object lifted and taken along
 //   cartesian_line.h      the arm's postures with its hand on a straight line
@@ -84,6 +85,7 @@
 #include "planner/plan/advice.h"
 #include "planner/plan/grasp_text.h"
 #include "planner/plan/learn/tree_model_file.h"
+#include "planner/plan/path/arm_path.h"
 #include "planner/plan/path/check_path.h"
 #include "planner/plan/path/grasp_motion.h"
 #include "planner/plan/path/grasp_path.h"

@@ -4,7 +4,6 @@
 // FOLDER has a folder for each kind of scene, with sceneNNNN.yaml and requestNNNN.yaml; FIRST: how
 // many problems of each (100).
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -15,22 +14,20 @@
 #include <utility>
 #include <vector>
 
-#include "benchmarks/motion/moveit_problem.h"
 #include "benchmarks/support/percentile.h"
 #include "benchmarks/support/resources.h"
+#include "planner/plan/path/arm_path.h"
 #include "planner/plan/path/plan_transfer.h"
-#include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/scene/moveit_scene.h"
 #include "sim/scene/reach/motion_check.h"
 #include "sim/scene/scene_file.h"
-#include "sim/shape/basic_shapes.h"
 
 namespace {
 
 using namespace prehend;  // NOLINT(google-build-using-namespace): a program of its own
-using benchmark::MoveitProblem;
 using benchmark::percentile;
 
 // What became of the problems of a kind.
@@ -61,49 +58,42 @@ struct Tally {
   }
 };
 
-// The arm among the obstacles of a problem, with its hand open and nothing to grasp near it. None
-// where it cannot start.
-std::optional<CompiledScene> compile_problem(const Scene& base, const MoveitProblem& problem) {
-  Scene scene = base;
-  scene.obstacles = problem.obstacles;
-  scene.object = make_graspable("none", make_box({0.02, 0.02, 0.02}), Material::plastic);
-  scene.object.X_WO = translation(Vector3(0.0, 0.0, 10.0));
-  scene.carrier->X_WB = Pose::Identity();
-  std::size_t k = 0;
-  for (const auto& [joint, value] : problem.start) {
-    if (joint.starts_with("panda_joint")) scene.carrier->start[k++] = value;
-  }
+// The scene and what is asked of the arm in it.
+struct Problem {
+  Scene scene;
+  NamedJoints goal;
+};
+
+Problem read_problem(const std::filesystem::path& scene_file,
+                     const std::filesystem::path& request_file) {
+  Problem problem{load_scene(scene_file, {.robot = "panda", .needs_object = false}), {}};
+  MotionRequest request = read_motion_request(request_file);
+  set_start(request.start, problem.scene);
+  problem.goal = std::move(request.goal);
+  return problem;
+}
+
+// None where the arm cannot start.
+std::optional<CompiledScene> compile_problem(const Problem& problem) {
   try {
-    return compile(std::move(scene));
+    return compile(problem.scene);
   } catch (const InputError&) {
     return std::nullopt;
   }
 }
 
-double length(const std::vector<DofValues>& way) {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    double squares = 0.0;
-    for (std::size_t k = 0; k < way[i].size(); ++k) {
-      squares += (way[i][k] - way[i - 1][k]) * (way[i][k] - way[i - 1][k]);
-    }
-    sum += std::sqrt(squares);
-  }
-  return sum;
-}
-
 // The way that a problem asks for; none where its goal is impossible for this arm.
-std::optional<Transfer> transfer_of(const CompiledArm& arm, const MoveitProblem& problem) {
+std::optional<Transfer> transfer_of(const CompiledScene& scene, const Problem& problem) {
+  const CompiledArm& arm = *scene.arm;
+  Scene there = problem.scene;
+  set_start(problem.goal, there);
   // The hand is the last part of the platform.
   const std::vector<double> joints = joint_values(arm.robot(), arm.start);
-  Transfer result{
-      arm.start, arm.start, {joints.begin() + arm.hand_part().first_joint, joints.end()}};
-  std::size_t k = 0;
-  for (const auto& [joint, value] : problem.goal) {
-    const std::size_t dof = index(arm.dofs[k++]);
-    const DegreeOfFreedom& limits = arm.robot().dofs[dof];
-    if (value < limits.lower || value > limits.upper) return std::nullopt;
-    result.to[dof] = value;
+  Transfer result{arm.start,
+                  there.carrier->start,
+                  {joints.begin() + arm.hand_part().first_joint, joints.end()}};
+  for (std::size_t d = 0; d < result.to.size(); ++d) {
+    if (!within_limits(arm.robot().dofs[d], result.to[d])) return std::nullopt;
   }
   const std::vector<double> goal = arm_joints(arm, result.to, result.hand_joints);
   if (first_meeting(arm, arm.arm_pairs, goal) || first_meeting(arm, arm.hand_pairs, goal)) {
@@ -112,11 +102,11 @@ std::optional<Transfer> transfer_of(const CompiledArm& arm, const MoveitProblem&
   return result;
 }
 
-void try_problem(const Scene& base, const MoveitProblem& problem, Tally& tally) {
+void try_problem(const Problem& problem, Tally& tally) {
   ++tally.problems;
-  const std::optional<CompiledScene> scene = compile_problem(base, problem);
+  const std::optional<CompiledScene> scene = compile_problem(problem);
   std::optional<Transfer> transfer;
-  if (scene) transfer = transfer_of(*scene->arm, problem);
+  if (scene) transfer = transfer_of(*scene, problem);
   if (!transfer) {
     ++tally.impossible;
     return;
@@ -127,11 +117,10 @@ void try_problem(const Scene& base, const MoveitProblem& problem, Tally& tally) 
   tally.all_milliseconds.push_back(milliseconds);
   if (way.empty()) return;
   tally.milliseconds.push_back(milliseconds);
-  tally.lengths.push_back(length(way) / length({transfer->from, transfer->to}));
+  tally.lengths.push_back(relative_length(way));
 }
 
 int run(const std::filesystem::path& folder, int first) {
-  const Scene base = load_scene("panda_on_table");
   std::vector<std::filesystem::path> kinds;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.is_directory()) kinds.push_back(entry.path());
@@ -147,9 +136,7 @@ int run(const std::filesystem::path& folder, int first) {
       std::snprintf(number, sizeof number, "%04d.yaml", i);
       const std::filesystem::path scene = kind / (std::string("scene") + number);
       if (!std::filesystem::exists(scene)) continue;
-      try_problem(base,
-                  benchmark::read_moveit_problem(scene, kind / (std::string("request") + number)),
-                  tally);
+      try_problem(read_problem(scene, kind / (std::string("request") + number)), tally);
     }
     tally.print(kind.filename().string());
     std::fflush(stdout);

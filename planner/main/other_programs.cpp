@@ -13,7 +13,7 @@
 namespace prehend {
 namespace {
 
-constexpr std::array kOtherCommands{kStudio, kServe, kReplay, kBatch, kLearn, kTruth};
+constexpr std::array kOtherCommands{kStudio, kServe, kMcp, kReplay, kBatch, kLearn, kTruth};
 
 }  // namespace
 

@@ -19,6 +19,8 @@ inline constexpr OtherCommand kStudio{"studio", "take hold of a scene in the bro
                                       "prehend-live"};
 inline constexpr OtherCommand kServe{"serve", "take the commands of other programs",
                                      "prehend-live"};
+inline constexpr OtherCommand kMcp{"mcp", "give an assistant the commands as tools, on stdio",
+                                   "prehend-live"};
 inline constexpr OtherCommand kReplay{"replay", "carry out a recorded session again",
                                       "prehend-live"};
 inline constexpr OtherCommand kBatch{

@@ -36,6 +36,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
     // Paths look for postures of the arm with the same options as trials.
     options.paths->reach = options.trial.reach;
     options.paths->transfer.planner = value_named<PathPlanner>(command.path_planner).value();
+    options.paths->check.collisions = !command.no_second_check;
   }
   if (!command.common.no_report) options.sections = kMostDetailed;
   if (command.uncertainty) options.robustness = true;

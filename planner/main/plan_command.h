@@ -26,6 +26,7 @@ struct PlanCommand {
   std::string model;          // file of a model that orders the candidates; empty: none
   bool path = false;          // paths of the arm as well
   std::string path_planner = "rrt_connect";
+  bool no_second_check = false;               // of paths
   std::optional<double> primitive_tolerance;  // mm; empty: that of DecomposeOptions
   std::vector<std::string> exports;           // formats besides grasps.json
   std::string shake;                          // protocol: name or file; empty: none

@@ -48,6 +48,7 @@ void declare(CLI::App& command, PlanCommand& options) {
                      "how far the object's surface may be from its primitives, in mm");
   CLI::Option* path =
       command.add_flag("--path", options.path, "plan the arm's way to each grasp as well");
+  add_second_check(command, options.no_second_check);
   command.add_option("--path-planner", options.path_planner, "how ways are searched for")
       ->check(CLI::IsMember(texts(enum_names(PathPlanner{}))))
       ->needs(path)

@@ -44,6 +44,11 @@ void add_dynamic(CLI::App& command, bool& dynamic) {
                    "simulate how each hand closes: the object has weight and gives way");
 }
 
+void add_second_check(CLI::App& command, bool& no_second_check) {
+  command.add_flag("--no-second-check", no_second_check,
+                   "paths without the second opinion of another engine (FCL)");
+}
+
 void add_no_report(CLI::App& command, bool& no_report) {
   command.add_flag("--no-report", no_report, "do without report.html");
 }

@@ -65,6 +65,9 @@ void add_shake(CLI::App& command, std::string& protocol);
 // --dynamic.
 void add_dynamic(CLI::App& command, bool& dynamic);
 
+// --no-second-check.
+void add_second_check(CLI::App& command, bool& no_second_check);
+
 // --no-report.
 void add_no_report(CLI::App& command, bool& no_report);
 

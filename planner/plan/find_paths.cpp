@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planner/plan/cut_short.h"
+#include "planner/plan/path/second_check.h"
 #include "sim/base/index.h"
 #include "sim/base/parallel/parallel.h"
 #include "sim/base/random.h"
@@ -18,7 +19,7 @@ class PathSearch {
  public:
   PathSearch(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
              PlanResult& result)
-      : scene_(scene), options_(options), context_(context), result_(result) {}
+      : scene_(scene), options_(options), context_(context), result_(result), bodies_(*scene.arm) {}
 
   // Searches in groups of as many grasps as are still wanted, in the order of their rank. All of a
   // group are searched before the next one begins, so that the same grasps are searched, and the
@@ -57,7 +58,7 @@ class PathSearch {
       // Told of are whole paths, not what each of them tries.
       RunContext own = context_;
       own.progress = {};
-      auto found = plan_grasp_path(scene_, grasp.candidate, grasp.trial, path, own);
+      auto found = plan_grasp_path(scene_, bodies_, grasp.candidate, grasp.trial, path, own);
       if (found) {
         grasp.path = std::move(found->motion);
         grasp.lift = found->lift;
@@ -92,6 +93,7 @@ class PathSearch {
   const PlanOptions& options_;
   const RunContext& context_;
   PlanResult& result_;
+  const SecondCheck bodies_;
   std::vector<ScoredGrasp> all_;
   bool was_cut_short_ = false;
   std::mutex progress_lock_;

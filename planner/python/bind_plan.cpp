@@ -2,12 +2,15 @@
 #include <pybind11/stl.h>
 #include <utility>
 
+#include "planner/plan/path/arm_path.h"
 #include "planner/plan/plan_any.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/results.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/scene/compiled_scene.h"
+#include "sim/scene/reach/reach.h"
 #include "sim/trial/run_trial.h"
 
 namespace prehend::python {
@@ -178,6 +181,32 @@ py::object plan_path_in_python(const TrialHandle& trial, const GraspPathOptions&
   return path ? py::object(path_dict(path->motion, path->lift)) : py::none();
 }
 
+// To the postures, or to those that have the hand's base at the pose.
+py::dict plan_arm_path_in_python(const CompiledHandle& scene,
+                                 const std::vector<std::vector<double>>& postures,
+                                 const std::optional<Doubles>& X_WH, const GraspPathOptions& asked,
+                                 const CallOptions& call) {
+  const GraspPathOptions options = asked;
+  const CompiledScene& compiled = *scene.scene;
+  // prehend/planning.py refuses others before, with a message in words.
+  if (!compiled.arm) throw std::invalid_argument("no arm");
+  std::vector<DofValues> goals(postures.begin(), postures.end());
+  std::optional<Pose> X_OH;
+  if (X_WH) X_OH = compiled.scene.object.X_WO.inverse() * pose_of(*X_WH);
+  ArmPath path;
+  run_in_background(call, [&](const RunContext& context) {
+    if (X_OH) goals = postures_at(*compiled.arm, *X_OH, options.reach, context);
+    path = plan_arm_path(compiled, goals, options, context);
+  });
+  py::dict fields;
+  fields["end"] = std::string(name_of(path.end));
+  fields["why"] = path.why;
+  const bool is_found = path.end == ArmPathEnd::found;
+  fields["path"] = is_found ? py::object(path_dict(path.motion, LiftEnd::not_asked)) : py::none();
+  fields["relative_length"] = is_found ? relative_length(path.waypoints) : 0.0;
+  return fields;
+}
+
 }  // namespace
 
 void bind_plan(py::module_& core) {
@@ -198,6 +227,7 @@ void bind_plan(py::module_& core) {
     return list;
   });
   core.def("plan_grasp_path", &plan_path_in_python);
+  core.def("plan_arm_path", &plan_arm_path_in_python);
 }
 
 }  // namespace prehend::python

@@ -23,6 +23,11 @@ inline Pose pose_from(const Matrix3& rotation, const Vector3& p) {
   return pose;
 }
 
+// Whether it moves nothing, to the last bit.
+inline bool is_identity(const Pose& pose) {
+  return pose.linear() == Matrix3::Identity() && pose.translation() == Vector3::Zero();
+}
+
 // A unit vector orthogonal to `v`, which must not be zero. Equal arguments give equal results, so
 // that runs repeat.
 inline Vector3 any_orthogonal(const Vector3& v) { return v.unitOrthogonal(); }

@@ -26,6 +26,7 @@ void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole)
     whole.chains.push_back(std::move(chain));
   }
   for (Joint joint : robot.joints) {
+    joint.driver_name = driver_name(joint);
     joint.name = named(joint.name);
     if (joint.parent < 0) joint.X_PJ = part.X_JR * joint.X_PJ;
     joint.parent = carried(joint.parent);
@@ -46,6 +47,12 @@ void append(const MountedRobot& mounted, const PlatformPart& part, Robot& whole)
     }
     link.joint = carried(link.joint);
     whole.links.push_back(std::move(link));
+  }
+  for (RobotFrame frame : robot.frames) {
+    frame.name = named(frame.name);
+    if (frame.joint < 0) frame.X_AF = part.X_JR * frame.X_AF;
+    frame.joint = carried(frame.joint);
+    whole.frames.push_back(std::move(frame));
   }
   for (const auto& [a, b] : robot.exempt_pairs) {
     whole.exempt_pairs.emplace_back(part.first_link + a, part.first_link + b);

@@ -39,8 +39,8 @@ struct PlatformPart {
   int first_link = 0;  // its base link; the mount, if any, stands before it
 };
 
-// A platform as one robot. Names of joints, degrees of freedom, chains and links get the name of
-// their robot as a prefix.
+// A platform as one robot. Names of joints, degrees of freedom, chains, links and frames get the
+// name of their robot as a prefix; the drivers' names of joints stay.
 struct AssembledPlatform {
   Robot robot;                      // joints, degrees of freedom and links are called ROBOT/NAME
   std::vector<PlatformPart> parts;  // as the platform's robots

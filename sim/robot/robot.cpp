@@ -38,6 +38,17 @@ bool slides(const Robot& robot, std::size_t dof) {
   });
 }
 
+const std::string& driver_name(const Joint& joint) {
+  return joint.driver_name.empty() ? joint.name : joint.driver_name;
+}
+
+const RobotFrame* frame_with(const Robot& robot, FrameRole role) {
+  for (const RobotFrame& frame : robot.frames) {
+    if (frame.role == role) return &frame;
+  }
+  return nullptr;
+}
+
 std::vector<double> initial_dofs(const Robot& robot) {
   std::vector<double> values;
   for (const DegreeOfFreedom& dof : robot.dofs) values.push_back(dof.initial);

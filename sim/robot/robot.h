@@ -2,11 +2,14 @@
 // mass.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "sim/base/named_enum.h"
 #include "sim/robot/inertial.h"
 #include "sim/shape/triangle_mesh.h"
 
@@ -46,6 +49,8 @@ struct Joint {
   Pose X_JA = Pose::Identity();
   double lower = 0.0;  // limits of the joint's value, without zero [rad or m]
   double upper = 0.0;
+  // What the driver of the real robot calls it ("panda_joint1"); empty: as `name`.
+  std::string driver_name = {};
   int dof = 0;         // the degree of freedom that drives it
   double ratio = 1.0;  // value = ratio * dof + offset
   double offset = 0.0;
@@ -122,6 +127,27 @@ struct Link {
   Inertial inertial = {};  // in the link's frame; mass 0: not known
 };
 
+// What a frame is there for.
+enum class FrameRole {
+  none,
+  base,    // of a hand: the frame of its base as its maker publishes it
+  flange,  // of an arm: where it carries a tool; of a hand: that frame of the arm that carries it
+  tool,    // of a hand: the tool centre point
+};
+
+// The role's name in files.
+constexpr auto enum_names(FrameRole /*of*/) {
+  return std::to_array<std::string_view>({"none", "base", "flange", "tool"});
+}
+
+// A frame by the name that the real robot's driver gives it, without a body of its own.
+struct RobotFrame {
+  std::string name;
+  FrameRole role = FrameRole::none;
+  int joint = -1;                // as of a Link
+  Pose X_AF = Pose::Identity();  // in the frame after the joint, or the base frame
+};
+
 // A named posture of a hand, with open fingers, from which it closes on objects.
 struct Preshape {
   std::string name;
@@ -163,12 +189,21 @@ struct Robot {
   std::vector<DegreeOfFreedom> dofs;
   std::vector<Link> links;  // links[0] is the base link
   std::optional<Hand> hand;
+  // Frames without bodies. One that has the name of a link is the frame of that link in the file
+  // that the robot was read from.
+  std::vector<RobotFrame> frames = {};
   // Links (indices, the lower one first) that are never checked for collision with each other,
   // besides those that share a joint or follow each other.
   std::vector<std::pair<int, int>> exempt_pairs = {};
   // What the reader of its file assumed, left out or repaired, for people: one line each.
   std::vector<std::string> notes = {};
 };
+
+// What the real robot's driver calls a joint.
+const std::string& driver_name(const Joint& joint);
+
+// The first frame with that role; nullptr where there is none.
+const RobotFrame* frame_with(const Robot& robot, FrameRole role);
 
 // The initial value of every degree of freedom [rad or m].
 std::vector<double> initial_dofs(const Robot& robot);

@@ -56,6 +56,11 @@ void require_tree(const Robot& robot, const std::string& place) {
       throw InputError({place, "link " + link.name, "follows no joint of the robot"});
     }
   }
+  for (const RobotFrame& frame : robot.frames) {
+    if (frame.joint < -1 || frame.joint >= static_cast<int>(robot.joints.size())) {
+      throw InputError({place, "frame " + frame.name, "follows no joint of the robot"});
+    }
+  }
   for (const Chain& chain : robot.chains) require_chain(robot, chain, place);
   const int links = static_cast<int>(robot.links.size());
   for (const auto& [a, b] : robot.exempt_pairs) {
@@ -129,6 +134,11 @@ void require_numbers(const std::string& place, const Link& link) {
     numbers.require("each vertex", kCoordinate, vertex);
 }
 
+void require_numbers(const std::string& place, const RobotFrame& frame) {
+  const PartNumbers numbers(place, "frame " + frame.name);
+  numbers.require("each coordinate", kCoordinate, frame.X_AF.translation());
+}
+
 void require_numbers(const std::string& place, const Hand& hand) {
   const PartNumbers numbers(place, "hand");
   numbers.require("origin", kCoordinate, hand.origin);
@@ -152,6 +162,7 @@ void require_sound(const Robot& robot, const std::string& place) {
   for (const Joint& joint : robot.joints) require_numbers(place, joint);
   for (const DegreeOfFreedom& dof : robot.dofs) require_numbers(place, dof);
   for (const Link& link : robot.links) require_numbers(place, link);
+  for (const RobotFrame& frame : robot.frames) require_numbers(place, frame);
   if (robot.hand) require_numbers(place, *robot.hand);
 }
 

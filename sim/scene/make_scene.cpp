@@ -11,6 +11,7 @@
 #include "sim/robot/files/robot_file.h"
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/free_start.h"
+#include "sim/shape/basic_shapes.h"
 
 namespace prehend {
 namespace {
@@ -59,6 +60,13 @@ Scene make_scene(GraspableBody object, const std::string& hand,
   scene.hand = with_hand(find_robot(hand, foreign));
   scene.hand_source = robot_source(hand);
   return scene;
+}
+
+GraspableBody nothing_to_grasp() {
+  GraspableBody body =
+      make_graspable("nothing", make_box(Vector3::Constant(0.01)), Material::plastic);
+  body.X_WO = translation(Vector3(0.0, 0.0, 100.0));
+  return body;
 }
 
 void add_obstacle(Scene& scene, std::string name, TriangleMesh mesh, const Pose& X_WB,

@@ -23,6 +23,10 @@ Carrier find_carrier(const std::string& platform, const ForeignRobotOptions& for
 Scene make_scene(GraspableBody object, const std::string& hand,
                  const ForeignRobotOptions& foreign = {});
 
+// Stands for the object of a scene in which an arm only moves: a cube of 10 mm, 100 m above
+// everything.
+GraspableBody nothing_to_grasp();
+
 // Puts a body into the scene that does not move: it stands in the way, and can be touched. `mesh`
 // in the body's frame B [m]. Throws InputError for a mesh without triangles and for a name that
 // another obstacle has: outcomes name what was in the way.

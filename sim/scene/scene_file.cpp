@@ -10,6 +10,7 @@
 #include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_pose.h"
+#include "sim/base/json/yaml_file.h"
 #include "sim/base/range.h"
 #include "sim/base/xml/xml_file.h"
 #include "sim/robot/files/platform_file.h"
@@ -21,6 +22,7 @@
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/json_region.h"
 #include "sim/scene/make_scene.h"
+#include "sim/scene/moveit_scene.h"
 #include "sim/scene/named_mass.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
@@ -450,7 +452,11 @@ Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& see
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   ShapeBudget budget;
-  read_objects(root, source, budget, seen, scene);
+  if (source.needs_object || root.has("object") || root.has("objects")) {
+    read_objects(root, source, budget, seen, scene);
+  } else {
+    scene.object = nothing_to_grasp();
+  }
   if (root.has("robot")) {
     if (root["robot"].has("hand")) scene.hand_source = read_robot_source(root["robot"]["hand"]);
     if (!source.hand.empty()) scene.hand_source = robot_source(source.hand);
@@ -539,6 +545,20 @@ std::vector<std::string> names_in_json(const JsonFile& file, SeenOnce& seen) {
 
 Scene load_scene(const fs::path& name_or_file, const SceneSource& source) {
   const fs::path file = find_scene(name_or_file.string());
+  if (has_yaml_name(file)) {
+    require_no_unit(file, source);
+    Scene scene = read_moveit_scene(read_yaml(file), source);
+    choose_regions(source.choice, {}, file, scene);
+    if (!source.needs_object) return scene;
+    note_size(scene);
+    note_uniform_mass(scene);
+    raise_sunk_object(scene);
+    return scene;
+  }
+  require(source.robot.empty(), {.file = file.string(),
+                                 .field = "robot",
+                                 .problem = "only beside a scene of MoveIt; others name theirs",
+                                 .value = source.robot});
   if (file.extension() == ".json") {
     SeenOnce seen;
     return load_json(JsonFile(file), source, seen);
@@ -589,6 +609,9 @@ std::vector<Scene> load_each_scene(const fs::path& name_or_file, const SceneSour
   } else if (is_views_file(file)) {
     seen = load_seen_things(file, source.unit);
     load_all(seen_names(*seen), [&] { return seen_scene(file, of_object, *seen); });
+  } else if (has_yaml_name(file)) {
+    const JsonFile yaml = read_yaml(file);
+    load_all(moveit_objects(yaml), [&] { return read_moveit_scene(yaml, of_object); });
   }
   return scenes;
 }
@@ -598,6 +621,7 @@ std::vector<std::string> scene_objects(const fs::path& name_or_file, const std::
   SeenOnce seen;
   if (file.extension() == ".json") return names_in_json(JsonFile(file), seen);
   if (is_views_file(file)) return seen_names(load_seen_things(file, unit));
+  if (has_yaml_name(file)) return moveit_objects(read_yaml(file));
   return {};
 }
 

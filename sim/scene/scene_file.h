@@ -19,6 +19,9 @@ struct SceneSource {
   // Replaces the hand that the scene names; a name of the library or a robot file. Empty: as it
   // says.
   std::string hand;
+  // The platform of a scene of MoveIt: a name of the library or a robot file. Empty: the one of the
+  // library that the scene names. An error beside other files.
+  std::string robot = {};
   // Unit of a mesh file that is given without a scene: m, cm, mm, in; empty: the likely one
   // (object_mesh.h). A scene file says the units of its meshes itself, and another unit than m
   // beside one is an error.
@@ -32,16 +35,18 @@ struct SceneSource {
   // states it, maybe without preshapes: a scene to look at, which cannot be compiled.
   bool derive_hand = true;
   ObjectChoice choice = {};
+  // Whether a scene without an object is an error; else it gets nothing_to_grasp (make_scene.h).
+  bool needs_object = true;
 };
 
 // The hand of a scene that names none.
 inline constexpr const char* kDefaultHand = "barrett";
 
-// A scene file (.json), a GraspIt! world or body (.xml, graspit_world.h), a mesh file as the object
-// of a scene with nothing else in it, what depth cameras saw (seen_scene.h, a file of
-// is_views_file) as the object and all else, or, where there is no such file, the library's scene
-// of that name ("mug", see scene_library.h). Throws InputError that names the file, the field and
-// the value.
+// A scene file (.json), a scene of MoveIt (.yaml, moveit_scene.h), a GraspIt! world or body (.xml,
+// graspit_world.h), a mesh file as the object of a scene with nothing else in it, what depth
+// cameras saw (seen_scene.h, a file of is_views_file) as the object and all else, or, where there
+// is no such file, the library's scene of that name ("mug", see scene_library.h). Throws InputError
+// that names the file, the field and the value.
 Scene load_scene(const std::filesystem::path& name_or_file, const SceneSource& source = {});
 // The unit in which load_scene has read the mesh file that was given in place of a scene; m for a
 // scene file.

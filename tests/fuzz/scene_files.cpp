@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/base/json/json_field.h"
+#include "sim/base/json/yaml_file.h"
 #include "sim/base/xml/xml_file.h"
 #include "sim/scene/graspit_world.h"
+#include "sim/scene/moveit_scene.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_text.h"
 #include "tests/fuzz/mesh_promises.h"
@@ -67,6 +69,13 @@ void read_scene_file(std::string_view name, const std::string& bytes) {
   const std::string text = scene_text(scene);
   promised(same_but_rounded(scene_text(read_scene(JsonFile(path, text))), text),
            "a scene reads back as written");
+}
+
+// Of one robot, so that changed bytes do not ask for other files.
+void read_moveit_file(std::string_view name, const std::string& bytes) {
+  const std::string robot = PREHEND_CORPUS_DIR "/platform/good_arm_with_vice.json";
+  const JsonFile file = parse_yaml(pretended_path(name, "yaml"), bytes);
+  check_scene(read_moveit_scene(file, {.robot = robot, .needs_object = false}));
 }
 
 void read_graspit_world_file(std::string_view name, const std::string& bytes) {

@@ -8,7 +8,7 @@
 namespace prehend::fuzz {
 namespace {
 
-constexpr std::array<FileKind, 28> kKinds{{
+constexpr std::array<FileKind, 29> kKinds{{
     {"stl", Grammar::bytes, read_mesh_file},
     {"ply", Grammar::bytes, read_mesh_file},
     {"obj", Grammar::bytes, read_mesh_file},
@@ -27,6 +27,7 @@ constexpr std::array<FileKind, 28> kKinds{{
     {"xacro", Grammar::bytes, read_xacro_file},
     {"sdf", Grammar::bytes, read_sdf_file},
     {"scene", Grammar::json, read_scene_file},
+    {"moveit", Grammar::bytes, read_moveit_file},
     {"grasps", Grammar::json, read_grasps_file},
     {"contacts", Grammar::json, read_contacts_file},
     {"truth", Grammar::json, read_executed_grasps_file},

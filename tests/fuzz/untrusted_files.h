@@ -52,6 +52,7 @@ void read_mjcf_file(std::string_view name, const std::string& bytes);
 void read_xacro_file(std::string_view name, const std::string& bytes);
 void read_sdf_file(std::string_view name, const std::string& bytes);
 void read_scene_file(std::string_view name, const std::string& bytes);
+void read_moveit_file(std::string_view name, const std::string& bytes);
 void read_grasps_file(std::string_view name, const std::string& bytes);
 void read_contacts_file(std::string_view name, const std::string& bytes);
 void read_executed_grasps_file(std::string_view name, const std::string& bytes);

@@ -69,8 +69,9 @@ class ArmExport : public testing::Test {
 };
 
 TEST_F(ArmExport, AllFilesAreWrittenAndNamed) {
-  std::vector<std::string> names = {"grasps.json",        "grasps.csv",   "grasps_isaac.yaml",
-                                    "grasps_moveit.yaml", "timings.json", "best.png"};
+  std::vector<std::string> names = {
+      "grasps.json",  "grasps.csv", "grasps_isaac.yaml",         "grasps_moveit.yaml",
+      "timings.json", "best.png",   "planning_scene_moveit.yaml"};
   for (std::size_t g = 0; g < 3; ++g) {
     names.push_back(path_name(g, ".csv"));
     names.push_back(path_name(g, "_moveit.yaml"));
@@ -143,18 +144,29 @@ TEST_F(ArmExport, PathsForMoveItAreThoseOfTheGraspFile) {
   for (std::size_t g = 0; g < 3; ++g) {
     const json& path = grasps()["grasps"][g]["path"];
     const YAML::Node yaml = YAML::LoadFile(file(path_name(g, "_moveit.yaml")).string());
-    const YAML::Node points = yaml["joint_trajectory"]["points"];
-    EXPECT_EQ(yaml["joint_trajectory"]["joint_names"].as<std::vector<std::string>>(),
-              path["joints"].get<std::vector<std::string>>());
-    ASSERT_EQ(points.size(), path["times"].size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const YAML::Node time = points[i]["time_from_start"];
-      const double seconds = time["sec"].as<double>() + 1e-9 * time["nanosec"].as<double>();
-      EXPECT_NEAR(seconds, path["times"][i].get<double>(), 1e-9);
-      EXPECT_EQ(points[i]["positions"].as<std::vector<double>>(),
-                path["positions"][i].get<std::vector<double>>());
-      EXPECT_EQ(points[i]["velocities"].as<std::vector<double>>(),
-                path["velocities"][i].get<std::vector<double>>());
+    ASSERT_EQ(yaml.size(), path["segments"].size());
+    for (std::size_t s = 0; s < yaml.size(); ++s) {
+      const json& segment = path["segments"][s];
+      EXPECT_EQ(yaml[s]["segment"].as<std::string>(), segment["name"]);
+      const YAML::Node trajectory = yaml[s]["trajectory"]["joint_trajectory"];
+      const auto names = trajectory["joint_names"].as<std::vector<std::string>>();
+      const std::size_t first = segment["first"];
+      ASSERT_EQ(trajectory["points"].size(), segment["last"].get<std::size_t>() - first + 1);
+      for (std::size_t i = 0; i < trajectory["points"].size(); ++i) {
+        const YAML::Node point = trajectory["points"][i];
+        for (std::size_t k = 0; k < names.size(); ++k) {
+          // The driver of the platform has no names of its own: those of its robots, alone.
+          std::size_t joint = 0;
+          while (path["joints"][joint].get<std::string>().find("/" + names[k]) ==
+                 std::string::npos) {
+            ASSERT_LT(++joint, path["joints"].size()) << names[k];
+          }
+          EXPECT_EQ(point["positions"][k].as<double>(),
+                    path["positions"][first + i][joint].get<double>());
+          EXPECT_EQ(point["velocities"][k].as<double>(),
+                    path["velocities"][first + i][joint].get<double>());
+        }
+      }
     }
   }
 }
@@ -174,12 +186,16 @@ TEST_F(ArmExport, GraspsInEveryFormatAreThoseOfTheGraspFile) {
     EXPECT_EQ(std::stod(rows[g + 1][2]), grasp["epsilon"].get<double>());
     EXPECT_EQ(named["confidence"].as<double>(), grasp["epsilon"].get<double>());
     EXPECT_EQ(rows[g + 1].back(), path_name(g, ".csv"));
+    double to_mount = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double expected = p[k].get<double>();
       EXPECT_EQ(std::stod(rows[g + 1][4 + k]), expected);
       EXPECT_EQ(named["position"][k].as<double>(), expected);
-      EXPECT_EQ(pose[std::string(1, "xyz"[k])].as<double>(), expected);
+      to_mount += std::pow(pose[std::string(1, "xyz"[k])].as<double>() - expected, 2);
     }
+    // The message has the frame of the arm that carries the hand, which robots/puma560_barrett puts
+    // 175.05 mm behind the hand's own.
+    EXPECT_NEAR(std::sqrt(to_mount), 0.17505, 1e-9);
   }
 }
 

@@ -69,6 +69,7 @@ inline std::vector<WritingCommand> writing_commands() {
        "plan HOME/cube.json --accuracy draft --trials 12 --top 1 --threads 1 --export csv --out "
        "OUT"},
       {"evaluate", "evaluate HOME/grasps.json --threads 1 --out OUT"},
+      {"path", "path panda_on_table --to panda_joint1=0.2 --threads 1 --out OUT"},
       {"simulate", "simulate HOME/grasps.json --threads 1 --frames 2 --csv all --out OUT"},
       {"render", "render HOME/grasps.json --frames 1 --out OUT"},
       {"inspect", "inspect barrett --picture OUT/hand.png"},

@@ -40,6 +40,31 @@ nlohmann::json reply_to(SocketClient& client, const std::string& request) {
   }
 }
 
+// All that is asked is answered before the program ends with its input, and nothing else is said.
+TEST(Mcp, AnswersOnTheStandardOutput) {
+  const std::filesystem::path folder = fresh_folder("mcp");
+  std::ofstream(folder / "in") << R"({"jsonrpc":"2.0","id":1,"method":"initialize","params":{}})"
+                               << "\n"
+                               << R"({"jsonrpc":"2.0","method":"notifications/initialized"})"
+                               << "\n"
+                               << R"({"jsonrpc":"2.0","id":2,"method":"tools/call","params":)"
+                               << R"({"name":"plan_start","arguments":{"trials":30}}})"
+                               << "\n";
+  const ProgramRun run = run_program("mcp --scene mug < " + (folder / "in").string());
+  EXPECT_EQ(run.status, 0) << run.err;
+  std::istringstream lines(run.out);
+  std::string line;
+  for (const int id : {1, 2}) {
+    ASSERT_TRUE(std::getline(lines, line));
+    const nlohmann::json answer = nlohmann::json::parse(line);
+    EXPECT_EQ(answer["id"], id);
+    EXPECT_TRUE(answer.contains("result")) << line;
+  }
+  EXPECT_NE(line.find("\\\"status\\\""), std::string::npos) << line;
+  EXPECT_FALSE(std::getline(lines, line));
+  expect_refused(run_program("mcp --scene nowhere < /dev/null"), "nowhere");
+}
+
 TEST(Serve, AnswersRecordsAndEndsOnCtrlC) {
   const std::filesystem::path folder = fresh_folder("serve");
   const std::string recording = (folder / "session.jsonl").string();

@@ -506,6 +506,28 @@ class Kinematics(unittest.TestCase):
         alone = planning.plan_grasp_path(result[0])
         np.testing.assert_array_equal(alone.positions[0], path.positions[0])
 
+    def test_a_path_without_a_grasp(self):
+        scene = prehend.compile_scene(prehend.load_scene("panda_on_table"))
+        goal = scene.robot.initial
+        goal[0] += 0.5
+        there = planning.plan_arm_path(scene, goal)
+        self.assertEqual(there.end, "found")
+        self.assertAlmostEqual(there.path.positions[-1, 0], goal[0])
+        self.assertEqual([s.name for s in there.path.segments], ["transfer"])
+        self.assertGreaterEqual(there.relative_length, 1.0)
+        goal[0] = 100.0
+        beyond = planning.plan_arm_path(scene, goal)
+        self.assertEqual((beyond.end, beyond.path), ("beyond_limits", None))
+        self.assertIn("joint1", beyond.why)
+        far = np.eye(4)
+        far[0, 3] = 5.0
+        self.assertEqual(planning.plan_arm_path(scene, X_WH=far).end, "unreachable")
+        for wrong in [dict(), dict(dofs=goal, X_WH=far), dict(dofs=[1.0]), dict(dofs=goal * np.nan)]:
+            with self.assertRaises(prehend.InputError):
+                planning.plan_arm_path(scene, **wrong)
+        with self.assertRaisesRegex(prehend.InputError, "arm"):
+            planning.plan_arm_path(prehend.load_scene("mug"), goal)
+
 
 class Quality(unittest.TestCase):
     def setUp(self):

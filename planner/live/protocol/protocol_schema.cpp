@@ -47,9 +47,8 @@ Json field_schema(const CommandField& field) {
   return {{"$ref", "#/$defs/pose"}};
 }
 
-Json request_schema(const Command& command) {
-  Json properties{{"id", {{"$ref", "#/$defs/id"}}}, {"command", {{"const", command.name}}}};
-  Json required = Json::array({"command"});
+// `properties` and `required` have what comes before the command's own fields.
+Json fields_schema(const Command& command, Json properties, Json required) {
   for (const CommandField& field : command.fields) {
     Json schema = field_schema(field);
     schema["description"] = field.meaning;
@@ -60,6 +59,20 @@ Json request_schema(const Command& command) {
           {"type", "object"},
           {"properties", properties},
           {"required", required},
+          {"additionalProperties", false}};
+}
+
+Json request_schema(const Command& command) {
+  return fields_schema(command,
+                       {{"id", {{"$ref", "#/$defs/id"}}}, {"command", {{"const", command.name}}}},
+                       Json::array({"command"}));
+}
+
+Json pose_schema() {
+  return {{"type", "object"},
+          {"properties",
+           {{"position", numbers_schema(3, kCoordinate)},
+            {"quaternion_wxyz", numbers_schema(4, kAnyNumber)}}},
           {"additionalProperties", false}};
 }
 
@@ -113,14 +126,18 @@ std::string reply_text(const Command& command) {
 
 }  // namespace
 
+ProtocolJson command_schema(const Command& command) {
+  Json schema = fields_schema(command, Json::object(), Json::array());
+  schema.erase("description");
+  for (const CommandField& field : command.fields) {
+    if (field.type == FieldType::pose) schema["$defs"]["pose"] = pose_schema();
+  }
+  return schema;
+}
+
 std::string protocol_schema() {
   Json requests = Json::array();
   for (const Command& command : commands()) requests.push_back(request_schema(command));
-  const Json pose{{"type", "object"},
-                  {"properties",
-                   {{"position", numbers_schema(3, kCoordinate)},
-                    {"quaternion_wxyz", numbers_schema(4, kAnyNumber)}}},
-                  {"additionalProperties", false}};
   const Json schema{
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "prehend protocol, version 1"},
@@ -129,7 +146,7 @@ std::string protocol_schema() {
        {{{"$ref", "#/$defs/request"}}, {{"$ref", "#/$defs/reply"}}, {{"$ref", "#/$defs/event"}}}},
       {"$defs",
        {{"id", {{"type", {"integer", "string"}}}},
-        {"pose", pose},
+        {"pose", pose_schema()},
         {"request", {{"oneOf", requests}}},
         {"reply", reply_schema()},
         {"event", event_schema()}}}};

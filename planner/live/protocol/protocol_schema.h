@@ -3,7 +3,12 @@
 
 #include <string>
 
+#include "planner/live/protocol/command.h"
+
 namespace prehend {
+
+// A JSON schema of the fields of a command alone, with all that it refers to.
+ProtocolJson command_schema(const Command& command);
 
 // docs/reference/protocol.schema.json: a JSON schema (draft 2020-12) of requests, replies and
 // events.

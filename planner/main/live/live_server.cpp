@@ -1,9 +1,11 @@
 #include "planner/main/live/live_server.h"
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <future>
 #include <iostream>
+#include <poll.h>
 #include <spawn.h>
 #include <system_error>
 #include <thread>
@@ -13,10 +15,12 @@
 
 #include "planner/live/protocol/graspit_endpoint.h"
 #include "planner/live/protocol/graspit_text.h"
+#include "planner/live/protocol/mcp_client.h"
 #include "planner/live/protocol/recording_file.h"
 #include "planner/live/protocol/request.h"
 #include "planner/live/protocol/session_endpoint.h"
 #include "planner/live/serve/few_heaps.h"
+#include "planner/live/serve/line_splitter.h"
 #include "planner/live/serve/server.h"
 #include "planner/live/serve/token.h"
 #include "planner/live/studio/studio_page.h"
@@ -168,17 +172,58 @@ void say_where(const LiveServer& live, const ServerPorts& ports, const Server& s
   std::cout << std::flush;
 }
 
+// Waits for input of the file until `interrupts` end that; false then.
+bool has_input(int file, const Interrupts& interrupts) {
+  while (!interrupts.cancellation().requested()) {
+    pollfd waits{file, POLLIN, 0};
+    const int ready = ::poll(&waits, 1, static_cast<int>(kLook.count()));
+    if (ready > 0) return true;
+    if (ready < 0 && errno != EINTR) return false;
+  }
+  return false;
+}
+
+void load_first(const LiveServer& live, SessionEndpoint& endpoint) {
+  if (live.scene.empty()) return;
+  request(endpoint,
+          {{"command", "scene.load"}, {"scene", scene_name(live.scene)}, {"fresh", true}});
+}
+
 }  // namespace
+
+int run_mcp_server(const LiveServer& live, Interrupts& interrupts) {
+  interrupts.cancel_first();
+  use_few_heaps();
+  Recorder recorder(live.session.record);
+  SessionEndpoint endpoint(options_of(live), recorder.taker());
+  load_first(live, endpoint);
+  McpClient client(endpoint, PREHEND_VERSION, [](const std::string& line) {
+    std::cout << line << "\n" << std::flush;
+  });
+  LineSplitter lines(kLongestMessage);
+  std::vector<char> piece(1U << 16U);
+  while (has_input(STDIN_FILENO, interrupts)) {
+    const ssize_t size = ::read(STDIN_FILENO, piece.data(), piece.size());
+    if (size <= 0) break;
+    lines.add({piece.data(), static_cast<std::size_t>(size)},
+              [&](const std::string& line, bool whole) {
+                // What is too long is no JSON either, so that it is answered in its turn.
+                client.receive(whole ? line : "");
+                return true;
+              });
+  }
+  if (recorder.has_failed()) return kRecordingFailed;
+  if (interrupts.cancellation().requested()) return interrupts.exit_status();
+  client.finish();
+  return 0;
+}
 
 int run_live_server(const LiveServer& live, Interrupts& interrupts) {
   interrupts.cancel_first();
   use_few_heaps();
   Recorder recorder(live.session.record);
   SessionEndpoint endpoint(options_of(live), recorder.taker());
-  if (!live.scene.empty()) {
-    request(endpoint,
-            {{"command", "scene.load"}, {"scene", scene_name(live.scene)}, {"fresh", true}});
-  }
+  load_first(live, endpoint);
   GraspitEndpoint graspit(endpoint);
   Server server(server_options(live, endpoint, graspit));
   const ServerPorts ports = server.start();

@@ -39,4 +39,8 @@ struct LiveServer {
 // cannot be read.
 int run_live_server(const LiveServer& live, Interrupts& interrupts);
 
+// The session for one assistant, which speaks on the standard input and output (McpClient). Ends
+// with the input, once all is answered, and returns the exit status. Throws InputError as above.
+int run_mcp_server(const LiveServer& live, Interrupts& interrupts);
+
 }  // namespace prehend

@@ -6,6 +6,7 @@ namespace {
 void add_commands(CLI::App& app, prehend::CommandRequest& request) {
   prehend::add_studio(app, request);
   prehend::add_serve(app, request);
+  prehend::add_mcp(app, request);
   prehend::add_replay(app, request);
 }
 

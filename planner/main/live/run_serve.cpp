@@ -29,6 +29,20 @@ void declare(CLI::App& command, ServeCommand& options) {
   add_live(command, options.session);
 }
 
+// Arguments of `mcp`.
+struct McpCommand {
+  std::string scene = {};  // to begin with; empty: a hand alone
+  std::filesystem::path record = {};
+  SessionLimits limits = {};
+};
+
+void declare(CLI::App& command, McpCommand& options) {
+  command.add_option("--scene", options.scene,
+                     "scene name, scene file or mesh file to begin with; a hand alone");
+  command.add_option("--record", options.record, "file to write the session to, for replay");
+  add_session(command, options.limits);
+}
+
 // Arguments of `studio`.
 struct StudioCommand {
   std::string scene = "mug";         // scene name, scene file or mesh file
@@ -67,7 +81,19 @@ int run_studio(const StudioCommand& command, Interrupts& interrupts) {
   return run_live_server(live, interrupts);
 }
 
+int run_mcp(const McpCommand& command, Interrupts& interrupts) {
+  LiveServer live;
+  live.session.record = command.record;
+  live.session.limits = command.limits;
+  live.scene = command.scene;
+  return run_mcp_server(live, interrupts);
+}
+
 }  // namespace
+
+void add_mcp(CLI::App& app, CommandRequest& request) {
+  add_command(app, request, kMcp.name, kMcp.summary, declare, run_mcp);
+}
 
 void add_serve(CLI::App& app, CommandRequest& request) {
   add_command(app, request, kServe.name, kServe.summary, declare, run_serve);

@@ -223,6 +223,16 @@ class TransferBlender {
 
 }  // namespace
 
+JointLimits joint_limits(const Robot& robot) {
+  JointLimits limits;
+  for (const Joint& joint : robot.joints) {
+    const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
+    limits.velocity.push_back(std::abs(joint.ratio) * dof.max_velocity);
+    limits.acceleration.push_back(std::abs(joint.ratio) * dof.max_acceleration);
+  }
+  return limits;
+}
+
 TimedPath blend_transfer(const CompiledArm& arm, const std::vector<DofValues>& waypoints,
                          const std::vector<double>& hand_joints, const JointLimits& limits,
                          const TransferOptions& options, const TimePathOptions& timing,

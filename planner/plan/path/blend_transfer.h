@@ -9,6 +9,10 @@
 namespace prehend {
 
 struct CompiledArm;
+struct Robot;
+
+// Limits of the joints from those of the degrees of freedom that drive them.
+JointLimits joint_limits(const Robot& robot);
 
 // The timed motion along straight lines in joint space, free of collision as they are: `waypoints`
 // are degrees of freedom of the platform, `hand_joints` the hand's joints all the way. Each corner

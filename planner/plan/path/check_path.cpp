@@ -3,23 +3,24 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "planner/plan/path/lift_object.h"
+#include "planner/plan/path/second_check.h"
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
 #include "sim/motion/control/cubic_peaks.h"
 #include "sim/motion/dynamic_grasp/scene_world.h"
 #include "sim/scene/carried_object.h"
-#include "sim/shape/proximity.h"
 
 namespace prehend {
 namespace {
 
 // The planner proves its paths free of collision by bounds on distances and motions
 // (motion_check.h). This check samples postures along the cubics between the samples and tests all
-// triangles for intersection, without any such bound. It is not a proof: a collision between two
-// postures that are less than PathCheckOptions::step apart can be missed.
+// triangles for intersection by another engine, without any such bound. It is not a proof: a
+// collision between two postures that are less than PathCheckOptions::step apart can be missed.
 
 // Excess over a limit that is taken for rounding: relative for velocities and accelerations, in rad
 // or m for positions.
@@ -64,11 +65,15 @@ std::vector<std::vector<Vector3>> box_corners(const CompiledArm& arm) {
 
 class PathChecker {
  public:
-  // `carries`: the arm's last link is the object, which the hand holds.
-  PathChecker(const CompiledScene& scene, const CompiledArm& arm, bool carries,
-              const Trajectory& path, const PathCheckOptions& options, const RunContext& context)
+  // `X_LO`: of an arm whose last link L is the object, which the hand holds: its frame in that
+  // link's.
+  PathChecker(const CompiledScene& scene, const CompiledArm& arm, std::optional<Pose> X_LO,
+              const SecondCheck* bodies, const Trajectory& path, const PathCheckOptions& options,
+              const RunContext& context)
       : arm_(arm),
-        carries_(carries),
+        carries_(X_LO.has_value()),
+        X_LO_(X_LO.value_or(Pose::Identity())),
+        bodies_(bodies),
         path_(path),
         options_(options),
         context_(context),
@@ -80,6 +85,7 @@ class PathChecker {
   // Looks at the samples `first` to `last`.
   PathCheck run(std::size_t first, std::size_t last) {
     check_limits(first, last);
+    if (bodies_ == nullptr) return check_;
     // walk(i) tests the postures after sample i. The one before all of them is tested here.
     arm_link_poses(arm_, path_.positions[first], X_BL_);
     std::erase_if(touching_ = pairs_,
@@ -226,25 +232,24 @@ class PathChecker {
     return "";
   }
 
+  // Whether the surfaces intersect.
   bool meet(const ArmPair& pair) const {
     const Pose& X_BL = X_BL_[index(pair.link)];
-    const ProximityMesh& mesh = arm_.links[index(pair.link)].mesh;
-    if (const LinkId* link = std::get_if<LinkId>(&pair.other)) {
-      return meet(mesh, arm_.links[index(*link)].mesh, X_BL, X_BL_[index(*link)]);
+    const LinkId* link = std::get_if<LinkId>(&pair.other);
+    const BodyId* body = std::get_if<BodyId>(&pair.other);
+    if (carries_ && pair.link == carried_object(arm_)) {
+      const Pose X_BO = X_BL * X_LO_;
+      return link != nullptr ? bodies_->object_crosses(X_BO, *link, X_BL_[index(*link)])
+                             : bodies_->object_crosses(X_BO, *body, arm_.body(*body).X_RB);
     }
-    const PlacedBody& body = arm_.body(std::get<BodyId>(pair.other));
-    return meet(body.mesh, mesh, body.X_RB, X_BL);
-  }
-
-  // Whether the surfaces intersect. Bounding balls first: they rule out most pairs cheaply.
-  static bool meet(const ProximityMesh& a, const ProximityMesh& b, const Pose& X_A,
-                   const Pose& X_B) {
-    const double apart = (X_A * a.ball_center() - X_B * b.ball_center()).norm();
-    return apart <= a.ball_radius() + b.ball_radius() && surfaces_cross(a, b, X_A.inverse() * X_B);
+    return link != nullptr ? bodies_->links_cross(pair.link, X_BL, *link, X_BL_[index(*link)])
+                           : bodies_->body_crosses(*body, arm_.body(*body).X_RB, pair.link, X_BL);
   }
 
   const CompiledArm& arm_;
   const bool carries_;
+  const Pose X_LO_;
+  const SecondCheck* bodies_;  // null: collisions are not looked for
   const Trajectory& path_;
   const PathCheckOptions& options_;
   const RunContext& context_;
@@ -272,18 +277,24 @@ bool PathCheck::ok() const {
          beyond_limits <= kRounding;
 }
 
-PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
-                     const PathCheckOptions& options, const RunContext& context) {
+namespace {
+
+PathCheck checked(const CompiledScene& scene, const SecondCheck* bodies, const Trajectory& path,
+                  const PathCheckOptions& options, const RunContext& context) {
   require_settings(options);
   const CompiledArm& arm = *scene.arm;
   const std::size_t last = path.times.size() - 1;
   const auto lift = std::find_if(path.segments.begin(), path.segments.end(),
                                  [](const auto& segment) { return segment.name == kLift; });
   const std::size_t held = lift == path.segments.end() ? last : index(lift->first);
-  PathCheck check = PathChecker(scene, arm, false, path, options, context).run(0, held);
+  PathCheck check =
+      PathChecker(scene, arm, std::nullopt, bodies, path, options, context).run(0, held);
   if (held == last) return check;
-  const CompiledArm carrying = arm_with_object(scene, hand_pose(arm, path.positions[held]));
-  const PathCheck then = PathChecker(scene, carrying, true, path, options, context).run(held, last);
+  const Pose X_OH = hand_pose(arm, path.positions[held]);
+  const CompiledArm carrying = arm_with_object(scene, X_OH);
+  const Pose X_LO = arm.hand_part().X_JR * X_OH.inverse();
+  const PathCheck then =
+      PathChecker(scene, carrying, X_LO, bodies, path, options, context).run(held, last);
   check.postures += then.postures;
   if (check.collisions == 0) check.first_collision = then.first_collision;
   check.collisions += then.collisions;
@@ -291,6 +302,19 @@ PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
   check.acceleration = std::max(check.acceleration, then.acceleration);
   check.beyond_limits = std::max(check.beyond_limits, then.beyond_limits);
   return check;
+}
+
+}  // namespace
+
+PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
+                     const PathCheckOptions& options, const RunContext& context) {
+  if (!options.collisions) return checked(scene, nullptr, path, options, context);
+  return check_path(scene, SecondCheck(*scene.arm), path, options, context);
+}
+
+PathCheck check_path(const CompiledScene& scene, const SecondCheck& bodies, const Trajectory& path,
+                     const PathCheckOptions& options, const RunContext& context) {
+  return checked(scene, options.collisions ? &bodies : nullptr, path, options, context);
 }
 
 }  // namespace prehend

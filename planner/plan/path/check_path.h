@@ -8,6 +8,7 @@
 
 namespace prehend {
 
+class SecondCheck;  // second_check.h
 struct CompiledScene;
 struct Trajectory;
 
@@ -30,12 +31,15 @@ struct PathCheck {
 struct PathCheckOptions {
   static constexpr AboutSettings kAbout{"PathCheckOptions",
                                         "The independent check of a finished path."};
+  bool collisions = true;
   double step = 2e-3;
 };
 
 template <SettingsOf<PathCheckOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
-  auto& [step] = options;
+  auto& [collisions, step] = options;
+  visit("collisions", collisions,
+        "Whether another engine (FCL) looks for collisions; else only limits are checked.");
   visit("step", step, kLengthAbove0, "m",
         "Longest motion of any point of a link between two postures that are checked.");
 }
@@ -50,9 +54,14 @@ void for_each_setting(Options& options, const Visit& visit) {
 // that moment, they may do so until they have been apart once.
 //
 // Planning relies on a proof instead (motion_check.h: distances and bounds of motion). This check
-// deliberately uses neither, and leaves out no pair that the proof found to stay apart, so that an
-// error in the proof shows here. The scene must have an arm. Throws Cancelled.
+// deliberately uses neither, but another engine (second_check.h), and leaves out no pair that the
+// proof found to stay apart, so that an error in the proof shows here. The scene must have an arm.
+// Throws Cancelled.
 PathCheck check_path(const CompiledScene& scene, const Trajectory& path,
+                     const PathCheckOptions& options = {}, const RunContext& context = {});
+
+// The same with the bodies of scene.arm prepared already, for several paths.
+PathCheck check_path(const CompiledScene& scene, const SecondCheck& bodies, const Trajectory& path,
                      const PathCheckOptions& options = {}, const RunContext& context = {});
 
 }  // namespace prehend

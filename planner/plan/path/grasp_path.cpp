@@ -6,6 +6,7 @@
 
 #include "planner/plan/path/blend_transfer.h"
 #include "planner/plan/path/closing_path.h"
+#include "planner/plan/path/second_check.h"
 #include "sim/base/index.h"
 #include "sim/base/require_settings.h"
 #include "sim/scene/compiled_scene.h"
@@ -20,31 +21,22 @@ namespace {
 // twice, or a file rounded it [rad or m].
 constexpr double kSamePosture = 1e-6;
 
-// Limits of the joints from those of the degrees of freedom: joint = offset + ratio * dof.
-JointLimits limits_of(const Robot& robot) {
-  JointLimits limits;
-  for (const Joint& joint : robot.joints) {
-    const DegreeOfFreedom& dof = robot.dofs[index(joint.dof)];
-    limits.velocity.push_back(std::abs(joint.ratio) * dof.max_velocity);
-    limits.acceleration.push_back(std::abs(joint.ratio) * dof.max_acceleration);
-  }
-  return limits;
-}
-
 // Tries alternatives in a fixed order and returns the first path that stands: postures of the arm
 // at the pre-grasp (the trial's own first), and for each the hand opened before or after the
 // transfer. Collision-free geometry is found first (plan_transfer); timing comes after it, since it
 // does not change where the arm passes.
 class GraspPathPlanner {
  public:
-  GraspPathPlanner(const CompiledScene& scene, const Candidate& candidate, const Trial& trial,
-                   const GraspPathOptions& options, const RunContext& context)
+  GraspPathPlanner(const CompiledScene& scene, const SecondCheck& bodies,
+                   const Candidate& candidate, const Trial& trial, const GraspPathOptions& options,
+                   const RunContext& context)
       : scene_(scene),
+        bodies_(bodies),
         arm_(*scene.arm),
         trial_(trial),
         options_(options),
         context_(context),
-        limits_(limits_of(arm_.robot())),
+        limits_(joint_limits(arm_.robot())),
         line_(approach_line(scene, candidate, trial)) {
     const std::vector<double> start = joint_values(arm_.robot(), arm_.start);
     const auto first = start.begin() + arm_.hand_part().first_joint;
@@ -105,7 +97,7 @@ class GraspPathPlanner {
       // With nothing to open, both orders are the same path.
       if (!opens_first && start_hand_ == line_.hand_joints) continue;
       std::optional<Trajectory> path = along(line, opens_first);
-      if (path && check_path(scene_, *path, options_.check, context_).ok()) {
+      if (path && check_path(scene_, bodies_, *path, options_.check, context_).ok()) {
         return lifted(*path, line.back());
       }
     }
@@ -120,13 +112,13 @@ class GraspPathPlanner {
     whole.lift = then.end;
     if (then.lift) append(whole.motion, kLift, *then.lift);
     // The proof is not the only one to say so.
-    if (then.lift && !check_path(scene_, whole.motion, options_.check, context_).ok()) {
+    if (then.lift && !check_path(scene_, bodies_, whole.motion, options_.check, context_).ok()) {
       return {path, LiftEnd::lift_blocked};
     }
     if (!then.retreat) return whole;
     GraspPath back = whole;
     append(back.motion, kRetreat, *then.retreat);
-    if (check_path(scene_, back.motion, options_.check, context_).ok()) return back;
+    if (check_path(scene_, bodies_, back.motion, options_.check, context_).ok()) return back;
     whole.lift = LiftEnd::retreat_blocked;
     return whole;
   }
@@ -177,6 +169,7 @@ class GraspPathPlanner {
   }
 
   const CompiledScene& scene_;
+  const SecondCheck& bodies_;
   const CompiledArm& arm_;
   const Trial& trial_;
   const GraspPathOptions& options_;
@@ -192,8 +185,15 @@ class GraspPathPlanner {
 std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candidate& candidate,
                                          const Trial& trial, const GraspPathOptions& options,
                                          const RunContext& context) {
+  return plan_grasp_path(scene, SecondCheck(*scene.arm), candidate, trial, options, context);
+}
+
+std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const SecondCheck& bodies,
+                                         const Candidate& candidate, const Trial& trial,
+                                         const GraspPathOptions& options,
+                                         const RunContext& context) {
   require_settings(options);
-  return GraspPathPlanner(scene, candidate, trial, options, context).plan();
+  return GraspPathPlanner(scene, bodies, candidate, trial, options, context).plan();
 }
 
 }  // namespace prehend

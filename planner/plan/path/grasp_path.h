@@ -64,4 +64,10 @@ std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const Candi
                                          const Trial& trial, const GraspPathOptions& options = {},
                                          const RunContext& context = {});
 
+// The same with the bodies of scene.arm prepared for check_path already, for several grasps.
+std::optional<GraspPath> plan_grasp_path(const CompiledScene& scene, const SecondCheck& bodies,
+                                         const Candidate& candidate, const Trial& trial,
+                                         const GraspPathOptions& options = {},
+                                         const RunContext& context = {});
+
 }  // namespace prehend

@@ -49,6 +49,21 @@ class Path:
 
 
 @dataclass(frozen=True, eq=False)
+class ArmPath:
+    """A path of an arm without a grasp, or why there is none."""
+
+    end: str
+    """"found", "unreachable", "beyond_limits", "goal_collides", "not_found" (the search ended after
+    its iterations) or "refused" (by the second check)."""
+    why: str
+    """Which bodies meet, or which limit is passed; empty where there is nothing to say."""
+    path: Optional[Path]
+    """None where none was found."""
+    relative_length: float
+    """Of the way in the joints, over that of the straight line; 0 without a path."""
+
+
+@dataclass(frozen=True, eq=False)
 class Primitive:
     """A solid or a curve that stands for a piece of an object."""
 

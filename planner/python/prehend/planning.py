@@ -16,6 +16,7 @@ from ._core import Progress, TreeModel
 from ._errors import InputError
 from ._names import show_in
 from ._steps import (
+    ArmPath,
     Candidate,
     Decomposition,
     Path,
@@ -30,6 +31,7 @@ from .scenes import MeshLike, PathLike, Scene, as_compiled, as_mesh
 
 __all__ = [
     "AnyPlan",
+    "ArmPath",
     "Candidate",
     "Decomposition",
     "Path",
@@ -45,6 +47,7 @@ __all__ = [
     "load_model",
     "plan",
     "plan_any",
+    "plan_arm_path",
     "plan_grasp_path",
     "plan_options",
     "propose_grasps",
@@ -53,6 +56,7 @@ __all__ = [
 
 show_in(
     __name__,
+    ArmPath,
     Decomposition,
     Path,
     Primitive,
@@ -325,6 +329,45 @@ def plan_grasp_path(
         call_options(1, None, cancellation),
     )
     return None if fields is None else Path._of(fields)
+
+
+def plan_arm_path(
+    scene: AnyScene,
+    dofs: Optional[ArrayLike] = None,
+    X_WH: Optional[ArrayLike] = None,
+    options: Optional["_core.GraspPathOptions"] = None,
+    *,
+    cancellation: Optional["_core.Cancellation"] = None,
+) -> ArmPath:
+    """The motion of an arm from where the scene starts to a posture, or to one that has the hand at
+    a pose. The hand keeps its joints.
+
+    Args:
+        scene: one with an arm.
+        dofs: all degrees of freedom of the platform at the goal [rad or m].
+        X_WH: 4 x 4, of the hand's base in the world, in place of dofs.
+        options: None: GraspPathOptions().
+
+    Raises:
+        InputError: for a scene without an arm, and unless one of dofs and X_WH is given.
+        Cancelled: once the cancellation is requested.
+    """
+    compiled = as_compiled(scene)
+    robot = compiled.robot
+    if robot is None:
+        raise InputError("has no arm", field="scene")
+    if (dofs is None) == (X_WH is None):
+        raise InputError("one of dofs and X_WH is needed", field="dofs")
+    goals = [] if dofs is None else [as_finite(dofs, "dofs", (len(robot.dofs),))]
+    fields = _core.plan_arm_path(
+        compiled,
+        goals,
+        None if X_WH is None else as_pose(X_WH, "X_WH"),
+        _core.GraspPathOptions() if options is None else options,
+        call_options(1, None, cancellation),
+    )
+    path = None if fields["path"] is None else Path._of(fields["path"])
+    return ArmPath(fields["end"], fields["why"], path, fields["relative_length"])
 
 
 def _primitive_fields(primitive: Primitive) -> "dict[str, object]":

@@ -86,7 +86,8 @@ SetScene load_set_scene(const GraspSet& set, const std::filesystem::path& file,
   loaded.hand = asked.hand.empty() ? fitting_hand(set, file) : asked.hand;
   const std::filesystem::path found = find_scene(loaded.source);
   if (found.extension() == ".json" || found.extension() == ".xml") {
-    loaded.scene = load_scene(loaded.source, {loaded.hand, asked.unit, asked.repair});
+    loaded.scene = load_scene(loaded.source,
+                              {.hand = loaded.hand, .unit = asked.unit, .repair = asked.repair});
     loaded.unit = "m";
     return loaded;
   }

@@ -17,10 +17,12 @@ ExportHeader header_of(const CompiledScene& scene) {
   ExportHeader header;
   header.object = scene.scene.object.name;
   header.hand = hand.name;
-  // Poses of the hand are those of its base link, which is the first (Robot::links).
-  header.hand_base = hand.links[0].name;
+  header.end_effector = end_effector(scene.scene);
   for (const DegreeOfFreedom& dof : hand.dofs) header.hand_dofs.push_back(dof.name);
-  for (const Joint& joint : hand.joints) header.hand_joints.push_back(joint.name);
+  for (const Joint& joint : hand.joints) {
+    header.hand_joints.push_back(joint.name);
+    header.driver_joints.push_back(driver_name(joint));
+  }
   return header;
 }
 

@@ -5,11 +5,14 @@
 #include "planner/plan/grasp_text.h"
 #include "planner/plan/plan_result.h"
 #include "planner/show/exports/csv.h"
+#include "planner/show/exports/end_effector.h"
 #include "planner/show/exports/isaac.h"
 #include "planner/show/exports/mjcf.h"
 #include "planner/show/exports/moveit.h"
+#include "planner/show/exports/moveit_scene.h"
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/picture/glb_bytes.h"
+#include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/approach_line.h"
 
@@ -60,9 +63,13 @@ Files isaac_files(const ExportInput& input) {
 
 Files moveit_files(const ExportInput& input) {
   Files files = {{"grasps_moveit.yaml", moveit_grasps_yaml(input.header, input.grasps)}};
-  add_paths(
-      input, [](int rank) { return "path_" + std::to_string(rank) + "_moveit.yaml"; },
-      [](const Trajectory& path) { return moveit_trajectory_yaml(path); }, files);
+  if (input.scene.arm) {
+    const std::vector<std::string> names = driver_names(input.scene.arm->robot());
+    add_paths(
+        input, [](int rank) { return "path_" + std::to_string(rank) + "_moveit.yaml"; },
+        [&](const Trajectory& path) { return moveit_trajectories_yaml(path, names); }, files);
+  }
+  files.push_back({"planning_scene_moveit.yaml", moveit_scene_yaml(input.scene)});
   return files;
 }
 
@@ -110,7 +117,7 @@ std::span<const ExportFormat> export_formats() {
        .summary = "The grasp file of Isaac Sim and Isaac ROS.",
        .make = isaac_files},
       {.name = "moveit",
-       .files = {"grasps_moveit.yaml", "path_#_moveit.yaml"},
+       .files = {"grasps_moveit.yaml", "path_#_moveit.yaml", "planning_scene_moveit.yaml"},
        .summary = "Messages of MoveIt, as YAML.",
        .make = moveit_files},
       {.name = "gltf",

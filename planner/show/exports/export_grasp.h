@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/show/exports/end_effector.h"
 #include "sim/base/pose.h"
 #include "sim/motion/control/trajectory.h"
 #include "sim/robot/robot.h"
@@ -15,9 +16,10 @@ namespace prehend {
 struct ExportHeader {
   std::string object;
   std::string hand;
-  std::string hand_base;  // link whose frame is the hand's (H)
   std::vector<std::string> hand_dofs;
   std::vector<std::string> hand_joints;
+  std::vector<std::string> driver_joints;  // hand_joints as the driver of the real hand calls them
+  EndEffector end_effector;
 };
 
 // One grasp.

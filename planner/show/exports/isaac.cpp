@@ -21,9 +21,10 @@ void put_joints(YAML::Emitter& yaml, const std::vector<std::string>& names,
 }
 
 void put_grasp(YAML::Emitter& yaml, const ExportHeader& header, const ExportGrasp& grasp) {
+  const Pose X_OB = grasp.X_OH * header.end_effector.base.X_HF;
   // Normalised, because the quaternion of a rotation matrix is of unit length only up to rounding.
-  const Eigen::Quaterniond q = quaternion_of(grasp.X_OH).normalized();
-  const Vector3 p = grasp.X_OH.translation();
+  const Eigen::Quaterniond q = quaternion_of(X_OB).normalized();
+  const Vector3 p = X_OB.translation();
   yaml << YAML::BeginMap;
   yaml << YAML::Key << "confidence" << YAML::Value;
   // Epsilon is not a probability, but larger is better for both (docs/reference/exports.md).
@@ -37,9 +38,9 @@ void put_grasp(YAML::Emitter& yaml, const ExportHeader& header, const ExportGras
   put_numbers(yaml, {q.x(), q.y(), q.z()});
   yaml << YAML::EndMap;
   yaml << YAML::Key << "cspace_position" << YAML::Value;
-  put_joints(yaml, header.hand_joints, grasp.closed_joints);
+  put_joints(yaml, header.driver_joints, grasp.closed_joints);
   yaml << YAML::Key << "pregrasp_cspace_position" << YAML::Value;
-  put_joints(yaml, header.hand_joints, grasp.pregrasp_joints);
+  put_joints(yaml, header.driver_joints, grasp.pregrasp_joints);
   yaml << YAML::EndMap;
 }
 
@@ -47,6 +48,7 @@ void put_grasp(YAML::Emitter& yaml, const ExportHeader& header, const ExportGras
 
 std::string isaac_grasps_yaml(const ExportHeader& header, const std::vector<ExportGrasp>& grasps) {
   YAML::Emitter yaml;
+  put_comment(yaml, frames_text(header.end_effector, header.end_effector.base));
   yaml << YAML::BeginMap;
   yaml << YAML::Key << "format" << YAML::Value << "isaac_grasp";
   yaml << YAML::Key << "format_version" << YAML::Value;
@@ -56,7 +58,7 @@ std::string isaac_grasps_yaml(const ExportHeader& header, const std::vector<Expo
     yaml << YAML::Key << "object_frame" + suffix << YAML::Value;
     put_text(yaml, header.object);
     yaml << YAML::Key << "gripper_frame" + suffix << YAML::Value;
-    put_text(yaml, header.hand_base);
+    put_text(yaml, header.end_effector.base.name);
   }
   yaml << YAML::Key << "grasps" << YAML::Value << YAML::BeginMap;
   for (std::size_t i = 0; i < grasps.size(); ++i) {

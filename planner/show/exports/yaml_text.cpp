@@ -35,6 +35,10 @@ void put_vector(YAML::Emitter& yaml, const Vector3& v) {
   yaml << YAML::EndMap;
 }
 
+void put_comment(YAML::Emitter& yaml, const std::string& text) {
+  yaml << YAML::Comment(text) << YAML::Newline;
+}
+
 std::string yaml_text(const YAML::Emitter& yaml) {
   assert(yaml.good());
   return std::string(yaml.c_str()) + "\n";

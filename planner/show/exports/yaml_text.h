@@ -23,6 +23,9 @@ void put_texts(YAML::Emitter& yaml, const std::vector<std::string>& texts);
 // {x: , y: , z: } on one line.
 void put_vector(YAML::Emitter& yaml, const Vector3& v);
 
+// Lines of text that readers skip.
+void put_comment(YAML::Emitter& yaml, const std::string& text);
+
 // The finished text, with a line end. Pieces in a wrong order are a bug, which is asserted.
 std::string yaml_text(const YAML::Emitter& yaml);
 

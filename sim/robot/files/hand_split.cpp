@@ -101,6 +101,25 @@ int chain_ending_at(const Robot& robot, const std::string& joint) {
   return 0;
 }
 
+// The frame of the arm that the hand is fixed to is the flange.
+void mark_flange(const std::string& name, int joint, const Pose& X_AF, Robot& arm) {
+  for (RobotFrame& frame : arm.frames) {
+    if (frame.role == FrameRole::flange) frame.role = FrameRole::none;
+  }
+  const auto found = std::find_if(arm.frames.begin(), arm.frames.end(),
+                                  [&](const RobotFrame& frame) { return frame.name == name; });
+  if (found != arm.frames.end()) {
+    found->role = FrameRole::flange;
+  } else {
+    arm.frames.push_back({name, FrameRole::flange, joint, X_AF});
+  }
+}
+
+// The joints of both parts are still those of one file.
+void keep_names(Robot& robot) {
+  for (Joint& joint : robot.joints) joint.driver_name = joint.name;
+}
+
 }  // namespace
 
 int carrier_of_all(const JointTree& tree, const std::vector<int>& links) {
@@ -184,6 +203,14 @@ Platform parted(const JointTree& tree, int hand) {
                              .chain = chain_ending_at(platform.robots.front().robot,
                                                       tree.joints[index(place.joint)].name),
                              .X_MR = place.X_AL});
+  Robot& arm = platform.robots.front().robot;
+  const TreeJoint& holding = tree.joints[index(carriers_of(tree)[index(hand)])];
+  if (holding.type == TreeJointType::fixed) {
+    const Chain& chain = arm.chains[index(platform.robots.back().chain)];
+    mark_flange(tree.links[index(holding.parent)].name, chain.first_joint + chain.joint_count - 1,
+                rigid_place(tree, holding.parent).X_AL, arm);
+  }
+  for (MountedRobot& mounted : platform.robots) keep_names(mounted.robot);
   for (const auto& [a, b] : tree.exempt_pairs) {
     if (in_hand[index(a)] == in_hand[index(b)]) continue;
     const auto [first, second] = in_hand[index(a)] ? std::pair(b, a) : std::pair(a, b);

@@ -48,7 +48,7 @@ JointSpring read_spring(const JsonField& field, JointType type, const FileUnits&
 
 Joint read_joint(const JsonField& field, const FileUnits& units) {
   field.allow_only({"name", "type", "theta", "d", "a", "alpha", "origin", "axis", "zero", "after",
-                    "limits", "effort", "friction", "spring"});
+                    "limits", "effort", "friction", "spring", "driver_name"});
   Joint joint{.name = field["name"].text(), .type = read_type(field["type"])};
   if (field.has("axis") || field.has("origin")) {
     place_by_axis(field, units, joint);
@@ -67,6 +67,7 @@ Joint read_joint(const JsonField& field, const FileUnits& units) {
   joint.lower = range[0];
   joint.upper = range[1];
   if (field.has("effort")) joint.max_effort = field["effort"].number(kEffortAbove0);
+  joint.driver_name = field.text_or("driver_name", "");
   if (field.has("friction")) joint.friction = read_friction(field["friction"]);
   if (field.has("spring")) joint.spring = read_spring(field["spring"], joint.type, units);
   return joint;

@@ -32,6 +32,7 @@ class RobotReader {
   void read_named_geometry();
   void read_base_links();
   void read_exempt_pairs();
+  void read_frames();
   void add_link(const JsonField& field, int joint);
   void read_chain(const JsonField& field);
   int read_parent(const JsonField& field) const;
@@ -77,7 +78,7 @@ ClosedForm read_closed_form(const JsonField& field, const Robot& robot, const Ch
 
 Robot RobotReader::read() {
   root_.allow_only({"name", "units", "geometries", "base", "links", "chains", "dofs", "hand",
-                    "exempt_collisions"});
+                    "frames", "exempt_collisions"});
   robot_.name = root_["name"].text();
   units_ = read_units(root_);
   if (root_.has("geometries")) read_named_geometry();
@@ -97,6 +98,7 @@ Robot RobotReader::read() {
   }
   for (std::size_t c = 0; c < chains.size(); ++c) read_chain_links(chains[c], robot_.chains[c]);
   if (root_.has("exempt_collisions")) read_exempt_pairs();
+  if (root_.has("frames")) read_frames();
   if (root_.has("hand")) robot_.hand = read_hand(root_["hand"], units_, robot_);
   return std::move(robot_);
 }
@@ -138,6 +140,27 @@ void RobotReader::read_exempt_pairs() {
     const auto [a, b] = std::minmax({link_called(names[0]), link_called(names[1])});
     if (a == b) pair.fail("must name two different links");
     robot_.exempt_pairs.emplace_back(a, b);
+  }
+}
+
+void RobotReader::read_frames() {
+  for (const JsonField& field : root_["frames"].items()) {
+    field.allow_only({"name", "role", "joint", "pose"});
+    require_new_name(field["name"], robot_.frames);
+    RobotFrame frame{.name = field["name"].text()};
+    if (field.has("role")) {
+      const JsonField role = field["role"];
+      const std::optional<FrameRole> known = value_named<FrameRole>(role.text());
+      if (!known) role.fail("unknown role, known are base, flange, tool and none");
+      frame.role = *known;
+    }
+    if (field.has("joint")) {
+      const auto found = joint_index_.find(field["joint"].text());
+      if (found == joint_index_.end()) field["joint"].fail("no joint of this name");
+      frame.joint = found->second;
+    }
+    if (field.has("pose")) frame.X_AF = read_pose(field["pose"], units_);
+    robot_.frames.push_back(std::move(frame));
   }
 }
 

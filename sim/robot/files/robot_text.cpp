@@ -19,10 +19,6 @@ Json rotation_json(const Matrix3& rotation) {
   return rows;
 }
 
-bool is_identity(const Pose& pose) {
-  return pose.linear() == Matrix3::Identity() && pose.translation() == Vector3::Zero();
-}
-
 Json steps_json(const Pose& pose) {
   Json steps = Json::array();
   if (pose.translation() != Vector3::Zero()) {
@@ -59,6 +55,7 @@ Json link_json(const Link& link) {
 Json joint_json(const Joint& joint) {
   Json json{{"name", joint.name},
             {"type", joint.type == JointType::revolute ? "revolute" : "prismatic"}};
+  if (!joint.driver_name.empty()) json["driver_name"] = joint.driver_name;
   if (!is_identity(joint.X_PJ)) json["origin"] = steps_json(joint.X_PJ);
   json["axis"] = vector_to_json(joint.axis);
   if (joint.zero != 0.0) json["zero"] = joint.zero;
@@ -115,6 +112,18 @@ Json exempt_json(const Robot& robot) {
     pairs.push_back({robot.links[index(a)].name, robot.links[index(b)].name});
   }
   return pairs;
+}
+
+Json frames_json(const Robot& robot) {
+  Json frames = Json::array();
+  for (const RobotFrame& frame : robot.frames) {
+    Json json{{"name", frame.name}};
+    if (frame.role != FrameRole::none) json["role"] = name_of(frame.role);
+    if (frame.joint >= 0) json["joint"] = robot.joints[index(frame.joint)].name;
+    if (!is_identity(frame.X_AF)) json["pose"] = steps_json(frame.X_AF);
+    frames.push_back(json);
+  }
+  return frames;
 }
 
 Json strategy_json(const Robot& robot, const ClosingStrategy& strategy) {
@@ -176,6 +185,7 @@ std::string robot_text(const Robot& robot) {
   json["dofs"] = Json::array();
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) json["dofs"].push_back(dof_json(robot, d));
   if (robot.hand) json["hand"] = hand_json(robot);
+  if (!robot.frames.empty()) json["frames"] = frames_json(robot);
   if (!robot.exempt_pairs.empty()) json["exempt_collisions"] = exempt_json(robot);
   return wrapped_json(json);
 }

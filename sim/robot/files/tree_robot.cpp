@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
 
 #include "sim/base/formatted.h"
 #include "sim/base/index.h"
@@ -50,6 +52,7 @@ class TreeRobot {
   };
 
   std::vector<int> gather(int link);
+  void add_frame(const TreeLink& link, const LinkPlace& place);
   void follow(const Start& start);
   void add_joint(int joint, int parent);
   void add_dofs();
@@ -68,6 +71,21 @@ class TreeRobot {
   Robot robot_;
 };
 
+// What frames are for is said by their names alone: "flange" and "tool0" are those of
+// ROS-Industrial arms; tool centre points are called tcp somehow.
+FrameRole role_of(std::string name) {
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (name == "flange" || name == "tool0") return FrameRole::flange;
+  return name.find("tcp") != std::string::npos ? FrameRole::tool : FrameRole::none;
+}
+
+// Keeps the frame of a link where no link of the robot has it.
+void TreeRobot::add_frame(const TreeLink& link, const LinkPlace& place) {
+  if (!link.mesh.empty() && is_identity(place.X_AL)) return;
+  robot_.frames.push_back({link.name, role_of(link.name), place.joint, place.X_AL});
+}
+
 // Places the links that fixed joints hold to `link`, which is placed, and adds those with triangles
 // to the robot. Returns the joints that move something beyond them, in the order of the file.
 std::vector<int> TreeRobot::gather(int link) {
@@ -78,6 +96,7 @@ std::vector<int> TreeRobot::gather(int link) {
     todo.pop_back();
     const TreeLink& body = tree_.links[index(at)];
     const LinkPlace& place = place_[index(at)];
+    add_frame(body, place);
     if (!body.mesh.empty()) {
       robot_link_[index(at)] = static_cast<int>(robot_.links.size());
       robot_.links.push_back({.name = body.name,
@@ -262,6 +281,7 @@ void TreeRobot::mark_base() {
   robot_.links.push_back({.name = tree_.links[index(root_of(tree_))].name,
                           .material = "plastic",
                           .mesh = make_box(Vector3::Constant(kBaseMark))});
+  robot_.frames.erase(robot_.frames.begin());  // of the root, which that link has now
   robot_.notes.push_back("link " + robot_.links.front().name +
                          ", the base, has no geometry: a cube of 1 mm stands for it");
 }

@@ -25,7 +25,7 @@ std::string digits(const Vector3& v) {
 }
 
 void write_origin(XmlText& xml, const Pose& pose) {
-  if (pose.matrix() == Pose::Identity().matrix()) return;
+  if (is_identity(pose)) return;
   XmlAttributes attributes{{"xyz", digits(Vector3(pose.translation()))}};
   if (pose.linear() != Matrix3::Identity()) {
     attributes.emplace_back("rpy", digits(urdf_angles(pose.linear())));
@@ -85,9 +85,13 @@ void change_variable(Robot& robot, int dof, double ratio, double offset) {
   }
 }
 
-// The same robot with `prefix` before all its names, and every degree of freedom called after one
+// The same robot with `prefix` before the names of its chains, links and joints, except of joints
+// that the robot's driver has a name for, and every degree of freedom called after one
 // of its joints, whose value it is (ratio 1, offset 0): one that is so already, else the first.
 Robot urdf_form(Robot robot, const std::string& prefix) {
+  for (Joint& joint : robot.joints) {
+    joint.name = joint.driver_name.empty() ? prefix + joint.name : joint.driver_name;
+  }
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
     const int dof = static_cast<int>(d);
     const int leader = leader_of(robot, dof);
@@ -104,8 +108,6 @@ Robot urdf_form(Robot robot, const std::string& prefix) {
     for (auto& one : named) one.name = prefix + one.name;
   };
   rename(robot.chains);
-  rename(robot.joints);
-  rename(robot.dofs);
   rename(robot.links);
   return robot;
 }
@@ -120,7 +122,7 @@ class UrdfWriter {
  private:
   void write_robot(const Robot& robot);
   void write_joint(const Robot& robot, std::size_t j);
-  void write_link(const Link& link);
+  void write_link(const Link& link, const Pose& X_AL = Pose::Identity());
   void write_mount(const MountedRobot& mounted, const Robot& robot);
   void write_fixed(const std::string& name, const std::string& parent, const std::string& child,
                    const Pose& X);
@@ -159,11 +161,22 @@ std::string UrdfWriter::mesh_file(const std::string& link) {
   return folder_ + "/" + name + ".obj";
 }
 
-void UrdfWriter::write_link(const Link& link) {
+// The frame that the link had in the file from which it comes, in that after its joint.
+Pose own_frame(const Robot& robot, const Link& link) {
+  for (const RobotFrame& frame : robot.frames) {
+    if (frame.name == link.name && frame.joint == link.joint) return frame.X_AF;
+  }
+  return Pose::Identity();
+}
+
+void UrdfWriter::write_link(const Link& link, const Pose& X_AL) {
   const std::string file = mesh_file(link.name);
-  files_.push_back({file, obj_text(link.mesh)});
+  const bool is_moved = !is_identity(X_AL);
+  files_.push_back({file, obj_text(is_moved ? transformed(link.mesh, X_AL.inverse()) : link.mesh)});
   xml_.open("link", {{"name", link.name}});
-  write_inertial(xml_, link.inertial);
+  write_inertial(xml_, is_moved && link.inertial.mass > 0.0
+                           ? transformed(link.inertial, X_AL.inverse())
+                           : link.inertial);
   for (const char* use : {"visual", "collision"}) {
     xml_.open(use);
     xml_.open("geometry");
@@ -189,7 +202,7 @@ void UrdfWriter::write_joint(const Robot& robot, std::size_t j) {
   const bool turns = joint.type == JointType::revolute;
   Joint at_zero = joint;
   at_zero.X_JA = Pose::Identity();
-  const bool has_after = joint.X_JA.matrix() != Pose::Identity().matrix();
+  const bool has_after = !is_identity(joint.X_JA);
   const std::string child = has_after ? new_link(joint.name + "_axis") : frames[j];
   if (has_after) {
     write_frame(child);
@@ -220,24 +233,38 @@ void UrdfWriter::write_joint(const Robot& robot, std::size_t j) {
 
 void UrdfWriter::write_robot(const Robot& robot) {
   std::vector<std::string>& frames = frames_.emplace_back(robot.joints.size());
+  std::vector<RobotFrame> held;  // links and frames that are fixed to another one
   for (const Link& link : robot.links) links_.insert(link.name);
   for (std::size_t l = 0; l < robot.links.size(); ++l) {
     const Link& link = robot.links[l];
-    write_link(link);
+    // The base frame is that of the first link.
+    const Pose X_AL = l == 0 ? Pose::Identity() : own_frame(robot, link);
+    write_link(link, X_AL);
     if (l == 0) continue;
-    std::string none;
-    std::string& frame = link.joint < 0 ? none : frames[index(link.joint)];
-    if (link.joint >= 0 && frame.empty()) {
-      frame = link.name;
+    if (link.joint >= 0 && frames[index(link.joint)].empty() && is_identity(X_AL)) {
+      frames[index(link.joint)] = link.name;
     } else {
-      write_fixed(link.name + "_fixed", link.joint < 0 ? robot.links[0].name : frame, link.name,
-                  Pose::Identity());
+      held.push_back({link.name, FrameRole::none, link.joint, X_AL});
+    }
+  }
+  for (const RobotFrame& frame : robot.frames) {
+    if (links_.count(frame.name) != 0) continue;
+    write_frame(new_link(frame.name));
+    if (frame.joint >= 0 && frames[index(frame.joint)].empty() && is_identity(frame.X_AF)) {
+      frames[index(frame.joint)] = frame.name;
+    } else {
+      held.push_back(frame);
     }
   }
   for (std::size_t j = 0; j < frames.size(); ++j) {
     if (!frames[j].empty()) continue;
     frames[j] = new_link(robot.joints[j].name + "_link");
     write_frame(frames[j]);
+  }
+  for (const RobotFrame& frame : held) {
+    write_fixed(frame.name + "_fixed",
+                frame.joint < 0 ? robot.links[0].name : frames[index(frame.joint)], frame.name,
+                frame.X_AF);
   }
   for (std::size_t j = 0; j < robot.joints.size(); ++j) write_joint(robot, j);
 }

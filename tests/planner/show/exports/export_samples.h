@@ -15,13 +15,23 @@ namespace prehend::test {
 inline constexpr const char* kObject = "mug, \"large\": #1\nno";
 inline constexpr const char* kBase = "~";
 
+// No two frames of the hand are the same, nor are names of joints those of the driver.
 inline ExportHeader sample_header() {
-  return {kObject, "hand", kBase, {"spread", "close"}, {"1.0", "finger: a", "true"}};
+  Random random(77);
+  ExportHeader header{.object = kObject,
+                      .hand = "hand",
+                      .hand_dofs = {"spread", "close"},
+                      .hand_joints = {"1.0", "finger: a", "true"},
+                      .driver_joints = {"2.0", "b: a", "no"}};
+  header.end_effector = {.base = {kBase, random.pose(0.1)},
+                         .parent = {"flange\n- a: 1", random.pose(0.1)},
+                         .tool = HandFrame{"tcp", random.pose(0.1)}};
+  return header;
 }
 
 inline Trajectory sample_path() {
   Trajectory path;
-  path.joints = {"arm, 1", "arm_2"};
+  path.joints = {"arm/1, 1", "hand/2"};
   path.times = {0.0, 0.02, 0.04, 1.999999999999, 3.0 + 1.0 / 3.0};
   path.positions = {{0.1, -0.2}, {1.0 / 3.0, 1e-7}, {0.5, 0.0}, {-2.0, 1e22}, {-2.5, 5e-324}};
   path.velocities = {{0.0, 0.0}, {0.7, -1.0 / 7.0}, {1e-9, 2.0}, {3.0, 4.0}, {0.0, -0.0}};

@@ -141,8 +141,8 @@ TEST(Csv, GraspsReadBackEqual) {
 TEST(Csv, PathReadsBackEqual) {
   const Trajectory path = sample_path();
   const CsvTable table(path_csv(path));
-  EXPECT_EQ(table.names(),
-            (Strings{"time", "segment", "arm, 1", "arm_2", "arm, 1_velocity", "arm_2_velocity"}));
+  EXPECT_EQ(table.names(), (Strings{"time", "segment", "arm/1, 1", "hand/2", "arm/1, 1_velocity",
+                                    "hand/2_velocity"}));
   ASSERT_EQ(table.size(), path.times.size());
   const Strings segments = {"transfer", "transfer", "transfer", "approach", "approach"};
   for (std::size_t i = 0; i < path.times.size(); ++i) {
@@ -178,14 +178,15 @@ TEST(Isaac, GraspsReadBackEqual) {
     EXPECT_EQ(keys(node), (std::set<std::string>{"confidence", "position", "orientation",
                                                  "cspace_position", "pregrasp_cspace_position"}));
     EXPECT_EQ(node["confidence"].as<double>(), std::min(grasp.epsilon, 1.0));
-    EXPECT_EQ(node["position"].as<Numbers>(), numbers(grasp.X_OH.translation()));
+    const Pose X_OB = grasp.X_OH * sample_header().end_effector.base.X_HF;
+    EXPECT_EQ(node["position"].as<Numbers>(), numbers(X_OB.translation()));
     const Numbers q = node["orientation"]["xyz"].as<Numbers>();
     ASSERT_EQ(q.size(), 3U);
-    expect_rotation({node["orientation"]["w"].as<double>(), q[0], q[1], q[2]}, grasp.X_OH);
+    expect_rotation({node["orientation"]["w"].as<double>(), q[0], q[1], q[2]}, X_OB);
     ASSERT_EQ(node["cspace_position"].size(), 3U);
     ASSERT_EQ(node["pregrasp_cspace_position"].size(), 3U);
     for (std::size_t j = 0; j < 3; ++j) {
-      const std::string joint = sample_header().hand_joints[j];
+      const std::string joint = sample_header().driver_joints[j];
       EXPECT_EQ(node["cspace_position"][joint].as<double>(), grasp.closed_joints[j]);
       EXPECT_EQ(node["pregrasp_cspace_position"][joint].as<double>(), grasp.pregrasp_joints[j]);
     }
@@ -203,14 +204,15 @@ TEST(Isaac, PoseIsTheHandsInTheObjectsFrame) {
   const Eigen::Quaterniond rotation(node["orientation"]["w"].as<double>(), q[0], q[1], q[2]);
   const Vector3 position = sample.X_WO * Vector3(p[0], p[1], p[2]);
   const Matrix3 turn = sample.X_WO.linear() * rotation.toRotationMatrix();
-  EXPECT_LE((position - sample.grasp.X_WH.translation()).norm(), 1e-14);
-  EXPECT_LE((turn - sample.grasp.X_WH.linear()).norm(), 1e-14);
+  const Pose X_WB = sample.grasp.X_WH * sample_header().end_effector.base.X_HF;
+  EXPECT_LE((position - X_WB.translation()).norm(), 1e-14);
+  EXPECT_LE((turn - X_WB.linear()).norm(), 1e-14);
 }
 
 // Every name and sign of a text survives readers that guess types: it is quoted.
 TEST(Isaac, TextsAreQuoted) {
   const std::string text = isaac_grasps_yaml(sample_header(), sample_grasps());
-  for (const std::string quoted : {"\"~\"", "\"1.0\":", "\"true\":", "\"finger: a\":"}) {
+  for (const std::string quoted : {"\"~\"", "\"2.0\":", "\"no\":", "\"b: a\":"}) {
     EXPECT_NE(text.find(quoted), std::string::npos) << quoted;
   }
 }
@@ -227,46 +229,72 @@ const std::set<std::string> kTrajectoryKeys = {"header", "joint_names", "points"
 const std::set<std::string> kPointKeys = {"positions", "velocities", "accelerations", "effort",
                                           "time_from_start"};
 
-TEST(Moveit, TrajectoryReadsBackEqual) {
-  const Trajectory path = sample_path();
+double seconds_of(const YAML::Node& time, bool ros1) {
+  const auto rest = time[ros1 ? "nsecs" : "nanosec"].as<long long>();
+  EXPECT_GE(rest, 0);
+  EXPECT_LT(rest, 1000000000);
+  return static_cast<double>(time[ros1 ? "secs" : "sec"].as<long long>()) +
+         1e-9 * static_cast<double>(rest);
+}
+
+// Each segment has the joints of the robots that move in it, by the names of their driver, and a
+// time of its own.
+TEST(Moveit, TrajectoriesReadBackEqual) {
+  Trajectory path = sample_path();
+  // While it approaches the arm rests.
+  for (std::size_t i = 2; i < path.times.size(); ++i) {
+    path.positions[i][0] = path.positions[2][0];
+    path.velocities[i][0] = 0.0;
+  }
+  const Strings names = {"panda_joint1", "finger"};
   for (const RosVersion ros : {RosVersion::ros1, RosVersion::ros2}) {
     const bool ros1 = ros == RosVersion::ros1;
     const YAML::Node file =
-        YAML::Load(moveit_trajectory_yaml(path, {.ros = ros, .world_frame = "base"}));
-    EXPECT_EQ(keys(file),
-              (std::set<std::string>{"joint_trajectory", "multi_dof_joint_trajectory"}));
-    const YAML::Node node = file["joint_trajectory"];
-    EXPECT_EQ(keys(node), kTrajectoryKeys);
-    expect_stamp(node["header"], "base", ros1);
-    EXPECT_EQ(node["joint_names"].as<Strings>(), path.joints);
-    ASSERT_EQ(node["points"].size(), path.times.size());
-    for (std::size_t i = 0; i < path.times.size(); ++i) {
-      const YAML::Node point = node["points"][i];
-      EXPECT_EQ(keys(point), kPointKeys);
-      EXPECT_EQ(point["positions"].as<Numbers>(), path.positions[i]);
-      EXPECT_EQ(point["velocities"].as<Numbers>(), path.velocities[i]);
-      EXPECT_EQ(point["accelerations"].size(), 0U);
-      EXPECT_EQ(point["effort"].size(), 0U);
-      const YAML::Node time = point["time_from_start"];
-      const auto whole = time[ros1 ? "secs" : "sec"].as<long long>();
-      const auto rest = time[ros1 ? "nsecs" : "nanosec"].as<long long>();
-      EXPECT_GE(rest, 0);
-      EXPECT_LT(rest, 1000000000);
-      const double seconds = static_cast<double>(whole) + 1e-9 * static_cast<double>(rest);
-      EXPECT_NEAR(seconds, path.times[i], 0.51e-9);
+        YAML::Load(moveit_trajectories_yaml(path, names, {.ros = ros, .world_frame = "base"}));
+    // Nothing moves in the last segment.
+    const std::vector<std::vector<std::size_t>> moving = {{0, 1}, {1}};
+    ASSERT_EQ(file.size(), moving.size());
+    for (std::size_t s = 0; s < file.size(); ++s) {
+      const TrajectorySegment& segment = path.segments[s];
+      EXPECT_EQ(keys(file[s]), (std::set<std::string>{"segment", "trajectory"}));
+      EXPECT_EQ(file[s]["segment"].as<std::string>(), segment.name);
+      const YAML::Node trajectory = file[s]["trajectory"];
+      EXPECT_EQ(keys(trajectory),
+                (std::set<std::string>{"joint_trajectory", "multi_dof_joint_trajectory"}));
+      const YAML::Node node = trajectory["joint_trajectory"];
+      EXPECT_EQ(keys(node), kTrajectoryKeys);
+      expect_stamp(node["header"], "base", ros1);
+      Strings joints;
+      for (const std::size_t j : moving[s]) joints.push_back(names[j]);
+      EXPECT_EQ(node["joint_names"].as<Strings>(), joints);
+      ASSERT_EQ(node["points"].size(), static_cast<std::size_t>(segment.last - segment.first + 1));
+      for (std::size_t i = 0; i < node["points"].size(); ++i) {
+        const YAML::Node point = node["points"][i];
+        EXPECT_EQ(keys(point), kPointKeys);
+        const std::size_t at = i + static_cast<std::size_t>(segment.first);
+        for (std::size_t k = 0; k < moving[s].size(); ++k) {
+          EXPECT_EQ(point["positions"][k].as<double>(), path.positions[at][moving[s][k]]);
+          EXPECT_EQ(point["velocities"][k].as<double>(), path.velocities[at][moving[s][k]]);
+        }
+        EXPECT_EQ(point["positions"].size(), moving[s].size());
+        EXPECT_EQ(point["accelerations"].size(), 0U);
+        EXPECT_EQ(point["effort"].size(), 0U);
+        EXPECT_NEAR(seconds_of(point["time_from_start"], ros1),
+                    path.times[at] - path.times[static_cast<std::size_t>(segment.first)], 0.51e-9);
+      }
+      const YAML::Node multi = trajectory["multi_dof_joint_trajectory"];
+      EXPECT_EQ(keys(multi), kTrajectoryKeys);
+      expect_stamp(multi["header"], "", ros1);
+      EXPECT_TRUE(multi["joint_names"].IsSequence() && multi["joint_names"].size() == 0);
+      EXPECT_TRUE(multi["points"].IsSequence() && multi["points"].size() == 0);
     }
-    const YAML::Node multi = file["multi_dof_joint_trajectory"];
-    EXPECT_EQ(keys(multi), kTrajectoryKeys);
-    expect_stamp(multi["header"], "", ros1);
-    EXPECT_TRUE(multi["joint_names"].IsSequence() && multi["joint_names"].size() == 0);
-    EXPECT_TRUE(multi["points"].IsSequence() && multi["points"].size() == 0);
   }
 }
 
 void expect_posture(const YAML::Node& node, const Numbers& joints) {
   EXPECT_EQ(keys(node), kTrajectoryKeys);
   expect_stamp(node["header"], kBase, false);
-  EXPECT_EQ(node["joint_names"].as<Strings>(), sample_header().hand_joints);
+  EXPECT_EQ(node["joint_names"].as<Strings>(), sample_header().driver_joints);
   ASSERT_EQ(node["points"].size(), 1U);
   EXPECT_EQ(keys(node["points"][0]), kPointKeys);
   EXPECT_EQ(node["points"][0]["positions"].as<Numbers>(), joints);
@@ -299,11 +327,11 @@ TEST(Moveit, GraspsReadBackEqual) {
     expect_posture(node["grasp_posture"], grasp.closed_joints);
     expect_stamp(node["grasp_pose"]["header"], kObject, false);
     const YAML::Node pose = node["grasp_pose"]["pose"];
-    EXPECT_EQ(xyz(pose["position"]), numbers(grasp.X_OH.translation()));
+    const Pose X_OP = grasp.X_OH * sample_header().end_effector.parent.X_HF;
+    EXPECT_EQ(xyz(pose["position"]), numbers(X_OP.translation()));
     const YAML::Node q = pose["orientation"];
     expect_rotation(
-        {q["w"].as<double>(), q["x"].as<double>(), q["y"].as<double>(), q["z"].as<double>()},
-        grasp.X_OH);
+        {q["w"].as<double>(), q["x"].as<double>(), q["y"].as<double>(), q["z"].as<double>()}, X_OP);
     EXPECT_EQ(node["grasp_quality"].as<double>(), grasp.epsilon);
     const Numbers back = numbers(-grasp.approach_O);
     expect_translation(node["pre_grasp_approach"], numbers(grasp.approach_O),
@@ -317,12 +345,12 @@ TEST(Moveit, GraspsReadBackEqual) {
 
 TEST(Moveit, WorldFrameAndMountingLink) {
   const Sample sample = sample_grasp(4);
-  MoveitOptions options{.ros = RosVersion::ros1, .frame = GraspFrame::world, .world_frame = "map"};
-  options.X_HP = sample_grasp(5).X_WO;
+  const MoveitOptions options{
+      .ros = RosVersion::ros1, .frame = GraspFrame::world, .world_frame = "map"};
   const YAML::Node node =
       YAML::Load(moveit_grasps_yaml(sample_header(), {sample.grasp}, options))[0];
   expect_stamp(node["grasp_pose"]["header"], "map", true);
-  const Pose X_WP = sample.X_WO * sample.grasp.X_OH * options.X_HP;
+  const Pose X_WP = sample.X_WO * sample.grasp.X_OH * sample_header().end_effector.parent.X_HF;
   const YAML::Node pose = node["grasp_pose"]["pose"];
   const Numbers p = xyz(pose["position"]);
   EXPECT_LE((Vector3(p[0], p[1], p[2]) - X_WP.translation()).norm(), 1e-14);
@@ -334,6 +362,14 @@ TEST(Moveit, WorldFrameAndMountingLink) {
   const Numbers d = xyz(approach["direction"]["vector"]);
   const Vector3 approach_W = sample.X_WO.linear() * sample.grasp.approach_O;
   EXPECT_LE((Vector3(d[0], d[1], d[2]) - approach_W).norm(), 1e-14);
+}
+
+// Names of frames may hold anything; the lines about them stay comments.
+TEST(Moveit, FramesAreSaidInComments) {
+  const std::string text = moveit_grasps_yaml(sample_header(), {sample_grasp(1).grasp});
+  EXPECT_NE(text.find("# Poses are those of the frame flange"), std::string::npos) << text;
+  EXPECT_NE(text.find("tool centre point, tcp:"), std::string::npos);
+  EXPECT_EQ(YAML::Load(text).size(), 1U);
 }
 
 TEST(Exports, NoGraspIsAnEmptyFile) {
@@ -361,13 +397,13 @@ TEST(Exports, RefuseWhatDoesNotFitTheirNames) {
   Trajectory path = sample_path();
   path.velocities[2].pop_back();
   EXPECT_THROW(path_csv(path), InputError);
-  EXPECT_THROW(moveit_trajectory_yaml(path), InputError);
+  EXPECT_THROW(moveit_trajectories_yaml(path, {"a", "b"}), InputError);
   path = sample_path();
   path.positions.pop_back();
   EXPECT_THROW(path_csv(path), InputError);
   path = sample_path();
-  path.times[0] = -1.0;
-  EXPECT_THROW(moveit_trajectory_yaml(path), InputError);
+  path.times[1] = -1.0;
+  EXPECT_THROW(moveit_trajectories_yaml(path, {"a", "b"}), InputError);
 }
 
 }  // namespace

@@ -28,10 +28,10 @@ std::vector<BadField> bad_fields() {
       {"EmptyName", "/name", R"("")", R"(name: must be a text that is not empty (""))"},
       {"UnknownTopField", "/colour", R"("red")",
        "colour: unknown field, known here are name, units, geometries, base, links, chains, dofs, "
-       R"(hand, exempt_collisions ("red"))"},
+       R"(hand, frames, exempt_collisions ("red"))"},
       {"UnknownJointField", "/chains/0/joints/1/thetta", "3",
        "chains[0].joints[1].thetta: unknown field, known here are name, type, theta, d, a, alpha, "
-       "origin, axis, zero, after, limits, effort, friction, spring (3)"},
+       "origin, axis, zero, after, limits, effort, friction, spring, driver_name (3)"},
       {"UnknownDofField", "/dofs/0/speed", "1",
        "dofs[0].speed: unknown field, known here are name, drives, initial, closing_velocity, "
        "coupling, breakaway_effort, velocity, acceleration, stiffness, damping (1)"},

@@ -19,6 +19,7 @@ inline void expect_same_pose(const Pose& a, const Pose& b, const std::string& wh
 
 inline void expect_same_joint(const Joint& a, const Joint& b) {
   EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.driver_name, b.driver_name) << a.name;
   EXPECT_EQ(a.type, b.type) << a.name;
   expect_same_pose(a.X_PJ, b.X_PJ, a.name);
   expect_same_pose(a.X_JA, b.X_JA, a.name);
@@ -63,6 +64,16 @@ inline void expect_same_link(const Link& a, const Link& b) {
   EXPECT_EQ(a.inertial.center_of_mass, b.inertial.center_of_mass) << a.name;
   const double largest = a.inertial.inertia.cwiseAbs().maxCoeff();
   EXPECT_LE((a.inertial.inertia - b.inertial.inertia).norm(), kUnitAgain * largest) << a.name;
+}
+
+inline void expect_same_frames(const Robot& a, const Robot& b) {
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (std::size_t f = 0; f < a.frames.size(); ++f) {
+    EXPECT_EQ(a.frames[f].name, b.frames[f].name);
+    EXPECT_EQ(a.frames[f].role, b.frames[f].role) << a.frames[f].name;
+    EXPECT_EQ(a.frames[f].joint, b.frames[f].joint) << a.frames[f].name;
+    expect_same_pose(a.frames[f].X_AF, b.frames[f].X_AF, a.frames[f].name);
+  }
 }
 
 inline void expect_same_hand(const Robot& a, const Robot& b) {
@@ -110,6 +121,7 @@ inline void expect_same_robot(const Robot& a, const Robot& b) {
   ASSERT_EQ(a.links.size(), b.links.size());
   for (std::size_t l = 0; l < a.links.size(); ++l) expect_same_link(a.links[l], b.links[l]);
   EXPECT_EQ(a.exempt_pairs, b.exempt_pairs);
+  expect_same_frames(a, b);
   expect_same_hand(a, b);
 }
 

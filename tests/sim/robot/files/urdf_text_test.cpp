@@ -45,9 +45,10 @@ const Link& link_called(const Robot& robot, const std::string& name) {
 constexpr double kSinglePrecision = 2e-6;
 
 // Sets the joints of `again` to the values that those of `robot` have, and compares where all
-// vertices are. A name N of `robot` is called renamed(N) in `again`.
-template <typename Renamed>
-void expect_same_places(const Robot& robot, const Robot& again, const Renamed& renamed) {
+// vertices are. A joint J or link L of `robot` is called joint_name(J) or link_name(L) in `again`.
+template <typename JointName, typename LinkName>
+void expect_same_places(const Robot& robot, const Robot& again, const JointName& joint_name,
+                        const LinkName& link_name) {
   ASSERT_EQ(again.joints.size(), robot.joints.size());
   ASSERT_EQ(again.dofs.size(), robot.dofs.size());
   std::mt19937 random(3);
@@ -59,7 +60,7 @@ void expect_same_places(const Robot& robot, const Robot& again, const Renamed& r
     const std::vector<double> values = joint_values(robot, dofs);
     std::vector<double> dofs_again(again.dofs.size());
     for (std::size_t j = 0; j < robot.joints.size(); ++j) {
-      const Joint& joint = joint_called(again, renamed(robot.joints[j].name));
+      const Joint& joint = joint_called(again, joint_name(robot.joints[j]));
       dofs_again[index(joint.dof)] = (values[j] - joint.offset) / joint.ratio;
     }
     std::vector<Pose> X_BL;
@@ -68,7 +69,7 @@ void expect_same_places(const Robot& robot, const Robot& again, const Renamed& r
     link_poses(again, joint_values(again, dofs_again), X_again);
     for (std::size_t l = 0; l < robot.links.size(); ++l) {
       const Link& link = robot.links[l];
-      const Link& other = link_called(again, renamed(link.name));
+      const Link& other = link_called(again, link_name(link));
       const Pose& X_other = X_again[static_cast<std::size_t>(&other - again.links.data())];
       const Bounds here = bounds(transformed(link.mesh, X_BL[l]));
       const Bounds there = bounds(transformed(other.mesh, X_other));
@@ -88,7 +89,7 @@ TEST(UrdfText, LibraryRobotsReadBackWithEqualPositions) {
     ASSERT_EQ(again.robots.size(), 1U);
     const Robot& robot = platform.robots[0].robot;
     const Robot& other = again.robots[0].robot;
-    expect_same_places(robot, other, [](const std::string& same) { return same; });
+    expect_same_places(robot, other, driver_name, [](const Link& link) { return link.name; });
     ASSERT_EQ(other.hand.has_value(), robot.hand.has_value());
     if (!robot.hand) continue;
     EXPECT_LT((other.hand->approach - robot.hand->approach).norm(), 1e-12);
@@ -98,7 +99,7 @@ TEST(UrdfText, LibraryRobotsReadBackWithEqualPositions) {
       const std::vector<double> values = joint_values(robot, robot.hand->preshapes[p].dofs);
       const std::vector<double> others = joint_values(other, other.hand->preshapes[p].dofs);
       for (std::size_t j = 0; j < values.size(); ++j) {
-        const Joint& same = joint_called(other, robot.joints[j].name);
+        const Joint& same = joint_called(other, driver_name(robot.joints[j]));
         EXPECT_NEAR(others[static_cast<std::size_t>(&same - other.joints.data())], values[j], 1e-12)
             << same.name;
       }
@@ -118,16 +119,72 @@ TEST(UrdfText, PlatformsReadBackWithEqualPositions) {
     EXPECT_TRUE(again.robots[1].robot.hand);
     // ROBOT/NAME was written as ROBOT_NAME, and is read as a name of the arm or the hand.
     const Robot other = assemble(again).robot;
-    expect_same_places(assemble(platform).robot, other, [&](std::string renamed) {
-      renamed[renamed.find('/')] = '_';
-      for (const Link& link : other.links) {
-        if (link.name == "hand/" + renamed) return link.name;
+    const Robot whole = assemble(platform).robot;
+    // ROBOT/NAME was written as ROBOT_NAME, but for joints that the driver has a name for, and is
+    // read as a name of the arm or the hand.
+    const auto with_robot = [&](const auto& all, const std::string& name) {
+      for (const auto& one : all) {
+        if (one.name == "hand/" + name) return one.name;
       }
-      for (const Joint& joint : other.joints) {
-        if (joint.name == "hand/" + renamed) return joint.name;
-      }
-      return "arm/" + renamed;
-    });
+      return "arm/" + name;
+    };
+    const auto written = [](std::string name) {
+      name[name.find('/')] = '_';
+      return name;
+    };
+    expect_same_places(
+        whole, other,
+        [&](const Joint& joint) {
+          const bool has_name = !joint.name.ends_with("/" + joint.driver_name);
+          return with_robot(other.joints, has_name ? joint.driver_name : written(joint.name));
+        },
+        [&](const Link& link) { return with_robot(other.links, written(link.name)); });
+  }
+}
+
+const RobotFrame& frame_called(const Robot& robot, const std::string& name) {
+  for (const RobotFrame& frame : robot.frames) {
+    if (frame.name == name) return frame;
+  }
+  ADD_FAILURE() << "no frame " << name;
+  return robot.frames.at(0);
+}
+
+// Tool frames have no geometry, and links that others carry have frames of their own: both are
+// there after two conversions, and meshes are written in the frames in which they were read.
+TEST(UrdfText, KeepsFramesWithoutGeometryAndTurnedLinks) {
+  const std::string text = test::urdf(
+      "<link name=\"world\"/>" + test::box_link("base") + test::box_link("arm") +
+      test::box_link("turned", "0.1 0.2 0.3", "0.5 0 0") + "<link name=\"tool0\"/>" +
+      "<link name=\"my_TCP\"/>" +
+      test::urdf_joint("stands", "fixed", "world", "base", "<origin xyz=\"0 0 1\"/>") +
+      test::urdf_joint("turns", "revolute", "base", "arm",
+                       std::string("<axis xyz=\"0 0 1\"/>") + test::kLimit) +
+      test::urdf_joint("holds", "fixed", "arm", "turned",
+                       "<origin xyz=\"0.1 0 0\" rpy=\"0 0 1.5707963267948966\"/>") +
+      test::urdf_joint("ends", "fixed", "turned", "tool0", "<origin xyz=\"0 0 0.25\"/>") +
+      test::urdf_joint("reaches", "fixed", "tool0", "my_TCP", "<origin xyz=\"0 0 0.1\"/>"));
+  Platform platform = test::read_text(text);
+  const Robot first = platform.robots.at(0).robot;
+  EXPECT_EQ(frame_called(first, "tool0").role, FrameRole::flange);
+  EXPECT_EQ(frame_called(first, "my_TCP").role, FrameRole::tool);
+  EXPECT_LT((frame_called(first, "my_TCP").X_AF.translation() - Vector3(0.1, 0.0, 0.35)).norm(),
+            1e-12);
+  for (int n = 0; n < 2; ++n) {
+    platform = written_and_read(platform);
+    const Robot& again = platform.robots.at(0).robot;
+    for (const char* name : {"tool0", "my_TCP", "turned"}) {
+      const RobotFrame& before = frame_called(first, name);
+      const RobotFrame& after = frame_called(again, name);
+      EXPECT_EQ(after.joint, before.joint) << name;
+      EXPECT_LT((after.X_AF.matrix() - before.X_AF.matrix()).norm(), 1e-12) << name;
+    }
+    expect_same_places(first, again, driver_name, [](const Link& link) { return link.name; });
+  }
+  const std::vector<RobotTextFile> files = urdf_text(test::read_text(text), "made.urdf");
+  for (const RobotTextFile& file : files) {
+    if (file.name != "made_meshes/turned.obj") continue;
+    EXPECT_NE(file.content.find("v 0.45 -0.1 -0.15"), std::string::npos) << file.content;
   }
 }
 
