@@ -37,6 +37,8 @@ struct Tally {
   std::vector<double> milliseconds;  // of those that were solved
   std::vector<double> all_milliseconds;
   std::vector<double> lengths;  // of the ways, over those of the straight lines
+  int refused = 0;              // by the second check, of those that were solved
+  std::vector<double> check_milliseconds;
 
   void add(const Tally& other) {
     problems += other.problems;
@@ -47,14 +49,17 @@ struct Tally {
     append(milliseconds, other.milliseconds);
     append(all_milliseconds, other.all_milliseconds);
     append(lengths, other.lengths);
+    append(check_milliseconds, other.check_milliseconds);
+    refused += other.refused;
   }
 
   void print(const std::string& name) const {
-    std::printf("| %s | %zu of %d | %d | %.1f / %.1f / %.1f | %.2f | %.1f |\n", name.c_str(),
-                milliseconds.size(), problems - impossible, impossible,
+    std::printf("| %s | %zu of %d | %d | %.1f / %.1f / %.1f | %.2f | %.1f | %d | %.1f |\n",
+                name.c_str(), milliseconds.size(), problems - impossible, impossible,
                 percentile(milliseconds, 0.5), percentile(milliseconds, 0.95),
                 percentile(milliseconds, 1.0), percentile(lengths, 0.5),
-                1e-3 * std::accumulate(all_milliseconds.begin(), all_milliseconds.end(), 0.0));
+                1e-3 * std::accumulate(all_milliseconds.begin(), all_milliseconds.end(), 0.0),
+                refused, percentile(check_milliseconds, 0.5));
   }
 };
 
@@ -118,6 +123,10 @@ void try_problem(const Problem& problem, Tally& tally) {
   if (way.empty()) return;
   tally.milliseconds.push_back(milliseconds);
   tally.lengths.push_back(relative_length(way));
+  const ArmPath path = plan_arm_path(*scene, {transfer->to}, {}, {.threads = 1});
+  tally.refused += int{path.end == ArmPathEnd::refused};
+  tally.check_milliseconds.push_back(benchmark::processor_milliseconds(
+      [&] { (void)check_path(*scene, path.motion, {}, {.threads = 1}); }));
 }
 
 int run(const std::filesystem::path& folder, int first) {
@@ -127,8 +136,10 @@ int run(const std::filesystem::path& folder, int first) {
   }
   std::sort(kinds.begin(), kinds.end());
   Tally all;
-  std::puts("| scenes | solved | impossible | ms median / 95 % / most | length | s in all |");
-  std::puts("|--|--|--|--|--|--|");
+  std::puts(
+      "| scenes | solved | impossible | ms median / 95 % / most | length | s in all | refused | "
+      "check ms |");
+  std::puts("|--|--|--|--|--|--|--|--|");
   for (const std::filesystem::path& kind : kinds) {
     Tally tally;
     for (int i = 1; i <= first; ++i) {

@@ -48,7 +48,7 @@ goal_constraints: [{joint_constraints: [{joint_name: panda_joint1, position: 1.5
   const ProgramRun run =
       path(scene + " --request " + (folder / "request.yaml").string(), folder / "out");
   ASSERT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(content(folder / "out" / "path.csv").find("\n0,transfer,0.1,"),
+  EXPECT_EQ(content(folder / "out" / "path.csv").find("\n0.0,transfer,0.1,"),
             content(folder / "out" / "path.csv").find('\n'));
   // A failure leaves no path of another request.
   const ProgramRun blocked = path(scene + " --to panda_joint1=0.7854", folder / "out");
