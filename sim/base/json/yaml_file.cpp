@@ -13,9 +13,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Values that one file may hold: anchors could stand for far more than was written.
-constexpr int kMostValues = 20000000;
-
 // The whole text as a number; nothing where it is none.
 template <typename Number>
 std::optional<Number> number_of(const std::string& text) {
@@ -41,11 +38,12 @@ Json scalar(const YAML::Node& node) {
 
 class YamlReader {
  public:
-  explicit YamlReader(const std::filesystem::path& file) : file_(file) {}
+  // Anchors could stand for far more than was written. Without them each value takes two bytes.
+  YamlReader(const std::filesystem::path& file, std::size_t bytes) : file_(file), left_(bytes) {}
 
   Json value(const YAML::Node& node, int depth) {
     if (depth > kDeepestJson) fail(node, "nested deeper than " + std::to_string(kDeepestJson));
-    if (++values_ > kMostValues) fail(node, "more than " + std::to_string(kMostValues) + " values");
+    if (left_-- == 0) fail(node, "refers to its own parts too often");
     if (node.IsScalar()) return scalar(node);
     if (node.IsSequence()) {
       Json list = Json::array();
@@ -69,7 +67,7 @@ class YamlReader {
   }
 
   const std::filesystem::path& file_;
-  int values_ = 0;
+  std::size_t left_;  // values that may still come
 };
 
 }  // namespace
@@ -80,7 +78,7 @@ bool has_yaml_name(const std::filesystem::path& file) {
 
 JsonFile parse_yaml(const std::filesystem::path& file, const std::string& text) {
   try {
-    const Json value = YamlReader(file).value(YAML::Load(text), 1);
+    const Json value = YamlReader(file, text.size()).value(YAML::Load(text), 1);
     // Bytes that are no UTF-8 are replaced: JSON cannot hold them.
     return {file, value.dump(-1, ' ', false, Json::error_handler_t::replace)};
   } catch (const YAML::Exception& error) {
