@@ -16,6 +16,7 @@
 #include "sim/base/require_settings.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/reach/motion_check.h"
+#include "sim/scene/reach/motion_filter.h"
 
 namespace prehend {
 namespace {
@@ -26,6 +27,10 @@ namespace og = ompl::geometric;
 // Longest edge that a planner adds in one step, as a length in the planner's space: each degree of
 // freedom counts with the farthest that it moves any point of the arm [m].
 constexpr double kLongestEdge = 0.8;
+
+// Motions that keep this distance [m] are found faster, as is proven in fewer steps. Those from and
+// to the ends of the path may be closer (MotionCheckOptions::tightest), as the ends often are.
+constexpr double kLeastPassage = 4e-3;
 
 // How far a joint at its limit may be beyond it by rounding [rad or m].
 constexpr double kBeyondLimits = 1e-9;
@@ -65,6 +70,12 @@ class SeededSimplifier : public og::PathSimplifier {
   }
 };
 
+std::vector<ArmPair> checked_pairs_of(const CompiledArm& arm) {
+  std::vector<ArmPair> pairs = arm.arm_pairs;
+  pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+  return pairs;
+}
+
 // The space that OMPL plans in, and its collision checks. Its coordinates are the degrees of
 // freedom that carry the hand, each multiplied by the farthest that any point moves per unit of it
 // [m/rad or m/m]. In these coordinates a distance says about how far the arm moves, so that a turn
@@ -74,9 +85,12 @@ class TransferSpace {
  public:
   TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options,
                 const RunContext& context)
-      : arm_(arm), transfer_(transfer), options_(options), context_(context) {
-    pairs_ = arm.arm_pairs;
-    pairs_.insert(pairs_.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+      : arm_(arm),
+        transfer_(transfer),
+        options_(options),
+        context_(context),
+        pairs_(checked_pairs_of(arm)),
+        filter_(arm, pairs_) {
     for (const int dof : arm.dofs) scale_.push_back(motion_of(dof));
   }
 
@@ -97,13 +111,14 @@ class TransferSpace {
   }
 
   // Cancellation must not be an exception here: OMPL owns states by bare pointers, which an
-  // exception thrown through it would leak. Instead every state and motion counts as blocked once
-  // the context is cancelled. The planner then soon asks its termination condition (`after`) and
-  // returns, and search() throws Cancelled.
-  bool is_free(const ob::State* state) const {
-    if (is_cancelled()) return false;
-    return !first_meeting(arm_, pairs_, joints(dofs(state)));
-  }
+  // exception thrown through it would leak. Instead every motion counts as blocked once the context
+  // is cancelled. The planner then soon asks its termination condition (`after`) and returns, and
+  // search() throws Cancelled.
+  //
+  // States are not checked by themselves. Each that a planner uses is joined by motions to an end
+  // of the path, and there the bodies are apart and none is inside another: where no surfaces touch
+  // along the motions, that remains so.
+  bool is_free(const ob::State* /*state*/) const { return !is_cancelled(); }
 
   // Whether the arm can be in a posture: within its limits, but for rounding, and free of
   // collision.
@@ -116,27 +131,61 @@ class TransferSpace {
     return !first_meeting(arm_, pairs_, joints(dofs));
   }
 
-  // Whether the lines between postures are proven free of collision.
+  // Whether the lines between postures are proven free of collision by the meshes alone.
   bool is_free(const std::vector<DofValues>& waypoints) const {
     for (std::size_t i = 1; i < waypoints.size(); ++i) {
-      if (!is_free(waypoints[i - 1], waypoints[i])) return false;
+      if (is_blocked(pairs_, joints(waypoints[i - 1]), joints(waypoints[i]), options_.motion))
+        return false;
     }
     return true;
   }
 
-  // Whether the straight line between two postures is proven free of collision.
-  bool is_free(const DofValues& from, const DofValues& to) const {
-    try {
-      return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion, context_);
-    } catch (const Cancelled&) {
-      return false;
-    }
+  // Whether the straight line between two postures is proven free of collision, by the filter where
+  // it can tell.
+  bool is_free(const ob::State* from, const ob::State* to) {
+    MotionCheckOptions motion = options_.motion;
+    if (!is_end(from) && !is_end(to)) motion.tightest = std::max(motion.tightest, kLeastPassage);
+    const std::vector<double> first = joints(dofs(from));
+    const std::vector<double> last = joints(dofs(to));
+    const FilterVerdict verdict = filter_.line(first, last, motion.tightest, open_);
+    if (verdict != FilterVerdict::open) return verdict == FilterVerdict::free;
+    const auto posture = [&](double at) {
+      std::vector<double> result = first;
+      for (std::size_t j = 0; j < result.size(); ++j) result[j] += at * (last[j] - first[j]);
+      return result;
+    };
+    return std::none_of(open_.begin(), open_.end(), [&](const OpenStretch& stretch) {
+      std::vector<ArmPair> pairs;
+      for (const std::size_t p : stretch.pairs) pairs.push_back(pairs_[p]);
+      return is_blocked(pairs, posture(stretch.from), posture(stretch.to), motion);
+    });
   }
+
+  // States at which the arm is as close to something as it is at the ends of the path.
+  void set_ends(const ob::State* from, const ob::State* to) { ends_ = {from, to}; }
 
   bool is_cancelled() const { return context_.cancellation.requested(); }
   void check_cancellation() const { context_.cancellation.check(); }
 
  private:
+  bool is_end(const ob::State* state) const {
+    const auto values = [](const ob::State* of) {
+      return of->as<ob::RealVectorStateSpace::StateType>()->values;
+    };
+    return std::any_of(ends_.begin(), ends_.end(), [&](const ob::State* end) {
+      return std::equal(values(end), values(end) + size(), values(state));
+    });
+  }
+
+  bool is_blocked(const std::vector<ArmPair>& pairs, const std::vector<double>& from,
+                  const std::vector<double>& to, const MotionCheckOptions& motion) const {
+    try {
+      return first_blocked(arm_, pairs, {from, to}, motion, context_).has_value();
+    } catch (const Cancelled&) {
+      return true;
+    }
+  }
+
   const DegreeOfFreedom& dof(std::size_t k) const { return arm_.robot().dofs[index(arm_.dofs[k])]; }
 
   std::vector<double> joints(const DofValues& dofs) const {
@@ -160,19 +209,22 @@ class TransferSpace {
   const Transfer& transfer_;
   const TransferOptions& options_;
   const RunContext& context_;
-  std::vector<ArmPair> pairs_;
+  const std::vector<ArmPair> pairs_;
   std::vector<double> scale_;
+  MotionFilter filter_;
+  std::vector<OpenStretch> open_;
+  std::vector<const ob::State*> ends_;
 };
 
 // Edges of the planner's graph are checked by the proof of motion_check.h instead of OMPL's
 // sampling at a fixed resolution, which can miss a thin obstacle.
 class FreeMotion : public ob::MotionValidator {
  public:
-  FreeMotion(const ob::SpaceInformationPtr& information, const TransferSpace& space)
+  FreeMotion(const ob::SpaceInformationPtr& information, TransferSpace& space)
       : ob::MotionValidator(information), space_(space) {}
 
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
-    return space_.is_free(space_.dofs(from), space_.dofs(to));
+    return space_.is_free(from, to);
   }
   // OMPL also asks how far the motion is free. The proof does not tell, so the answer is the start.
   bool checkMotion(const ob::State* from, const ob::State* to,
@@ -184,11 +236,11 @@ class FreeMotion : public ob::MotionValidator {
   }
 
  private:
-  const TransferSpace& space_;
+  TransferSpace& space_;
 };
 
 // OMPL's description of the space: bounds, sampler, and both collision checks.
-ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t seed) {
+ob::SpaceInformationPtr information_of(TransferSpace& space, std::uint64_t seed) {
   auto vectors = std::make_shared<PlainSpace>(static_cast<unsigned>(space.size()));
   ob::RealVectorBounds bounds(static_cast<unsigned>(space.size()));
   for (std::size_t k = 0; k < space.size(); ++k) {
@@ -253,14 +305,14 @@ std::vector<DofValues> waypoints_of(og::PathGeometric& path, const TransferSpace
 // One run of the planner, and shortening of the path that it finds. Planner and simplifier check
 // states and motions through TransferSpace, so every edge of the path is proven free. Empty when
 // the iterations were used up.
-FoundPath search(const TransferSpace& space, const Transfer& transfer,
-                 const TransferOptions& options) {
+FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferOptions& options) {
   const ob::SpaceInformationPtr information = information_of(space, options.seed);
   auto problem = std::make_shared<ob::ProblemDefinition>(information);
   ob::ScopedState<> from(information);
   ob::ScopedState<> to(information);
   space.set(transfer.from, from.get());
   space.set(transfer.to, to.get());
+  space.set_ends(from.get(), to.get());
   problem->setStartAndGoalStates(from, to);
   problem->setOptimizationObjective(
       std::make_shared<ob::PathLengthOptimizationObjective>(information));
@@ -291,11 +343,11 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   require_settings(options);
   ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
-  const TransferSpace space(arm, transfer, options, context);
+  TransferSpace space(arm, transfer, options, context);
   // OMPL waits for other starts and goals where these are not valid.
   if (!space.is_possible(transfer.from) || !space.is_possible(transfer.to)) return {};
   // Often the straight line is free, which saves the search and is the shortest path.
-  if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
+  if (space.is_free({transfer.from, transfer.to})) return {transfer.from, transfer.to};
   FoundPath found = search(space, transfer, options);
   // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
   // repeated for the lines that are returned. Shortening ends at what just passes it, which the
