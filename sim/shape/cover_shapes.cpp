@@ -23,10 +23,16 @@ namespace {
 // most this multiple of their volume.
 constexpr std::size_t kMostComponents = 24;
 constexpr double kLoosest = 2.0;
+// A component gets several shapes, up to so many, where one has more than this multiple of its
+// volume and where each cut saves this part of the shape's volume. Not one of very many triangles.
+constexpr double kTight = 1.05;
+constexpr double kSavedByCut = 0.05;
+constexpr std::size_t kMostShapes = 6;
+constexpr std::size_t kMostCut = 1000;
 // Boxes around parts of a surface.
 constexpr std::size_t kSurfaceBoxes = 16;
 // Directions that are tried for the axes of a shape, besides those of the mesh.
-constexpr std::size_t kMostDirections = 9;
+constexpr std::size_t kMostDirections = 5;
 // Shapes are grown by this part of the size of the mesh, for rounding.
 constexpr double kShapeRounding = 1e-9;
 // Components of more triangles are not tested for being convex.
@@ -152,9 +158,9 @@ class SmallestShape {
   double volume_ = std::numeric_limits<double>::infinity();
 };
 
-SmallestShape shape_around(const TriangleMesh& mesh, const Component& component) {
-  SmallestShape smallest(component.points);
-  const std::vector<Vector3> axes = axes_of(mesh, component);
+// `axes`: directions for its axes.
+SmallestShape shape_around(const std::vector<Vector3>& points, const std::vector<Vector3>& axes) {
+  SmallestShape smallest(points);
   for (const Vector3& z : axes) {
     bool any = false;
     for (const Vector3& x : axes) {
@@ -172,6 +178,90 @@ SmallestShape shape_around(const TriangleMesh& mesh, const Component& component)
     smallest.offer(frame);
   }
   return smallest;
+}
+
+// Adds the part of a triangle below the plane normal . p = height to `below`, the rest to `above`.
+void cut(const Corners& corners, const Vector3& normal, double height, std::vector<Corners>& below,
+         std::vector<Corners>& above) {
+  std::vector<Vector3> low;
+  std::vector<Vector3> high;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vector3& p = corners[k];
+    const Vector3& q = corners[(k + 1) % 3];
+    const double over_p = normal.dot(p) - height;
+    const double over_q = normal.dot(q) - height;
+    (over_p < 0.0 ? low : high).push_back(p);
+    if ((over_p < 0.0) == (over_q < 0.0)) continue;
+    const Vector3 on = p + over_p / (over_p - over_q) * (q - p);
+    low.push_back(on);
+    high.push_back(on);
+  }
+  const auto add = [](const std::vector<Vector3>& polygon, std::vector<Corners>& parts) {
+    for (std::size_t k = 2; k < polygon.size(); ++k)
+      parts.push_back({polygon[0], polygon[k - 1], polygon[k]});
+  };
+  add(low, below);
+  add(high, above);
+}
+
+// A surface and the shape around it.
+struct CoveredPart {
+  std::vector<Corners> triangles;
+  CoverShape shape;
+  double volume = 0.0;  // of the shape
+};
+
+CoveredPart covered_part(std::vector<Corners> triangles, const std::vector<Vector3>& axes) {
+  std::vector<Vector3> points;
+  for (const Corners& corners : triangles)
+    points.insert(points.end(), corners.begin(), corners.end());
+  const SmallestShape smallest = shape_around(points, axes);
+  return {std::move(triangles), smallest.shape(), smallest.volume()};
+}
+
+// The two halves of a part, cut across an axis of its shape, whose shapes are smallest together;
+// none where that saves little.
+std::optional<std::array<CoveredPart, 2>> halves_of(const CoveredPart& part) {
+  const Matrix3 frame = part.shape.X_MS.linear();
+  const std::vector<Vector3> axes = {frame.col(2), frame.col(0), frame.col(1)};
+  std::optional<std::array<CoveredPart, 2>> best;
+  double least = (1.0 - kSavedByCut) * part.volume;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 normal = part.shape.X_MS.linear().col(k);
+    std::vector<Corners> below;
+    std::vector<Corners> above;
+    for (const Corners& corners : part.triangles)
+      cut(corners, normal, normal.dot(part.shape.X_MS.translation()), below, above);
+    if (below.empty() || above.empty()) continue;
+    std::array<CoveredPart, 2> halves{covered_part(std::move(below), axes),
+                                      covered_part(std::move(above), axes)};
+    if (halves[0].volume + halves[1].volume >= least) continue;
+    least = halves[0].volume + halves[1].volume;
+    best = std::move(halves);
+  }
+  return best;
+}
+
+// Shapes around a component: one, or several where these are much smaller together.
+std::vector<CoveredPart> parts_around(const TriangleMesh& mesh, const Component& component) {
+  const std::vector<Vector3> axes = axes_of(mesh, component);
+  std::vector<Corners> triangles;
+  for (const int t : component.triangles) triangles.push_back(corners_of(mesh, t));
+  std::vector<CoveredPart> parts = {covered_part(std::move(triangles), axes)};
+  if (component.triangles.size() > kMostCut) return parts;
+  double volume = parts.front().volume;
+  for (std::size_t i = 0; i < parts.size() && parts.size() < kMostShapes;) {
+    if (volume <= kTight * component.volume) break;
+    auto halves = halves_of(parts[i]);
+    if (!halves) {
+      ++i;
+      continue;
+    }
+    volume += (*halves)[0].volume + (*halves)[1].volume - parts[i].volume;
+    parts[i] = std::move((*halves)[0]);
+    parts.push_back(std::move((*halves)[1]));
+  }
+  return parts;
 }
 
 // By how much a shape may be scaled about its centre to lie in a component, if that is convex: as
@@ -358,11 +448,12 @@ ShapeCover make_cover(const ProximityMesh& mesh, const std::vector<BoxNode>& tre
   double volume = 0.0;
   if (components.size() <= kMostComponents) {
     for (const Component& component : components) {
-      const SmallestShape smallest = shape_around(mesh.mesh(), component);
-      cover.shapes.push_back(smallest.shape());
-      cover.shapes.back().inside = inner_scale(mesh.mesh(), component, smallest.shape());
       filled += component.volume;
-      volume += smallest.volume();
+      for (const CoveredPart& part : parts_around(mesh.mesh(), component)) {
+        cover.shapes.push_back(part.shape);
+        cover.shapes.back().inside = inner_scale(mesh.mesh(), component, part.shape);
+        volume += part.volume;
+      }
     }
   }
   if (components.size() > kMostComponents || volume > kLoosest * filled) {

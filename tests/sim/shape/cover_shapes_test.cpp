@@ -24,16 +24,20 @@ double beyond(const CoverShape& shape, double scale, const Vector3& p_M) {
   return std::hypot(std::max(0.0, beside - scale * shape.disc), out.z()) - scale * shape.ball;
 }
 
-void expect_covered(const TriangleMesh& mesh, const ShapeCover& cover) {
-  const double rounding = 1e-12;
-  for (const Triangle& t : mesh.triangles) {
-    const bool in_one =
-        std::any_of(cover.shapes.begin(), cover.shapes.end(), [&](const CoverShape& shape) {
-          return std::all_of(t.begin(), t.end(), [&](int v) {
-            return beyond(shape, 1.0, mesh.vertices[static_cast<std::size_t>(v)]) <= rounding;
-          });
-        });
-    ASSERT_TRUE(in_one);
+// Points of all triangles: corners, and some between them.
+void expect_covered(const TriangleMesh& mesh, const ShapeCover& cover, Random& random) {
+  const auto is_covered = [&](const Vector3& p) {
+    return std::any_of(cover.shapes.begin(), cover.shapes.end(),
+                       [&](const CoverShape& shape) { return beyond(shape, 1.0, p) <= 1e-12; });
+  };
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Corners c = corners_of(mesh, static_cast<int>(t));
+    for (const Vector3& p : c) ASSERT_TRUE(is_covered(p));
+    for (int i = 0; i < 20; ++i) {
+      const double u = random.uniform(0.0, 1.0);
+      const double v = random.uniform(0.0, 1.0 - u);
+      ASSERT_TRUE(is_covered(c[0] + u * (c[1] - c[0]) + v * (c[2] - c[0])));
+    }
   }
 }
 
@@ -101,7 +105,7 @@ TEST(CoverShapes, ContainAllTrianglesAndFillNoMoreThanTheSolid) {
     SCOPED_TRACE(name);
     const ProximityMesh mesh(turned(generate_object(name, 600), random));
     const ShapeCover& cover = cover_of(mesh);
-    expect_covered(mesh.mesh(), cover);
+    expect_covered(mesh.mesh(), cover, random);
     expect_inside(mesh, cover, random);
   }
 }
@@ -114,7 +118,7 @@ TEST(CoverShapes, OfSeveralComponentsAreOneEach) {
   const ProximityMesh of(turned(mesh, random));
   const ShapeCover& cover = cover_of(of);
   EXPECT_EQ(cover.shapes.size(), 3U);
-  expect_covered(of.mesh(), cover);
+  expect_covered(of.mesh(), cover, random);
   expect_inside(of, cover, random);
 }
 
@@ -130,7 +134,7 @@ TEST(CoverShapes, OfASurfaceWithoutVolumeAreBoxes) {
   const ProximityMesh mesh(soup);
   const ShapeCover& cover = cover_of(mesh);
   EXPECT_GT(cover.shapes.size(), 1U);
-  expect_covered(soup, cover);
+  expect_covered(soup, cover, random);
   for (const CoverShape& shape : cover.shapes) EXPECT_EQ(shape.inside, 0.0);
 }
 
