@@ -28,6 +28,9 @@ namespace og = ompl::geometric;
 // freedom counts with the farthest that it moves any point of the arm [m].
 constexpr double kLongestEdge = 0.8;
 
+// Iterations of the first of several searches by rrt_connect.
+constexpr int kFirstRound = 200;
+
 // Motions that keep this distance [m] are found faster, as is proven in fewer steps. Those from and
 // to the ends of the path may be closer (MotionCheckOptions::tightest), as the ends often are.
 constexpr double kLeastPassage = 4e-3;
@@ -143,11 +146,13 @@ class TransferSpace {
   // Whether the straight line between two postures is proven free of collision, by the filter where
   // it can tell.
   bool is_free(const ob::State* from, const ob::State* to) {
+    const bool at_end = is_end(from) || is_end(to);
     MotionCheckOptions motion = options_.motion;
-    if (!is_end(from) && !is_end(to)) motion.tightest = std::max(motion.tightest, kLeastPassage);
+    if (!at_end) motion.tightest = std::max(motion.tightest, kLeastPassage);
+    const IfClose if_close = by_shapes_ && !at_end ? IfClose::blocked : IfClose::open;
     const std::vector<double> first = joints(dofs(from));
     const std::vector<double> last = joints(dofs(to));
-    const FilterVerdict verdict = filter_.line(first, last, motion.tightest, open_);
+    const FilterVerdict verdict = filter_.line(first, last, motion.tightest, if_close, open_);
     if (verdict != FilterVerdict::open) return verdict == FilterVerdict::free;
     const auto posture = [&](double at) {
       std::vector<double> result = first;
@@ -162,6 +167,12 @@ class TransferSpace {
   }
 
   // States at which the arm is as close to something as it is at the ends of the path.
+
+  // Whether motions count as blocked where the simple shapes around the meshes overlap: much
+  // faster, and no less safe. Motions from and to the ends of the path are seen as they are.
+  void set_by_shapes(bool by_shapes) { by_shapes_ = by_shapes; }
+  bool is_by_shapes() const { return by_shapes_; }
+
   void set_ends(const ob::State* from, const ob::State* to) { ends_ = {from, to}; }
 
   bool is_cancelled() const { return context_.cancellation.requested(); }
@@ -214,6 +225,7 @@ class TransferSpace {
   MotionFilter filter_;
   std::vector<OpenStretch> open_;
   std::vector<const ob::State*> ends_;
+  bool by_shapes_ = false;
 };
 
 // Edges of the planner's graph are checked by the proof of motion_check.h instead of OMPL's
@@ -336,6 +348,27 @@ FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferO
   return result;
 }
 
+// Searches by rrt_connect with one seed after the other, each twice as long as the one before it,
+// until all iterations are used up: where a search takes long, a new one is often faster (Wedge and
+// Branicky 2008, "On heavy-tailed runtimes and restarts in rapidly-exploring random trees"). Every
+// second one sees shapes in place of meshes, and misses only the narrowest passages. The other
+// planners improve on what they have, and search once.
+FoundPath search_in_rounds(TransferSpace& space, const Transfer& transfer,
+                           const TransferOptions& options) {
+  if (options.planner != PathPlanner::rrt_connect) return search(space, transfer, options);
+  FoundPath found;
+  TransferOptions round = options;
+  int left = options.max_iterations;
+  for (int length = kFirstRound; left > 0 && found.whole.empty(); length *= 2) {
+    round.max_iterations = std::min(left, length);
+    space.set_by_shapes(!space.is_by_shapes());
+    found = search(space, transfer, round);
+    ++round.seed;
+    left -= round.max_iterations;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& transfer,
@@ -348,7 +381,7 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   if (!space.is_possible(transfer.from) || !space.is_possible(transfer.to)) return {};
   // Often the straight line is free, which saves the search and is the shortest path.
   if (space.is_free({transfer.from, transfer.to})) return {transfer.from, transfer.to};
-  FoundPath found = search(space, transfer, options);
+  FoundPath found = search_in_rounds(space, transfer, options);
   // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
   // repeated for the lines that are returned. Shortening ends at what just passes it, which the
   // rounding can undo; the path before it has more room.

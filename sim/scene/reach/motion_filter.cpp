@@ -329,7 +329,7 @@ class MotionFilter::Lanes {
   Lanes(const CompiledArm& arm, const std::vector<ArmPair>& pairs);
 
   FilterVerdict line(const std::vector<double>& from, const std::vector<double>& to,
-                     double tightest, std::vector<OpenStretch>& open);
+                     double tightest, IfClose if_close, std::vector<OpenStretch>& open);
 
  private:
   // A stretch of the line by its middle, and what is not settled on it.
@@ -368,6 +368,7 @@ class MotionFilter::Lanes {
   std::vector<float> start_;
   std::vector<float> change_;
 
+  bool close_is_blocked_ = false;
   double finest_ = 0.0;  // stretches are not halved where pairs move by less than this [m]
 
   // Of the block of postures that is looked at.
@@ -531,7 +532,7 @@ PREHEND_INLINE bool MotionFilter::Lanes::run_block_inline(float half) {
     const float farthest = static_cast<float>(pair.motion) * half * (1.0F + 1e-6F);
     left_[k] = lanes_left(pair, farthest, overlap_[k]);
     if (left_[k] != 0) any_left_.push_back(k);
-    if (overlap_[k] != 0 && lanes_met(pair, overlap_[k]) != 0) return true;
+    if (overlap_[k] != 0 && (close_is_blocked_ || lanes_met(pair, overlap_[k]) != 0)) return true;
   }
   return false;
 }
@@ -595,6 +596,7 @@ bool MotionFilter::Lanes::check(std::span<const Part> parts, double half, std::v
           (overlap_[k] >> i & 1U) != 0 ? std::max(finest_, kFinestOverlap) : finest_;
       (pairs_[p].motion * half <= finest ? fine : coarse).push_back(p);
     }
+    if (!fine.empty() && close_is_blocked_) return false;
     if (!fine.empty()) open.push_back({part.middle - half, part.middle + half, std::move(fine)});
     if (coarse.empty()) continue;
     next.push_back({part.middle - 0.5 * half, coarse});
@@ -605,9 +607,10 @@ bool MotionFilter::Lanes::check(std::span<const Part> parts, double half, std::v
 
 FilterVerdict MotionFilter::Lanes::line(const std::vector<double>& from,
                                         const std::vector<double>& to, double tightest,
-                                        std::vector<OpenStretch>& open) {
+                                        IfClose if_close, std::vector<OpenStretch>& open) {
   open.clear();
   finest_ = 0.5 * tightest;
+  close_is_blocked_ = if_close == IfClose::blocked;
   std::vector<std::size_t> all(pairs_.size());
   for (std::size_t p = 0; p < all.size(); ++p) all[p] = p;
   if (!set_line(from, to)) {
@@ -627,6 +630,7 @@ FilterVerdict MotionFilter::Lanes::line(const std::vector<double>& from,
     }
     parts = std::move(next);
     if (level < kMostLevels) continue;
+    if (close_is_blocked_ && !parts.empty()) return FilterVerdict::blocked;
     for (Part& part : parts)
       open.push_back({part.middle - 0.5 * half, part.middle + 0.5 * half, std::move(part.pairs)});
     break;
@@ -640,8 +644,9 @@ MotionFilter::MotionFilter(const CompiledArm& arm, const std::vector<ArmPair>& p
 MotionFilter::~MotionFilter() = default;
 
 FilterVerdict MotionFilter::line(const std::vector<double>& from, const std::vector<double>& to,
-                                 double tightest, std::vector<OpenStretch>& open) {
-  return lanes_->line(from, to, tightest, open);
+                                 double tightest, IfClose if_close,
+                                 std::vector<OpenStretch>& open) {
+  return lanes_->line(from, to, tightest, if_close, open);
 }
 
 }  // namespace prehend

@@ -28,6 +28,9 @@ struct OpenStretch {
   std::vector<std::size_t> pairs;
 };
 
+// What a motion is on which shapes overlap or nearly touch.
+enum class IfClose { open, blocked };
+
 // The pairs of an arm prepared for many motions. Of the meshes it sees only their ShapeCover: the
 // distance between the shapes around two bodies is at most that between the bodies, and balls
 // inside them that overlap show that the bodies do. Distances are lower bounds from separating
@@ -46,10 +49,11 @@ class MotionFilter {
   MotionFilter& operator=(const MotionFilter&) = delete;
 
   // The straight line between two postures (one value for each joint [rad or m]). `tightest`: as in
-  // MotionCheckOptions. `open` is replaced: the stretches that are not settled, in order, when the
-  // verdict is `open`.
+  // MotionCheckOptions. Where shapes overlap or are too close, and bodies are not known to overlap,
+  // the line stays open there; `if_close`: or it counts as blocked, which is faster. `open` is
+  // replaced: the stretches that are not settled, in order, when the verdict is `open`.
   FilterVerdict line(const std::vector<double>& from, const std::vector<double>& to,
-                     double tightest, std::vector<OpenStretch>& open);
+                     double tightest, IfClose if_close, std::vector<OpenStretch>& open);
 
  private:
   class Lanes;

@@ -69,7 +69,7 @@ void try_motions(const CompiledArm& arm, Random& random, int motions, Counts& co
     const Motion motion(arm, joint_values(arm.robot(), from), joint_values(arm.robot(), to));
     const JointPath path = motion.path();
     const double tightest = i % 2 == 0 ? 2e-4 : 4e-3;
-    const FilterVerdict verdict = filter.line(path[0], path[1], tightest, open);
+    const FilterVerdict verdict = filter.line(path[0], path[1], tightest, IfClose::open, open);
     if (verdict == FilterVerdict::blocked) {
       ++counts.blocked;
       EXPECT_TRUE(meets_somewhere(arm, pairs, motion));
@@ -105,9 +105,10 @@ TEST(MotionFilter, NoMotionIsFree) {
   MotionFilter filter(arm, pairs);
   const std::vector<double> joints = joint_values(arm.robot(), arm.start);
   std::vector<OpenStretch> open;
-  EXPECT_NE(filter.line(joints, joints, 2e-4, open), FilterVerdict::blocked);
+  EXPECT_NE(filter.line(joints, joints, 2e-4, IfClose::open, open), FilterVerdict::blocked);
   const std::vector<ArmPair> none;
-  EXPECT_EQ(MotionFilter(arm, none).line(joints, joints, 2e-4, open), FilterVerdict::free);
+  EXPECT_EQ(MotionFilter(arm, none).line(joints, joints, 2e-4, IfClose::open, open),
+            FilterVerdict::free);
 }
 
 // Where the arm starts away from all it is asked about, the whole line is one open stretch when
@@ -121,7 +122,7 @@ TEST(MotionFilter, LeavesLargeAnglesOpen) {
   std::vector<double> joints = joint_values(arm.robot(), arm.start);
   joints[0] = 1e3;
   std::vector<OpenStretch> open;
-  ASSERT_EQ(filter.line(joints, joints, 2e-4, open), FilterVerdict::open);
+  ASSERT_EQ(filter.line(joints, joints, 2e-4, IfClose::open, open), FilterVerdict::open);
   ASSERT_EQ(open.size(), 1U);
   EXPECT_EQ(open[0].from, 0.0);
   EXPECT_EQ(open[0].to, 1.0);
