@@ -29,6 +29,9 @@ constexpr double kTight = 1.05;
 constexpr double kSavedByCut = 0.05;
 constexpr std::size_t kMostShapes = 6;
 constexpr std::size_t kMostCut = 1000;
+// A cylinder or a capsule is tried where its surface is this much as wide along one axis as along
+// the other, at least.
+constexpr double kRoundest = 0.85;
 // Boxes around parts of a surface.
 constexpr std::size_t kSurfaceBoxes = 16;
 // Directions that are tried for the axes of a shape, besides those of the mesh.
@@ -39,9 +42,10 @@ constexpr double kShapeRounding = 1e-9;
 constexpr std::size_t kMostPlanes = 500;
 // Balls inside: how many are tried and taken, and by which part of the mesh's radius they are grown
 // for what counts as filled by them.
-constexpr std::size_t kMostPoints = 200;
-constexpr std::size_t kMostTried = 20;
+constexpr std::size_t kMostPoints = 120;
+constexpr std::size_t kMostTried = 12;
 constexpr std::size_t kMostInside = 12;
+constexpr int kMostAlong = 4;             // balls side by side in a shape
 constexpr std::size_t kMostCorners = 24;  // corners
 constexpr double kFilledBeside = 0.12;
 
@@ -126,6 +130,9 @@ class SmallestShape {
     const Vector3 half = 0.5 * box.size();
     const Pose X_MS = pose_from(axes, axes * box.center());
     take({X_MS, half}, 8.0 * half.prod());
+    // What is round about z is as wide along x as along y.
+    const double wide = std::max(half.x(), half.y());
+    if (std::min(half.x(), half.y()) < kRoundest * wide) return;
     double disc = 0.0;
     for (const Vector3& p : points_) disc = std::max(disc, from_axis(box, axes.transpose() * p));
     const double around = std::numbers::pi * disc * disc;
@@ -145,7 +152,7 @@ class SmallestShape {
 
  private:
   static double from_axis(const Bounds& box, const Vector3& q) {
-    return std::hypot(q.x() - box.center().x(), q.y() - box.center().y());
+    return (q - box.center()).head<2>().norm();
   }
   void take(const CoverShape& shape, double volume) {
     if (volume >= volume_ * (1.0 - 1e-6)) return;
@@ -162,16 +169,16 @@ class SmallestShape {
 SmallestShape shape_around(const std::vector<Vector3>& points, const std::vector<Vector3>& axes) {
   SmallestShape smallest(points);
   for (const Vector3& z : axes) {
-    bool any = false;
+    int tried = 0;
     for (const Vector3& x : axes) {
-      if (std::abs(x.dot(z)) > 1e-3) continue;
-      any = true;
+      if (tried == 2 || std::abs(x.dot(z)) > 1e-3) continue;
+      ++tried;
       const Vector3 across = (x - x.dot(z) * z).normalized();
       Matrix3 frame;
       frame << across, z.cross(across), z;
       smallest.offer(frame);
     }
-    if (any) continue;
+    if (tried > 0) continue;
     const Vector3 across = any_orthogonal(z);
     Matrix3 frame;
     frame << across, z.cross(across), z;
@@ -378,6 +385,34 @@ double radius_inside(const ProximityMesh& of, const std::vector<int>& triangles,
   return below * (1.0 - kShapeRounding);
 }
 
+// Balls in the part of a shape that lies in the solid, side by side along its longer axes.
+void fill_shape(const CoverShape& shape, std::vector<InnerBall>& balls) {
+  const Vector3 size = shape.inside * (shape.half + Vector3(shape.disc, shape.disc, 0.0) +
+                                       Vector3::Constant(shape.ball));
+  const double radius = size.minCoeff();
+  // A grid about the centre that stays within the disc, where there is one.
+  std::array<int, 3> count{};
+  for (int k = 0; k < 3; ++k) {
+    const bool in_disc = shape.disc > 0.0 && k < 2;
+    count[index(k)] =
+        in_disc ? 1
+                : std::min(kMostAlong, 1 + static_cast<int>(std::lround(size[k] / radius - 1.0)));
+  }
+  for (int i = 0; i < count[0]; ++i) {
+    for (int j = 0; j < count[1]; ++j) {
+      for (int k = 0; k < count[2]; ++k) {
+        const Vector3 at(i, j, k);
+        Vector3 p_S = Vector3::Zero();
+        for (int d = 0; d < 3; ++d) {
+          if (count[index(d)] == 1) continue;
+          p_S[d] = (size[d] - radius) * (2.0 * at[d] / (count[index(d)] - 1) - 1.0);
+        }
+        balls.push_back({shape.X_MS * p_S, radius * (1.0 - kShapeRounding)});
+      }
+    }
+  }
+}
+
 // Balls inside that fill much of the mesh: of many, each time the one that comes near most points
 // of the surface that no other came near.
 std::vector<InnerBall> balls_inside(const ProximityMesh& of,
@@ -446,18 +481,22 @@ ShapeCover make_cover(const ProximityMesh& mesh, const std::vector<BoxNode>& tre
   const std::vector<Component> components = components_of(mesh.mesh());
   double filled = 0.0;
   double volume = 0.0;
+  std::vector<std::uint8_t> is_filled;  // by component: whether a part of a shape is solid
   if (components.size() <= kMostComponents) {
     for (const Component& component : components) {
       filled += component.volume;
+      is_filled.push_back(0);
       for (const CoveredPart& part : parts_around(mesh.mesh(), component)) {
         cover.shapes.push_back(part.shape);
         cover.shapes.back().inside = inner_scale(mesh.mesh(), component, part.shape);
         volume += part.volume;
+        if (cover.shapes.back().inside > 0.0) is_filled.back() = 1;
       }
     }
   }
   if (components.size() > kMostComponents || volume > kLoosest * filled) {
     cover.shapes = surface_boxes(tree);
+    is_filled.assign(components.size(), 0);
   }
   for (CoverShape& shape : cover.shapes) {
     const double rounding = kShapeRounding * mesh.ball_radius();
@@ -470,7 +509,14 @@ ShapeCover make_cover(const ProximityMesh& mesh, const std::vector<BoxNode>& tre
       shape.half += Vector3::Constant(rounding);
     }
   }
-  cover.inside = balls_inside(mesh, components);
+  std::vector<Component> unfilled;
+  for (std::size_t c = 0; c < components.size(); ++c) {
+    if (is_filled[c] == 0) unfilled.push_back(components[c]);
+  }
+  cover.inside = balls_inside(mesh, unfilled);
+  for (const CoverShape& shape : cover.shapes) {
+    if (shape.inside > 0.0) fill_shape(shape, cover.inside);
+  }
   const std::vector<InnerBall> corners = spread_corners(components);
   cover.inside.insert(cover.inside.end(), corners.begin(), corners.end());
   return cover;

@@ -143,6 +143,12 @@ class TransferSpace {
     return true;
   }
 
+  // Whether no collision on the line between two postures shows at once.
+  bool may_be_free(const DofValues& from, const DofValues& to) {
+    return filter_.line(joints(from), joints(to), options_.motion.tightest, IfClose::open, open_) !=
+           FilterVerdict::blocked;
+  }
+
   // Whether the straight line between two postures is proven free of collision, by the filter where
   // it can tell.
   bool is_free(const ob::State* from, const ob::State* to) {
@@ -314,6 +320,20 @@ std::vector<DofValues> waypoints_of(og::PathGeometric& path, const TransferSpace
   return waypoints;
 }
 
+// Goes from each vertex that is kept to the last one that a straight line reaches.
+void drop_vertices(const ob::SpaceInformation& information, og::PathGeometric& path) {
+  std::vector<ob::State*>& states = path.getStates();
+  std::vector<ob::State*> kept = {states.front()};
+  for (std::size_t from = 0; from + 1 < states.size();) {
+    std::size_t to = states.size() - 1;
+    while (to > from + 1 && !information.checkMotion(states[from], states[to])) --to;
+    for (std::size_t k = from + 1; k < to; ++k) information.freeState(states[k]);
+    kept.push_back(states[to]);
+    from = to;
+  }
+  states = std::move(kept);
+}
+
 // One run of the planner, and shortening of the path that it finds. Planner and simplifier check
 // states and motions through TransferSpace, so every edge of the path is proven free. Empty when
 // the iterations were used up.
@@ -341,9 +361,9 @@ FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferO
   const auto steps = static_cast<unsigned>(options.simplify_steps);
   // Dropping vertices first is cheap and leaves fewer corners to cut; cutting corners makes new
   // vertices that can be dropped again.
-  simplifier.reduceVertices(*path, steps, steps);
+  drop_vertices(*information, *path);
   simplifier.shortcutPath(*path, steps, steps);
-  simplifier.reduceVertices(*path, steps, steps);
+  drop_vertices(*information, *path);
   result.shortened = waypoints_of(*path, space, transfer);
   return result;
 }
@@ -380,7 +400,8 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   // OMPL waits for other starts and goals where these are not valid.
   if (!space.is_possible(transfer.from) || !space.is_possible(transfer.to)) return {};
   // Often the straight line is free, which saves the search and is the shortest path.
-  if (space.is_free({transfer.from, transfer.to})) return {transfer.from, transfer.to};
+  if (space.may_be_free(transfer.from, transfer.to) && space.is_free({transfer.from, transfer.to}))
+    return {transfer.from, transfer.to};
   FoundPath found = search_in_rounds(space, transfer, options);
   // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
   // repeated for the lines that are returned. Shortening ends at what just passes it, which the

@@ -58,17 +58,14 @@ PREHEND_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) {
 PREHEND_INLINE Lanes3 times(const Lanes3& a, const Floats8& s) {
   return {a.x * s, a.y * s, a.z * s};
 }
-PREHEND_INLINE Floats8 root(const Floats8& a) {
-  Floats8 result = {};
-  for (std::size_t i = 0; i < kPostures; ++i) result[i] = std::sqrt(a[i]);
-  return result;
+PREHEND_INLINE Floats8 root(Floats8 a) {
+  take_roots(a);
+  return a;
 }
 // The lanes in which a <= b, a bit each.
 PREHEND_INLINE unsigned at_most(const Floats8& a, const Floats8& b) {
   const Ints8 is = a <= b;
-  unsigned bits = 0;
-  for (unsigned i = 0; i < kPostures; ++i) bits |= (is[i] != 0 ? 1U : 0U) << i;
-  return bits;
+  return bits_of(is);
 }
 
 // Sine and cosine from their Taylor series around the next multiple of a right angle, which is
