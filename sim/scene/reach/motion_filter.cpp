@@ -427,9 +427,9 @@ void MotionFilter::Lanes::add_joints(const Robot& robot, std::vector<Pose>& X_ZJ
     const Vector3 across = any_orthogonal(joint.axis);
     axes << across, joint.axis.cross(across), joint.axis;
     const Pose X_JZ = pose_from(axes, Vector3::Zero());
-    const Pose X_before = joint.parent < 0 ? Pose::Identity() : X_ZJ[index(joint.parent)];
+    const Pose X_ZP = joint.parent < 0 ? Pose::Identity() : X_ZJ[index(joint.parent)];
     joints_.push_back({joint.parent, joint.type == JointType::prismatic, joint.zero,
-                       constant(X_before * joint.X_PJ * X_JZ)});
+                       constant(X_ZP * joint.X_PJ * X_JZ)});
     X_ZJ.push_back(X_JZ.inverse() * joint.X_JA);
   }
 }
