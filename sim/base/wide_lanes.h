@@ -2,8 +2,13 @@
 // without, with the same results.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstring>
+
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
 
 // Before a function of which there is one more, for processors that have AVX2. What it calls has to
 // be inlined.
@@ -27,6 +32,33 @@ inline bool has_avx2() {
   return has;
 #else
   return false;
+#endif
+}
+
+// Replaces each number by its square root. Rounded correctly, so the same on all processors.
+[[gnu::always_inline]] inline void take_roots(Floats8& numbers) {
+#if defined(__x86_64__)
+  __m128 halves[2];
+  std::memcpy(halves, &numbers, sizeof numbers);
+  halves[0] = _mm_sqrt_ps(halves[0]);
+  halves[1] = _mm_sqrt_ps(halves[1]);
+  std::memcpy(&numbers, halves, sizeof numbers);
+#else
+  for (std::size_t i = 0; i < 8; ++i) numbers[i] = std::sqrt(numbers[i]);
+#endif
+}
+
+// A bit for each number that is not 0, as comparisons give them.
+[[gnu::always_inline]] inline unsigned bits_of(const Ints8& is) {
+#if defined(__x86_64__)
+  __m128 halves[2];
+  std::memcpy(halves, &is, sizeof is);
+  return static_cast<unsigned>(_mm_movemask_ps(halves[0])) |
+         static_cast<unsigned>(_mm_movemask_ps(halves[1])) << 4;
+#else
+  unsigned bits = 0;
+  for (unsigned i = 0; i < 8; ++i) bits |= (is[i] != 0 ? 1U : 0U) << i;
+  return bits;
 #endif
 }
 

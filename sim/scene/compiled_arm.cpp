@@ -11,6 +11,7 @@
 #include "sim/scene/never_collide.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/sunk_object.h"
+#include "sim/shape/cover_shapes.h"
 #include "sim/shape/proximity.h"
 
 namespace prehend {
@@ -134,6 +135,7 @@ CompiledArm compile_arm(const Scene& scene, std::vector<PlacedBody> bodies) {
   arm.links = compile_links(scene, arm.robot());
   arm.hand_link_count = static_cast<int>(scene.hand.links.size());
   arm.bodies = std::move(bodies);
+  for (const CompiledLink& link : arm.links) cover_of(link.mesh);
   find_link_pairs(arm);
   find_body_pairs(arm, [&](const ArmPair& pair) { return !never_collide(arm, pair); });
   check_start(scene, arm);

@@ -14,6 +14,7 @@
 #include "sim/base/input_error.h"
 #include "sim/shape/box_tree.h"
 #include "sim/shape/convex_parts.h"
+#include "sim/shape/cover_shapes.h"
 #include "sim/shape/smooth_surface.h"
 #include "sim/shape/tree_walk.h"
 #include "sim/shape/triangle_distance.h"
@@ -34,6 +35,8 @@ struct ProximityMesh::Data {
   std::vector<ConvexPoints> parts;
   mutable std::once_flag smooth_once;
   mutable SmoothSurface smooth;
+  mutable std::once_flag cover_once;
+  mutable ShapeCover cover;
 };
 
 namespace {
@@ -237,6 +240,12 @@ std::size_t ProximityMesh::memory() const {
 const SmoothSurface& ProximityMesh::smooth() const {
   std::call_once(data_->smooth_once, [&] { data_->smooth = smooth_surface(*this); });
   return data_->smooth;
+}
+
+const ShapeCover& cover_of(const ProximityMesh& mesh) {
+  const ProximityMesh::Data& data = mesh.data();
+  std::call_once(data.cover_once, [&] { data.cover = make_cover(mesh, data.tree); });
+  return data.cover;
 }
 
 std::span<const int> ProximityMesh::triangles_at(int v) const {

@@ -16,6 +16,7 @@
 #include "sim/base/require_settings.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/reach/motion_check.h"
+#include "sim/scene/reach/motion_filter.h"
 
 namespace prehend {
 namespace {
@@ -26,6 +27,13 @@ namespace og = ompl::geometric;
 // Longest edge that a planner adds in one step, as a length in the planner's space: each degree of
 // freedom counts with the farthest that it moves any point of the arm [m].
 constexpr double kLongestEdge = 0.8;
+
+// Iterations of the first of several searches by rrt_connect.
+constexpr int kFirstRound = 200;
+
+// Motions that keep this distance [m] are found faster, as is proven in fewer steps. Those from and
+// to the ends of the path may be closer (MotionCheckOptions::tightest), as the ends often are.
+constexpr double kLeastPassage = 4e-3;
 
 // How far a joint at its limit may be beyond it by rounding [rad or m].
 constexpr double kBeyondLimits = 1e-9;
@@ -65,6 +73,12 @@ class SeededSimplifier : public og::PathSimplifier {
   }
 };
 
+std::vector<ArmPair> checked_pairs_of(const CompiledArm& arm) {
+  std::vector<ArmPair> pairs = arm.arm_pairs;
+  pairs.insert(pairs.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+  return pairs;
+}
+
 // The space that OMPL plans in, and its collision checks. Its coordinates are the degrees of
 // freedom that carry the hand, each multiplied by the farthest that any point moves per unit of it
 // [m/rad or m/m]. In these coordinates a distance says about how far the arm moves, so that a turn
@@ -74,9 +88,12 @@ class TransferSpace {
  public:
   TransferSpace(const CompiledArm& arm, const Transfer& transfer, const TransferOptions& options,
                 const RunContext& context)
-      : arm_(arm), transfer_(transfer), options_(options), context_(context) {
-    pairs_ = arm.arm_pairs;
-    pairs_.insert(pairs_.end(), arm.hand_pairs.begin(), arm.hand_pairs.end());
+      : arm_(arm),
+        transfer_(transfer),
+        options_(options),
+        context_(context),
+        pairs_(checked_pairs_of(arm)),
+        filter_(arm, pairs_) {
     for (const int dof : arm.dofs) scale_.push_back(motion_of(dof));
   }
 
@@ -97,13 +114,14 @@ class TransferSpace {
   }
 
   // Cancellation must not be an exception here: OMPL owns states by bare pointers, which an
-  // exception thrown through it would leak. Instead every state and motion counts as blocked once
-  // the context is cancelled. The planner then soon asks its termination condition (`after`) and
-  // returns, and search() throws Cancelled.
-  bool is_free(const ob::State* state) const {
-    if (is_cancelled()) return false;
-    return !first_meeting(arm_, pairs_, joints(dofs(state)));
-  }
+  // exception thrown through it would leak. Instead every motion counts as blocked once the context
+  // is cancelled. The planner then soon asks its termination condition (`after`) and returns, and
+  // search() throws Cancelled.
+  //
+  // States are not checked by themselves. Each that a planner uses is joined by motions to an end
+  // of the path, and there the bodies are apart and none is inside another: where no surfaces touch
+  // along the motions, that remains so.
+  bool is_free(const ob::State* /*state*/) const { return !is_cancelled(); }
 
   // Whether the arm can be in a posture: within its limits, but for rounding, and free of
   // collision.
@@ -116,27 +134,75 @@ class TransferSpace {
     return !first_meeting(arm_, pairs_, joints(dofs));
   }
 
-  // Whether the lines between postures are proven free of collision.
+  // Whether the lines between postures are proven free of collision by the meshes alone.
   bool is_free(const std::vector<DofValues>& waypoints) const {
     for (std::size_t i = 1; i < waypoints.size(); ++i) {
-      if (!is_free(waypoints[i - 1], waypoints[i])) return false;
+      if (is_blocked(pairs_, joints(waypoints[i - 1]), joints(waypoints[i]), options_.motion))
+        return false;
     }
     return true;
   }
 
-  // Whether the straight line between two postures is proven free of collision.
-  bool is_free(const DofValues& from, const DofValues& to) const {
-    try {
-      return !first_blocked(arm_, pairs_, {joints(from), joints(to)}, options_.motion, context_);
-    } catch (const Cancelled&) {
-      return false;
-    }
+  // Whether no collision on the line between two postures shows at once.
+  bool may_be_free(const DofValues& from, const DofValues& to) {
+    return filter_.line(joints(from), joints(to), options_.motion.tightest, IfClose::open, open_) !=
+           FilterVerdict::blocked;
   }
+
+  // Whether the straight line between two postures is proven free of collision, by the filter where
+  // it can tell.
+  bool is_free(const ob::State* from, const ob::State* to) {
+    const bool at_end = is_end(from) || is_end(to);
+    MotionCheckOptions motion = options_.motion;
+    if (!at_end) motion.tightest = std::max(motion.tightest, kLeastPassage);
+    const IfClose if_close = by_shapes_ && !at_end ? IfClose::blocked : IfClose::open;
+    const std::vector<double> first = joints(dofs(from));
+    const std::vector<double> last = joints(dofs(to));
+    const FilterVerdict verdict = filter_.line(first, last, motion.tightest, if_close, open_);
+    if (verdict != FilterVerdict::open) return verdict == FilterVerdict::free;
+    const auto posture = [&](double at) {
+      std::vector<double> result = first;
+      for (std::size_t j = 0; j < result.size(); ++j) result[j] += at * (last[j] - first[j]);
+      return result;
+    };
+    return std::none_of(open_.begin(), open_.end(), [&](const OpenStretch& stretch) {
+      std::vector<ArmPair> pairs;
+      for (const std::size_t p : stretch.pairs) pairs.push_back(pairs_[p]);
+      return is_blocked(pairs, posture(stretch.from), posture(stretch.to), motion);
+    });
+  }
+
+  // States at which the arm is as close to something as it is at the ends of the path.
+
+  // Whether motions count as blocked where the simple shapes around the meshes overlap: much
+  // faster, and no less safe. Motions from and to the ends of the path are seen as they are.
+  void set_by_shapes(bool by_shapes) { by_shapes_ = by_shapes; }
+  bool is_by_shapes() const { return by_shapes_; }
+
+  void set_ends(const ob::State* from, const ob::State* to) { ends_ = {from, to}; }
 
   bool is_cancelled() const { return context_.cancellation.requested(); }
   void check_cancellation() const { context_.cancellation.check(); }
 
  private:
+  bool is_end(const ob::State* state) const {
+    const auto values = [](const ob::State* of) {
+      return of->as<ob::RealVectorStateSpace::StateType>()->values;
+    };
+    return std::any_of(ends_.begin(), ends_.end(), [&](const ob::State* end) {
+      return std::equal(values(end), values(end) + size(), values(state));
+    });
+  }
+
+  bool is_blocked(const std::vector<ArmPair>& pairs, const std::vector<double>& from,
+                  const std::vector<double>& to, const MotionCheckOptions& motion) const {
+    try {
+      return first_blocked(arm_, pairs, {from, to}, motion, context_).has_value();
+    } catch (const Cancelled&) {
+      return true;
+    }
+  }
+
   const DegreeOfFreedom& dof(std::size_t k) const { return arm_.robot().dofs[index(arm_.dofs[k])]; }
 
   std::vector<double> joints(const DofValues& dofs) const {
@@ -160,19 +226,23 @@ class TransferSpace {
   const Transfer& transfer_;
   const TransferOptions& options_;
   const RunContext& context_;
-  std::vector<ArmPair> pairs_;
+  const std::vector<ArmPair> pairs_;
   std::vector<double> scale_;
+  MotionFilter filter_;
+  std::vector<OpenStretch> open_;
+  std::vector<const ob::State*> ends_;
+  bool by_shapes_ = false;
 };
 
 // Edges of the planner's graph are checked by the proof of motion_check.h instead of OMPL's
 // sampling at a fixed resolution, which can miss a thin obstacle.
 class FreeMotion : public ob::MotionValidator {
  public:
-  FreeMotion(const ob::SpaceInformationPtr& information, const TransferSpace& space)
+  FreeMotion(const ob::SpaceInformationPtr& information, TransferSpace& space)
       : ob::MotionValidator(information), space_(space) {}
 
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
-    return space_.is_free(space_.dofs(from), space_.dofs(to));
+    return space_.is_free(from, to);
   }
   // OMPL also asks how far the motion is free. The proof does not tell, so the answer is the start.
   bool checkMotion(const ob::State* from, const ob::State* to,
@@ -184,11 +254,11 @@ class FreeMotion : public ob::MotionValidator {
   }
 
  private:
-  const TransferSpace& space_;
+  TransferSpace& space_;
 };
 
 // OMPL's description of the space: bounds, sampler, and both collision checks.
-ob::SpaceInformationPtr information_of(const TransferSpace& space, std::uint64_t seed) {
+ob::SpaceInformationPtr information_of(TransferSpace& space, std::uint64_t seed) {
   auto vectors = std::make_shared<PlainSpace>(static_cast<unsigned>(space.size()));
   ob::RealVectorBounds bounds(static_cast<unsigned>(space.size()));
   for (std::size_t k = 0; k < space.size(); ++k) {
@@ -250,17 +320,31 @@ std::vector<DofValues> waypoints_of(og::PathGeometric& path, const TransferSpace
   return waypoints;
 }
 
+// Goes from each vertex that is kept to the last one that a straight line reaches.
+void drop_vertices(const ob::SpaceInformation& information, og::PathGeometric& path) {
+  std::vector<ob::State*>& states = path.getStates();
+  std::vector<ob::State*> kept = {states.front()};
+  for (std::size_t from = 0; from + 1 < states.size();) {
+    std::size_t to = states.size() - 1;
+    while (to > from + 1 && !information.checkMotion(states[from], states[to])) --to;
+    for (std::size_t k = from + 1; k < to; ++k) information.freeState(states[k]);
+    kept.push_back(states[to]);
+    from = to;
+  }
+  states = std::move(kept);
+}
+
 // One run of the planner, and shortening of the path that it finds. Planner and simplifier check
 // states and motions through TransferSpace, so every edge of the path is proven free. Empty when
 // the iterations were used up.
-FoundPath search(const TransferSpace& space, const Transfer& transfer,
-                 const TransferOptions& options) {
+FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferOptions& options) {
   const ob::SpaceInformationPtr information = information_of(space, options.seed);
   auto problem = std::make_shared<ob::ProblemDefinition>(information);
   ob::ScopedState<> from(information);
   ob::ScopedState<> to(information);
   space.set(transfer.from, from.get());
   space.set(transfer.to, to.get());
+  space.set_ends(from.get(), to.get());
   problem->setStartAndGoalStates(from, to);
   problem->setOptimizationObjective(
       std::make_shared<ob::PathLengthOptimizationObjective>(information));
@@ -277,11 +361,32 @@ FoundPath search(const TransferSpace& space, const Transfer& transfer,
   const auto steps = static_cast<unsigned>(options.simplify_steps);
   // Dropping vertices first is cheap and leaves fewer corners to cut; cutting corners makes new
   // vertices that can be dropped again.
-  simplifier.reduceVertices(*path, steps, steps);
+  drop_vertices(*information, *path);
   simplifier.shortcutPath(*path, steps, steps);
-  simplifier.reduceVertices(*path, steps, steps);
+  drop_vertices(*information, *path);
   result.shortened = waypoints_of(*path, space, transfer);
   return result;
+}
+
+// Searches by rrt_connect with one seed after the other, each twice as long as the one before it,
+// until all iterations are used up: where a search takes long, a new one is often faster (Wedge and
+// Branicky 2008, "On heavy-tailed runtimes and restarts in rapidly-exploring random trees"). Every
+// second one sees shapes in place of meshes, and misses only the narrowest passages. The other
+// planners improve on what they have, and search once.
+FoundPath search_in_rounds(TransferSpace& space, const Transfer& transfer,
+                           const TransferOptions& options) {
+  if (options.planner != PathPlanner::rrt_connect) return search(space, transfer, options);
+  FoundPath found;
+  TransferOptions round = options;
+  int left = options.max_iterations;
+  for (int length = kFirstRound; left > 0 && found.whole.empty(); length *= 2) {
+    round.max_iterations = std::min(left, length);
+    space.set_by_shapes(!space.is_by_shapes());
+    found = search(space, transfer, round);
+    ++round.seed;
+    left -= round.max_iterations;
+  }
+  return found;
 }
 
 }  // namespace
@@ -291,12 +396,13 @@ std::vector<DofValues> plan_transfer(const CompiledArm& arm, const Transfer& tra
   require_settings(options);
   ompl::msg::noOutputHandler();  // stdout and stderr are the program's own
   context.cancellation.check();
-  const TransferSpace space(arm, transfer, options, context);
+  TransferSpace space(arm, transfer, options, context);
   // OMPL waits for other starts and goals where these are not valid.
   if (!space.is_possible(transfer.from) || !space.is_possible(transfer.to)) return {};
   // Often the straight line is free, which saves the search and is the shortest path.
-  if (space.is_free(transfer.from, transfer.to)) return {transfer.from, transfer.to};
-  FoundPath found = search(space, transfer, options);
+  if (space.may_be_free(transfer.from, transfer.to) && space.is_free({transfer.from, transfer.to}))
+    return {transfer.from, transfer.to};
+  FoundPath found = search_in_rounds(space, transfer, options);
   // Rounding in and out of the planner's coordinates moves the waypoints a little, so the proof is
   // repeated for the lines that are returned. Shortening ends at what just passes it, which the
   // rounding can undo; the path before it has more room.
