@@ -32,6 +32,9 @@ struct SceneSource {
   // states it, maybe without preshapes: a scene to look at, which cannot be compiled.
   bool derive_hand = true;
   ObjectChoice choice = {};
+  // Static friction of the object with everything, in place of what the file says
+  // (set_object_friction). Empty: as it says. Only load_scene and load_each_scene look at it.
+  std::optional<double> friction = {};
 };
 
 // The hand of a scene that names none.
