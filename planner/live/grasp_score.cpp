@@ -1,9 +1,11 @@
 #include "planner/live/grasp_score.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
 #include "sim/trial/close_and_score.h"
@@ -12,37 +14,67 @@
 namespace prehend {
 namespace {
 
+WrenchSpaceOptions space_of(const JudgeOptions& judge) {
+  return {.norm = judge.norm, .edges = judge.edges};
+}
+
+EpsilonBracket epsilon_of(const CompiledScene& scene, const std::vector<Contact>& contacts,
+                          const JudgeOptions& judge) {
+  if (judge.norm == WrenchNorm::l1) {
+    return epsilon_l1(contact_wrenches(contacts, scene.wrench_frame, judge.edges));
+  }
+  return grasp_epsilon(contacts, scene.wrench_frame, space_of(judge));
+}
+
 // Epsilon of the contacts without those of a link.
 double epsilon_without_link(const CompiledScene& scene, const std::vector<GraspContact>& contacts,
-                            LinkId link, int edges) {
+                            LinkId link, const JudgeOptions& judge) {
   std::vector<Contact> others;
   for (const GraspContact& contact : contacts) {
     if (contact.link != link) others.push_back(contact.point);
   }
-  if (others.empty()) return 0.0;
-  return epsilon_l1(contact_wrenches(others, scene.wrench_frame, edges)).lower;
+  return others.empty() ? 0.0 : epsilon_of(scene, others, judge).lower;
 }
 
-void find_limit(const CompiledScene& scene, int edges, GraspScore& judged) {
+void find_limit(const CompiledScene& scene, const JudgeOptions& judge, GraspScore& judged) {
   for (std::size_t i = 0; i < judged.contacts.size(); ++i) {
     const LinkId link = judged.contacts[i].link;
     // Contacts are ordered by link.
     if (i > 0 && judged.contacts[i - 1].link == link) continue;
-    const double without = epsilon_without_link(scene, judged.contacts, link, edges);
+    const double without = epsilon_without_link(scene, judged.contacts, link, judge);
     if (!judged.limiting_link.empty() && without >= judged.epsilon_without) continue;
     judged.limiting_link = scene.links[index(link)].name;
     judged.epsilon_without = without;
   }
 }
 
+struct SpaceHull {
+  double volume = 0.0;
+  PointHull points;
+};
+
+// The hull of the wrench space. Of other spaces than pyramids of few edges with the L1 norm, one
+// inside it with few points.
+SpaceHull space_hull_of(const CompiledScene& scene, const std::vector<Contact>& contacts,
+                        const JudgeOptions& judge) {
+  if (judge.norm == WrenchNorm::l1 && judge.edges <= kMostHullEdges) {
+    WrenchHull hull = wrench_hull(contact_wrenches(contacts, scene.wrench_frame, judge.edges));
+    return {hull.volume, std::move(hull.points)};
+  }
+  constexpr int kFewPoints = 200;
+  SetHull hull = set_hull(*wrench_space(contacts, scene.wrench_frame, space_of(judge)),
+                          {.max_points = kFewPoints});
+  return {hull.volume_lower, std::move(hull.hull)};
+}
+
 // What takes the hull of the wrenches, which is most of the work: volume and sections.
-void measure_space(const CompiledScene& scene, int edges, bool sections, GraspScore& judged) {
+void measure_space(const CompiledScene& scene, const JudgeOptions& judge, bool sections,
+                   GraspScore& judged) {
   const bool is_stable = judged.outcome == Outcome::stable;
   if (judged.contacts.empty() || !(is_stable || sections)) return;
-  const std::vector<Contact> contacts = contacts_of(judged.contacts);
-  WrenchHull hull;
+  SpaceHull hull;
   try {
-    hull = wrench_hull(contact_wrenches(contacts, scene.wrench_frame, edges));
+    hull = space_hull_of(scene, contacts_of(judged.contacts), judge);
   } catch (const InputError&) {
     throw;
   } catch (const std::runtime_error&) {
@@ -50,13 +82,24 @@ void measure_space(const CompiledScene& scene, int edges, bool sections, GraspSc
     return;  // qhull failed on a space that holds nothing: there is no picture of it
   }
   if (is_stable) judged.volume = hull.volume;
-  if (sections && hull.status == HullStatus::solid) judged.sections = wrench_sections(hull.points);
+  if (!sections || hull.points.status != PointHullStatus::solid) return;
+  judged.sections = wrench_sections(hull.points);
+  if (judge.fixed) judged.chosen = wrench_slice(hull.points, *judge.fixed);
 }
 
 }  // namespace
 
-GraspScore judge_grasp_of(const CompiledScene& scene, const Trial& trial,
-                          const TrialOptions& options, bool sections) {
+bool JudgeOptions::operator==(const JudgeOptions& other) const {
+  if (norm != other.norm || edges != other.edges || fixed.has_value() != other.fixed.has_value()) {
+    return false;
+  }
+  return !fixed ||
+         (fixed->coordinates == other.fixed->coordinates && fixed->values == other.fixed->values);
+}
+
+GraspScore judge_grasp_of(const CompiledScene& scene, const Trial& trial, TrialOptions options,
+                          const JudgeOptions& judge, bool sections) {
+  options.cone_edges = judge.edges;
   ScoringWorkspace workspace;
   Trial judged = trial;
   score_contacts(scene, options, workspace, judged);
@@ -64,8 +107,12 @@ GraspScore judge_grasp_of(const CompiledScene& scene, const Trial& trial,
   judgement.outcome = judged.outcome;
   judgement.contacts = std::move(judged.contacts);
   judgement.epsilon = judged.epsilon;
-  measure_space(scene, options.cone_edges, sections, judgement);
-  if (judgement.outcome == Outcome::stable) find_limit(scene, options.cone_edges, judgement);
+  // Whether the origin is inside does not depend on the norm.
+  if (judge.norm != WrenchNorm::l1 && judgement.outcome == Outcome::stable) {
+    judgement.epsilon = epsilon_of(scene, contacts_of(judgement.contacts), judge);
+  }
+  measure_space(scene, judge, sections, judgement);
+  if (judgement.outcome == Outcome::stable) find_limit(scene, judge, judgement);
   return judgement;
 }
 

@@ -8,6 +8,7 @@
 
 #include "sim/quality/forces.h"
 #include "sim/quality/wrench_slice.h"
+#include "sim/quality/wrench_space.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/trial.h"
@@ -25,13 +26,29 @@ struct GraspScore {
   // smallest of all links, of equal ones the first. Empty without force closure.
   std::string limiting_link;
   double epsilon_without = 0.0;
-  WrenchSections sections;  // of the wrench space; empty where it is flat, or nobody asked for them
+  // Of the wrench space; empty where it is flat, or nobody asked for them.
+  WrenchSections sections;
+  WrenchSlice chosen;  // the one of JudgeOptions::fixed; empty also without it
 };
 
-// Epsilon as score_contacts (close_and_score.h), of the contacts with the trial's X_OH and joints.
-// `sections`: whether to fill them in.
-GraspScore judge_grasp_of(const CompiledScene& scene, const Trial& trial,
-                          const TrialOptions& options, bool sections = false);
+// How contacts are judged while somebody looks at them.
+struct JudgeOptions {
+  WrenchNorm norm = WrenchNorm::l1;
+  int edges = 8;  // of the pyramids that stand for friction cones, in kJudgedEdges
+  // Of a section of the wrench space besides those without torque and without force.
+  std::optional<FixedCoordinates> fixed = {};
+
+  bool operator==(const JudgeOptions& other) const;
+};
+
+// More edges than these would make one wait.
+inline constexpr Range kJudgedEdges{.lower = 3.0, .upper = 64.0};
+
+// Epsilon as score_contacts (close_and_score.h), of the contacts with the trial's X_OH and joints,
+// where `judge` asks for the L1 norm, else as grasp_epsilon with forces of at most one. `sections`:
+// whether to fill them in.
+GraspScore judge_grasp_of(const CompiledScene& scene, const Trial& trial, TrialOptions options,
+                          const JudgeOptions& judge = {}, bool sections = false);
 
 // The smallest forces at the contacts of the trial that balance a load on the object: a force [N]
 // at the origin of torques, which is the object's centre of mass, and a torque about it [N m], both

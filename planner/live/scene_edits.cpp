@@ -11,6 +11,7 @@
 #include "sim/robot/hand/derive_hand.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/named_mass.h"
+#include "sim/scene/object_friction.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_file.h"
@@ -208,6 +209,15 @@ void change_obstacle(Scene& scene, const std::string& name, const BodyOrder& ord
 
 void remove_obstacle(Scene& scene, const std::string& name) {
   scene.obstacles.erase(find_obstacle(scene, name));
+}
+
+void change_friction(Scene& scene, std::optional<Material> material, double friction) {
+  require(!scene.object.mesh.empty(), {.field = "object", .problem = "there is none"});
+  if (material) {
+    set_static_friction(scene, scene.object.material, *material, friction);
+  } else {
+    set_object_friction(scene, friction);
+  }
 }
 
 void choose_hand(Scene& scene, const std::string& hand) {

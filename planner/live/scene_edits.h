@@ -67,6 +67,10 @@ void add_obstacle(Scene& scene, BodySurface surface, const BodyOrder& order);
 void change_obstacle(Scene& scene, const std::string& name, const BodyOrder& order);
 void remove_obstacle(Scene& scene, const std::string& name);
 
+// Static friction of the object with a material, or where none is named with all
+// (object_friction.h). Throws as checked_friction, and InputError without an object.
+void change_friction(Scene& scene, std::optional<Material> material, double friction);
+
 // The hand flies free from then on.
 void choose_hand(Scene& scene, const std::string& hand);
 

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "planner/live/start_posture.h"
 #include "planner/live/state_memory.h"
 #include "planner/results/grasps_file.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
+#include "sim/base/range.h"
 #include "sim/scene/scene_file.h"
 
 namespace prehend {
 namespace {
-
-// The distance at which a new hand stands off the object [m].
-constexpr double kStandOff = 0.1;
 
 // A file of grasps says what its scene is called; what is read back here is of the session's.
 RunRecord record_of_session(const SessionState& state, const PlanOptions& options) {
@@ -43,26 +42,8 @@ void require_fits(bool fits, const char* field, const char* problem, const std::
 }  // namespace
 
 Session::Session(SessionOptions options) : options_(std::move(options)) {
-  Scene scene = scene_of_hand(kDefaultHand);
-  state_.hand = start_posture(scene);
-  state_.world = std::make_shared<const EditedScene>(std::move(scene));
-}
-
-HandPosture Session::start_posture(const Scene& scene) {
-  HandPosture posture;
-  const Hand& hand = *scene.hand.hand;
-  posture.dofs = hand.preshapes.empty() ? initial_dofs(scene.hand) : hand.preshapes.front().dofs;
-  posture.joints = joint_values(scene.hand, posture.dofs);
-  if (scene.object.mesh.empty()) return posture;
-  // The approach points down, as far above the object as kStandOff. Turned about as little as
-  // possible; a hand that points up is turned about an axis that is the same in every run.
-  const Bounds box = bounds(scene.object.mesh);
-  const Vector3 top(0.5 * (box.lower.x() + box.upper.x()), 0.5 * (box.lower.y() + box.upper.y()),
-                    box.upper.z() + kStandOff);
-  const Matrix3 turn =
-      Eigen::Quaterniond::FromTwoVectors(hand.approach, -Vector3::UnitZ()).toRotationMatrix();
-  posture.X_OH = pose_from(turn, top - turn * hand.origin);
-  return posture;
+  state_.world = std::make_shared<const EditedScene>(scene_of_hand(kDefaultHand));
+  state_.hand = start_posture(*state_.world, trial_options().reach);
 }
 
 Session::KeptState Session::kept(SessionState state) {
@@ -153,8 +134,8 @@ void Session::forget_history() {
 void Session::set_scene(Scene scene) {
   require_no_plan();
   SessionState next = state_;
-  next.hand = start_posture(scene);
   next.world = std::make_shared<const EditedScene>(std::move(scene));
+  next.hand = start_posture(*next.world, trial_options().reach);
   next.arm.reset();
   forget_grasps(next);
   settle_arm(next);
@@ -169,20 +150,19 @@ void Session::edit(const std::function<void(Scene&)>& change) {
   change(scene);
   SessionState next = state_;
   if (scene.hand.name != hand || scene.hand.dofs.size() != state_.hand.dofs.size()) {
-    next.hand.dofs = start_posture(scene).dofs;
+    next.hand.dofs = start_dofs(scene.hand);
     next.hand.joints = joint_values(scene.hand, next.hand.dofs);
-  }
-  // The hand stays where it is in the world; the first object brings it a better place.
-  if (!had_object && !scene.object.mesh.empty()) {
-    const HandPosture start = start_posture(scene);
-    next.hand.X_OH = start.X_OH;
-  } else {
-    const Pose& X_WO = state_.world->X_WO();
-    const bool moved = X_WO.matrix() != scene.object.X_WO.matrix();
-    if (moved) next.hand.X_OH = scene.object.X_WO.inverse() * X_WO * state_.hand.X_OH;
   }
   if (carrier_of(scene) != carrier_of(state_.world->scene())) next.arm.reset();
   next.world = std::make_shared<const EditedScene>(std::move(scene));
+  // The hand stays where it is in the world; the first object brings it a better place.
+  const Pose& X_WO = state_.world->X_WO();
+  const Pose& X_WO_next = next.world->X_WO();
+  if (!had_object && next.world->has_object()) {
+    next.hand.X_OH = start_posture(*next.world, trial_options().reach).X_OH;
+  } else if (X_WO.matrix() != X_WO_next.matrix()) {
+    next.hand.X_OH = X_WO_next.inverse() * X_WO * state_.hand.X_OH;
+  }
   forget_grasps(next);
   settle_arm(next);
   push(std::move(next));
@@ -191,6 +171,18 @@ void Session::edit(const std::function<void(Scene&)>& change) {
 void Session::set_switches(const Switches& switches) {
   SessionState next = state_;
   next.switches = switches;
+  push(std::move(next));
+}
+
+void Session::set_judge(const JudgeOptions& judge) {
+  require_in(kJudgedEdges, judge.edges, "edges");
+  if (judge.fixed) {
+    const std::array<int, 3>& fixed = judge.fixed->coordinates;
+    require(fixed[0] != fixed[1] && fixed[0] != fixed[2] && fixed[1] != fixed[2],
+            {.field = "fixed", .problem = "must be three different coordinates"});
+  }
+  SessionState next = state_;
+  next.judge = judge;
   push(std::move(next));
 }
 

@@ -44,6 +44,7 @@ struct SessionState {
   EditedScenePtr world;
   HandPosture hand;
   Switches switches;
+  JudgeOptions judge;
   std::optional<ArmPosture> arm;   // none where no platform carries the hand
   std::optional<Outcome> outcome;  // of the last auto-grasp, while the hand stays as it left it
   // Where the grasp in hand came from, as long as `outcome`; null where nobody knows.
@@ -126,6 +127,9 @@ class Session {
   BodyMotion move_obstacle(const std::string& name, const Pose& X_WB, Gesture gesture = {});
 
   void set_switches(const Switches& switches);
+  // How quality() judges from now on. Throws InputError of the field "edges" outside of
+  // kJudgedEdges, and of "fixed" for coordinates that are not three different ones.
+  void set_judge(const JudgeOptions& judge);
 
   // --- The hand. With stop_at_contact and in a world that is ready it moves until it touches;
   // otherwise it goes all the way, through whatever is there.
@@ -167,7 +171,7 @@ class Session {
   // --- Queries.
   Pose X_WH() const { return state_.world->X_WO() * state_.hand.X_OH; }
   std::vector<GraspContact> contacts() const;
-  GraspScore quality(bool sections = false) const;  // as judge_grasp_of
+  GraspScore quality(bool sections = false) const;  // as judge_grasp_of with SessionState::judge
   // As forces_for.
   ContactForces forces(const Vector3& force_O, const Vector3& torque_O, bool joint_limits) const;
   // Of the hand and, where it holds the hand, of the arm.
@@ -221,10 +225,6 @@ class Session {
   void reset_time();
   // `keep`: the object's pose and the hand's posture become the session's, one step of undo.
   void stop_time(bool keep);
-
-  // Degrees of freedom of a new scene's hand: those of its first preshape. It stands off the object
-  // against its approach direction, or at the origin without one.
-  static HandPosture start_posture(const Scene& scene);
 
  private:
   // A state on the stacks: of a world that is another one with bodies elsewhere, only that one and

@@ -155,7 +155,8 @@ std::vector<GraspContact> Session::contacts() const {
 }
 
 GraspScore Session::quality(bool sections) const {
-  return judge_grasp_of(state_.world->compiled(), as_trial(), trial_options(), sections);
+  return judge_grasp_of(state_.world->compiled(), as_trial(), trial_options(), state_.judge,
+                        sections);
 }
 
 ContactForces Session::forces(const Vector3& force_O, const Vector3& torque_O,

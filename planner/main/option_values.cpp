@@ -13,8 +13,8 @@
 namespace prehend {
 
 double seconds_of(const std::string& words) {
-  const std::array<std::pair<std::string_view, double>, 5> units = {
-      {{"", 1.0}, {"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
+  const std::array<std::pair<std::string_view, double>, 4> units = {
+      {{"s", 1.0}, {"ms", 1e-3}, {"min", 60.0}, {"h", 3600.0}}};
   double number = 0.0;
   const auto [end, error] = std::from_chars(words.data(), words.data() + words.size(), number);
   const std::string_view rest(end, static_cast<std::size_t>(words.data() + words.size() - end));
@@ -23,7 +23,7 @@ double seconds_of(const std::string& words) {
     if (sound && number * seconds <= 1e9) return number * seconds;
   }
   throw InputError({.field = "--budget",
-                    .problem = "must be a time above 0 such as 500ms, 2s or 1.5min",
+                    .problem = "must be a time above 0 with its unit, such as 500ms, 2s or 1.5min",
                     .value = words});
 }
 

@@ -15,8 +15,8 @@ std::vector<std::string> texts(const Texts& values) {
   return {values.begin(), values.end()};
 }
 
-// Seconds of a time such as "2s", "500ms", "1.5min" or "2", which is in seconds. Throws InputError
-// of --budget for any other word and for times that are not above 0.
+// Seconds of a time such as "2s", "500ms", "1.5min" or "1h". Throws InputError of --budget for any
+// other word, such as a number without a unit, and for times that are not above 0.
 double seconds_of(const std::string& words);
 
 // Reads "x,y,z", three finite numbers; false for any other words.

@@ -81,7 +81,8 @@ SceneSource source_of(const PlanCommand& command, const ObjectChoice& choice) {
           .unit = command.unit,
           .repair = command.repair,
           .foreign = foreign_options(command.packages, {}),
-          .choice = choice};
+          .choice = choice,
+          .friction = command.friction};
 }
 
 PlanTask load_task(const PlanCommand& command, const ObjectChoice& choice, Stopwatch& watch) {
@@ -101,7 +102,8 @@ PlanTask make_task(const PlanCommand& command, const ObjectChoice& choice, Scene
                    command.hand,
                    options_of(command, scene.scene.object.mesh),
                    command.repair,
-                   choice};
+                   choice,
+                   command.friction};
   add_model(command, scene, record.options);
   return {std::move(scene), std::move(record)};
 }

@@ -36,8 +36,9 @@ struct PlanCommand {
   bool still = false;                         // hands are judged on an object that stands still
   std::vector<std::string> packages;          // of a hand or platform: NAME=FOLDER
   ChoiceWords choice;
-  bool any = false;             // all objects of the scene, each among the others
-  std::optional<bool> picture;  // of the best grasp; empty: where there is a report
+  std::optional<double> friction;  // of the object; empty: that of the materials
+  bool any = false;                // all objects of the scene, each among the others
+  std::optional<bool> picture;     // of the best grasp; empty: where there is a report
   CommonOptions common;
 };
 

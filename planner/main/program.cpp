@@ -8,6 +8,7 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <poll.h>
 #include <stdexcept>
 #include <string>
 #include <sys/resource.h>
@@ -81,17 +82,26 @@ int run(int argc, char** argv, const AddCommands& add) {
   return request->run(interrupts);
 }
 
-// Whether all that was printed arrived; it may not where it goes to a full disk or a closed pipe.
+// Whether whoever read the output has gone, as `head` does when it has seen enough. POSIX says so
+// of a pipe without readers (POLLERR), never of a file.
+bool reader_has_gone() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
+}
+
+// Whether all that was printed arrived where somebody wanted it; it may not where it goes to a full
+// disk.
 bool printed_all() {
   std::cout.flush();
-  return std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  const bool arrived = std::cout.good() && std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  return arrived || reader_has_gone();
 }
 
 }  // namespace
 
 int run_program(int argc, char** argv, const AddCommands& add) {
-  // Writing to a closed pipe, or beyond the largest size of files (ulimit -f), fails then, and is
-  // reported like any other lost output.
+  // Writing to a closed pipe fails then, and the command does the rest of its work; beyond the
+  // largest size of files (ulimit -f) it is reported like any other lost output.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {

@@ -10,6 +10,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/json/json_field.h"
 #include "sim/manipulation/test_procedure_file.h"
+#include "sim/scene/object_friction.h"
 #include "sim/scene/scene_file.h"
 #include "sim/scene/scene_library.h"
 
@@ -28,9 +29,12 @@ LoadedScene load_asked_scene(const JsonFile& grasps, const SceneReference& comma
   record.hand = asked.hand;
   record.scene = scene_reference(asked.scene);
   record.choice = asked.choice;
-  Scene loaded = load_scene(
-      asked.scene,
-      {.hand = record.hand, .unit = asked.unit, .repair = record.repair, .choice = record.choice});
+  record.friction = command_line.friction ? command_line.friction : asked.friction;
+  Scene loaded = load_scene(asked.scene, {.hand = record.hand,
+                                          .unit = asked.unit,
+                                          .repair = record.repair,
+                                          .choice = record.choice,
+                                          .friction = record.friction});
   record.unit = unit_of_source(asked.scene, loaded);
   print_notes(loaded);
   return {compile(std::move(loaded)), record};
@@ -47,6 +51,8 @@ LoadedScene load_asked_scene(const GraspSet& set, const std::filesystem::path& f
   record.unit = loaded.scaled ? "m" : loaded.unit;
   record.scene = loaded.scaled ? std::filesystem::absolute(scaled).lexically_normal().string()
                                : scene_reference(loaded.source);
+  record.friction = command_line.friction;
+  if (record.friction) set_object_friction(loaded.scene, *record.friction);
   print_notes(loaded.scene);
   return {compile(std::move(loaded.scene)), record};
 }

@@ -19,6 +19,8 @@ struct ConvertCommand {
 };
 
 void declare(CLI::App& command, ConvertCommand& options) {
+  add_examples(command,
+               {"convert gripper.urdf gripper.json", "convert bottle.stl bottle.obj --unit mm"});
   command.add_option("source", options.source, "robot or mesh file, or a robot of the library")
       ->required();
   command

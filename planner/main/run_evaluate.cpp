@@ -1,4 +1,5 @@
 #include <iostream>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -34,6 +35,7 @@ struct EvaluateCommand {
   std::string hand;
   std::string unit;
   bool repair = true;
+  std::optional<double> friction;       // of the object; empty: as of the file
   std::string shake;                    // protocol: name or file; empty: none
   bool uncertainty = false;             // grasps are tried again on disturbed poses
   bool dynamic = false;                 // hands close in time, on an object that gives way
@@ -42,12 +44,15 @@ struct EvaluateCommand {
 };
 
 void declare(CLI::App& command, EvaluateCommand& options) {
+  add_examples(command, {"evaluate out/grasps.json",
+                         "evaluate out/grasps.json --hand franka_hand --shake acronym"});
   command
       .add_option("grasps", options.grasps,
                   "grasp file (docs/reference/grasps-file.md), or a set of grasps "
                   "(docs/reference/datasets.md)")
       ->required();
   add_scene_options(command, options.scene, options.hand, options.unit, options.repair);
+  add_friction(command, options.friction);
   command
       .add_option("--volumes", options.volumes,
                   "for how many grasps the volume and the weight that they hold are computed, "
@@ -74,7 +79,7 @@ struct Given {
 constexpr const char* kScaledScene = "evaluated_scene.json";
 
 SceneReference asked_reference(const EvaluateCommand& command) {
-  return {command.scene, command.hand, command.unit, command.repair};
+  return {command.scene, command.hand, command.unit, command.repair, {}, command.friction};
 }
 
 Given given_set(const EvaluateCommand& command, const GraspSet& set) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,9 @@ struct InspectCommand {
 };
 
 void declare(CLI::App& command, InspectCommand& options) {
+  add_examples(command,
+               {"inspect bottle.obj --unit mm", "inspect gripper.urdf --picture gripper.png",
+                "inspect mug --primitives mug.png"});
   command.add_option("file", options.file, "mesh, robot or scene file, or a library name")
       ->required();
   add_mesh_options(command, options.unit, options.repair);
@@ -137,15 +141,30 @@ void print_volume(const TriangleMesh& mesh, const MeshChecks& checks, bool cente
   if (!checks.solid()) std::printf("  %s\n", trust_text(checks, mass.source).c_str());
 }
 
+// Corners of the box around the vertices.
+void print_bounds(const char* frame, const TriangleMesh& mesh, const Pose& X_FB) {
+  Bounds box;
+  for (const Vector3& p_B : mesh.vertices) {
+    const Vector3 p_F = kMillimetres * (X_FB * p_B);
+    box.lower = box.lower.cwiseMin(p_F);
+    box.upper = box.upper.cwiseMax(p_F);
+  }
+  std::printf("  %s from (%.2f, %.2f, %.2f) to (%.2f, %.2f, %.2f) mm\n", frame, box.lower.x(),
+              box.lower.y(), box.lower.z(), box.upper.x(), box.upper.y(), box.upper.z());
+}
+
 void print_size(const TriangleMesh& mesh) {
   const Vector3 size = kMillimetres * bounds(mesh).size();
   std::printf("  size %.2f x %.2f x %.2f mm, surface %.1f cm^2\n", size.x(), size.y(), size.z(),
               kSquareCentimetres * surface_area(mesh));
+  print_bounds("in its own frame", mesh, Pose::Identity());
 }
 
-void print_mesh(const TriangleMesh& mesh, MassBasis basis = MassBasis::uniform) {
+void print_mesh(const TriangleMesh& mesh, MassBasis basis = MassBasis::uniform,
+                const std::optional<Pose>& X_WB = {}) {
   const MeshChecks checks = check_mesh(mesh);
   print_size(mesh);
+  if (X_WB) print_bounds("in the world", mesh, *X_WB);
   print_checks(checks);
   print_volume(mesh, checks, basis == MassBasis::uniform);
 }
@@ -211,12 +230,12 @@ void print_scene(const Scene& scene, const InspectCommand& command, Interrupts& 
   if (scene.carrier) {
     print_platform(scene.carrier->platform, inspected_robots(scene.carrier->platform));
   }
-  print_mesh(scene.object.mesh, scene.object.mass_basis);
+  print_mesh(scene.object.mesh, scene.object.mass_basis, scene.object.X_WO);
   print_mass(scene.object);
   for (const StaticBody& body : scene.obstacles) {
     std::printf("obstacle %s of %s\n", body.name.c_str(),
                 std::string(name_of(body.material)).c_str());
-    print_mesh(body.mesh);
+    print_mesh(body.mesh, MassBasis::uniform, body.X_WB);
   }
   if (scene.primitives.empty()) {
     print_primitives(scene.object.mesh, command, interrupts);

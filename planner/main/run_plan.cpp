@@ -24,6 +24,9 @@ namespace prehend {
 namespace {
 
 void declare(CLI::App& command, PlanCommand& options) {
+  add_examples(command, {"plan mug", "plan bottle.obj --unit mm --hand franka_hand --top 3",
+                         "plan panda_on_table --path --export csv,moveit",
+                         "plan mug --approach down/30deg --friction 0.6 --budget 2s"});
   command
       .add_option("scene", options.scene,
                   "scene name, scene file, mesh file, or what depth cameras saw")
@@ -70,6 +73,7 @@ void declare(CLI::App& command, PlanCommand& options) {
   command.add_flag("--still", options.still,
                    "judge by hands that close on an object that stands still, as in GraspIt!");
   add_choice(command, options.choice);
+  add_friction(command, options.friction);
   command.add_flag("--any", options.any,
                    "whichever object of the scene: plan each among the others, and rank all");
   add_packages(command, options.packages);
@@ -131,6 +135,9 @@ class PlanProgram {
       return say_interrupted("nothing is written");
     }
     if (!late && result.status != PlanStatus::complete) {
+      // The folder then tells of this object, not of an earlier one.
+      output_.write_grasps(scene, result, record);
+      output_.write_report(scene, result, record);
       throw InputError(no_candidates_text(scene, result));
     }
     output_.write_grasps(scene, result, record);

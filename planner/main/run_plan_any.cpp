@@ -68,18 +68,17 @@ class AnyProgram {
       if (time_is_up_) interrupts_.use_up_budget();
       return say_interrupted("nothing is written");
     }
-    if (nothing) throw InputError(no_candidates_text(scenes_.front(), any_.results.front()));
     write_all();
+    if (nothing) {
+      write_reports();
+      throw InputError(no_candidates_text(scenes_.front(), any_.results.front()));
+    }
     print_all();
     interrupts_.end_at_once("the grasps are written, not the reports and the pictures");
     if (interrupts_.cancellation().requested() && !time_is_up_) {
       return say_interrupted("no reports, no pictures");
     }
-    for (std::size_t s = 0; s < scenes_.size(); ++s) {
-      outputs_[s].write_report(scenes_[s], any_.results[s], records_[s]);
-      (void)outputs_[s].write_pictures(scenes_[s], any_.results[s]);
-      outputs_[s].write_timings(any_.results[s]);
-    }
+    write_reports();
     std::cout << "wrote " << folder_.string() << ": any.json, and a folder for each object\n";
     return 0;
   }
@@ -108,6 +107,15 @@ class AnyProgram {
       outputs_[s].write_grasps(scenes_[s], any_.results[s], records_[s]);
     }
     interrupts_.write(folder_ / "any.json", any_json());
+  }
+
+  // With their pictures.
+  void write_reports() {
+    for (std::size_t s = 0; s < scenes_.size(); ++s) {
+      outputs_[s].write_report(scenes_[s], any_.results[s], records_[s]);
+      (void)outputs_[s].write_pictures(scenes_[s], any_.results[s]);
+      outputs_[s].write_timings(any_.results[s]);
+    }
   }
 
   const std::string& name_of_object(std::size_t s) const { return scenes_[s].scene.object.name; }

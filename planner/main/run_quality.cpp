@@ -35,6 +35,9 @@ struct QualityCommand {
 };
 
 void declare(CLI::App& command, QualityCommand& options) {
+  add_examples(command,
+               {"quality contacts.json",
+                "quality contacts.json --space Linf --cone pyramid:16 --project tx=0,ty=0,tz=0"});
   command
       .add_option("contacts", options.contacts, "contacts file (docs/reference/contacts-file.md)")
       ->required();

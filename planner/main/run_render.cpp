@@ -32,6 +32,7 @@ struct RenderCommand {
 };
 
 void declare(CLI::App& command, RenderCommand& options) {
+  add_examples(command, {"render out/grasps.json", "render out/grasps.json --grasp 1 --frames 20"});
   command.add_option("grasps", options.grasps, "grasp file")->required();
   command.add_option("--grasp", options.grasp, "number of the one to draw, 0: all")
       ->check(CLI::NonNegativeNumber)
@@ -183,7 +184,7 @@ int run_render(const RenderCommand& command, Interrupts& interrupts) {
   require_writable(command.out);
   const JsonFile file(command.grasps);
   const LoadedScene loaded =
-      load_asked_scene(file, {command.scene, command.hand, command.unit, command.repair});
+      load_asked_scene(file, {command.scene, command.hand, command.unit, command.repair, {}, {}});
   const std::vector<DrawnGrasp> grasps = drawn_grasps(file, loaded.scene, command.grasp);
   const std::filesystem::path& folder = command.out;
   make_folder(folder);

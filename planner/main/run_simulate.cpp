@@ -28,14 +28,16 @@ namespace {
 
 // Arguments of `simulate`.
 struct SimulateCommand {
-  std::string scene;                    // name, scene file or file of grasps
-  int grasp = 1;                        // of a file of grasps: which one
-  std::string hand;                     // of a scene; empty: its own
-  std::string procedure;                // name or file; empty: the hand closes
-  std::string test;                     // of the protocol; empty: the first
-  double seconds = 5.0;                 // for which the hand closes, without a protocol
-  std::optional<double> step;           // s; empty: the protocol's
-  double every = 0.01;                  // s between recorded states
+  std::string scene;  // name, scene file or file of grasps
+  int grasp = 1;      // of a file of grasps: which one
+  std::string hand;
+  std::optional<double> friction;  // of the object; empty: as of the file                     // of
+                                   // a scene; empty: its own
+  std::string procedure;           // name or file; empty: the hand closes
+  std::string test;                // of the protocol; empty: the first
+  double seconds = 5.0;            // for which the hand closes, without a protocol
+  std::optional<double> step;      // s; empty: the protocol's
+  double every = 0.01;             // s between recorded states
   std::vector<std::string> quantities;  // of states.csv; "all": all; empty: no such file
   int frames = 0;                       // pictures of moments
   std::vector<std::string> packages;    // of a hand or platform: NAME=FOLDER
@@ -43,11 +45,14 @@ struct SimulateCommand {
 };
 
 void declare(CLI::App& command, SimulateCommand& options) {
+  add_examples(command, {"simulate mug --seconds 2",
+                         "simulate out/grasps.json --grasp 2 --protocol acronym"});
   command.add_option("scene", options.scene, "scene name, scene file or grasp file")->required();
   command.add_option("--grasp", options.grasp, "number of the grasp of a grasp file")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--hand", options.hand, "robot of the library or robot file");
+  add_friction(command, options.friction);
   command.add_option("--protocol", options.procedure,
                      "what the hand does, by a protocol's name or file; without it, it closes");
   command.add_option("--test", options.test, "test of the protocol; without it the first");
@@ -81,7 +86,7 @@ struct AskedSimulation {
 
 // The grasp of a file is tried first: how the hand comes to it is what is simulated.
 AskedSimulation grasp_of_file(const SimulateCommand& command, const JsonFile& file) {
-  LoadedScene loaded = load_asked_scene(file, {"", command.hand, "", true});
+  LoadedScene loaded = load_asked_scene(file, {"", command.hand, "", true, {}, command.friction});
   const GraspFile read = read_grasps(file, loaded.scene);
   const std::vector<ScoredGrasp>& grasps = read.result.grasps;
   if (command.grasp > static_cast<int>(grasps.size())) {
@@ -109,6 +114,7 @@ AskedSimulation asked_of(const SimulateCommand& command) {
   }
   SceneSource source;
   source.hand = command.hand;
+  source.friction = command.friction;
   source.foreign = foreign_options(command.packages, {});
   Scene scene = load_scene(command.scene, source);
   print_notes(scene);

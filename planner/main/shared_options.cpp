@@ -6,9 +6,15 @@
 
 #include "planner/main/option_values.h"
 #include "sim/base/input_error.h"
+#include "sim/base/joined.h"
 #include "sim/base/range.h"
 
 namespace prehend {
+
+void add_examples(CLI::App& command, const std::vector<std::string>& examples) {
+  const auto line = [](const std::string& words) { return "  prehend " + words; };
+  command.footer("Examples:\n" + joined(examples, "\n", line));
+}
 
 void add_limits(CLI::App& command, Limits& limits) {
   command.add_option("--budget", limits.budget,
@@ -129,6 +135,13 @@ ObjectChoice object_choice(const ChoiceWords& words) {
     choice.preferred.push_back(region_of_words("--prefer", one));
   }
   return choice;
+}
+
+void add_friction(CLI::App& command, std::optional<double>& friction) {
+  command
+      .add_option("--friction", friction,
+                  "coefficient of friction of the object, in place of those of the materials")
+      ->check(CLI::Range(0.0, kLargestFriction));
 }
 
 void add_scene_options(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct CommonOptions {
   bool no_report = false;
   bool progress = false;  // lines on stderr that say how far the run is
 };
+
+// Shows these below the options in the command's help, each as it is typed after "prehend ".
+void add_examples(CLI::App& command, const std::vector<std::string>& examples);
 
 // --budget, --memory-limit.
 void add_limits(CLI::App& command, Limits& limits);
@@ -95,6 +99,9 @@ void add_choice(CLI::App& command, ChoiceWords& words);
 // What they say. A region is the name of a part of the mesh file, or two opposite corners of a box
 // in the object's frame, "x,y,z:x,y,z" in mm. Throws InputError that names the option.
 ObjectChoice object_choice(const ChoiceWords& words);
+
+// --friction.
+void add_friction(CLI::App& command, std::optional<double>& friction);
 
 // --scene, --hand, --unit, --no-repair.
 void add_scene_options(CLI::App& command, std::string& scene, std::string& hand, std::string& unit,

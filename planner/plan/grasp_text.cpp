@@ -30,7 +30,9 @@ std::string opening_text(const CompiledScene& scene, const Candidate& candidate)
 
 std::string load_factor_text(const LoadCase& load_case) {
   constexpr double kAny = 1e5;  // beyond it the figure is rounding of an effort that is nearly 0
-  return load_case.strength > kAny ? "any" : formatted("%.2g", load_case.strength);
+  if (load_case.strength > kAny) return "any";
+  // Without an exponent.
+  return formatted(load_case.strength < 99.5 ? "%.2g" : "%.0f", load_case.strength);
 }
 
 std::string weakness_text(const Robustness& robustness) {

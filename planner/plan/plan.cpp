@@ -171,15 +171,17 @@ struct RefinementPlan {
 };
 
 // The stable trials as rank() orders them, of those that the limit to the approach allows: in the
-// end, the hand of a candidate that it allows may point elsewhere.
+// end, the hand of a candidate that it allows may point elsewhere. `hand`: as of rank().
 std::vector<std::size_t> ranked_trials(const CompiledScene& scene, const PlanOptions& options,
-                                       const RankOptions& ranking, const Attempts& attempts) {
+                                       const RankOptions& ranking, const Attempts& attempts,
+                                       const Hand* hand = nullptr) {
   const std::optional<ApproachLimit>& limit = options.candidates.approach;
-  if (!limit) return rank(attempts.trials, ranking);
-  return rank(attempts.trials, ranking, [&](std::size_t i) {
+  if (!limit) return rank(attempts.trials, ranking, {}, hand);
+  const auto is_allowed = [&](std::size_t i) {
     return allows(*limit, scene, attempts.proposed[attempts.candidates[i]].candidate,
                   attempts.trials[i]);
-  });
+  };
+  return rank(attempts.trials, ranking, is_allowed, hand);
 }
 
 RefinementPlan plan_refinement(const CompiledScene& scene, const Attempts& attempts,
@@ -259,7 +261,8 @@ ScoredGrasp scored(Attempts& attempts, std::size_t i) {
 std::vector<ScoredGrasp> ranked(const CompiledScene& scene, const PlanOptions& options,
                                 const RankOptions& ranking, Attempts& attempts) {
   std::vector<ScoredGrasp> grasps;
-  for (const std::size_t i : ranked_trials(scene, options, ranking, attempts)) {
+  const Hand* hand = &*scene.scene.hand.hand;
+  for (const std::size_t i : ranked_trials(scene, options, ranking, attempts, hand)) {
     grasps.push_back(scored(attempts, i));
     const auto refined = attempts.refinements.find(i);
     if (refined != attempts.refinements.end()) grasps.back().refinement = refined->second;

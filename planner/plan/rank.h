@@ -10,6 +10,8 @@
 
 namespace prehend {
 
+struct Hand;
+
 // What comes first among the grasps that are returned.
 enum class RankBy {
   epsilon,      // the larger one
@@ -46,8 +48,11 @@ void for_each_setting(Options& options, const Visit& visit) {
       "pool", pool, kCountAbove0, "",
       "At most so many times the grasps that are wanted are closed on a free object, or tried with "
       "errors where these rank them.");
-  visit("same_distance", same_distance, kDistance, "m",
-        "Grasps whose hands differ by no more than this and `same_angle` are the same.");
+  visit(
+      "same_distance", same_distance, kDistance, "m",
+      "Grasps whose hands differ by no more than this and `same_angle` are the same; so are those "
+      "of a hand and of the same hand half a turn about its approach, where contacts and normals "
+      "differ by at most twice as much.");
   visit("same_angle", same_angle, kAngle, "rad", "See `same_distance`.");
   visit("same_contact", same_contact, kDistance, "m",
         "So are grasps of which each contact is within this distance of one of the other.");
@@ -56,7 +61,10 @@ void for_each_setting(Options& options, const Visit& visit) {
 // Indices of stable trials: those that touch preferred regions only before all others, then the
 // largest lower bound of epsilon first (equal epsilon: smaller index first), without those that are
 // the same as a better one; at most `top`. With `wanted`, only of trials whose index it accepts.
+// With `hand`, one that has been turned by half a turn about its approach and touches where it did
+// before counts as the same: its fingers have changed places.
 std::vector<std::size_t> rank(const std::vector<Trial>& trials, const RankOptions& options,
-                              const std::function<bool(std::size_t)>& wanted = {});
+                              const std::function<bool(std::size_t)>& wanted = {},
+                              const Hand* hand = nullptr);
 
 }  // namespace prehend

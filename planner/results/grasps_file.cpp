@@ -166,6 +166,9 @@ void read_scene(const JsonField& root, SceneReference& reference) {
     fields("hand", reference.hand);
     fields("repair", reference.repair);
     read_choice(fields, reference.choice);
+    if (fields.allow("friction")) {
+      reference.friction = fields.field()["friction"].number({.upper = kLargestFriction});
+    }
     fields.finish();
   }
   const bool beside = reference.hand.empty() && root.has("hand") && root["hand"].is_text();
@@ -184,6 +187,7 @@ void scene_field(auto& fields, auto& record) {
     if (!reference.unit.empty()) record.unit = reference.unit;
     record.repair = reference.repair;
     record.choice = std::move(reference.choice);
+    record.friction = reference.friction;
   } else {
     fields.object("scene", [&](auto& inner) {
       // A scene that was made in code has no file.
@@ -192,6 +196,7 @@ void scene_field(auto& fields, auto& record) {
       if (!record.hand.empty()) inner("hand", record.hand);
       if (!record.repair) inner("repair", record.repair);
       write_choice(inner, record.choice);
+      if (record.friction) inner("friction", *record.friction);
     });
   }
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct RunRecord {
   PlanOptions options;
   bool repair = true;  // whether the object's mesh file was repaired
   ObjectChoice choice = {};
+  std::optional<double> friction = {};  // as of SceneSource
 };
 
 // The whole file as text; the same for the same result, on any number of threads. What is not UTF-8
@@ -41,6 +43,7 @@ struct SceneReference {
   std::string unit;    // of a mesh file
   bool repair = true;  // of the object's mesh file
   ObjectChoice choice = {};
+  std::optional<double> friction = {};  // as of SceneSource
 };
 
 // "scene": a name or path, or {"file", "unit", "hand", "repair", "object", "keep_out",

@@ -8,6 +8,7 @@
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
+#include "sim/base/nearest_name.h"
 
 namespace prehend {
 
@@ -42,8 +43,9 @@ std::filesystem::path DataLibrary::find(const std::string& name_or_file,
   const bool is_name = name_or_file.find('/') == std::string::npos;
   if (is_name && is_there(file(name_or_file))) return file(name_or_file);
   throw InputError({.file = name_or_file,
-                    .problem = "no such file, and no " + what + " of that name (" + what +
-                               "s: " + joined(names()) + ")"});
+                    .problem = "no such file, and no " + what + " of that name, " +
+                               did_you_mean(name_or_file, names()) + what + "s are " +
+                               joined(names())});
 }
 
 }  // namespace prehend

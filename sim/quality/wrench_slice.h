@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include <Eigen/Core>
 
@@ -9,7 +10,10 @@ namespace prehend {
 
 struct PointHull;
 
-// Coordinates are 0 to 5: the force's x, y, z and the scaled torque's.
+// Names of the coordinates 0 to 5: the force's x, y, z and the scaled torque's.
+inline constexpr std::array<std::string_view, 6> kWrenchCoordinates = {"fx", "fy", "fz",
+                                                                       "tx", "ty", "tz"};
+
 struct FixedCoordinates {
   std::array<int, 3> coordinates = {3, 4, 5};  // which, all different: here the torque
   Eigen::Vector3d values = Eigen::Vector3d::Zero();

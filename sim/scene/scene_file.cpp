@@ -24,6 +24,7 @@
 #include "sim/scene/make_scene.h"
 #include "sim/scene/moveit_scene.h"
 #include "sim/scene/named_mass.h"
+#include "sim/scene/object_friction.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/scene/scene_library.h"
@@ -541,10 +542,8 @@ std::vector<std::string> names_in_json(const JsonFile& file, SeenOnce& seen) {
   return seen_names(*seen);
 }
 
-}  // namespace
-
-Scene load_scene(const fs::path& name_or_file, const SceneSource& source) {
-  const fs::path file = find_scene(name_or_file.string());
+// With the friction as the file says it.
+Scene load_as_stated(const fs::path& file, const SceneSource& source) {
   if (has_yaml_name(file)) {
     require_no_unit(file, source);
     Scene scene = read_moveit_scene(read_yaml(file), source);
@@ -592,6 +591,18 @@ Scene load_scene(const fs::path& name_or_file, const SceneSource& source) {
   return scene;
 }
 
+void apply_friction(const SceneSource& source, Scene& scene) {
+  if (source.friction) set_object_friction(scene, *source.friction);
+}
+
+}  // namespace
+
+Scene load_scene(const fs::path& name_or_file, const SceneSource& source) {
+  Scene scene = load_as_stated(find_scene(name_or_file.string()), source);
+  apply_friction(source, scene);
+  return scene;
+}
+
 std::vector<Scene> load_each_scene(const fs::path& name_or_file, const SceneSource& source) {
   const fs::path file = find_scene(name_or_file.string());
   std::vector<Scene> scenes;
@@ -601,6 +612,7 @@ std::vector<Scene> load_each_scene(const fs::path& name_or_file, const SceneSour
     for (const std::string& name : names) {
       of_object.choice.object = name;
       scenes.push_back(load());
+      apply_friction(source, scenes.back());
     }
   };
   if (file.extension() == ".json") {

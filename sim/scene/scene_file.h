@@ -37,6 +37,9 @@ struct SceneSource {
   ObjectChoice choice = {};
   // Whether a scene without an object is an error; else it gets nothing_to_grasp (make_scene.h).
   bool needs_object = true;
+  // Static friction of the object with everything, in place of what the file says
+  // (set_object_friction). Empty: as it says. Only load_scene and load_each_scene look at it.
+  std::optional<double> friction = {};
 };
 
 // The hand of a scene that names none.

@@ -39,8 +39,6 @@ TEST_P(BadInput, OneLineAndNothingWritten) {
 }
 
 const char* const kNoScene = R"({"grasps": []})";
-const char* const kLargeBox =
-    R"({"object": {"name": "crate", "geometry": [{"shape": "box", "size": [1, 1, 1]}]}})";
 
 INSTANTIATE_TEST_SUITE_P(
     Corpus, BadInput,
@@ -83,7 +81,6 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"TooSmall", "plan FOLDER/in.json --out FOLDER/out",
                 R"({"object": {"geometry": [{"shape": "box", "size": [1e-4, 1e-4, 1e-4]}]}})",
                 "0.1 mm large"},
-        Mistake{"TooLarge", "plan FOLDER/in.json --out FOLDER/out", kLargeBox, "crate"},
         Mistake{"ZeroTop", "plan mug --top 0 --out FOLDER/out", "", "--top"},
         Mistake{"NotANumber", "plan mug --threads many --out FOLDER/out", "", "--threads"},
         Mistake{"UnknownOption", "plan mug --colour red --out FOLDER/out", "", "--colour"},
@@ -97,6 +94,26 @@ INSTANTIATE_TEST_SUITE_P(
                 "coarse"},
         Mistake{"BudgetNotANumber", "plan mug --budget nan --out FOLDER/out", "", "--budget"},
         Mistake{"BudgetOfNothing", "plan mug --budget 0s --out FOLDER/out", "", "--budget"},
+        Mistake{"BudgetWithoutAUnit", "plan mug --budget 5 --out FOLDER/out", "",
+                "with its unit, such as 500ms, 2s or 1.5min (5)"},
+        Mistake{"SwitchWithANumber", "plan mug --uncertainty=3 --out FOLDER/out", "",
+                "--uncertainty: is on where it stands and takes no value"},
+        Mistake{"SwitchWithAWord", "plan mug --path=no --out FOLDER/out", "",
+                "--path: is on where it stands and takes no value"},
+        Mistake{"SwitchOfTwoNames", "plan mug --no-picture=false --out FOLDER/out", "",
+                "--no-picture: is on where it stands and takes no value"},
+        Mistake{"RankByShakingWithoutIt", "plan mug --rank shake --out FOLDER/out", "",
+                "--rank: needs the tests of --shake"},
+        Mistake{"MisspeltOption", "plan mug --no-reprot --out FOLDER/out", "",
+                "--no-reprot: plan has no such option, did you mean --no-report?"},
+        Mistake{"MisspeltCommand", "paln mug", "", "did you mean plan?"},
+        Mistake{"MisspeltHand", "plan mug --hand barett --out FOLDER/out", "",
+                "did you mean barrett?"},
+        Mistake{"MisspeltScene", "plan living_rom --out FOLDER/out", "",
+                "did you mean living_room?"},
+        Mistake{"MisspeltField", "plan FOLDER/in.json --out FOLDER/out",
+                R"({"object": {"mesh": "mug.obj", "unti": "m"}, "hand": "barrett"})",
+                "object.unti: unknown field, did you mean unit?"},
         Mistake{"BudgetOfAnUnknownUnit", "plan mug --budget 3weeks --out FOLDER/out", "",
                 "--budget"},
         Mistake{"UnitOfAScene", "plan mug --unit mm --out FOLDER/out", "", "unit"},
@@ -218,6 +235,22 @@ TEST(Program, SaysWhenItsOutputIsLost) {
   const int raw = std::system(words.c_str());
   EXPECT_EQ(WEXITSTATUS(raw), 1);
   EXPECT_EQ(content(folder / "err"), "prehend: the standard output cannot be written\n");
+}
+
+// As `| head -1` does: one who has read enough is no failure, and all files are written.
+TEST(Program, EndsWellWhereNobodyReadsOn) {
+  const std::filesystem::path folder = fresh_folder("read_in_part");
+  const std::string words = "'" + std::string(PREHEND_PROGRAM) + " plan mug --trials 40 --out " +
+                            (folder / "out").string() + " 2>" + (folder / "err").string() +
+                            " | head -1 >" + (folder / "read").string() +
+                            "; exit ${PIPESTATUS[0]}'";
+  const int raw = std::system(("bash -c " + words).c_str());
+  EXPECT_EQ(WEXITSTATUS(raw), 0);
+  EXPECT_EQ(content(folder / "err"), "");
+  EXPECT_EQ(content(folder / "read").rfind("rank ", 0), 0U);
+  for (const char* file : {"grasps.json", "timings.json", "report.html", "best.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / file)) << file;
+  }
 }
 
 }  // namespace

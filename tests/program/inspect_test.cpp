@@ -45,6 +45,24 @@ TEST(Inspect, SaysWhatTheMassWasTakenToFill) {
   EXPECT_NE(flat.find("from the surface, the mesh encloses nothing\n"), std::string::npos) << flat;
 }
 
+TEST(Inspect, SaysWhereBodiesAreInTheirFrameAndInTheWorld) {
+  const std::filesystem::path file = fresh_folder("inspect_bounds") / "scene.json";
+  std::ofstream(file) << R"({"hand": "parallel_jaw",
+    "object": {"geometry": [{"shape": "box", "size": [0.04, 0.05, 0.06]}],
+               "pose": {"position": [0.1, 0.2, 0.03],
+                        "quaternion_wxyz": [0.7071067811865476, 0, 0.7071067811865476, 0]}},
+    "obstacles": [{"name": "table", "geometry": [{"shape": "box", "size": [1, 1, 0.1]}],
+                   "pose": {"position": [0, 0, -0.05]}}]})";
+  const std::string said = inspected(file);
+  const auto says = [&](const std::string& words) {
+    EXPECT_NE(said.find(words), std::string::npos) << said;
+  };
+  says("in its own frame from (-20.00, -25.00, -30.00) to (20.00, 25.00, 30.00) mm\n");
+  // Its lowest point is 10 mm above the table.
+  says("in the world from (70.00, 175.00, 10.00) to (130.00, 225.00, 50.00) mm\n");
+  says("in the world from (-500.00, -500.00, -100.00) to (500.00, 500.00, 0.00) mm\n");
+}
+
 // The volumes of both parts together are more than there is room for.
 TEST(Inspect, APartInsideAnotherIsNoHole) {
   const std::filesystem::path file = cube_without("inspect_inner", 0);

@@ -1,4 +1,6 @@
 // What the program says where no grasp holds.
+#include <set>
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +52,35 @@ TEST(NoGrasp, WhereNothingCouldBeTriedIsOneLineWithAnotherHand) {
   const ProgramRun other = plan_scene(folder, scene, "--no-report --hand " + hand);
   EXPECT_EQ(other.status, 0) << other.err;
   EXPECT_EQ(other.out.find("no grasp holds"), std::string::npos) << other.out;
+}
+
+TEST(NoGrasp, TheFolderTellsOfTheObjectThatFailedNotOfAnEarlierOne) {
+  const std::filesystem::path folder = fresh_folder("no_grasp_after_one");
+  const std::string cube = R"({"object": {"geometry": [{"shape": "box", "size": [SIZE]}]},
+                               "hand": "parallel_jaw"})";
+  const auto of_size = [&](const std::string& size) {
+    std::string scene = cube;
+    return scene.replace(scene.find("SIZE"), 4, size);
+  };
+  const std::string words = "--trials 20 --export csv,gltf";
+  ASSERT_EQ(plan_scene(folder, of_size("0.05, 0.05, 0.05"), words).status, 0);
+  const std::filesystem::path out = folder / "out";
+  std::ofstream(out / "notes.txt") << "of the user";
+  for (const char* file : {"best.png", "grasps.csv", "report.html"}) {
+    EXPECT_TRUE(std::filesystem::exists(out / file)) << file;
+  }
+  expect_refused(plan_scene(folder, of_size("0.2, 0.2, 0.2"), "--trials 20"), "no grasp to try");
+  std::set<std::string> left;
+  for (const auto& entry : std::filesystem::directory_iterator(out)) {
+    left.insert(entry.path().filename().string());
+  }
+  EXPECT_EQ(left,
+            (std::set<std::string>{"grasps.json", "notes.txt", "report.html", "timings.json"}));
+  const auto grasps = nlohmann::json::parse(content(out / "grasps.json"));
+  EXPECT_EQ(grasps["status"], "object_too_large");
+  EXPECT_TRUE(grasps["grasps"].empty());
+  EXPECT_NE(content(out / "report.html").find(R"("problem":"object: no grasp to try with hand)"),
+            std::string::npos);
 }
 
 TEST(NoGrasp, SaysNothingOfTheKindWhereThereIsOne) {

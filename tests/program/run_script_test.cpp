@@ -94,5 +94,27 @@ TEST(RunScript, BuildsThePythonModuleAnewInACheckoutThatWasMoved) {
   EXPECT_EQ(content(folder / "calls").find("cmake --fresh"), 0U) << content(folder / "calls");
 }
 
+// Of a list with a package that nobody has, beside one without any.
+TEST(RunScript, TheDoctorSaysWhatIsMissingAndChangesNothing) {
+  const fs::path folder = checkout("run_doctor", fs::path(testing::TempDir()) / "run_doctor");
+  write_script(folder / "tools" / "dpkg-query", "echo 'ii bash'");
+  std::ofstream(folder / ".ci" / "packages-python") << "bash\nno-such-package\n";
+  const std::string run_it =
+      "PATH=" + (folder / "tools").string() + ":$PATH " + (folder / "run").string();
+  const ProgramRun run = run_program("doctor", run_it);
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("to build and plan        ready\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("Python module            missing: no-such-package\n"), std::string::npos)
+      << run.out;
+  EXPECT_FALSE(fs::exists(folder / "calls"));
+  std::ofstream(folder / ".ci" / "packages") << "no-such-compiler\n";
+  const ProgramRun without = run_program("doctor", run_it);
+  EXPECT_EQ(without.status, 1);
+  EXPECT_NE(without.out.find("missing: no-such-compiler"), std::string::npos) << without.out;
+  const ProgramRun elsewhere = run_program("doctor", "PREHEND_DATA=/nowhere " + run_it);
+  EXPECT_NE(elsewhere.out.find("/nowhere has no folder robots"), std::string::npos)
+      << elsewhere.out;
+}
+
 }  // namespace
 }  // namespace prehend::test

@@ -116,9 +116,7 @@ std::vector<Command> motion_commands() {
   return {
       {"hand.move",
        CommandKind::change,
-       "Moves the hand's base along a straight line, turning evenly. One of the poses is needed. "
-       "An "
-       "arm follows where it can: the state says so.",
+       "Moves the hand's base along a straight line, turning evenly. One of the poses is needed.",
        {{"X_world_hand", FieldType::pose, false, "where to, in the world"},
         {"X_object_hand", FieldType::pose, false, "where to, in the frame of the object"},
         gesture_field()},

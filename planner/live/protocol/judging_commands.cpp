@@ -1,9 +1,14 @@
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <sstream>
+#include <string>
 
 #include "planner/live/protocol/command.h"
 #include "planner/live/protocol/session_json.h"
 #include "planner/show/report/slice_json.h"
 #include "sim/base/index.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_pose.h"
 #include "sim/base/range.h"
 
@@ -17,6 +22,14 @@ ProtocolJson state_of(const CommandScope& scope, const JsonField& /*request*/) {
 
 ProtocolJson contacts_of_hand(const CommandScope& scope, const JsonField& /*request*/) {
   return {{"contacts", contacts_json(scope.session, scope.session.contacts())}};
+}
+
+// With the names of its axes.
+ProtocolJson chosen_json(const WrenchSlice& slice) {
+  ProtocolJson json = slice_json(slice);
+  json["axes"] = ProtocolJson::array();
+  for (const int axis : slice.coordinates) json["axes"].push_back(kWrenchCoordinates[index(axis)]);
+  return json;
 }
 
 ProtocolJson quality_of(const CommandScope& scope, const JsonField& request) {
@@ -42,8 +55,45 @@ ProtocolJson quality_of(const CommandScope& scope, const JsonField& request) {
   if (sections) {
     json["sections"] = {{"forces", slice_json(judged.sections.forces)},
                         {"torques", slice_json(judged.sections.torques)}};
+    if (scope.session.state().judge.fixed) json["sections"]["chosen"] = chosen_json(judged.chosen);
   }
   return json;
+}
+
+int coordinate_named(const JsonField& field, const std::string& name) {
+  const auto found = std::ranges::find(kWrenchCoordinates, name);
+  if (found == kWrenchCoordinates.end())
+    field.fail("must be three of " + joined(kWrenchCoordinates));
+  return static_cast<int>(found - kWrenchCoordinates.begin());
+}
+
+FixedCoordinates fixed_coordinates(const JsonField& names, const JsonField& values) {
+  FixedCoordinates fixed{.coordinates = {}, .values = values.vector3()};
+  std::istringstream list(names.text());
+  std::string name;
+  int count = 0;
+  while (std::getline(list, name, ',')) {
+    if (count == 3) names.fail("must be three of " + joined(kWrenchCoordinates));
+    fixed.coordinates[index(count++)] = coordinate_named(names, name);
+  }
+  if (count < 3) names.fail("must be three of " + joined(kWrenchCoordinates));
+  return fixed;
+}
+
+ProtocolJson judge_set(const CommandScope& scope, const JsonField& request) {
+  JudgeOptions judge = scope.session.state().judge;
+  if (request.has("norm")) {
+    const std::optional<WrenchNorm> norm = value_named<WrenchNorm>(request["norm"].text());
+    if (!norm) request["norm"].fail("must be l1 or linf");
+    judge.norm = *norm;
+  }
+  if (request.has("edges")) judge.edges = request["edges"].integer();
+  if (request.has("fixed") != request.has("values"))
+    request.fail("needs fixed and values, or none");
+  if (request.has("fixed")) judge.fixed = fixed_coordinates(request["fixed"], request["values"]);
+  if (request.has("section") && !request["section"].boolean()) judge.fixed.reset();
+  scope.session.set_judge(judge);
+  return state_json(scope.session);
 }
 
 ProtocolJson forces_of(const CommandScope& scope, const JsonField& request) {
@@ -84,7 +134,9 @@ std::vector<Command> judging_commands() {
        "All that the session is now.",
        {},
        "`revision`, `scene`, `problem` (why the scene cannot be used for grasps, or null), "
-       "`object`, `obstacles`, `platform`, `robots` (as of `view.robots`), `hand`, `arm` (its "
+       "`object`, `obstacles`, `platform`, `robots` (as of `view.robots`), `friction` (of the "
+       "object "
+       "with each `material` of the hand), `judge` (as of `judge.set`), `hand`, `arm` (its "
        "`joints` with values and limits, whether it has `reached` the hand without a collision, "
        "and the `problem` where not; null without a platform), `outcome` of the last auto-grasp "
        "while the hand stays there, `switches`, `planning`, `finding_path`, how many `results`, "
@@ -110,8 +162,23 @@ std::vector<Command> judging_commands() {
        "without them; null without force closure), `contacts`, and on demand `sections` of the "
        "grasp wrench space: `forces` (without torque) and `torques` (without force), each as "
        "`vertices` of a convex polyhedron and `triangles` of their numbers, both flat lists, empty "
-       "where the space is flat",
+       "where the space is flat, and `chosen` with the names of its `axes` where `judge.set` fixes "
+       "coordinates",
        quality_of},
+      {"judge.set",
+       CommandKind::change,
+       "Sets how `quality` judges from now on; plans keep to their accuracy.",
+       {{"norm", FieldType::text, false, "l1 (the normal forces add up to 1) or linf (each is 1)"},
+        {"edges", FieldType::integer, false, "of the pyramids in place of friction cones; 8",
+         kJudgedEdges},
+        {"fixed", FieldType::text, false,
+         "the coordinates that one more section of the wrench space fixes, three of fx, fy, fz, "
+         "tx, "
+         "ty, tz with commas"},
+        {"values", FieldType::vector3, false, "their values", kCoordinate},
+        {"section", FieldType::boolean, false, "false: without that section"}},
+       "the state, as of `state`",
+       judge_set},
       {"forces",
        CommandKind::query,
        "The smallest contact forces that balance a load on the object.",

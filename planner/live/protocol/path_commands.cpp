@@ -67,9 +67,7 @@ std::vector<Command> path_commands() {
       {"path.plan",
        CommandKind::query,
        "Begins to look for how the robot comes to the grasp in hand without a collision: the arm "
-       "from its start posture; a free hand straight from the pre-grasp. Events tell how far it "
-       "is, "
-       "and `path` that it has ended. One plan or path at a time.",
+       "from its start posture; a free hand straight from the pre-grasp.",
        {{"lift", FieldType::boolean, false,
          "whether an arm then lifts the object and takes it back to its start; true"},
         {"seed", FieldType::integer, false, "of everything random, at least 0; 1", kIndex}},

@@ -137,8 +137,7 @@ std::vector<Command> of_plans() {
   return {
       {"plan.start",
        CommandKind::query,
-       "Begins to plan grasps of the scene as it is. Events tell how far it is. One plan at a "
-       "time.",
+       "Begins to plan grasps of the scene as it is.",
        {{"trials", FieldType::integer, false, "candidates to try; those of the accuracy", kTrials},
         {"top", FieldType::integer, false, "grasps to keep; 10", kTop},
         {"seed", FieldType::integer, false, "of everything random, at least 0; 1", kIndex},

@@ -1,3 +1,4 @@
+#include <optional>
 #include <string>
 
 #include "planner/live/protocol/command.h"
@@ -112,6 +113,17 @@ ProtocolJson object_set(const CommandScope& scope, const JsonField& request) {
   return state_json(scope.session);
 }
 
+ProtocolJson friction_set(const CommandScope& scope, const JsonField& request) {
+  std::optional<Material> material;
+  if (request.has("material")) {
+    const JsonField field = request["material"];
+    material = with_field_errors(field, [&] { return material_named(field.text()); });
+  }
+  const double friction = request["static"].number();
+  scope.session.edit([&](Scene& scene) { change_friction(scene, material, friction); });
+  return state_json(scope.session);
+}
+
 ProtocolJson object_change(const CommandScope& scope, const JsonField& request) {
   const BodyOrder order = body_order(request, "X_world_object", "name");
   scope.session.edit([&](Scene& scene) { change_object(scene, order); });
@@ -178,44 +190,45 @@ std::vector<CommandField> new_body(const std::vector<CommandField>& more) {
 constexpr std::string_view kReplyState = "the state, as of `state`";
 
 std::vector<Command> file_commands() {
-  return {{"hello",
-           CommandKind::query,
-           "Who is there.",
-           {},
-           "`version` of the protocol (1), `commands`, and the names of `scenes`, `hands`, "
-           "`platforms` and "
-           "`generators` that come with prehend",
-           hello},
-          {"scene.new",
-           CommandKind::world,
-           "Begins with a hand and nothing else.",
-           {{"hand", FieldType::text, false,
-             "robot of the library, or file in an open folder; barrett"}},
-           kReplyState,
-           scene_new},
-          {"scene.load",
-           CommandKind::world,
-           "Begins with a scene. The hand stands above the object. One of `scene` and `text` is "
-           "needed.",
-           {{"scene", FieldType::text, false,
-             "scene of the library, or scene or mesh file in an open folder"},
-            {"text", FieldType::text, false, "the content of a scene file"},
-            {"fresh", FieldType::boolean, false,
-             "whether to begin anew: nothing from before can be undone to; false"}},
-           kReplyState,
-           scene_load},
-          {"scene.save",
-           CommandKind::query,
-           "Writes the scene file. What was not changed is written as it was read.",
-           {{"file", FieldType::text, true, "a name that ends in .json, in an open folder"}},
-           "`file`, its absolute path",
-           scene_save},
-          {"scene.text",
-           CommandKind::query,
-           "The scene file, without writing it.",
-           {},
-           "`text`, the bytes that `scene.save` writes",
-           scene_text_of}};
+  return {
+      {"hello",
+       CommandKind::query,
+       "Who is there.",
+       {},
+       "`version` of the protocol (1), `commands`, and the names of `scenes`, `hands`, "
+       "`platforms` and "
+       "`generators` that come with prehend",
+       hello},
+      {"scene.new",
+       CommandKind::world,
+       "Begins with a hand and nothing else.",
+       {{"hand", FieldType::text, false,
+         "robot of the library, or file in an open folder; barrett"}},
+       kReplyState,
+       scene_new},
+      {"scene.load",
+       CommandKind::world,
+       "Begins with a scene. The hand stands off the object, above it where that place is free. "
+       "One of `scene` and `text` is needed.",
+       {{"scene", FieldType::text, false,
+         "scene of the library, or scene or mesh file in an open folder"},
+        {"text", FieldType::text, false, "the content of a scene file"},
+        {"fresh", FieldType::boolean, false,
+         "whether to begin anew: nothing from before can be undone to; false"}},
+       kReplyState,
+       scene_load},
+      {"scene.save",
+       CommandKind::query,
+       "Writes the scene file. What was not changed is written as it was read.",
+       {{"file", FieldType::text, true, "a name that ends in .json, in an open folder"}},
+       "`file`, its absolute path",
+       scene_save},
+      {"scene.text",
+       CommandKind::query,
+       "The scene file, without writing it.",
+       {},
+       "`text`, the bytes that `scene.save` writes",
+       scene_text_of}};
 }
 
 std::vector<Command> body_commands() {
@@ -236,6 +249,17 @@ std::vector<Command> body_commands() {
         {"X_world_object", FieldType::pose, false, "where it is"}},
        kReplyState,
        object_change},
+      {"friction.set",
+       CommandKind::world,
+       "Sets the static friction of the object's material with another one, or with all.",
+       {{"static",
+         FieldType::number,
+         true,
+         "the coefficient",
+         {.lower = 0.0, .upper = kLargestFriction}},
+        {"material", FieldType::text, false, "of what touches the object"}},
+       kReplyState,
+       friction_set},
       {"obstacle.add", CommandKind::world,
        "Puts a body into the scene that does not move. One of `scene`, `generate`, `mesh`, "
        "`mesh_text` is needed.",
@@ -265,8 +289,7 @@ std::vector<Command> body_commands() {
        hand_choose},
       {"platform.mount",
        CommandKind::world,
-       "Puts a hand on an arm, which plans then use. The hand is moved freely all the same, "
-       "and the arm follows where it can.",
+       "Puts a hand on an arm, which plans then use.",
        {{"platform", FieldType::text, true, "platform of the library, or file in an open folder"},
         {"hand", FieldType::text, false, "in place of the platform's own"},
         {"X_world_base", FieldType::pose, false, "where the base is; at the origin"}},

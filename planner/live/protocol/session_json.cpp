@@ -1,5 +1,7 @@
 #include "planner/live/protocol/session_json.h"
 
+#include <algorithm>
+
 #include "sim/base/index.h"
 #include "sim/base/json/json_pose.h"
 
@@ -40,6 +42,31 @@ ProtocolJson pins_of(const SessionState& state) {
                     {"joints", pinned.posture.joints}});
   }
   return list;
+}
+
+// Of the object with each material that the hand has, in the order of the materials.
+ProtocolJson friction_of(const Scene& scene) {
+  ProtocolJson list = ProtocolJson::array();
+  if (scene.object.mesh.empty()) return list;
+  for (const Material material : kAll<Material>) {
+    const bool is_there = std::ranges::any_of(
+        scene.hand.links, [&](const Link& link) { return link.material == name_of(material); });
+    if (!is_there) continue;
+    list.push_back({{"material", name_of(material)},
+                    {"static", scene.friction.between(material, scene.object.material)}});
+  }
+  return list;
+}
+
+ProtocolJson judge_of(const JudgeOptions& judge) {
+  ProtocolJson json{{"norm", name_of(judge.norm)}, {"edges", judge.edges}, {"fixed", nullptr}};
+  if (!judge.fixed) return json;
+  json["fixed"] = ProtocolJson::object();
+  for (int k = 0; k < 3; ++k) {
+    const int coordinate = judge.fixed->coordinates[index(k)];
+    json["fixed"][std::string(kWrenchCoordinates[index(coordinate)])] = judge.fixed->values[k];
+  }
+  return json;
 }
 
 // That time runs, and how; where things are is told by time.state.
@@ -108,6 +135,8 @@ ProtocolJson state_json(const Session& session) {
   json["outcome"] = state.outcome ? ProtocolJson(name_of(*state.outcome)) : ProtocolJson();
   json["switches"] = {{"stop_at_contact", state.switches.stop_at_contact},
                       {"soft_fingers", state.switches.soft_fingers}};
+  json["friction"] = friction_of(scene);
+  json["judge"] = judge_of(state.judge);
   json["time"] = time_of(session);
   json["planning"] = session.is_planning();
   json["finding_path"] = session.is_finding_path();

@@ -71,19 +71,19 @@ std::vector<Command> view_commands() {
        CommandKind::query,
        "The hand, and the platform that carries it, to be drawn and moved.",
        {},
-       "`robots`, the name that the state has for them, `hand` and `arm` (null without a "
-       "platform): `joints`, each with its `parent` (-1: the base), `type` (`r` turns, `p` "
-       "slides), "
-       "`axis` (null: z), and the poses `before` and `after` the motion (x, y, z, then a "
-       "quaternion "
-       "x, y, z, w; null: none), `links`, each with `name`, `joint`, `material` and a `mesh` as of "
-       "`view.surface`, the names of `dofs`, and `drives`, how the value of each joint follows "
-       "from "
-       "one of these (`ratio` times that of number `dof` plus `offset`); of a hand also the unit "
-       "vectors `approach` "
-       "and "
-       "`closing`, of an arm its base `X` in the world, the joint `hand_joint` and the pose "
-       "`X_hand` behind it that carry the hand, and `first_hand_joint`",
+       "`robots`, their name in the state, `hand` and `arm` (null without a platform): `joints`, "
+       "each "
+       "with its `parent` (-1: the base), `type` (`r` turns, `p` slides), `axis` (null: z), and "
+       "the "
+       "poses `before` and `after` the motion (x, y, z, then a quaternion x, y, z, w; null: none), "
+       "`links`, each with `name`, `joint`, `material` and a `mesh` as of `view.surface`, the "
+       "names of "
+       "`dofs`, and `drives` (a joint's value is `ratio` times that of number `dof` plus "
+       "`offset`); of "
+       "a hand also the unit vectors `approach` and `closing`, of an arm its base `X` in the "
+       "world, "
+       "the joint `hand_joint` and the pose `X_hand` behind it that carry the hand, and "
+       "`first_hand_joint`",
        view_robots}};
 }
 

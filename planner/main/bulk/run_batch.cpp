@@ -140,6 +140,8 @@ void add_batch(CLI::App& app, CommandRequest& request) {
   BatchCommand& command = *options;
   CLI::App& batch = *app.add_subcommand(kBatch.name, kBatch.summary);
   batch.require_subcommand(0, 1);
+  add_examples(batch, {"batch batch.json --out out/batch", "batch batch.json --shard 1/4",
+                       "batch status batch.json --out out/batch"});
   // Required, but where a command below it has a batch file of its own.
   add_folder_options(batch, command)->required(false);
   batch.add_option("--shard", command.shard, "I/N: do part I of N of it")->capture_default_str();
@@ -152,6 +154,7 @@ void add_batch(CLI::App& app, CommandRequest& request) {
   });
 
   CLI::App& merge = *batch.add_subcommand("merge", "make one data set of all results");
+  add_examples(merge, {"batch merge batch.json --out out/batch --formats acronym,csv"});
   add_folder_options(merge, command);
   merge
       .add_option("--formats", command.merge.formats,
@@ -170,6 +173,7 @@ void add_batch(CLI::App& app, CommandRequest& request) {
   });
 
   CLI::App& status = *batch.add_subcommand("status", "say how far it is, and what failed");
+  add_examples(status, {"batch status batch.json --out out/batch"});
   add_folder_options(status, command);
   status.callback([options, &request] {
     request.run = [options](Interrupts& interrupts) {

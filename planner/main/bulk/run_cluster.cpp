@@ -119,6 +119,8 @@ void add_sizes(CLI::App& command, SubmitCommand& submit) {
 }
 
 void declare(CLI::App& command, SubmitCommand& submit) {
+  add_examples(command,
+               {"batch submit batch.json --dry-run", "batch submit batch.json --engine parallel"});
   command.add_option("batch", submit.batch, "file of the batch")->required();
   add_out(command, submit.out);
   command.add_option("--engine", submit.engine, "what runs them: slurm or parallel")
@@ -171,10 +173,12 @@ int run_queue(const JobCommand& command, Interrupts& /*interrupts*/) {
 void add_cluster_commands(CLI::App& batch, CommandRequest& request) {
   add_unlimited_command(batch, request, "submit", "give the shards of a batch to a cluster",
                         declare, run_submit);
-  add_unlimited_command(batch, request, "cancel", "take a submitted batch back", declare,
-                        run_cancel);
-  add_unlimited_command(batch, request, "queue", "say how far a submitted batch is", declare,
-                        run_queue);
+  add_examples(add_unlimited_command(batch, request, "cancel", "take a submitted batch back",
+                                     declare, run_cancel),
+               {"batch cancel --out out/batch"});
+  add_examples(add_unlimited_command(batch, request, "queue", "say how far a submitted batch is",
+                                     declare, run_queue),
+               {"batch queue --out out/batch"});
 }
 
 }  // namespace prehend

@@ -22,6 +22,7 @@ struct LearnCommand {
 };
 
 void declare(CLI::App& command, LearnCommand& options) {
+  add_examples(command, {"learn sets -o model.json"});
   command.add_option("sets", options.sets, "data sets (.h5), or folders with such files")
       ->required();
   command.add_option("-o,--out", options.model, "model to write (docs/how-to/learning.md)")

@@ -25,6 +25,7 @@ struct TruthCommand {
 };
 
 void declare(CLI::App& command, TruthCommand& options) {
+  add_examples(command, {"truth executed.json", "truth executed.json --groups both --no-volumes"});
   command
       .add_option("file", options.file, "file of executed grasps (docs/reference/truth-file.md)")
       ->required();

@@ -22,6 +22,7 @@ struct ReplayCommand {
 };
 
 void declare(CLI::App& command, ReplayCommand& options) {
+  add_examples(command, {"replay session.jsonl", "replay session.jsonl --gltf session.glb"});
   command
       .add_option("file", options.file,
                   "recording, one command a line (docs/reference/protocol.md)")

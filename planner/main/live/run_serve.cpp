@@ -15,6 +15,7 @@ struct ServeCommand {
 };
 
 void declare(CLI::App& command, ServeCommand& options) {
+  add_examples(command, {"serve --scene mug", "serve --tcp 0 --graspit"});
   command
       .add_option("--tcp", options.tcp,
                   "port for JSON lines (docs/reference/protocol.md), 0: a free one")
@@ -54,6 +55,7 @@ struct StudioCommand {
 };
 
 void declare(CLI::App& command, StudioCommand& options) {
+  add_examples(command, {"studio mug --open", "studio --empty --port 8080"});
   command.add_option("scene", options.scene, "scene name, scene file or mesh file to begin with")
       ->capture_default_str();
   command.add_flag("--empty", options.empty, "begin with a hand alone");

@@ -65,9 +65,9 @@ function wordSprite(text, height, color) {
   return sprite;
 }
 
-function frameAxes(length, name) {
+function frameAxes(length, name, axes = ['x', 'y', 'z']) {
   const group = new THREE.Group();
-  ['x', 'y', 'z'].forEach((axis, i) => {
+  axes.forEach((axis, i) => {
     const color = data.palette.axes[i];
     const along = new THREE.Vector3().setComponent(i, length);
     const material = new THREE.MeshBasicMaterial({color});

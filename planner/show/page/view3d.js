@@ -4,9 +4,10 @@
 const lampDirection = new THREE.Vector3(-0.4, 0.7, 1);  // towards it, in the camera's axes
 
 class View3d {
-  constructor(canvas) {
+  // `alpha`: whether pictures without a background can be made.
+  constructor(canvas, {alpha = false} = {}) {
     this.canvas = canvas;
-    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true});
+    this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, alpha});
     this.resolution = new AdaptiveResolution(() => this.requestDraw());
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color('#ffffff');

@@ -1,5 +1,5 @@
-// The space of wrenches in two sections side by side: forces without torque, torques without force.
-// They turn together with the scene.
+// The space of wrenches in sections side by side: forces without torque, torques without force, and
+// where somebody has chosen one, another. They turn together with the scene.
 
 const contactEdges = 24;  // of the polygon that a friction cone is drawn with
 
@@ -61,7 +61,7 @@ function fan(curve, spikes) {
 
 class WrenchSection {
   constructor(kind) {
-    this.kind = kind;  // 'forces' or 'torques'
+    this.kind = kind;  // 'forces', 'torques' or 'chosen'
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color('#ffffff');
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0x9a9aa4, 1));
@@ -75,7 +75,10 @@ class WrenchSection {
 
   show(grasp) {
     this.highlight(null);
-    this.turned.quaternion.setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
+    // The axes of the two that are always there are those of the object.
+    if (this.kind !== 'chosen') {
+      this.turned.quaternion.setFromRotationMatrix(new THREE.Matrix4().extractRotation(X_WO));
+    }
     dispose(this.content);
     this.content.remove(...this.content.children);
     this.size = Math.max(0.05, 2 * grasp.epsilon[1]);
@@ -86,12 +89,14 @@ class WrenchSection {
       const look = data.palette.wrench_space;
       this.content.add(outlined(geometry, solid(geometry, look), look, 2));
     }
-    if (grasp.epsilon[0] > 0) {
-      const ball = new THREE.SphereBufferGeometry(grasp.epsilon[0], 32, 20);
+    const ballRadius = this.ballRadius(grasp);
+    if (ballRadius > 0) {
+      const ball = new THREE.SphereBufferGeometry(ballRadius, 32, 20);
       this.content.add(solid(ball, data.palette.epsilon_ball));
     }
-    this.content.add(frameAxes(0.55 * this.size, ''));
-    const weakest = vectorOf(this.kind === 'forces' ? grasp.weakest_force : grasp.weakest_torque);
+    const axes = this.kind === 'chosen' ? grasp.detail.chosen.axes : undefined;
+    this.content.add(frameAxes(0.55 * this.size, '', axes));
+    const weakest = this.weakestOf(grasp);
     const pointer = arrow(new THREE.Vector3(), weakest, 0.022 * this.size, weakestOverlay);
     pointer.traverse((node) => {
       node.renderOrder = 18;
@@ -99,11 +104,27 @@ class WrenchSection {
     this.content.add(pointer);
   }
 
+  // Of the part of the ball around the origin that the section shows: where it fixes coordinates
+  // beside the origin it cuts less of it, or nothing.
+  ballRadius({epsilon: [lower], fixed}) {
+    const aside = this.kind === 'chosen' ? Math.hypot(...fixed) : 0;
+    return Math.sqrt(Math.max(lower * lower - aside * aside, 0));
+  }
+
+  weakestOf({weakest_force, weakest_torque, detail}) {
+    if (this.kind !== 'chosen') {
+      return vectorOf(this.kind === 'forces' ? weakest_force : weakest_torque);
+    }
+    const all = [...weakest_force, ...weakest_torque];
+    return vectorOf(
+        detail.chosen.axes.map((name) => all[['fx', 'fy', 'fz', 'tx', 'ty', 'tz'].indexOf(name)]));
+  }
+
   // Overlays the forces or torques that one contact can exert by itself; null for none.
   highlight(contact) {
     dispose(this.contribution);
     this.contribution.remove(...this.contribution.children);
-    if (!contact) return;
+    if (!contact || this.kind === 'chosen') return;
     const wrenches = coneWrenches(contact);
     this.contribution.add(
         this.kind === 'forces' ? fan(wrenches.forces, []) : fan(wrenches.torques, wrenches.poles));
@@ -127,6 +148,15 @@ class WrenchView {
     this.controls.addEventListener('change', () => this.turnScene());
     view.listeners.push(() => this.follow());
     new ResizeObserver(() => this.draw()).observe(canvas.parentElement);
+  }
+
+  // Those of these kinds, in this order.
+  setSections(kinds) {
+    if (kinds.join() === this.sections.map(({kind}) => kind).join()) return;
+    const {background} = this.sections[0].scene;
+    this.sections = kinds.map(
+        (kind) => this.sections.find((known) => known.kind === kind) || new WrenchSection(kind));
+    for (const {scene} of this.sections) scene.background = background;
   }
 
   show(grasp) {
@@ -175,7 +205,7 @@ class WrenchView {
     if (drawn.x !== box.width || drawn.y !== box.height) {
       this.renderer.setSize(box.width, box.height, false);
     }
-    const width = box.width / 2;
+    const width = box.width / this.sections.length;
     this.sections.forEach((section, i) => {
       const half = 1.15 * section.size;
       const aspect = width / box.height;

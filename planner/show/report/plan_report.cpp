@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/plan/grasp_text.h"
+#include "planner/plan/plan.h"
 #include "planner/results/grasps_file.h"
 #include "planner/show/best_viewpoint.h"
 #include "planner/show/posed_grasp.h"
@@ -99,6 +100,9 @@ void add_why_not(const CompiledScene& scene, const PlanResult& result, Report& r
       const int count = rule.outcomes[outcome];
       if (count > 0) row.outcomes.emplace_back(name_of(outcome), count);
     }
+  }
+  if (result.status == PlanStatus::object_too_large || result.status == PlanStatus::no_candidates) {
+    report.problem = no_candidates_text(scene, result);
   }
   for (const Advice& advice : result.advice) report.advice.push_back(advice.words);
   report.candidates_in_all = result.tried.size();

@@ -92,6 +92,7 @@ struct Report {
   std::size_t grasps_in_all = 0;  // including those that the report leaves out
   std::vector<ReportOutcome> outcomes = {};
   std::vector<ReportBlocker> blockers = {};
+  std::string problem = {};  // why there was nothing to try; empty where there was
   // Of a plan without a grasp.
   std::vector<ReportRule> rules = {};
   std::vector<std::string> advice = {};

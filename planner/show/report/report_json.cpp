@@ -272,6 +272,7 @@ std::string report_json(const Report& report) {
     for (const auto& [name, count] : rule.outcomes) counts.push_back({name, count});
     json["rules"].push_back({{"rule", rule.rule}, {"outcomes", counts}});
   }
+  json["problem"] = report.problem;
   json["advice"] = report.advice;
   json["candidates"] = candidates_json(report);
   // File names may have bytes that are not UTF-8, for which dump() would throw otherwise.

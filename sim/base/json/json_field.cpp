@@ -10,6 +10,7 @@
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_depth.h"
+#include "sim/base/nearest_name.h"
 #include "sim/base/range.h"
 
 // A field knows its name as a path from the root of the file, for example
@@ -130,7 +131,8 @@ void JsonField::allow_only(std::span<const std::string_view> names) const {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
     const std::string known = joined(names);
     JsonField(value, *file_, name_.empty() ? key : name_ + "." + key)
-        .fail("unknown field, known here are " + known);
+        .fail("unknown field, " + did_you_mean(key, {names.begin(), names.end()}) +
+              "known here are " + known);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "sim/base/input_file.h"
 #include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
+#include "sim/base/nearest_name.h"
 #include "sim/robot/files/foreign_robot.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
@@ -30,9 +31,11 @@ std::filesystem::path file_of(const std::string& name_or_file) {
   if (is_path(name_or_file) && is_there(name_or_file)) return name_or_file;
   if (is_library_robot(name_or_file)) return library().file(name_or_file);
   if (is_there(name_or_file)) return name_or_file;
-  throw InputError({.field = "robot",
-                    .problem = "neither a file nor one of " + joined(library().names()),
-                    .value = name_or_file});
+  const std::vector<std::string> names = library().names();
+  std::string problem = "neither a file nor one of " + joined(names);
+  const std::string nearest = nearest_name(name_or_file, names);
+  if (!nearest.empty()) problem += "; did you mean " + nearest + "?";
+  throw InputError({.field = "robot", .problem = problem, .value = name_or_file});
 }
 
 }  // namespace

@@ -25,6 +25,14 @@ TEST(MovedWords, SayWhatMovedAndLeaveOutWhatDidNot) {
   EXPECT_EQ(moved_text(trial), "the object was turned by 12 degrees, slid by 2.5 mm");
 }
 
+TEST(LoadWords, HaveTwoDigitsAndNoExponent) {
+  EXPECT_EQ(load_factor_text({.strength = 0.1234}), "0.12");
+  EXPECT_EQ(load_factor_text({.strength = 37.4}), "37");
+  EXPECT_EQ(load_factor_text({.strength = 99.7}), "100");
+  EXPECT_EQ(load_factor_text({.strength = 203.4}), "203");
+  EXPECT_EQ(load_factor_text({.strength = 2e5}), "any");
+}
+
 TEST(BlameWords, SayWhoMetWhatAndHowDeep) {
   const CompiledScene scene = compiled(find_robot("parallel_jaw"), make_box({0.04, 0.04, 0.04}));
   Trial trial;

@@ -3,6 +3,15 @@
 const forceScale = 1.1;  // of the largest contact force, in radii of the object
 const loadMaterial = new THREE.MeshPhongMaterial({color: data.palette.weakest.color});
 
+const wrenchCoordinates = ['fx', 'fy', 'fz', 'tx', 'ty', 'tz'];
+const sectionValues = ['section-value-0', 'section-value-1', 'section-value-2'];
+
+// Each three of a list, in its order.
+function threesOf(list) {
+  return list.flatMap(
+      (a, i) => list.slice(i + 1).flatMap((b, j) => list.slice(i + j + 2).map((c) => [a, b, c])));
+}
+
 class GraspPanel {
   constructor(stage, live) {
     this.stage = stage;
@@ -10,6 +19,7 @@ class GraspPanel {
     this.judge = new Coalescer(() => this.ask());
     this.wrench = new WrenchView(byId('wrench'), this.wrenchSide(stage));
     live.on('state', (state) => this.follow(state));
+    live.on('state', (state) => this.showJudge(state));
     live.on('connected', () => {
       this.judged = '';  // what was asked for before may never have been answered
     });
@@ -17,11 +27,66 @@ class GraspPanel {
       byId(id).addEventListener('change', () => this.judge.ask());
     }
     byId('load-weight').addEventListener('click', () => this.loadWeight());
+    this.listenToJudge();
+  }
+
+  // Of six coordinates of wrenches, each three that a section can fix.
+  listenToJudge() {
+    const {live} = this;
+    byId('section-fixed')
+        .replaceChildren(
+            element('option', {value: ''}, 'no section of one’s own'),
+            ...threesOf(wrenchCoordinates)
+                .map(
+                    (names) =>
+                        element('option', {value: names.join()}, `fix ${names.join(', ')}`)));
+    byId('judge-norm').addEventListener('change', () => live.ask('judge.set', {
+      norm: byId('judge-norm').value
+    }));
+    byId('judge-edges').addEventListener('change', () => {
+      const edges = numberIn(byId('judge-edges'));
+      if (edges !== null) live.ask('judge.set', {edges});
+    });
+    for (const id of ['section-fixed', ...sectionValues]) {
+      byId(id).addEventListener('change', () => this.setSection());
+    }
+  }
+
+  setSection() {
+    const fixed = byId('section-fixed').value;
+    const values = sectionValues.map((id) => numberIn(byId(id)) ?? 0);
+    this.live.ask('judge.set', fixed ? {fixed, values} : {section: false});
+  }
+
+  showJudge({judge, friction, object}) {
+    byId('judge-norm').value = judge.norm;
+    byId('judge-edges').value = judge.edges;
+    const fixed = Object.entries(judge.fixed || {});
+    byId('section-fixed').value =
+        wrenchCoordinates.filter((name) => fixed.some(([own]) => own === name)).join();
+    byId('section-values').hidden = fixed.length === 0;
+    fixed.forEach(([name, value], i) => {
+      byId(sectionValues[i]).value = value;
+      byId(sectionValues[i]).setAttribute('aria-label', `value of ${name}`);
+      byId(sectionValues[i]).title = name;
+    });
+    fillChanged(
+        byId('frictions'), JSON.stringify([friction, object && object.material]),
+        () => friction.map((pair) => this.frictionField(pair, object.material)));
+  }
+
+  frictionField({material, static: value}, other) {
+    const field = numberField(numberText(value, 4), {min: 0});
+    field.addEventListener('change', () => {
+      const wanted = numberIn(field);
+      if (wanted !== null) this.live.ask('friction.set', {material, static: wanted});
+    });
+    return element('label', {}, `${material} on ${other} `, field);
   }
 
   // Plans, pins and undo counts change nothing of what is judged.
-  follow({object, obstacles, hand, arm, switches, problem}) {
-    const key = JSON.stringify([object, obstacles, hand, arm, switches, problem]);
+  follow({object, obstacles, hand, arm, switches, friction, judge, problem}) {
+    const key = JSON.stringify([object, obstacles, hand, arm, switches, friction, judge, problem]);
     if (key === this.judged) return;
     this.judged = key;
     this.judge.ask();
@@ -48,6 +113,11 @@ class GraspPanel {
     ['x', 'y', 'z'].forEach((axis) => {
       byId(`load-${axis}`).value = Number(down[axis].toFixed(3));
     });
+    this.judge.ask();
+  }
+
+  clearLoad() {
+    for (const axis of ['x', 'y', 'z']) byId(`load-${axis}`).value = 0;
     this.judge.ask();
   }
 
@@ -147,7 +217,7 @@ class GraspPanel {
     const rows = contacts.map((contact, i) => {
       const force = forces && forces.forces[i] ? forces.forces[i].normal.toFixed(2) : '';
       return element(
-          'tr', {}, element('td', {}, contact.link),
+          'tr', {}, element('td', {}, ...breakable(contact.link)),
           element('td', {class: 'number'}, numberText(contact.friction, 2)),
           element('td', {class: 'number'}, numberText(1e6 * contact.gap, 2)),
           element('td', {class: 'number'}, force));
@@ -176,6 +246,7 @@ class GraspPanel {
     data.frame.origin = quality.torque_origin;
     data.frame.radius = 1 / quality.torque_scale;
     const grasp = this.asGrasp(quality);
+    this.showSections(quality.sections);
     this.clearMarks();
     const {marks} = this.stage;
     if (byId('show-contacts').checked) marks.add(contactMarks(grasp));
@@ -183,6 +254,18 @@ class GraspPanel {
     if (forces && forces.forces.length > 0) this.drawForces(quality, forces, load);
     this.wrench.show(grasp);
     this.stage.requestDraw();
+  }
+
+  // A section of one's own stands beside the two that are always there.
+  showSections({chosen}) {
+    const kinds = ['forces', 'torques', ...(chosen ? ['chosen'] : [])];
+    this.wrench.setSections(kinds);
+    const words = {
+      forces: 'forces, without torque',
+      torques: 'torques, without force',
+      chosen: chosen ? chosen.axes.join(', ') : '',
+    };
+    byId('wrench-words').replaceChildren(...kinds.map((kind) => element('span', {}, words[kind])));
   }
 
   // As the scripts of all pages have a grasp.
@@ -201,6 +284,7 @@ class GraspPanel {
       weakest_force: holds ? weakest_wrench.force_object : [0, 0, 0],
       weakest_torque: holds ? weakest_wrench.scaled_torque_object : [0, 0, 0],
       detail: sections,
+      fixed: Object.values(this.live.state.judge.fixed || {}),
     };
   }
 

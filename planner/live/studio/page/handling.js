@@ -35,6 +35,7 @@ class Handling {
     stage.listeners.push(() => {
       if (this.gizmo.camera !== stage.camera) this.gizmo.camera = stage.camera;
     });
+    stage.replaced.push(() => this.letGoOfRobots());
     live.on('state', () => this.check());
     live.on('hand', () => this.settle());
   }
@@ -59,7 +60,9 @@ class Handling {
   }
 
   // `link`: of a hand or an arm, what was taken hold of; without it the whole is meant.
-  select(body, link) {
+  select(asked, link) {
+    // A scene that cannot be used has no arm to turn.
+    const body = asked === 'arm' && !this.stage.arm ? '' : asked;
     this.selected = body;
     this.link = link;
     this.gizmo.detach();
@@ -109,6 +112,12 @@ class Handling {
     if (body === 'object') return state.object ? matrixOfPose(state.object.X_world_object) : null;
     const obstacle = state.obstacles.find(({name}) => `obstacle ${name}` === body);
     return obstacle ? matrixOfPose(obstacle.X_world_body) : null;
+  }
+
+  // Links and joints that were taken hold of are gone with their robot.
+  letGoOfRobots() {
+    if (this.selected !== 'hand' && this.selected !== 'arm') return;
+    this.select(this.selected);
   }
 
   // What was selected may be gone.

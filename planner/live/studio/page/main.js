@@ -47,11 +47,17 @@ class Studio {
     const {live} = this;
     live.on('state', (state) => {
       this.stage.sync.ask(state);
+      if (this.scene !== undefined && state.scene !== this.scene) live.tell('opened');
+      this.scene = state.scene;
       byId('undo').disabled = state.undo === 0;
       byId('redo').disabled = state.redo === 0;
       document.title = `${state.scene || 'studio'} – prehend`;
     });
     live.on('hand', (state) => this.stage.placeHand(state));
+    live.on('done', (command) => {
+      if (command === 'scene.load' || command === 'scene.new') live.tell('opened');
+    });
+    live.on('opened', () => this.forget());
     live.on('connected', (there) => {
       byId('connection').hidden = there;
     });
@@ -66,6 +72,14 @@ class Studio {
       const hit = this.stage.pick(event);
       if (hit) this.stage.seek(hit.point);
     });
+  }
+
+  // Nothing of an earlier scene stays when another one is opened.
+  forget() {
+    this.handling.select('');
+    this.measure.clear();
+    this.grasp.clearLoad();
+    this.stage.forgetView();
   }
 
   // What happened, for eyes and screen readers.

@@ -18,6 +18,11 @@ class Measure {
     this.tell(active ? 'click two points' : '');
   }
 
+  clear() {
+    this.points = [];
+    this.draw();
+  }
+
   take(event) {
     if (!this.active || event.button !== 0) return;
     const hit = this.stage.pick(event);

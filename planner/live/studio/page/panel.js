@@ -4,6 +4,11 @@ function button(words, action, more = {}) {
   return element('button', {type: 'button', onclick: action, ...more}, words);
 }
 
+// A name as a line may break it: after an underscore, not within a word.
+function breakable(name) {
+  return name.split(/(?<=_)/).flatMap((part, i) => i === 0 ? [part] : [element('wbr'), part]);
+}
+
 // A field with its name above it.
 function labelled(name, field) {
   return element('label', {class: 'field'}, element('span', {}, name), field);
@@ -50,11 +55,11 @@ function sliderRow(name, lower, upper, live, change) {
     },
   });
   const set = (value) => {
-    if (document.activeElement !== field) field.value = Number(value.toFixed(5));
+    if (document.activeElement !== field) field.value = Number(value.toFixed(4));
     slider.value = value;
     slider.setAttribute('aria-valuetext', numberText(value, 4));
   };
-  return {row: element('li', {}, element('span', {}, name), slider, field), set};
+  return {row: element('li', {}, element('span', {}, ...breakable(name)), slider, field), set};
 }
 
 // Replaces the children of a list only where what it shows has changed, so that the focus stays.

@@ -13,6 +13,7 @@ class PathPanel {
     byId('path').addEventListener('click', () => this.plan());
     byId('path-play').addEventListener('click', () => this.toggle());
     byId('path-time').addEventListener('input', () => {
+      if (!this.path) return;
       this.player.stop();
       this.show(Number(byId('path-time').value));
     });
@@ -93,6 +94,7 @@ class PathPanel {
   }
 
   play() {
+    if (!this.path) return;
     const time = Number(byId('path-time').value);
     const end = this.endOf(this.path);
     this.player.play(time >= end ? 0 : time, end);
@@ -100,6 +102,7 @@ class PathPanel {
 
   // Draws the robot as it is at a time of the path; the session stays where it is.
   show(time) {
+    if (!this.path) return;
     const {motion, segments} = this.path;
     byId('path-time').value = time;
     this.stage.placeMoving({

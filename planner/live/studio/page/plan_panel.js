@@ -156,13 +156,13 @@ class PlanPanel {
   }
 
   thumbnail() {
-    this.stage.draw();
-    const {canvas} = this.stage;
     const small = element('canvas', {width: 144, height: 108});
-    const part = Math.min(canvas.width / 4, canvas.height / 3);
-    small.getContext('2d').drawImage(
-        canvas, (canvas.width - 4 * part) / 2, (canvas.height - 3 * part) / 2, 4 * part, 3 * part,
-        0, 0, 144, 108);
+    this.stage.drawWithoutBackground((canvas) => {
+      const part = Math.min(canvas.width / 4, canvas.height / 3);
+      small.getContext('2d').drawImage(
+          canvas, (canvas.width - 4 * part) / 2, (canvas.height - 3 * part) / 2, 4 * part, 3 * part,
+          0, 0, 144, 108);
+    });
     return small;
   }
 

@@ -13,6 +13,10 @@ const standardViews = {
 
 const blockedColor = data.palette.outcomes.hand_blocked;  // of what overlaps something
 
+function firstView() {
+  return vectorOf(standardViews.aslant).normalize();
+}
+
 // The scene has changed meanwhile.
 class Superseded extends Error {}
 
@@ -22,7 +26,7 @@ function bodyGroup(geometry, look) {
 
 class Stage extends View3d {
   constructor(canvas, live) {
-    super(canvas);
+    super(canvas, {alpha: true});
     this.live = live;
     this.orthographic = new THREE.OrthographicCamera(-1, 1, 1, -1, -100, 100);
     this.orthographic.up.set(0, 0, 1);
@@ -36,7 +40,8 @@ class Stage extends View3d {
     this.free = new THREE.Group();   // in the world
     this.scene.add(this.marks, this.free);
     this.sync = new Coalescer((state) => this.follow(state));
-    this.looked = false;
+    this.looked = '';    // the surface of the object that the camera was turned to; '': look anew
+    this.replaced = [];  // called when other robots have come in place of the old ones
     this.orthoSize = 0.3;
     this.followSize();
   }
@@ -68,10 +73,22 @@ class Stage extends View3d {
       return;  // another state is on its way
     }
     this.place(state);
-    if (!this.looked) {
-      this.look();
-      this.looked = true;
-    }
+    this.lookAtNew(state);
+  }
+
+  // Another scene or another object is looked at as a whole, and a scene from where one looks
+  // first.
+  lookAtNew({object}) {
+    const surface = object ? object.surface : 'none';
+    if (surface === this.looked) return;
+    this.look(this.looked === '' ? firstView() : this.direction());
+    this.looked = surface;
+  }
+
+  // The scene that the session has is another one.
+  forgetView() {
+    this.looked = '';
+    this.sync.ask(this.live.state);
   }
 
   async fetch(state) {
@@ -126,6 +143,7 @@ class Stage extends View3d {
       this.arm.setBase(matrixOf(arm.X));
       this.scene.add(this.arm.root);
     }
+    for (const listener of this.replaced) listener();
     this.tell();
   }
 
@@ -249,9 +267,7 @@ class Stage extends View3d {
   }
 
   // So that object and hand, or with `everything` all bodies, fill the picture.
-  look(
-      direction = this.looked ? this.direction() : new THREE.Vector3(1, -1, 0.8).normalize(),
-      everything = false) {
+  look(direction = this.direction(), everything = false) {
     this.scene.updateMatrixWorld(true);
     const groups = everything || !this.bodies.has('object') ?
         [...this.bodies.values()].map(({group}) => group) :
@@ -319,6 +335,16 @@ class Stage extends View3d {
     if (hits.length === 0) return null;
     const {point, object} = hits[0];
     return {point, ...object.userData};
+  }
+
+  // Draws a picture for `take`, in front of nothing, so that it suits pages light and dark.
+  drawWithoutBackground(take) {
+    const {background} = this.scene;
+    this.scene.background = null;
+    this.draw();
+    take(this.canvas);
+    this.scene.background = background;
+    this.draw();
   }
 
   // The picture as a PNG file.

@@ -29,6 +29,9 @@ class WorldPanel {
       if (byId('library').value) live.ask('scene.load', {scene: byId('library').value});
       byId('library').value = '';
     });
+    byId('hand').addEventListener('change', () => {
+      live.ask('hand.choose', {hand: byId('hand').value});
+    });
     live.on('connected', (there) => {
       if (there) this.fillLists(live.known);
     });
@@ -44,10 +47,6 @@ class WorldPanel {
             ...generators.map((name) => element('option', {value: `generate ${name}`}, name)),
             ...scenes.map(
                 (name) => element('option', {value: `scene ${name}`}, `object of ${name}`)));
-    byId('hand').addEventListener('change', () => {
-      const name = byId('hand').value;
-      this.live.ask('hand.choose', {hand: name});
-    });
   }
 
   // A mesh or scene that falls onto the page.

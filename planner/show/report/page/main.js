@@ -45,6 +45,7 @@ class Page {
   }
 
   summary() {
+    if (data.problem) return `${data.problem}.`;
     const {events} = data.grasps[0] || {};
     if (events) return events[events.length - 1];
     const best = bestGrasp();

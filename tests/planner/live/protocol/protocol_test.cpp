@@ -43,6 +43,47 @@ TEST(Protocol, AHandTakesHoldOfAnObject) {
   EXPECT_EQ(client.result({{"command", "undo"}})["done"], true);
 }
 
+// What the paper's users change while they look at a grasp.
+TEST(Protocol, FrictionNormEdgesAndSectionAreChangedWhileOneLooks) {
+  SessionEndpoint endpoint({});
+  ListeningClient client(endpoint);
+  client.result({{"command", "scene.new"}, {"hand", "parallel_jaw"}});
+  client.result({{"command", "object.set"}, {"generate", "cylinder"}, {"triangles", 600}});
+  client.result({{"command", "hand.approach"}});
+  client.result({{"command", "hand.auto_grasp"}});
+  const Reply first = client.result({{"command", "state"}});
+  EXPECT_EQ(first["judge"], (Reply{{"norm", "l1"}, {"edges", 8}, {"fixed", nullptr}}));
+  ASSERT_FALSE(first["friction"].empty());
+  const std::string pad = first["friction"].back()["material"];
+  const auto quality = [&] { return client.result({{"command", "quality"}, {"sections", true}}); };
+  const auto epsilon = [&] { return quality()["epsilon"]["lower"].get<double>(); };
+  const double before = epsilon();
+  EXPECT_FALSE(quality()["sections"].contains("chosen"));
+
+  const Reply slippery =
+      client.result({{"command", "friction.set"}, {"static", 0.05}, {"material", pad}});
+  EXPECT_EQ(slippery["friction"].back()["static"], 0.05);
+  EXPECT_LT(epsilon(), before);
+  client.result({{"command", "undo"}});
+  EXPECT_EQ(client.result({{"command", "judge.set"}, {"norm", "linf"}})["judge"]["norm"], "linf");
+  EXPECT_GT(epsilon(), before);
+  client.result({{"command", "judge.set"}, {"norm", "l1"}, {"edges", 24}});
+  EXPECT_GE(epsilon(), before);
+  client.result({{"command", "judge.set"}, {"fixed", "tx,ty,tz"}, {"values", {0, 0, 0}}});
+  const Reply sections = quality()["sections"];
+  EXPECT_EQ(sections["chosen"]["axes"], (Reply{"fx", "fy", "fz"}));
+  EXPECT_EQ(sections["chosen"]["vertices"], sections["forces"]["vertices"]);
+  client.result({{"command", "judge.set"}, {"fixed", "fz,tx,tz"}, {"values", {0, 0, 100}}});
+  EXPECT_EQ(quality()["sections"]["chosen"]["axes"], (Reply{"fx", "fy", "ty"}));
+  EXPECT_TRUE(quality()["sections"]["chosen"]["vertices"].empty());
+  client.result({{"command", "judge.set"}, {"section", false}});
+  EXPECT_FALSE(quality()["sections"].contains("chosen"));
+  while (client.result({{"command", "state"}})["judge"] != first["judge"]) {
+    ASSERT_EQ(client.result({{"command", "undo"}})["done"], true);
+  }
+  EXPECT_EQ(epsilon(), before);
+}
+
 // A message that is refused, and the field that the refusal names.
 struct Mistake {
   const char* message;
@@ -91,6 +132,19 @@ constexpr Mistake kMistakes[] = {
     {R"({"command": "object.set", "mesh_text": "v 0 0 0", "format": "exe"})", "format"},
     {R"({"command": "object.set", "mesh_text": "{}", "format": "gltf"})", "format"},
     {R"({"command": "object.change", "mass": 1})", "object"},
+    {R"({"command": "friction.set", "static": 0.5})", "object"},
+    {R"({"command": "friction.set", "static": -1})", "static"},
+    {R"({"command": "friction.set"})", "static"},
+    {R"({"command": "friction.set", "static": 1, "material": "air"})", "material"},
+    {R"({"command": "judge.set", "norm": "l3"})", "norm"},
+    {R"({"command": "judge.set", "edges": 2})", "edges"},
+    {R"({"command": "judge.set", "edges": 1000})", "edges"},
+    {R"({"command": "judge.set", "fixed": "fx,fy,fz"})", ""},
+    {R"({"command": "judge.set", "values": [0, 0, 0]})", ""},
+    {R"({"command": "judge.set", "fixed": "fx,fy", "values": [0, 0, 0]})", "fixed"},
+    {R"({"command": "judge.set", "fixed": "fx,fy,fz,tx", "values": [0, 0, 0]})", "fixed"},
+    {R"({"command": "judge.set", "fixed": "fx,fy,fx", "values": [0, 0, 0]})", "fixed"},
+    {R"({"command": "judge.set", "fixed": "fx,fy,force", "values": [0, 0, 0]})", "fixed"},
     {R"({"command": "obstacle.remove", "name": "wall"})", "name"},
     {R"({"command": "platform.mount", "platform": "cart"})", "platform"},
     {R"({"command": "hand.auto_grasp"})", "scene"},
