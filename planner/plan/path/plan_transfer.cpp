@@ -28,8 +28,10 @@ namespace og = ompl::geometric;
 // freedom counts with the farthest that it moves any point of the arm [m].
 constexpr double kLongestEdge = 0.8;
 
-// Iterations of the first of several searches by rrt_connect.
+// Iterations of the first of several searches by rrt_connect, and how many searches there are at
+// most.
 constexpr int kFirstRound = 200;
+constexpr int kMostRounds = 9;
 
 // Motions that keep this distance [m] are found faster, as is proven in fewer steps. Those from and
 // to the ends of the path may be closer (MotionCheckOptions::tightest), as the ends often are.
@@ -177,7 +179,6 @@ class TransferSpace {
   // Whether motions count as blocked where the simple shapes around the meshes overlap: much
   // faster, and no less safe. Motions from and to the ends of the path are seen as they are.
   void set_by_shapes(bool by_shapes) { by_shapes_ = by_shapes; }
-  bool is_by_shapes() const { return by_shapes_; }
 
   void set_ends(const ob::State* from, const ob::State* to) { ends_ = {from, to}; }
 
@@ -368,23 +369,21 @@ FoundPath search(TransferSpace& space, const Transfer& transfer, const TransferO
   return result;
 }
 
-// Searches by rrt_connect with one seed after the other, each twice as long as the one before it,
-// until all iterations are used up: where a search takes long, a new one is often faster (Wedge and
-// Branicky 2008, "On heavy-tailed runtimes and restarts in rapidly-exploring random trees"). Every
-// second one sees shapes in place of meshes, and misses only the narrowest passages. The other
-// planners improve on what they have, and search once.
+// Searches by rrt_connect with one seed after the other, each twice as long as the one before it
+// but none longer than max_iterations: where a search takes long, a new one is often faster (Wedge
+// and Branicky 2008, "On heavy-tailed runtimes and restarts in rapidly-exploring random trees").
+// Every second one sees shapes in place of meshes, and misses only the narrowest passages. The
+// other planners improve on what they have, and search once.
 FoundPath search_in_rounds(TransferSpace& space, const Transfer& transfer,
                            const TransferOptions& options) {
   if (options.planner != PathPlanner::rrt_connect) return search(space, transfer, options);
   FoundPath found;
   TransferOptions round = options;
-  int left = options.max_iterations;
-  for (int length = kFirstRound; left > 0 && found.whole.empty(); length *= 2) {
-    round.max_iterations = std::min(left, length);
-    space.set_by_shapes(!space.is_by_shapes());
+  for (int k = 0; k < kMostRounds && found.whole.empty(); ++k) {
+    round.max_iterations = std::min(options.max_iterations, kFirstRound << k);
+    space.set_by_shapes(k % 2 == 0);
     found = search(space, transfer, round);
     ++round.seed;
-    left -= round.max_iterations;
   }
   return found;
 }

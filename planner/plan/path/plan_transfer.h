@@ -37,7 +37,7 @@ struct TransferOptions {
                                         "How an arm's way to the pre-grasp is searched for."};
   PathPlanner planner = PathPlanner::rrt_connect;
   // There is no time limit, because the result would then depend on the speed of the machine.
-  int max_iterations = 20000;
+  int max_iterations = 3000;
   int simplify_steps = 100;
   double corner_deviation = 0.2;
   std::uint64_t seed = 1;

@@ -58,9 +58,10 @@ PREHEND_INLINE Lanes3 minus(const Lanes3& a, const Lanes3& b) {
 PREHEND_INLINE Lanes3 times(const Lanes3& a, const Floats8& s) {
   return {a.x * s, a.y * s, a.z * s};
 }
-PREHEND_INLINE Floats8 root(Floats8 a) {
-  take_roots(a);
-  return a;
+PREHEND_INLINE Floats8 root(const Floats8& a) {
+  Floats8 result = a;
+  take_roots(result);
+  return result;
 }
 // The lanes in which a <= b, a bit each.
 PREHEND_INLINE unsigned at_most(const Floats8& a, const Floats8& b) {
