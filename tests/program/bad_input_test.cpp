@@ -113,7 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "did you mean living_room?"},
         Mistake{"MisspeltField", "plan FOLDER/in.json --out FOLDER/out",
                 R"({"object": {"mesh": "mug.obj", "unti": "m"}, "hand": "barrett"})",
-                "object.unti: unknown field, did you mean unit?"},
+                "; did you mean unit?"},
         Mistake{"BudgetOfAnUnknownUnit", "plan mug --budget 3weeks --out FOLDER/out", "",
                 "--budget"},
         Mistake{"UnitOfAScene", "plan mug --unit mm --out FOLDER/out", "", "unit"},

@@ -104,7 +104,7 @@ class WrenchSection {
     this.content.add(pointer);
   }
 
-  // Of the part of the ball around the origin that the section shows: where it fixes coordinates
+  // Of the part of the ball around the origin that the section shows. Where it fixes coordinates
   // beside the origin it cuts less of it, or nothing.
   ballRadius({epsilon: [lower], fixed}) {
     const aside = this.kind === 'chosen' ? Math.hypot(...fixed) : 0;
@@ -215,7 +215,8 @@ class WrenchView {
       this.camera.bottom = -this.camera.top;
       this.camera.updateProjectionMatrix();
       this.renderer.setViewport(i * width, 0, width, box.height);
-      this.renderer.setScissor(i * width, 0, width, box.height);
+      // The next one draws over what is too much; parts of a pixel would stay black.
+      this.renderer.setScissor(i * width, 0, box.width - i * width, box.height);
       this.renderer.render(section.scene, this.camera);
     });
   }

@@ -130,9 +130,10 @@ void JsonField::allow_only(std::span<const std::string_view> names) const {
   for (const auto& [key, value] : value_->items()) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
     const std::string known = joined(names);
+    const std::string nearest = nearest_name(key, {names.begin(), names.end()});
     JsonField(value, *file_, name_.empty() ? key : name_ + "." + key)
-        .fail("unknown field, " + did_you_mean(key, {names.begin(), names.end()}) +
-              "known here are " + known);
+        .fail("unknown field, known here are " + known +
+              (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
   }
 }
 

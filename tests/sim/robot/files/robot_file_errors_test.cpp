@@ -31,7 +31,8 @@ std::vector<BadField> bad_fields() {
        R"(hand, frames, exempt_collisions ("red"))"},
       {"UnknownJointField", "/chains/0/joints/1/thetta", "3",
        "chains[0].joints[1].thetta: unknown field, known here are name, type, theta, d, a, alpha, "
-       "origin, axis, zero, after, limits, effort, friction, spring, driver_name (3)"},
+       "origin, axis, zero, after, limits, effort, friction, spring, driver_name; did you mean "
+       "theta? (3)"},
       {"UnknownDofField", "/dofs/0/speed", "1",
        "dofs[0].speed: unknown field, known here are name, drives, initial, closing_velocity, "
        "coupling, breakaway_effort, velocity, acceleration, stiffness, damping (1)"},
