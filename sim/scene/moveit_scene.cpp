@@ -320,9 +320,9 @@ std::vector<std::string> moveit_objects(const JsonFile& file) {
   return names;
 }
 
-MotionRequest read_motion_request(const std::filesystem::path& name) {
-  const JsonFile file = read_yaml(name);
-  const JsonField root = file.root();
+MotionRequest read_motion_request(const std::filesystem::path& file) {
+  const JsonFile yaml = read_yaml(file);
+  const JsonField root = yaml.root();
   MotionRequest request;
   if (root.has("start_state")) request.start = read_robot_state(root["start_state"]);
   const std::vector<JsonField> goals = root["goal_constraints"].items();
