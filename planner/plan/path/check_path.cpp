@@ -67,7 +67,7 @@ class PathChecker {
  public:
   // `X_LO`: of an arm whose last link L is the object, which the hand holds: its frame in that
   // link's.
-  PathChecker(const CompiledScene& scene, const CompiledArm& arm, std::optional<Pose> X_LO,
+  PathChecker(const CompiledScene& scene, const CompiledArm& arm, const std::optional<Pose>& X_LO,
               const SecondCheck* bodies, const Trajectory& path, const PathCheckOptions& options,
               const RunContext& context)
       : arm_(arm),

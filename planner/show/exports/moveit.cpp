@@ -108,7 +108,7 @@ std::vector<std::size_t> moving_joints(const Trajectory& path, const TrajectoryS
   }
   std::vector<std::size_t> joints;
   for (std::size_t j = 0; j < path.joints.size(); ++j) {
-    if (moving.count(robot_of(path.joints[j])) != 0) joints.push_back(j);
+    if (moving.contains(robot_of(path.joints[j]))) joints.push_back(j);
   }
   return joints;
 }

@@ -248,7 +248,7 @@ void UrdfWriter::write_robot(const Robot& robot) {
     }
   }
   for (const RobotFrame& frame : robot.frames) {
-    if (links_.count(frame.name) != 0) continue;
+    if (links_.contains(frame.name)) continue;
     write_frame(new_link(frame.name));
     if (frame.joint >= 0 && frames[index(frame.joint)].empty() && is_identity(frame.X_AF)) {
       frames[index(frame.joint)] = frame.name;
