@@ -44,6 +44,9 @@ struct PathCommand {
 };
 
 void declare(CLI::App& command, PathCommand& options) {
+  add_examples(command, {"path panda_on_table --to panda_joint1=0.5",
+                         "path panda_on_table --to-pose 0.4,0,0.6,1,0,0,0 --frame panda_hand_tcp",
+                         "path scene.yaml --request request.yaml"});
   command.add_option("scene", options.scene, "scene name, scene file, or scene of MoveIt (YAML)")
       ->required();
   command.add_option("--to", options.to,

@@ -23,6 +23,16 @@
 namespace prehend {
 namespace {
 
+void declare_paths(CLI::App& command, PlanCommand& options) {
+  CLI::Option* path =
+      command.add_flag("--path", options.path, "plan the arm's way to each grasp as well");
+  add_second_check(command, options.no_second_check);
+  command.add_option("--path-planner", options.path_planner, "how ways are searched for")
+      ->check(CLI::IsMember(texts(enum_names(PathPlanner{}))))
+      ->needs(path)
+      ->capture_default_str();
+}
+
 void declare(CLI::App& command, PlanCommand& options) {
   add_examples(command, {"plan mug", "plan bottle.obj --unit mm --hand franka_hand --top 3",
                          "plan panda_on_table --path --export csv,moveit",
@@ -49,13 +59,7 @@ void declare(CLI::App& command, PlanCommand& options) {
                      "file of a model that orders the candidates (docs/how-to/learning.md)");
   command.add_option("--primitive-tolerance", options.primitive_tolerance,
                      "how far the object's surface may be from its primitives, in mm");
-  CLI::Option* path =
-      command.add_flag("--path", options.path, "plan the arm's way to each grasp as well");
-  add_second_check(command, options.no_second_check);
-  command.add_option("--path-planner", options.path_planner, "how ways are searched for")
-      ->check(CLI::IsMember(texts(enum_names(PathPlanner{}))))
-      ->needs(path)
-      ->capture_default_str();
+  declare_paths(command, options);
   command
       .add_option("--export", options.exports,
                   "more files, with commas: " + joined(export_formats(), ", ", &ExportFormat::name))

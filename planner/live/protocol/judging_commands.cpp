@@ -3,6 +3,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "planner/live/protocol/command.h"
 #include "planner/live/protocol/session_json.h"
@@ -125,9 +126,8 @@ ProtocolJson collisions_of(const CommandScope& scope, const JsonField& /*request
   return {{"collisions", list}};
 }
 
-}  // namespace
-
-std::vector<Command> judging_commands() {
+// What there is.
+std::vector<Command> looking_commands() {
   return {
       {"state",
        CommandKind::query,
@@ -150,7 +150,12 @@ std::vector<Command> judging_commands() {
        {},
        "`contacts`, each with `link`, position [m] and unit normal (into the object) in the frames "
        "of object and world, `model`, `friction`, `torsion` [m] and `gap` [m]",
-       contacts_of_hand},
+       contacts_of_hand}};
+}
+
+// How good it is.
+std::vector<Command> scoring_commands() {
+  return {
       {"quality",
        CommandKind::query,
        "How well the hand holds the object as it is.",
@@ -199,6 +204,14 @@ std::vector<Command> judging_commands() {
        "`collisions`, each a `link` of the hand, or of the arm where it holds the hand, and `by` "
        "what it overlaps",
        collisions_of}};
+}
+
+}  // namespace
+
+std::vector<Command> judging_commands() {
+  std::vector<Command> all = looking_commands();
+  for (Command& command : scoring_commands()) all.push_back(std::move(command));
+  return all;
 }
 
 }  // namespace prehend

@@ -1,5 +1,6 @@
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "planner/live/protocol/command.h"
 #include "planner/live/protocol/session_json.h"
@@ -280,7 +281,11 @@ std::vector<Command> body_commands() {
        "Takes an obstacle away.",
        {{"name", FieldType::text, true, "which"}},
        kReplyState,
-       obstacle_remove},
+       obstacle_remove}};
+}
+
+std::vector<Command> robot_commands() {
+  return {
       {"hand.choose",
        CommandKind::world,
        "Takes another hand, which flies free, at the same place with its first preshape.",
@@ -302,6 +307,7 @@ std::vector<Command> body_commands() {
 std::vector<Command> scene_commands() {
   std::vector<Command> all = file_commands();
   for (Command& command : body_commands()) all.push_back(std::move(command));
+  for (Command& command : robot_commands()) all.push_back(std::move(command));
   return all;
 }
 

@@ -38,6 +38,7 @@ struct McpCommand {
 };
 
 void declare(CLI::App& command, McpCommand& options) {
+  add_examples(command, {"mcp", "mcp --scene mug --folder meshes"});
   command.add_option("--scene", options.scene,
                      "scene name, scene file or mesh file to begin with; a hand alone");
   command.add_option("--record", options.record, "file to write the session to, for replay");

@@ -271,7 +271,7 @@ TEST(PlanReport, OfMoreGraspsAndCandidatesSomeAreShown) {
 
 // A search without a step finds only what lies straight ahead.
 TEST(PlanReport, AGraspWithoutAPathIsCountedAsSuch) {
-  const CompiledScene scene = test::compiled_library_scene("mug_on_table");
+  const CompiledScene scene = test::compiled_library_scene("cluttered_table");
   PlanOptions options = few_candidates();
   options.search.trials = 400;
   options.rank.top = 1000;
