@@ -212,10 +212,10 @@ int run_mcp_server(const LiveServer& live, Interrupts& interrupts) {
                 return true;
               });
   }
+  const bool was_interrupted = interrupts.cancellation().requested();
+  if (!was_interrupted) client.finish();
   if (recorder.has_failed()) return kRecordingFailed;
-  if (interrupts.cancellation().requested()) return interrupts.exit_status();
-  client.finish();
-  return 0;
+  return was_interrupted ? interrupts.exit_status() : 0;
 }
 
 int run_live_server(const LiveServer& live, Interrupts& interrupts) {

@@ -174,12 +174,11 @@ class TransferSpace {
     });
   }
 
-  // States at which the arm is as close to something as it is at the ends of the path.
-
   // Whether motions count as blocked where the simple shapes around the meshes overlap: much
   // faster, and no less safe. Motions from and to the ends of the path are seen as they are.
   void set_by_shapes(bool by_shapes) { by_shapes_ = by_shapes; }
 
+  // The ends of the path, near which the arm may be as close to something as it is there.
   void set_ends(const ob::State* from, const ob::State* to) { ends_ = {from, to}; }
 
   bool is_cancelled() const { return context_.cancellation.requested(); }
