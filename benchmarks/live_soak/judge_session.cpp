@@ -32,7 +32,8 @@ Trial evaluated(const Json& state, const std::string& scene_text,
   for (const Json& dof : state["hand"]["dofs"]) candidate.dofs.push_back(dof["value"]);
   candidate.joints = state["hand"]["joints"].get<std::vector<double>>();
   EvaluateOptions options;
-  options.trial.soft_fingers = state["switches"]["soft_fingers"];
+  options.trial.contacts =
+      state["switches"]["soft_fingers"] ? ContactKind::soft : ContactKind::hard;
   return evaluate(scene, {candidate}, options).grasps.at(0).trial;
 }
 

@@ -67,7 +67,7 @@ void add_table(Random& random, Scene& scene, const Vector3& at) {
 
 TrialOptions trial_options(Random& random) {
   TrialOptions options;
-  options.soft_fingers = random.index(3) > 0;
+  options.contacts = random.index(3) > 0 ? ContactKind::soft : ContactKind::hard;
   if (random.index(3) == 0) options.cone_edges = random.integer(3, 12);
   if (random.index(4) == 0) options.settle.steps = random.integer(0, 30);
   if (random.index(4) == 0) options.back_off_tries = random.integer(0, 5);
@@ -105,7 +105,7 @@ std::string words_of(const RandomCase& made, const std::string& object, const st
   words += hand + (scene.carrier ? " on an arm" : "");
   if (!scene.obstacles.empty())
     words += ", " + std::to_string(scene.obstacles.size()) + " obstacles";
-  words += made.options.trial.soft_fingers ? ", soft" : ", hard";
+  words += ", " + std::string(name_of(made.options.trial.contacts));
   words += ", " + std::to_string(made.options.trial.cone_edges) + " edges";
   if (made.options.paths) {
     words += ", " + std::string(name_of(made.options.paths->transfer.planner));

@@ -275,9 +275,9 @@ BatchSetting read_setting(const JsonField& field) {
     count("trials", setting.options.search.trials);
     count("enough", setting.options.search.enough);
     if (field.has("contacts")) {
-      const std::string contacts = field["contacts"].text();
-      if (contacts != "soft" && contacts != "hard") field["contacts"].fail("is soft or hard");
-      setting.options.trial.soft_fingers = contacts == "soft";
+      const auto contacts = value_named<ContactKind>(field["contacts"].text());
+      if (!contacts) field["contacts"].fail("is soft, hard or fem");
+      setting.options.trial.contacts = *contacts;
     }
     if (field.has("approach")) {
       setting.options.candidates.approach = with_field_errors(

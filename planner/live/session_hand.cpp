@@ -15,7 +15,7 @@ namespace prehend {
 
 TrialOptions Session::trial_options() const {
   TrialOptions options;
-  options.soft_fingers = state_.switches.soft_fingers;
+  options.contacts = state_.switches.soft_fingers ? ContactKind::soft : ContactKind::hard;
   return options;
 }
 

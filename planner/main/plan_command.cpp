@@ -21,7 +21,7 @@ PlanOptions options_of(const PlanCommand& command, const TriangleMesh& object) {
     options.primitives.tolerance = requested_tolerance(object, *command.primitive_tolerance);
   }
   options.seed = command.common.seed;
-  if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  if (command.common.contacts) options.trial.contacts = *command.common.contacts;
   if (command.dynamic) options.trial.formation.dynamic = true;
   if (command.still) options.free_closing = 0;
   options.rank.top = command.top;

@@ -123,7 +123,7 @@ EvaluateOptions options_of(const EvaluateCommand& command) {
   options.trial = accuracy.trial;
   options.robustness = command.uncertainty || accuracy.robustness;
   options.uncertainty = accuracy.uncertainty;
-  if (command.common.hard_contacts) options.trial.soft_fingers = false;
+  if (command.common.contacts) options.trial.contacts = *command.common.contacts;
   if (command.dynamic) options.trial.formation.dynamic = true;
   options.volumes = command.volumes;
   if (!command.common.no_report) options.sections = kMostDetailed;

@@ -71,9 +71,9 @@ void add_contacts(CLI::App& command, CommonOptions& common) {
   command
       .add_option_function<std::string>(
           "--contacts",
-          [&common](const std::string& kind) { common.hard_contacts = kind == "hard"; },
-          "of rubber: soft fingers that pass on torque, or hard points")
-      ->check(CLI::IsMember({"soft", "hard"}))
+          [&common](const std::string& kind) { common.contacts = value_named<ContactKind>(kind); },
+          "of rubber: soft fingers that pass on torque, hard points, or pads of finite elements")
+      ->check(CLI::IsMember(texts(enum_names(ContactKind{}))))
       ->default_str("soft");
 }
 

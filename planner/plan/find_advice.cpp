@@ -163,9 +163,9 @@ class Adviser {
   }
 
   bool advise_soft_contacts(const std::vector<const Trial*>& trials) {
-    if (options_.trial.soft_fingers) return false;
+    if (options_.trial.contacts != ContactKind::hard) return false;
     TrialOptions soft = options_.trial;
-    soft.soft_fingers = true;
+    soft.contacts = ContactKind::soft;
     const Held held = judge(trials, [&](const Trial& trial) {
       return contacts_of(grasp_contacts(scene_, trial.X_OH, trial.joints, soft));
     });

@@ -38,6 +38,7 @@ SpaceHull space_hull_of(std::span<const Contact> contacts, const WrenchFrame& fr
 void measure(const CompiledScene& scene, const TrialOptions& options, bool with_sections,
              const RunContext& context, ScoredGrasp& grasp) {
   if (!grasp.trial.contacts.empty()) grasp.holding = payload_margin(scene, grasp.trial, context);
+  grasp.pads = held_by_pads(scene, grasp.trial, options, context);
   // The volume is defined as 0 without force closure, which needs no hull.
   if (grasp.trial.outcome != Outcome::stable) {
     grasp.volume = 0.0;

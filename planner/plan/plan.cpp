@@ -25,6 +25,7 @@
 #include "sim/base/random.h"
 #include "sim/base/range.h"
 #include "sim/base/require_settings.h"
+#include "sim/trial/pad_contacts.h"
 
 namespace prehend {
 namespace {
@@ -386,6 +387,7 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
                 const FoundListener& found) {
   require_settings(options);
+  require_pads(scene, options.trial);
   if (options.paths && !scene.arm) {
     throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
   }
@@ -398,6 +400,7 @@ PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const Ru
 PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& candidates,
                     const EvaluateOptions& options, const RunContext& context) {
   require_settings(options);
+  require_pads(scene, options.trial);
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;

@@ -17,6 +17,7 @@
 #include "sim/quality/wrench_slice.h"
 #include "sim/shape/primitive.h"
 #include "sim/trial/candidate.h"
+#include "sim/trial/pad_patches.h"
 #include "sim/trial/payload_margin.h"
 #include "sim/trial/robustness.h"
 #include "sim/trial/trial.h"
@@ -60,6 +61,7 @@ struct ScoredGrasp {
   std::optional<Interval> epsilon_nearby = {};
   // Of a grasp with contacts: what its weight takes (payload_margin). Computed with the volume.
   std::optional<PayloadMargin> holding = {};
+  std::optional<HeldByPads> pads = {};  // where contacts are finite elements
   // Of a grasp with contacts, where it was asked for: how it fares on disturbed poses.
   std::optional<Robustness> robustness = {};
   std::optional<Refinement> refinement = {};

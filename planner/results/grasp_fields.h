@@ -191,6 +191,22 @@ void robustness_fields(auto& fields, auto& robustness) {
   });
 }
 
+// The pads of a grasp: what each bears, and how stiffly they hold the object together.
+void pads_fields(auto& fields, auto& pads, const ValueNames<LinkId>& links) {
+  fields("softest", pads.softest);
+  fields.objects("patches", pads.patches, [&](auto& inner, auto& patch) {
+    inner.named("link", patch.link, links);
+    inner("nodes", patch.nodes);
+    inner("approach", patch.approach);
+    inner("load", patch.surface.load);
+    inner("center", patch.surface.center);
+    inner("normal", patch.surface.normal);
+    inner("torsion", patch.surface.torsion);
+    inner("fitted_torsion", patch.surface.fitted_torsion);
+    inner("fit_error", patch.surface.error);
+  });
+}
+
 // What was measured of the grasp. Weight and robustness are not read: they are computed again.
 void measure_fields(auto& fields, auto& grasp) {
   fields("volume", grasp.volume);
@@ -256,6 +272,9 @@ void grasp_fields(auto& fields, auto& grasp, const CompiledScene& scene,
   fields.objects("contacts", trial.contacts, [&](auto& inner, auto& contact) {
     grasp_contact_fields(inner, contact, scene, links);
   });
+  // A grasp that is read has to be pressed again.
+  fields.derived_part("pads", grasp.pads,
+                      [&](auto& inner, auto& pads) { pads_fields(inner, pads, links); });
   fields.derived("torque_origin", [&] { return scene.wrench_frame.torque_origin; });
   fields.derived("torque_scale", [&] { return scene.wrench_frame.torque_scale; });
   fields.object("weakest_wrench",

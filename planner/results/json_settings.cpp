@@ -57,9 +57,6 @@ nlohmann::ordered_json learned_to_json(const LearnedOrder& order) {
 void settings_fields(auto& fields, auto& record) {
   auto& options = record.options;
   option_fields(fields, options);
-  // Says the same as "soft_fingers", in the words of the command line.
-  fields.named("contacts", options.trial.soft_fingers,
-               ValueNames<bool>{{"soft", true}, {"hard", false}});
   if constexpr (kReads<decltype(fields)>) {
     for (const char* name : kFormerSettings) (void)fields.allow(name);
     // These objects are there where paths were planned, and where the approach was limited, so

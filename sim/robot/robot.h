@@ -12,6 +12,7 @@
 #include "sim/base/named_enum.h"
 #include "sim/robot/inertial.h"
 #include "sim/shape/triangle_mesh.h"
+#include "sim/soft/pad_shape.h"
 
 namespace prehend {
 
@@ -121,10 +122,11 @@ bool within_limits(const DegreeOfFreedom& dof, double value);
 // joint -1.
 struct Link {
   std::string name;
-  std::string material;    // glass, metal, plastic, wood or rubber
-  int joint = -1;          // the joint that moves it, -1: it belongs to the base
-  TriangleMesh mesh;       // [m]
-  Inertial inertial = {};  // in the link's frame; mass 0: not known
+  std::string material;              // glass, metal, plastic, wood or rubber
+  int joint = -1;                    // the joint that moves it, -1: it belongs to the base
+  TriangleMesh mesh;                 // [m]
+  Inertial inertial = {};            // in the link's frame; mass 0: not known
+  std::optional<PadShape> pad = {};  // of its surface that gives way (sim/soft/pad.h)
 };
 
 // What a frame is there for.

@@ -61,6 +61,26 @@ std::vector<double> reaches(const Robot& robot, const std::vector<int>& path,
   return reach;
 }
 
+// The pad of a link; that of a link before it where both are the same, such as those of two like
+// fingers.
+std::shared_ptr<const PadCache> pad_of(const Robot& robot, const Link& link,
+                                       const ProximityMesh& mesh,
+                                       const std::vector<CompiledLink>& before) {
+  if (!link.pad) return nullptr;
+  for (const CompiledLink& other : before) {
+    if (other.pad && other.pad->shape() == *link.pad &&
+        other.mesh.mesh().vertices == mesh.mesh().vertices &&
+        other.mesh.mesh().triangles == mesh.mesh().triangles) {
+      return other.pad;
+    }
+  }
+  try {
+    return std::make_shared<const PadCache>(mesh, *link.pad);
+  } catch (const InputError& error) {
+    throw error.under("link " + link.name + ".pad").in_file(robot.name);
+  }
+}
+
 }  // namespace
 
 CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& link) {
@@ -78,14 +98,22 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
   const double depth = scene.compliant_depths.between(material, scene.object.material);
   std::vector<int> joints = joints_to(robot, link.joint);
   std::vector<double> reach = reaches(robot, joints, link.mesh);
-  return {make_collision_body(link.name, link.mesh, true), friction, depth, std::move(joints),
-          std::move(reach)};
+  return {make_collision_body(link.name, link.mesh, true),
+          friction,
+          depth,
+          std::move(joints),
+          std::move(reach),
+          nullptr};
 }
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {
   require_sound(robot);
   std::vector<CompiledLink> links;
-  for (const Link& link : robot.links) links.push_back(compile_link(scene, robot, link));
+  for (const Link& link : robot.links) {
+    CompiledLink compiled = compile_link(scene, robot, link);
+    compiled.pad = pad_of(robot, link, compiled.mesh, links);
+    links.push_back(std::move(compiled));
+  }
   return links;
 }
 

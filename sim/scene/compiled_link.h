@@ -2,12 +2,14 @@
 // how far their points move, and the pairs checked for self-collision.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim/scene/collision_body.h"
 #include "sim/scene/ids.h"
 #include "sim/scene/scene.h"
+#include "sim/soft/pad_cache.h"
 
 namespace prehend {
 
@@ -21,6 +23,7 @@ struct CompiledLink : CollisionBody {
   // revolute joint the largest distance of any point from the axis [m], for a prismatic one 1.
   std::vector<int> joints = {};
   std::vector<double> reach = {};
+  std::shared_ptr<const PadCache> pad = {};  // none: the link has no pad
 };
 
 // A pair of links checked for self-collision.

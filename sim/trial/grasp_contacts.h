@@ -11,8 +11,9 @@ struct CompiledScene;
 struct TrialOptions;
 
 // All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
-// ordered by link: hard point contacts with friction, then, for compliant links and with
-// options.soft_fingers, patches with torsional friction.
+// ordered by link: hard point contacts with friction, then, for compliant links and unless
+// options.contacts are hard, patches with torsional friction. Pads of finite elements (fem) have
+// the contacts of pad_contacts.h instead. Throws as make_pad.
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
                                          const std::vector<double>& joints,
                                          const TrialOptions& options);

@@ -6,6 +6,7 @@
 #include "sim/robot/robot.h"
 #include "sim/shape/contact/contact_region.h"
 #include "sim/shape/contact/soft_patch.h"
+#include "sim/soft/press_pad.h"
 #include "sim/trial/grasp_contacts.h"
 
 namespace prehend {
@@ -17,6 +18,8 @@ struct GraspContactsWorkspace {
   std::vector<SurfaceContact> touching;  // of one link
   SoftPatchWorkspace soft;
   std::vector<SoftPatch> patches;  // of one link
+  PadWorkspace pad;
+  PadPatch pad_patch;  // of one link
 };
 
 // As grasp_contacts of grasp_contacts.h; `contacts` is replaced.

@@ -5,6 +5,7 @@
 #include "sim/motion/dynamic_grasp/dynamic_grasp_options.h"
 #include "sim/scene/reach/reach_options.h"
 #include "sim/shape/contact/contact_options.h"
+#include "sim/trial/pad_contact_options.h"
 
 namespace prehend {
 
@@ -59,7 +60,8 @@ struct TrialOptions {
   double obstacle_clearance = 1e-3;
   double back_off_step = 8e-3;
   int back_off_tries = 1;
-  bool soft_fingers = true;
+  ContactKind contacts = ContactKind::soft;
+  PadContactOptions pads;
   SettleOptions settle;
   int cone_edges = 8;
   ReachOptions reach;
@@ -73,7 +75,7 @@ struct TrialOptions {
 template <SettingsOf<TrialOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [contact, contact_gap, resolve_overlap, obstacle_clearance, back_off_step, back_off_tries,
-         soft_fingers, settle, cone_edges, reach, formation] = options;
+         contacts, pads, settle, cone_edges, reach, formation] = options;
   visit("contact", contact, "What counts as a contact.");
   visit("contact_gap", contact_gap, kLengthAbove0, "m",
         "Gap at which a motion ends, up to 10 % more; at most 0.9 of the contact threshold.");
@@ -90,9 +92,11 @@ void for_each_setting(Options& options, const Visit& visit) {
   visit("back_off_tries", back_off_tries, kCount, "",
         "How often it does, in trials of given grasps. A search backs off only where it finds "
         "nothing (`patience`).");
-  visit("soft_fingers", soft_fingers,
-        "Whether compliant links make patch contacts that resist torque about the normal; if not, "
-        "all contacts are hard points with friction.");
+  visit("contacts", contacts,
+        "Contacts of links that give way. hard: points with friction, as of all others. soft: in "
+        "addition a patch that resists torque about the normal, as of an elastic foundation. fem: "
+        "pads of finite elements, where the robot file has some.");
+  visit("pads", pads, "Pads of finite elements.");
   visit("settle", settle, "How an object settles between two fingers.");
   visit("cone_edges", cone_edges, kConeEdges, "",
         "Edges of the pyramid that stands for a friction cone, from inside: 8 leave up to 8 % of "

@@ -672,9 +672,9 @@ class Errors(unittest.TestCase):
     def test_options_are_values(self):
         options = few_options()
         twin = copy.deepcopy(options)
-        twin.trial.soft_fingers = False
+        twin.trial.contacts = "hard"
         twin.rank.top = 3
-        self.assertTrue(options.trial.soft_fingers)
+        self.assertEqual(options.trial.contacts, "soft")
         self.assertEqual(options.rank.top, 10)
         self.assertIsNone(options.paths)
         twin.paths = prehend.options.GraspPathOptions(alternatives=2)

@@ -221,7 +221,7 @@ class GraspJudge {
             name + " has " + std::to_string(point.friction) + ", not " + std::to_string(told));
     }
     const bool rubber = material == "rubber" || known_.scene.object.material == Material::rubber;
-    const bool may_be_soft = rubber && known_.options.soft_fingers;
+    const bool may_be_soft = rubber && known_.options.contacts != ContactKind::hard;
     if (point.model == ContactModel::frictionless ||
         (point.model == ContactModel::soft_finger && !may_be_soft)) {
       fault("friction", name + " is " + std::string(name_of(point.model)));

@@ -39,7 +39,8 @@ PlanOptions options_of_plan(const JsonField& request) {
 ProtocolJson plan_start(const CommandScope& scope, const JsonField& request) {
   PlanOptions options = options_of_plan(request);
   if (options.paths) (void)scope.session.require_arm();
-  options.trial.soft_fingers = scope.session.state().switches.soft_fingers;
+  options.trial.contacts =
+      scope.session.state().switches.soft_fingers ? ContactKind::soft : ContactKind::hard;
   scope.session.start_plan(options, scope.listener ? scope.listener() : PlanListener{});
   return {{"started", true}, {"trials", options.search.trials}};
 }

@@ -49,7 +49,7 @@ CompareOptions truth_options(const TruthCommand& command) {
   options.evaluation.seed = command.common.seed;
   options.evaluation.trial = accuracy.trial;
   options.evaluation.uncertainty = accuracy.uncertainty;
-  if (command.common.hard_contacts) options.evaluation.trial.soft_fingers = false;
+  if (command.common.contacts) options.evaluation.trial.contacts = *command.common.contacts;
   options.volumes = command.volumes;
   options.grouping = value_named<Grouping>(command.groups);
   options.resamples = command.resamples;

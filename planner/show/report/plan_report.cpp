@@ -19,6 +19,18 @@ namespace {
 constexpr std::size_t kMostGrasps = 1000;      // that are listed
 constexpr std::size_t kMostCandidates = 4000;  // that are drawn
 
+std::string contacts_text(ContactKind contacts) {
+  switch (contacts) {
+    case ContactKind::hard:
+      return "hard points";
+    case ContactKind::soft:
+      return "rubber as soft fingers";
+    case ContactKind::fem:
+      return "pads of finite elements";
+  }
+  return {};
+}
+
 std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& scene,
                                                           const PlanResult& result,
                                                           const RunRecord& record) {
@@ -27,8 +39,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const CompiledScene& s
   facts.emplace_back("object", scene.scene.object.name);
   facts.emplace_back("hand", scene.scene.hand.name);
   if (scene.arm) facts.emplace_back("robot", scene.arm->robot().name);
-  facts.emplace_back("contacts",
-                     record.options.trial.soft_fingers ? "rubber as soft fingers" : "hard points");
+  facts.emplace_back("contacts", contacts_text(record.options.trial.contacts));
   facts.emplace_back("seed", std::to_string(record.options.seed));
   for (const StageCount& stage : result.stages) {
     facts.emplace_back(name_of(stage.what), std::to_string(stage.count));

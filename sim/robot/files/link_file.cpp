@@ -80,6 +80,16 @@ Inertial read_inertial(const JsonField& field, const FileUnits& units, const Tri
   return from_mesh(field, mesh);
 }
 
+PadShape read_pad(const JsonField& field, const FileUnits& units) {
+  field.allow_only({"outward", "thickness", "youngs_modulus", "poissons_ratio"});
+  PadShape pad;
+  pad.outward_L = field["outward"].direction();
+  pad.thickness = field["thickness"].number(kLengthAbove0, units.length);
+  pad.material.youngs_modulus = field["youngs_modulus"].number(kYoungsModulus);
+  pad.material.poissons_ratio = field["poissons_ratio"].number(kPoissonsRatio);
+  return pad;
+}
+
 }  // namespace
 
 Link read_link(const JsonField& field, const FileUnits& units, const NamedGeometry& named,
@@ -89,6 +99,7 @@ Link read_link(const JsonField& field, const FileUnits& units, const NamedGeomet
             .joint = joint,
             .mesh = read_geometry(field["geometry"], units, named, budget)};
   link.inertial = read_inertial(field, units, link.mesh);
+  if (field.has("pad")) link.pad = read_pad(field["pad"], units);
   return link;
 }
 

@@ -48,6 +48,12 @@ Json link_json(const Link& link) {
   } else {
     json["mass"] = "unknown";
   }
+  if (link.pad) {
+    json["pad"] = {{"outward", vector_to_json(link.pad->outward_L)},
+                   {"thickness", link.pad->thickness},
+                   {"youngs_modulus", link.pad->material.youngs_modulus},
+                   {"poissons_ratio", link.pad->material.poissons_ratio}};
+  }
   json["geometry"] = mesh_json(link.mesh);
   return json;
 }

@@ -34,7 +34,7 @@ const Planned& planned() {
       made.known.friction[std::string(name_of(material))] =
           FrictionTable().between(Material::plastic, material);
     }
-    made.options.trial.soft_fingers = false;
+    made.options.trial.contacts = ContactKind::hard;
     made.known.options = made.options.trial;
     made.result = plan(compile(made.known.scene), made.options);
     return made;

@@ -85,7 +85,7 @@ TEST_F(BatchFile, SettingsAreAnAccuracyOrSayMore) {
   EXPECT_EQ(batch.settings[1].name, "many");
   EXPECT_EQ(batch.settings[1].options.search.trials, 2000);
   EXPECT_EQ(batch.settings[1].options.search.enough, 5);
-  EXPECT_FALSE(batch.settings[1].options.trial.soft_fingers);
+  EXPECT_EQ(batch.settings[1].options.trial.contacts, ContactKind::hard);
 }
 
 TEST_F(BatchFile, NamesTheFieldThatIsRefused) {

@@ -126,7 +126,7 @@ TEST(Advice, OnSoftContactsIsForThoseWhoLeftThemOut) {
   EvaluateOptions evaluated;
   evaluated.trial.settle.steps = 0;
   EXPECT_EQ(evaluate(scene, {candidate}, evaluated).grasps[0].trial.outcome, Outcome::stable);
-  evaluated.trial.soft_fingers = false;
+  evaluated.trial.contacts = ContactKind::hard;
   const PlanResult hard = evaluate(scene, {candidate}, evaluated);
   ASSERT_EQ(hard.grasps[0].trial.outcome, Outcome::not_force_closure);
   PlanOptions options;

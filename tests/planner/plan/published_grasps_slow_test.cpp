@@ -42,7 +42,7 @@ struct Published {
 // Every grasp must get an outcome; how many are stable.
 int count_stable(const CompiledScene& scene, const std::vector<Candidate>& grasps, bool soft) {
   EvaluateOptions options;
-  options.trial.soft_fingers = soft;
+  options.trial.contacts = soft ? ContactKind::soft : ContactKind::hard;
   options.volumes = 0;  // which take ten times as long as the outcomes
   const PlanResult result = evaluate(scene, grasps, options);
   EXPECT_EQ(result.grasps.size(), grasps.size());

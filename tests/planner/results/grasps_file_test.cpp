@@ -95,7 +95,7 @@ RunRecord some_record() {
   record.hand = "barrett";
   record.options.seed = 18446744073709551615U;  // the largest
   record.options.rank.top = 7;
-  record.options.trial.soft_fingers = false;
+  record.options.trial.contacts = ContactKind::hard;
   record.options.trial.cone_edges = 12;
   record.options.trial.back_off_step = 0.01;
   record.options.primitives.tolerance = 0.07;
@@ -145,7 +145,7 @@ TEST(GraspsFile, WhatIsReadIsWrittenAsItWas) {
   EXPECT_EQ(read.result.grasps[0].trial.contacts[0].point.torsion, 0.004);
   EXPECT_EQ(read.result.grasps[0].trial.contacts[0].link, link_id(3));
   EXPECT_EQ(read.record.options.seed, 18446744073709551615U);
-  EXPECT_FALSE(read.record.options.trial.soft_fingers);
+  EXPECT_EQ(read.record.options.trial.contacts, ContactKind::hard);
 }
 
 // What is infinite is null: no forces balance the weight, or nothing limits them.

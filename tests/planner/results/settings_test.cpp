@@ -79,13 +79,11 @@ TEST(Settings, EveryOneIsInTheFileUnderItsOwnName) {
     const std::string name = change(options, which);
     if (name.empty()) break;
     EXPECT_TRUE(names.insert(name).second) << name << " twice";
-    std::set<std::string> expected = {name};
-    if (name == "soft_fingers") expected.insert("contacts");
-    EXPECT_EQ(differing(before, settings_of(options)), expected);
+    EXPECT_EQ(differing(before, settings_of(options)), std::set<std::string>{name});
   }
-  // Nothing else is there but the two that are written by hand.
+  // Nothing else is there but the one that is written by hand.
   std::set<std::string> all = names;
-  all.insert({"contacts", "paths"});
+  all.insert("paths");
   EXPECT_EQ(before.size(), all.size());
   EXPECT_GE(names.size(), 40U);
 }

@@ -57,7 +57,7 @@ TEST_F(Nearby, IsNarrowWhereNoContactIsNearTheThreshold) {
 // contacts of one finger alone nothing is held. A tenth less of a larger threshold loses none.
 TEST_F(Nearby, ReachesZeroWhereTheThresholdIsTheGap) {
   TrialOptions options;
-  options.soft_fingers = false;
+  options.contacts = ContactKind::hard;
   double largest = 0.0;
   for (const GraspContact& contact : grasp_contacts(scene(), held().X_OH, held().joints, options)) {
     largest = std::max(largest, contact.gap);

@@ -40,7 +40,7 @@ Trial grasp_tilted_bar(double angle, const TrialOptions& options,
 
 TrialOptions hard() {
   TrialOptions options;
-  options.soft_fingers = false;
+  options.contacts = ContactKind::hard;
   return options;
 }
 
