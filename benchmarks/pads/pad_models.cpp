@@ -107,8 +107,9 @@ void print_torsion(const std::vector<TriedByModel>& all) {
   for (const TriedByModel& tried : all) {
     const auto soft = torsions(tried[Model::soft].trial);
     const auto fem = torsions(tried[Model::limit_surface].trial);
-    for (const auto& [link, torsion] : soft) {
-      const auto found = fem.find(link);
+    for (const auto& entry : soft) {
+      const double torsion = entry.second;
+      const auto found = fem.find(entry.first);
       if (found == fem.end() || torsion <= 0.0) continue;
       const auto bin = std::ranges::find_if(bins, [&](const Bin& b) { return torsion <= b.upper; });
       bin->ratios.push_back(found->second / torsion);

@@ -13,6 +13,7 @@
 #include "planner/main/command_line.h"
 #include "sim/robot/files/package_folders.h"
 #include "sim/scene/surface_region.h"
+#include "sim/trial/pad_contact_options.h"
 
 namespace prehend {
 

@@ -197,6 +197,14 @@ PadMesh pad_mesh(const ProximityMesh& link, const PadShape& shape, const PadOpti
       pad.normals_L.push_back(nodes[n].normal_L);
     }
   }
+  pad.areas.assign(static_cast<std::size_t>(pad.surface_nodes), 0.0);
+  for (const Cell& cell : cells) {
+    const auto at = [&](std::size_t k) { return nodes[cell[k]].p_L; };
+    const double area = 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
+    for (const std::size_t n : cell) {
+      pad.areas[static_cast<std::size_t>(nodes[n].place)] += 0.25 * area;
+    }
+  }
   const auto surface = static_cast<std::size_t>(pad.surface_nodes);
   for (int layer = 1; layer <= options.layers; ++layer) {
     const double depth = shape.thickness * layer / options.layers;
@@ -232,6 +240,7 @@ Pad make_pad(const ProximityMesh& link, const PadShape& shape, const PadOptions&
   pad.nodes_L.assign(mesh.mesh.nodes.begin(),
                      mesh.mesh.nodes.begin() + static_cast<std::ptrdiff_t>(surface));
   pad.normals_L = std::move(mesh.normals_L);
+  pad.areas = std::move(mesh.areas);
   pad.outward_L = shape.outward_L;
   pad.thickness = shape.thickness;
   std::vector<bool> held(3 * mesh.mesh.nodes.size(), false);

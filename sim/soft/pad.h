@@ -40,6 +40,7 @@ void for_each_setting(Options& options, const Visit& visit) {
 struct Pad {
   std::vector<Vector3> nodes_L;    // on the surface of the link [m]
   std::vector<Vector3> normals_L;  // unit, outward
+  std::vector<double> areas;       // of the surface that belongs to each [m^2]
   Vector3 outward_L = Vector3::UnitZ();
   double thickness = 0.0;
   // 3n x 3n: displacements of the nodes by forces on them, along the axes of L [m/N].
@@ -53,6 +54,7 @@ struct PadMesh {
   HexMesh mesh;
   int surface_nodes = 0;
   std::vector<Vector3> normals_L;  // of the surface nodes
+  std::vector<double> areas;       // of the surface that belongs to each of them [m^2]
 };
 PadMesh pad_mesh(const ProximityMesh& link, const PadShape& shape, const PadOptions& options);
 

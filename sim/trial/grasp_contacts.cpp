@@ -17,24 +17,17 @@ void grasp_contacts(const CompiledScene& scene, const Pose& X_OH, const std::vec
     const CompiledLink& link = scene.links[l];
     const Pose X_OL = X_OH * workspace.poses.X_BL[l];
     find_contacts(object, link.mesh, X_OL, options.contact, workspace.regions, workspace.touching);
-    if (options.contacts == ContactKind::fem && link.pad && !workspace.touching.empty()) {
-      const auto pressing = pad_pressing(scene.scene.hand, link, X_OH, workspace.poses,
-                                         workspace.touching, options.pads.load);
-      if (pressing &&
-          add_pad_contacts(scene, *link.pad->get(options.pads.elements), l, *pressing, X_OL,
-                           options.pads.patch, workspace.pad, workspace.pad_patch, contacts)) {
-        continue;
-      }
-    }
     for (const SurfaceContact& c : workspace.touching) {
       contacts.push_back({link_id(l), {c.position, c.normal, link.friction}, c.gap});
     }
     // A soft link that touches has its rigid contacts, which lie within the contact threshold, and
-    // in addition a soft-finger contact for each patch on which it bears.
-    if (options.contacts == ContactKind::hard || link.compliant_depth <= 0.0 ||
-        workspace.touching.empty()) {
+    // in addition those of the patches on which it bears.
+    if (options.contacts == ContactKind::hard || workspace.touching.empty()) continue;
+    if (options.contacts == ContactKind::fem && link.pad) {
+      add_pad_contacts(scene, X_OH, l, options.pads, workspace, contacts);
       continue;
     }
+    if (link.compliant_depth <= 0.0) continue;
     soft_patches(object, link.mesh, X_OL, link.compliant_depth, workspace.soft, workspace.patches);
     for (const SoftPatch& patch : workspace.patches) {
       contacts.push_back(

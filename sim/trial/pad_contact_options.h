@@ -22,9 +22,12 @@ constexpr auto enum_names(ContactKind /*of*/) {
 
 // What stands for the patch of a pad in the wrench space.
 enum class PadPatchModel {
-  nodes,  // point contacts at the rim of the patch and where it bears most: the pressure may
-          // move within the patch
-  limit_surface,  // one soft finger at the centre of pressure, with the fitted torsion
+  // Soft fingers as small as an element, at the rim of the patch and where it bears most: the
+  // pressure
+  // may move within the patch.
+  nodes,
+  // One soft finger at the centre of pressure, with the fitted torsion.
+  limit_surface,
 };
 constexpr auto enum_names(PadPatchModel /*of*/) {
   return std::to_array<std::string_view>({"nodes", "limit_surface"});

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/scene/compiled_scene.h"
-#include "sim/shape/proximity.h"
+#include "sim/trial/grasp_contacts_workspace.h"
 #include "sim/trial/trial_options.h"
 
 namespace prehend {
@@ -51,6 +52,10 @@ std::vector<std::size_t> standing_for(const std::vector<PressedPoint>& points,
   return chosen;
 }
 
+// Of a uniform pressure on a disc of this area: two thirds of its radius [m]. A node bears its
+// force over the area that belongs to it, which counts where few nodes touch.
+double torsion_of_disc(double area) { return 2.0 / 3.0 * std::sqrt(area / std::numbers::pi); }
+
 // Where the line of the resultant meets the object: the pressed point nearest to that line.
 const PressedPoint& nearest_to_resultant(const std::vector<PressedPoint>& points,
                                          const LimitSurface& surface) {
@@ -63,7 +68,9 @@ const PressedPoint& nearest_to_resultant(const std::vector<PressedPoint>& points
 
 void require_pads(const CompiledScene& scene, const TrialOptions& options) {
   if (options.contacts != ContactKind::fem) return;
-  if (std::ranges::any_of(scene.links, [](const CompiledLink& link) { return link.pad; })) return;
+  if (std::ranges::any_of(scene.links,
+                          [](const CompiledLink& link) { return link.pad != nullptr; }))
+    return;
   throw InputError({.file = scene.scene.hand.name,
                     .field = "contacts",
                     .problem = "fem needs a link with a \"pad\" in the hand's robot file "
@@ -95,26 +102,33 @@ std::optional<PadPressing> pad_pressing(const Robot& hand, const CompiledLink& l
   return pressing;
 }
 
-bool add_pad_contacts(const CompiledScene& scene, const Pad& pad, std::size_t l,
-                      const PadPressing& pressing, const Pose& X_OL, PadPatchModel model,
-                      PadWorkspace& workspace, PadPatch& patch,
+void add_pad_contacts(const CompiledScene& scene, const Pose& X_OH, std::size_t l,
+                      const PadContactOptions& options, GraspContactsWorkspace& workspace,
                       std::vector<GraspContact>& contacts) {
-  press_pad(scene.object().mesh, pad, X_OL, pressing.direction_O, pressing.load, workspace, patch);
-  if (patch.points.empty()) return false;
-  const double friction = scene.links[l].friction;
-  const LimitSurface surface = limit_surface(patch.points);
-  if (model == PadPatchModel::nodes) {
-    for (const std::size_t i : standing_for(patch.points, surface)) {
-      const PressedPoint& point = patch.points[i];
-      contacts.push_back({link_id(l), {point.position, point.normal, friction}, 0.0});
+  const CompiledLink& link = scene.links[l];
+  const auto pressing =
+      pad_pressing(scene.scene.hand, link, X_OH, workspace.poses, workspace.touching, options.load);
+  if (!pressing) return;
+  const std::shared_ptr<const Pad> made = link.pad->get(options.elements);
+  const std::vector<PressedPoint>& points = workspace.pad_patch.points;
+  press_pad(scene.object().mesh, *made, X_OH * workspace.poses.X_BL[l], pressing->direction_O,
+            pressing->load, workspace.pad, workspace.pad_patch);
+  if (points.empty()) return;
+  const LimitSurface surface = limit_surface(points);
+  if (options.patch == PadPatchModel::nodes) {
+    for (const std::size_t i : standing_for(points, surface)) {
+      const double area = made->areas[index(workspace.pad_patch.nodes[i])];
+      contacts.push_back({link_id(l),
+                          {points[i].position, points[i].normal, link.friction,
+                           ContactModel::soft_finger, torsion_of_disc(area)},
+                          0.0});
     }
-    return true;
+    return;
   }
   contacts.push_back({link_id(l),
-                      {nearest_to_resultant(patch.points, surface).position, surface.normal,
-                       friction, ContactModel::soft_finger, surface.fitted_torsion},
+                      {nearest_to_resultant(points, surface).position, surface.normal,
+                       link.friction, ContactModel::soft_finger, surface.fitted_torsion},
                       0.0});
-  return true;
 }
 
 }  // namespace prehend

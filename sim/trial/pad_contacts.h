@@ -14,6 +14,7 @@ namespace prehend {
 
 struct CompiledLink;
 struct CompiledScene;
+struct GraspContactsWorkspace;
 struct TrialOptions;
 
 // Throws InputError where contacts are to be finite elements and no link of the hand has a pad.
@@ -30,11 +31,11 @@ std::optional<PadPressing> pad_pressing(const Robot& hand, const CompiledLink& l
                                         const std::vector<SurfaceContact>& touching,
                                         double otherwise);
 
-// Presses the pad of link `l` and appends what stands for its patch. False where the pad bears
-// nothing, as where the link touches beside it: then it appends nothing.
-bool add_pad_contacts(const CompiledScene& scene, const Pad& pad, std::size_t l,
-                      const PadPressing& pressing, const Pose& X_OL, PadPatchModel model,
-                      PadWorkspace& workspace, PadPatch& patch,
+// Presses the pad of link `l` of the hand at X_OH, where it touches (`workspace`: poses and
+// contacts of that link), and appends what stands for its patch; nothing where the pad bears
+// nothing, as where the link touches beside it.
+void add_pad_contacts(const CompiledScene& scene, const Pose& X_OH, std::size_t l,
+                      const PadContactOptions& options, GraspContactsWorkspace& workspace,
                       std::vector<GraspContact>& contacts);
 
 }  // namespace prehend

@@ -50,6 +50,9 @@ TEST(Pad, CoversWhatFacesOutward) {
     EXPECT_NEAR(mesh.mesh.nodes[n].z(), 5e-3, 1e-12);
     EXPECT_NEAR(mesh.normals_L[n].z(), 1.0, 1e-12);
   }
+  double area = 0.0;
+  for (const double part : mesh.areas) area += part;
+  EXPECT_NEAR(area, 0.016 * 0.012, 0.001 * area);
   double lowest = 1.0;
   for (const Vector3& p : mesh.mesh.nodes) lowest = std::min(lowest, p.z());
   EXPECT_NEAR(lowest, 5e-3 - kThickness, 1e-12);

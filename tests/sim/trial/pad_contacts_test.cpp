@@ -40,8 +40,8 @@ TEST(PadContacts, ABarIsHeldByTwoPads) {
   std::set<std::string> links;
   for (const GraspContact& contact : trial.contacts) {
     links.insert(scene.links[static_cast<std::size_t>(contact.link)].name);
-    EXPECT_EQ(contact.point.model, ContactModel::point);
     EXPECT_NEAR(std::abs(contact.point.position.x()), 0.006, 1e-9);
+    EXPECT_LT(contact.point.torsion, 2e-3);
   }
   EXPECT_EQ(links, (std::set<std::string>{"left_pad", "right_pad"}));
 }
@@ -49,13 +49,15 @@ TEST(PadContacts, ABarIsHeldByTwoPads) {
 TEST(PadContacts, ALimitSurfaceIsOneSoftFingerAPad) {
   const Trial trial = run_trial(bar_scene(), over_bar(), fem(PadPatchModel::limit_surface));
   ASSERT_EQ(trial.outcome, Outcome::stable);
-  ASSERT_EQ(trial.contacts.size(), 2U);
+  int patches = 0;
   for (const GraspContact& contact : trial.contacts) {
-    EXPECT_EQ(contact.point.model, ContactModel::soft_finger);
+    if (contact.point.model != ContactModel::soft_finger) continue;
+    ++patches;
     // A patch of some 17 by 17 mm, or 20 by 17 where the bar covers less.
     EXPECT_GT(contact.point.torsion, 4e-3);
     EXPECT_LT(contact.point.torsion, 9e-3);
   }
+  EXPECT_EQ(patches, 2);
 }
 
 TEST(PadContacts, APadPressesWithTheEffortOfItsSlide) {
