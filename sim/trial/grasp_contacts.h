@@ -12,7 +12,7 @@ struct TrialOptions;
 
 // All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
 // ordered by link: hard point contacts with friction, then, for compliant links and with
-// options.soft_fingers, patches with torsional friction.
+// options.soft_fingers, patches with torsional friction. Of a hand with suction cups: cup_contacts.
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
                                          const std::vector<double>& joints,
                                          const TrialOptions& options);

@@ -25,7 +25,7 @@ enum class Outcome {
   no_path,        // no collision-free path of the arm from its start to the pre-grasp was found;
                   // set by the planner, never by a trial
   keep_out,       // the hand touches a part of the object that it must keep out of
-  no_seal,        // a suction cup touches the object, but none seals
+  no_seal,        // no suction cup of the hand seals on the object
 };
 
 // Whether the hand was stopped on its way to the object, before arm and fingers were asked.
@@ -58,7 +58,7 @@ constexpr std::string_view outcome_meaning(Outcome outcome) {
       "the simulation of the closing hand could not go on",
       "the arm finds no way to where the approach starts",
       "the hand touches a part of the object that it must keep out of",
-      "no suction cup seals where it touches the object"};
+      "no suction cup of the hand seals on the object"};
   return kMeanings[static_cast<std::size_t>(outcome)];
 }
 
