@@ -18,7 +18,7 @@
 namespace prehend {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr int kSamples = 1500;     // places that are looked at
 constexpr int kWaysOfPlaces = 24;  // lists into which the places of all primitives are divided
 
@@ -71,7 +71,7 @@ Vector3 mean_normal(const ProximityMesh& mesh, const Vector3& point, const Vecto
   const Vector3 y = normal.cross(x);
   Vector3 sum = normal;
   for (int i = 0; i < kAround; ++i) {
-    const double angle = kTurn * i / kAround;
+    const double angle = kFullTurn * i / kAround;
     const Vector3 from = point + reach * (std::cos(angle) * x + std::sin(angle) * y + normal);
     const RayHit hit = first_hit(mesh, from, -normal, 2.0 * reach);
     if (hit.triangle < 0) continue;
@@ -112,7 +112,7 @@ class SuctionRules {
                         const auto [point_P, approach_P] = aim(choices);
                         const Vector3 approach = X_OP.linear() * approach_P;
                         const Vector3 x = any_orthogonal(approach);
-                        const double angle = turns ? kTurn * choices[turn] : 0.0;
+                        const double angle = turns ? kFullTurn * choices[turn] : 0.0;
                         return AimedGrasp{
                             X_OP * point_P, approach,
                             std::cos(angle) * x + std::sin(angle) * approach.cross(x)};
@@ -148,7 +148,7 @@ void add_faces(const Box& box, const Pose& X_OP, SuctionRules& rules) {
 // The side and the ends of a cone; a cylinder is one with equal radii.
 void add_round(double low, double high, double height, const Pose& X_OP, SuctionRules& rules) {
   rules.add("side", X_OP, {Freedom::turn, Freedom::place}, [=](const std::vector<double>& choices) {
-    const double angle = kTurn * choices[0];
+    const double angle = kFullTurn * choices[0];
     const Vector3 out(std::cos(angle), std::sin(angle), 0.0);
     const double radius = low + choices[1] * (high - low);
     const Vector3 point = radius * out + (choices[1] - 0.5) * height * Vector3::UnitZ();
@@ -168,7 +168,7 @@ void add_ball(const Sphere& sphere, const Pose& X_OP, SuctionRules& rules) {
             [radius = sphere.radius](const std::vector<double>& choices) {
               const double z = 1.0 - 2.0 * choices[0];
               const double ring = std::sqrt(std::max(0.0, 1.0 - z * z));
-              const double angle = kTurn * choices[1];
+              const double angle = kFullTurn * choices[1];
               const Vector3 out(ring * std::cos(angle), ring * std::sin(angle), z);
               return Aimed{radius * out, -out};
             });

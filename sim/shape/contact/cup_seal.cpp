@@ -17,7 +17,7 @@ constexpr int kRays = 2 * kLipSprings;
 constexpr double kEdgeCosine = 0.7071067811865476;  // of neighbouring normals, 45 degrees
 // A ray through an edge of two triangles may by rounding meet neither, and come to the back of
 // others: it is tried again beside it, by this part of the radius.
-constexpr double kBeside = 1e-5;
+constexpr double kBesideRay = 1e-5;
 // Rays start so many times the travel behind the lip.
 constexpr double kStart = 2.0;
 // A step between neighbours that is higher than their normals explain, by this part of the radius.
@@ -41,7 +41,7 @@ class Projection {
   std::optional<Met> meet(const Vector3& p) const {
     const std::optional<Met> met = meet_once(p);
     if (met && met->outer) return met;
-    const std::optional<Met> beside = meet_once(p + kBeside * cup_.radius * (x_ + 0.7 * y_));
+    const std::optional<Met> beside = meet_once(p + kBesideRay * cup_.radius * (x_ + 0.7 * y_));
     return beside && beside->outer ? beside : met;
   }
 
