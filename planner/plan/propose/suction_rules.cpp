@@ -265,7 +265,7 @@ std::vector<std::vector<GraspRule>> suction_rules(const CompiledScene& scene,
     // Several lists, so that the coarsest level of detail has several places.
     const std::size_t count = places[p].size();
     const std::size_t lists =
-        (kWaysOfPlaces * count + all.size() - 1) / std::max<std::size_t>(1, all.size());
+        count == 0 ? 0 : (kWaysOfPlaces * count + all.size() - 1) / all.size();
     for (std::size_t list = 0; list < lists; ++list) {
       std::vector<SuctionPlace> part;
       for (std::size_t i = list; i < count; i += lists) part.push_back(places[p][i]);
