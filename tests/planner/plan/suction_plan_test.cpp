@@ -14,18 +14,18 @@
 namespace prehend {
 namespace {
 
-PlanOptions few_trials() {
+PlanOptions suction_trials() {
   PlanOptions options;
   options.search.trials = 100;
   return options;
 }
 
-CompiledScene box_for(const char* hand) {
+CompiledScene box_and_cups(const char* hand) {
   return test::compiled(find_robot(hand), make_box({0.12, 0.1, 0.09}));
 }
 
 // Of the object's centre of mass from the line through the middle of the cups along their axis.
-double off_center(const CompiledScene& scene, const ScoredGrasp& grasp) {
+double off_center_of(const CompiledScene& scene, const ScoredGrasp& grasp) {
   Vector3 middle = Vector3::Zero();
   for (const GraspContact& contact : grasp.trial.contacts) {
     middle += contact.point.position / static_cast<double>(grasp.trial.contacts.size());
@@ -36,12 +36,12 @@ double off_center(const CompiledScene& scene, const ScoredGrasp& grasp) {
 
 TEST(SuctionPlan, HoldsABoxNearItsCentreOfMass) {
   for (const char* hand : {"suction_cup_30", "suction_array_4"}) {
-    const CompiledScene scene = box_for(hand);
-    const PlanResult result = plan(scene, few_trials());
+    const CompiledScene scene = box_and_cups(hand);
+    const PlanResult result = plan(scene, suction_trials());
     ASSERT_FALSE(result.grasps.empty()) << hand;
     const ScoredGrasp& best = result.grasps.front();
     EXPECT_EQ(best.trial.contacts.size(), scene.scene.hand.hand->cups.size());
-    EXPECT_LT(off_center(scene, best), 0.01) << hand;
+    EXPECT_LT(off_center_of(scene, best), 0.01) << hand;
     EXPECT_FALSE(best.free);
     EXPECT_TRUE(std::all_of(
         best.trial.contacts.begin(), best.trial.contacts.end(),
@@ -50,15 +50,15 @@ TEST(SuctionPlan, HoldsABoxNearItsCentreOfMass) {
 }
 
 TEST(SuctionPlan, SameBytesOnOneAndTwoThreadsAndWhenRead) {
-  const CompiledScene scene = box_for("suction_cup_30");
-  const PlanResult one = plan(scene, few_trials(), RunContext{.threads = 1});
-  const PlanResult two = plan(scene, few_trials(), RunContext{.threads = 2});
+  const CompiledScene scene = box_and_cups("suction_cup_30");
+  const PlanResult one = plan(scene, suction_trials(), RunContext{.threads = 1});
+  const PlanResult two = plan(scene, suction_trials(), RunContext{.threads = 2});
   ASSERT_FALSE(one.grasps.empty());
   EXPECT_EQ(grasps_json(scene, one, {}), grasps_json(scene, two, {}));
 }
 
 TEST(SuctionPlan, PlacesAreFlatApartAndNearestTheCentreFirst) {
-  const CompiledScene scene = box_for("suction_cup_30");
+  const CompiledScene scene = box_and_cups("suction_cup_30");
   const std::vector<SuctionPlace> places = suction_places(scene);
   ASSERT_GT(places.size(), 20U);
   const double radius = scene.scene.hand.hand->cups[0].radius;
@@ -75,8 +75,8 @@ TEST(SuctionPlan, PlacesAreFlatApartAndNearestTheCentreFirst) {
 }
 
 TEST(SuctionPlan, ScenesThatDoNotGoWithCupsAreRefused) {
-  const CompiledScene scene = box_for("suction_cup_30");
-  PlanOptions options = few_trials();
+  const CompiledScene scene = box_and_cups("suction_cup_30");
+  PlanOptions options = suction_trials();
   options.trial.formation.dynamic = true;
   const InputError error = test::refusal_of([&] { (void)plan(scene, options); });
   EXPECT_NE(std::string(error.what()).find("plan without --dynamic"), std::string::npos);
@@ -85,10 +85,10 @@ TEST(SuctionPlan, ScenesThatDoNotGoWithCupsAreRefused) {
 // The lip is a circle on a ball; a stick is narrower than it.
 TEST(SuctionPlan, HoldsABallButNotAThinStick) {
   const CompiledScene ball = test::compiled(find_robot("suction_cup_30"), make_sphere(0.035, 4));
-  EXPECT_FALSE(plan(ball, few_trials()).grasps.empty());
+  EXPECT_FALSE(plan(ball, suction_trials()).grasps.empty());
   const CompiledScene stick =
       test::compiled(find_robot("suction_cup_30"), make_box({0.2, 0.025, 0.025}));
-  const PlanResult none = plan(stick, few_trials());
+  const PlanResult none = plan(stick, suction_trials());
   EXPECT_TRUE(none.grasps.empty());
   EXPECT_GT(none.outcomes[Outcome::no_seal], 0);
 }

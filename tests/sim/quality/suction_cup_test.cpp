@@ -22,10 +22,10 @@ namespace {
 // Of solutions of the conic program, which stops at a gap of 1e-10 of the equilibrated program.
 constexpr double kSolved = 1e-6;
 
-constexpr double kRadius = 0.015;  // m
-constexpr double kFriction = 0.5;
-constexpr double kVacuum = 40.0;  // N
-constexpr double kStiff = 1e6;    // N/m: no elastic bound below that of the relaxed side
+constexpr double kLipRadius = 0.015;  // m
+constexpr double kLipFriction = 0.5;
+constexpr double kCupVacuum = 40.0;  // N
+constexpr double kStiff = 1e6;       // N/m: no elastic bound below that of the relaxed side
 
 struct Loads {
   double pull = 0.0;   // along the normal, away from the cup [N]
@@ -36,7 +36,7 @@ struct Loads {
 
 Contact cup_of(double lip_stiffness, const Eigen::Vector3d& normal = Eigen::Vector3d::UnitZ(),
                const Eigen::Vector3d& position = Eigen::Vector3d::Zero()) {
-  return cup_contact(position, normal, kRadius, kFriction, kVacuum, lip_stiffness, 0.1);
+  return cup_contact(position, normal, kLipRadius, kLipFriction, kCupVacuum, lip_stiffness, 0.1);
 }
 
 // What acts on the object, about the origin.
@@ -65,8 +65,8 @@ std::vector<Contact> turned_cups(double lip_stiffness) {
 
 TEST(SuctionCup, IsPulledOffByTheForceOfItsVacuum) {
   for (const Contact& cup : turned_cups(kStiff)) {
-    EXPECT_NEAR(part(cup, {.pull = kVacuum}), 1.0, kSolved);
-    EXPECT_NEAR(part(cup, {.pull = 0.25 * kVacuum}), 0.25, kSolved);
+    EXPECT_NEAR(part(cup, {.pull = kCupVacuum}), 1.0, kSolved);
+    EXPECT_NEAR(part(cup, {.pull = 0.25 * kCupVacuum}), 0.25, kSolved);
   }
 }
 
@@ -74,9 +74,9 @@ TEST(SuctionCup, IsPulledOffByTheForceOfItsVacuum) {
 TEST(SuctionCup, SlidesAtTheFrictionOfVacuumAndPreload) {
   for (const Contact& cup : turned_cups(kStiff)) {
     for (const double pressed : {-30.0, -10.0, 0.0, 10.0, 30.0}) {
-      const double slides = kFriction * (kVacuum + pressed);
+      const double slides = kLipFriction * (kCupVacuum + pressed);
       EXPECT_NEAR(part(cup, {.pull = -pressed, .slide = slides}), 1.0, kSolved) << pressed;
-      const double twists = kRadius * slides;
+      const double twists = kLipRadius * slides;
       EXPECT_NEAR(part(cup, {.pull = -pressed, .twist = twists}), 1.0, kSolved) << pressed;
       const double both = std::sqrt(0.5);
       EXPECT_NEAR(part(cup, {.pull = -pressed, .slide = both * slides, .twist = both * twists}),
@@ -89,8 +89,8 @@ TEST(SuctionCup, SlidesAtTheFrictionOfVacuumAndPreload) {
 // all that the ring bears, r (V - F) / 2.
 TEST(SuctionCup, IsPeeledOffWhereOneSideOfTheRingIsRelaxed) {
   for (const Contact& cup : turned_cups(kStiff)) {
-    for (const double arm : {0.0, 0.5 * kRadius, kRadius, 0.05, 0.2}) {
-      const double peels = kVacuum * kRadius / (2.0 * arm + kRadius);
+    for (const double arm : {0.0, 0.5 * kLipRadius, kLipRadius, 0.05, 0.2}) {
+      const double peels = kCupVacuum * kLipRadius / (2.0 * arm + kLipRadius);
       EXPECT_NEAR(part(cup, {.pull = peels, .tilt = peels * arm}), 1.0, kSolved) << arm;
     }
   }
@@ -99,10 +99,10 @@ TEST(SuctionCup, IsPeeledOffWhereOneSideOfTheRingIsRelaxed) {
 // The torque of a lip that is bent by the strain 0.1 is K r^2 0.1 / 2, that is pi r kappa.
 TEST(SuctionCup, OfSoftLipTiltsAtItsElasticTorque) {
   constexpr double kLip = 8000.0;
-  constexpr double kElastic = 0.5 * kLip * 0.1 * kRadius * kRadius;
-  static_assert(kElastic < 0.5 * kRadius * kVacuum);
+  constexpr double kElastic = 0.5 * kLip * 0.1 * kLipRadius * kLipRadius;
+  static_assert(kElastic < 0.5 * kLipRadius * kCupVacuum);
   for (const Contact& cup : turned_cups(kLip)) {
-    EXPECT_NEAR(cup.moment * kVacuum, kElastic, 1e-12);
+    EXPECT_NEAR(cup.moment * kCupVacuum, kElastic, 1e-12);
     EXPECT_NEAR(part(cup, {.tilt = kElastic}), 1.0, kSolved);
   }
 }
@@ -115,7 +115,7 @@ TEST(SuctionCup, SeveralCupsShareALoad) {
     }
   }
   Wrench pull = Wrench::Zero();
-  pull[2] = kVacuum;
+  pull[2] = kCupVacuum;
   const auto measure = [&](ForceMeasure kind) {
     return cup_forces(cups, {}, pull, kind, CupUnit::newtons).measure;
   };
@@ -175,8 +175,9 @@ TEST(SuctionCup, EpsilonOfOneCupIsItsWeakestBound) {
     for (const double scale : {5.0, 20.0, 200.0}) {
       const Contact cup = cup_of(stiffness);
       const WrenchFrame frame{.torque_scale = scale};
-      const double exact = std::min({1.0, cone(kFriction), cone(scale * kFriction * kRadius),
-                                     cone(0.5 * scale * kRadius), scale * cup.moment});
+      const double exact =
+          std::min({1.0, cone(kLipFriction), cone(scale * kLipFriction * kLipRadius),
+                    cone(0.5 * scale * kLipRadius), scale * cup.moment});
       const EpsilonBracket smooth = grasp_epsilon({&cup, 1}, frame, {.cone = FrictionCone::exact});
       EXPECT_LE(smooth.lower, exact * (1.0 + 1e-9));
       EXPECT_GE(smooth.upper, exact * (1.0 - 1e-9));

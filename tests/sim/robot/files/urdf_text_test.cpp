@@ -1,8 +1,10 @@
 #include "sim/robot/files/urdf_text.h"
 
+#include <algorithm>
 #include <random>
 
 #include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/robot/files/platform_file.h"
 #include "sim/robot/files/robot_file.h"
 #include "tests/sim/robot/files/foreign_files.h"
