@@ -5,6 +5,7 @@
 
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/quality/cup_balance.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
@@ -57,7 +58,8 @@ struct SpaceHull {
 // inside it with few points.
 SpaceHull space_hull_of(const CompiledScene& scene, const std::vector<Contact>& contacts,
                         const JudgeOptions& judge) {
-  if (judge.norm == WrenchNorm::l1 && judge.edges <= kMostHullEdges) {
+  const bool few = judge.edges <= kMostHullEdges && !has_cup(contacts);
+  if (judge.norm == WrenchNorm::l1 && few) {
     WrenchHull hull = wrench_hull(contact_wrenches(contacts, scene.wrench_frame, judge.edges));
     return {hull.volume, std::move(hull.points)};
   }

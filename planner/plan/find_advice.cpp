@@ -245,7 +245,8 @@ class Adviser {
         // A platform is no single robot.
         try {
           Robot robot = find_robot(name);
-          if (robot.hand && opening(robot) >= result_.smallest_width) {
+          // How wide a hand opens says nothing of one with suction cups.
+          if (robot.hand && robot.hand->cups.empty() && opening(robot) >= result_.smallest_width) {
             hands.push_back(std::make_shared<const Robot>(std::move(robot)));
           }
         } catch (const InputError&) {

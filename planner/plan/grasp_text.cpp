@@ -45,6 +45,8 @@ std::string weakness_text(const Robustness& robustness) {
       return "the hand closes beside it";
     case Outcome::not_force_closure:
       return "the contacts do not hold it";
+    case Outcome::no_seal:
+      return "no cup seals";
     case Outcome::stable:
       return "the drives do not hold its weight";
     default:

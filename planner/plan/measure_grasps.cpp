@@ -7,6 +7,7 @@
 
 #include "planner/plan/cut_short.h"
 #include "sim/base/parallel/parallel.h"
+#include "sim/quality/cup_balance.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
@@ -23,10 +24,10 @@ struct SpaceHull {
   PointHull points;
 };
 
-// The full hull of the contacts' pyramids or, where these have many edges, one inside it, whose
-// volume is a lower bound.
+// The full hull of the contacts' pyramids or, where these have many edges, as those of suction cups
+// have, one inside it, whose volume is a lower bound.
 SpaceHull space_hull_of(std::span<const Contact> contacts, const WrenchFrame& frame, int edges) {
-  if (edges <= kMostHullEdges) {
+  if (edges <= kMostHullEdges && !has_cup(contacts)) {
     WrenchHull hull = wrench_hull(contact_wrenches(contacts, frame, edges));
     return {hull.volume, std::move(hull.points)};
   }

@@ -232,8 +232,10 @@ void record(const CompiledScene& scene, const Attempts& attempts, PlanResult& re
 }
 
 // Whether the ranked grasps are closed again on an object that gives way: it has not given way yet.
-bool closes_freely(const PlanOptions& options) {
-  return options.free_closing > 0 && !options.trial.formation.dynamic;
+// Suction cups do not close.
+bool closes_freely(const CompiledScene& scene, const PlanOptions& options) {
+  return options.free_closing > 0 && !options.trial.formation.dynamic &&
+         scene.scene.hand.hand->cups.empty();
 }
 
 // How many grasps are ranked. `goes_on`: whether the stages behind the ranking are wanted.
@@ -242,7 +244,7 @@ int ranked_grasps(const CompiledScene& scene, const PlanOptions& options, bool g
   // no path, and the next in rank takes their place. A cancelled plan does not search for paths.
   const bool by_epsilon = options.rank.by == RankBy::epsilon;
   if (options.paths && goes_on && by_epsilon) return static_cast<int>(kLargestCount);
-  const bool more = goes_on && (closes_freely(options) || scene.scene.object.completion);
+  const bool more = goes_on && (closes_freely(scene, options) || scene.scene.object.completion);
   if (by_epsilon && !more) return options.rank.top;
   const double pool = options.rank.pool * static_cast<double>(options.rank.top);
   return static_cast<int>(std::min(pool, kLargestCount));
@@ -346,7 +348,7 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
                      context, result);
     watch.lap(Stage::disturb);
   }
-  if (closes_freely(options) && goes_on() && !result.grasps.empty()) {
+  if (closes_freely(scene, options) && goes_on() && !result.grasps.empty()) {
     free_grasps(scene, options, context, result);
     add_free_ends(scene, options.trial, context, result);
     if (!by_epsilon) rank_by(options.rank.by, result);
@@ -382,12 +384,20 @@ PlanResult plan_in_stages(const CompiledScene& scene, const PlanOptions& options
   return result;
 }
 
+// Hands close in time with drives, which suction cups have not.
+void require_closing(const CompiledScene& scene, const TrialOptions& options) {
+  if (!options.formation.dynamic || scene.scene.hand.hand->cups.empty()) return;
+  throw InputError({scene.scene.hand.name, "cups",
+                    "are not simulated: plan without --dynamic (formation.dynamic)"});
+}
+
 }  // namespace
 
 PlanResult plan(const CompiledScene& scene, const PlanOptions& options, const RunContext& context,
                 const FoundListener& found) {
   require_settings(options);
   require_pads(scene, options.trial);
+  require_closing(scene, options.trial);
   if (options.paths && !scene.arm) {
     throw InputError({scene.scene.name, "robot", "no arm to plan paths for, the hand flies free"});
   }
@@ -401,6 +411,7 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
                     const EvaluateOptions& options, const RunContext& context) {
   require_settings(options);
   require_pads(scene, options.trial);
+  require_closing(scene, options.trial);
   PlanResult result;
   if (candidates.empty()) result.status = PlanStatus::no_candidates;
   Stopwatch watch;
@@ -429,7 +440,8 @@ PlanResult evaluate(const CompiledScene& scene, const std::vector<Candidate>& ca
   if (options.robustness && result.status == PlanStatus::complete) {
     perturb_grasps(scene, options.trial, options.uncertainty, options.seed, context, result);
     watch.lap(Stage::disturb);
-    if (!options.trial.formation.dynamic) close_freely(scene, options.trial, context, result);
+    const bool closes = scene.scene.hand.hand->cups.empty() && !options.trial.formation.dynamic;
+    if (closes) close_freely(scene, options.trial, context, result);
     add_free_ends(scene, options.trial, context, result);
     watch.lap(Stage::close);
   }

@@ -28,18 +28,22 @@ struct ContactSets {
 // All arrays have M rows; `models` are numbers of ContactModel. Grasp g has the contacts from
 // offsets[g] up to offsets[g + 1].
 ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Doubles& friction,
-                      const Doubles& torsion, const std::vector<int>& models,
+                      const Doubles& torsion, const Doubles& moment, const Doubles& vacuum,
+                      const std::vector<int>& models,
                       const std::vector<std::size_t>& offsets, const Doubles& origins,
                       const Doubles& scales) {
   const std::vector<Vector3> p = vectors_of(positions);
   const std::vector<Vector3> n = vectors_of(normals);
   const std::vector<double> mu = numbers_of(friction);
   const std::vector<double> r = numbers_of(torsion);
+  const std::vector<double> tilt = numbers_of(moment);
+  const std::vector<double> pull = numbers_of(vacuum);
   const std::vector<Vector3> origin = vectors_of(origins);
   const std::vector<double> scale = numbers_of(scales);
   const std::size_t m = p.size();
   const std::size_t grasps = origin.size();
-  if (n.size() != m || mu.size() != m || r.size() != m || models.size() != m ||
+  if (n.size() != m || mu.size() != m || r.size() != m || tilt.size() != m ||
+      pull.size() != m || models.size() != m ||
       scale.size() != grasps || offsets.size() != grasps + 1 || offsets.back() != m) {
     throw std::invalid_argument("arrays of different lengths");
   }
@@ -48,7 +52,8 @@ ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Do
     sets.frames.push_back({origin[g], scale[g]});
     std::vector<Contact>& contacts = sets.contacts.emplace_back();
     for (std::size_t i = offsets[g]; i < offsets.at(g + 1); ++i) {
-      contacts.push_back({p.at(i), n[i], mu[i], static_cast<ContactModel>(models[i]), r[i]});
+      contacts.push_back({p.at(i), n[i], mu[i], static_cast<ContactModel>(models[i]), r[i],
+                          tilt[i], pull[i]});
     }
   }
   return sets;

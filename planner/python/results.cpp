@@ -27,6 +27,8 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
   std::vector<Vector3> normals;
   std::vector<double> friction;
   std::vector<double> torsion;
+  std::vector<double> moment;
+  std::vector<double> vacuum;
   std::vector<double> gap;
   std::vector<std::string> models;
   std::vector<std::string> links;
@@ -35,6 +37,8 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
     normals.emplace_back(contact.point.normal);
     friction.push_back(contact.point.friction);
     torsion.push_back(contact.point.torsion);
+    moment.push_back(contact.point.moment);
+    vacuum.push_back(contact.point.vacuum);
     gap.push_back(contact.gap);
     models.push_back(text(name_of(contact.point.model)));
     links.push_back(scene.links[index(contact.link)].name);
@@ -44,6 +48,8 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
   fields["normals"] = to_array(normals);
   fields["friction"] = to_array(friction);
   fields["torsion"] = to_array(torsion);
+  fields["moment"] = to_array(moment);
+  fields["vacuum"] = to_array(vacuum);
   fields["gap"] = to_array(gap);
   fields["models"] = models;
   fields["links"] = links;

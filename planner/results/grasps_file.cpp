@@ -68,11 +68,12 @@ void status_fields(auto& fields, auto& result) {
   }
 }
 
-// Only scenes with regions that hands must keep out of have that outcome.
+// Only scenes with regions that hands must keep out of, or with suction cups, have these outcomes.
 void outcome_counts(auto& fields, auto& outcomes) {
   for (const Outcome outcome : kAll<Outcome>) {
-    const bool rare = outcome == Outcome::keep_out && outcomes[outcome] == 0;
-    if (kReads<decltype(fields)> || !rare) fields(name_of(outcome), outcomes[outcome]);
+    const bool rare = outcome == Outcome::keep_out || outcome == Outcome::no_seal;
+    if (kReads<decltype(fields)> || !rare || outcomes[outcome] != 0)
+      fields(name_of(outcome), outcomes[outcome]);
   }
 }
 

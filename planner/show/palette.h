@@ -78,6 +78,8 @@ constexpr Color of(Outcome outcome) {
       return from_hex(0x14909c);
     case Outcome::keep_out:
       return from_hex(0xb8a500);
+    case Outcome::no_seal:
+      return from_hex(0x2bb3b3);
   }
   return kText;  // not reached: all outcomes stand above
 }

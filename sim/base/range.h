@@ -54,6 +54,7 @@ inline constexpr Range kVelocity{.lower = -kLargestRate, .upper = kLargestRate};
 inline constexpr Range kRate{.upper = kLargestRate};
 // Of springs and controllers, and friction that grows with velocity.
 inline constexpr Range kGain{.upper = 1e15};
+inline constexpr Range kGainAbove0{.upper = 1e15, .without_lower = true};
 inline constexpr Range kRateAbove0{.upper = kLargestRate, .without_lower = true};
 inline constexpr Range kAngle{.upper = kFarthest};
 inline constexpr Range kAngleAbove0{.upper = kFarthest, .without_lower = true};

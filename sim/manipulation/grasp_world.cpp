@@ -28,6 +28,10 @@ GraspPosture posture_of(const Trial& trial) {
 }
 
 void require_support(const CompiledScene& scene, const TestProcedure& procedure) {
+  require(
+      scene.scene.hand.hand->cups.empty(),
+      {.field = "test procedure",
+       .problem = "the vacuum of suction cups is not simulated, hand " + scene.scene.hand.name});
   if (!procedure.on_support || scene.has_obstacles()) return;
   throw InputError({.field = "on_support",
                     .problem = "protocol " + procedure.name +

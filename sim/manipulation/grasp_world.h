@@ -23,7 +23,8 @@ struct GraspPosture {
 };
 GraspPosture posture_of(const Trial& trial);
 
-// Throws InputError where the protocol begins with an object on a support and the scene has none.
+// Throws InputError where the protocol begins with an object on a support and the scene has none,
+// and for a hand with suction cups, whose vacuum is not simulated.
 void require_support(const CompiledScene& scene, const TestProcedure& procedure);
 
 struct GraspWorld {

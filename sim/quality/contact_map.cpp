@@ -89,6 +89,8 @@ void check_contact(const Contact& contact) {
   }
   check_range("friction", contact.friction, 0.0, kLargestFriction);
   check_range("torsion", contact.torsion, 0.0, kFarthest);
+  check_range("moment", contact.moment, 0.0, kFarthest);
+  check_range("vacuum", contact.vacuum, 0.0, kLargestLoad);
 }
 
 void check_frame(const WrenchFrame& frame) {

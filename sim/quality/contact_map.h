@@ -33,9 +33,9 @@ Tangents contact_tangents(const Eigen::Vector3d& normal);
 using ContactMap = Eigen::Matrix<double, 6, 4>;
 ContactMap contact_map(const Contact& contact, const WrenchFrame& frame);
 
-// Throws InputError whose field is "position", "normal", "friction" or "torsion" on a value that is
-// outside its range (ranges.h), and on a normal that is not unit within 1e-3 (a nearly unit one is
-// taken as its direction).
+// Throws InputError whose field is "position", "normal", "friction", "torsion", "moment" or
+// "vacuum" on a value that is outside its range (ranges.h), and on a normal that is not unit within
+// 1e-3 (a nearly unit one is taken as its direction).
 void check_contact(const Contact& contact);
 
 // Throws InputError on a torque origin or scale outside its range.

@@ -12,6 +12,7 @@
 #include "sim/base/require_settings.h"
 #include "sim/quality/barrier_forces.h"
 #include "sim/quality/conic/conic_program.h"
+#include "sim/quality/cup_balance.h"
 #include "sim/quality/force_program.h"
 #include "sim/quality/ranges.h"
 #include "sim/quality/wrench.h"
@@ -188,6 +189,8 @@ ContactForces checked_forces(std::span<const Contact> contacts, const WrenchFram
                              const Wrench& external, const HandTorques* hand,
                              const ForceOptions& options) {
   check_contacts(contacts, frame);
+  require(!has_cup(contacts),
+          {.field = "contacts", .problem = "forces of suction cups are those of cup_forces"});
   check_external(external, frame);
   require_settings(options);
   if (hand != nullptr) check(*hand, std::ssize(contacts));
@@ -225,6 +228,17 @@ double balanced_part(const ForceBalance& balance, const ForceOptions& options,
   const bool is_good = rest <= options.residual_tolerance * part &&
                        balance.torque_excess(found.components) <= options.residual_tolerance;
   return is_good ? part : 0.0;
+}
+
+// wrench_resistance of contacts with suction cups among them.
+Resistance resistance_of_cups(std::span<const Contact> contacts, const WrenchFrame& frame,
+                              const Wrench& external, const ForceOptions& options) {
+  const CupForces forces = cup_forces(contacts, frame, external, options.measure, CupUnit::vacuum);
+  const auto times = [](double measure) {
+    return measure > 0.0 ? 1.0 / measure : std::numeric_limits<double>::infinity();
+  };
+  const bool balances = forces.outcome == ForceOutcome::balanced;
+  return {balances ? times(forces.measure) : 0.0, times(forces.lowest), forces.outcome};
 }
 
 }  // namespace
@@ -268,6 +282,7 @@ double times_borne(std::span<const Contact> contacts, const WrenchFrame& frame,
 
 Resistance wrench_resistance(std::span<const Contact> contacts, const WrenchFrame& frame,
                              const Wrench& external, const ForceOptions& options) {
+  if (has_cup(contacts)) return resistance_of_cups(contacts, frame, external, options);
   const ContactForces forces = balancing_forces(contacts, frame, external, options);
   if (forces.outcome == ForceOutcome::impossible) return {0.0, 0.0, forces.outcome};
   const double largest = std::numeric_limits<double>::infinity();

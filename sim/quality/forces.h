@@ -103,8 +103,11 @@ inline constexpr double kLargestForce = 1e10;
 // computation of optimal contact forces", 2007; Lobo et al., "Applications of second-order cone
 // programming", 1998, section 3.7; joint torques as in Buss, Hashimoto and Moore 1996.
 //
-// Throws InputError as check_contacts does, for a wrench, options, joint limits or entries of the
-// matrices that are out of range (ranges.h), and for matrices of the wrong shape.
+// Suction cups have cup_forces (cup_balance.h): only wrench_resistance takes them as well, with
+// their vacuum as the unit and exact cones.
+//
+// Throws InputError as check_contacts does, for suction cups, for a wrench, options, joint limits
+// or entries of the matrices that are out of range (ranges.h), and for matrices of the wrong shape.
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,
                                const Wrench& external, const ForceOptions& options = {});
 ContactForces balancing_forces(std::span<const Contact> contacts, const WrenchFrame& frame,

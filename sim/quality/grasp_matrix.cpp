@@ -1,11 +1,13 @@
 #include "sim/quality/grasp_matrix.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/SVD>
 
 #include "sim/base/input_error.h"
 #include "sim/quality/ranges.h"
+#include "sim/quality/suction_cup.h"
 
 namespace prehend {
 namespace {
@@ -14,6 +16,7 @@ namespace {
 // normal. What a model transmits is therefore always its first columns.
 Eigen::Index columns_of(ContactModel model) {
   if (model == ContactModel::frictionless) return 1;
+  if (model == ContactModel::suction) return 6;
   return model == ContactModel::point ? 3 : 4;
 }
 
@@ -31,7 +34,10 @@ Eigen::MatrixXd grasp_matrix(std::span<const Contact> contacts, const WrenchFram
   columns = 0;
   for (const Contact& contact : contacts) {
     const Eigen::Index count = columns_of(contact.model);
-    matrix.middleCols(columns, count) = contact_map(contact, frame).leftCols(count);
+    // A cup also transmits torques about the tangents.
+    const Eigen::Index mapped = std::min<Eigen::Index>(count, 4);
+    matrix.middleCols(columns, mapped) = contact_map(contact, frame).leftCols(mapped);
+    if (count > mapped) matrix.middleCols(columns + mapped, 2) = tilt_map(contact, frame);
     columns += count;
   }
   return matrix;

@@ -11,8 +11,8 @@
 namespace prehend {
 
 // 6 x k: the columns of each contact's map that its model transmits, 1 for a frictionless contact,
-// 3 for a point, 4 for a soft finger. Source: Murray, Li and Sastry, "A Mathematical Introduction
-// to Robotic Manipulation", 1994, section 5.2. Throws as check_contacts.
+// 3 for a point, 4 for a soft finger, 6 for a suction cup. Source: Murray, Li and Sastry, "A
+// Mathematical Introduction to Robotic Manipulation", 1994, section 5.2. Throws as check_contacts.
 Eigen::MatrixXd grasp_matrix(std::span<const Contact> contacts, const WrenchFrame& frame);
 
 // Smallest of the six singular values of a grasp matrix (0 with fewer than six columns): how far

@@ -6,12 +6,15 @@
 
 #include "sim/base/input_error.h"
 #include "sim/quality/ranges.h"
+#include "sim/quality/suction_cup.h"
 #include "sim/quality/wrench_workspace.h"
 
 namespace prehend {
 
-// A soft finger: a ring at each of three latitudes of its ellipsoid, and the two poles.
+// A cup: see cup_corners. A soft finger: a ring at each of three latitudes of its ellipsoid, and
+// the two poles.
 int pyramid_corners(ContactModel model, int edges) {
+  if (model == ContactModel::suction) return cup_corner_count(edges);
   return model == ContactModel::soft_finger ? 3 * edges + 2 : edges;
 }
 
@@ -20,13 +23,14 @@ int pyramid_corners(ContactModel model, int edges) {
 // contact model's disc or ellipsoid. The pyramid is inscribed in the exact cone: it allows no force
 // that the contact cannot transmit.
 void unit_corners(ContactModel model, int edges, Eigen::Matrix3Xd& corners) {
-  corners.resize(3, pyramid_corners(model, edges));
+  const bool grips_as_soft = model == ContactModel::soft_finger || model == ContactModel::suction;
+  corners.resize(3, pyramid_corners(grips_as_soft ? ContactModel::soft_finger : model, edges));
   for (int edge = 0; edge < edges; ++edge) {
     const double angle = 2.0 * std::numbers::pi * edge / edges;
     corners.col(edge) << std::cos(angle), std::sin(angle), 0.0;
   }
   if (model == ContactModel::frictionless) corners.setZero();
-  if (model != ContactModel::soft_finger) return;
+  if (!grips_as_soft) return;
   // Latitudes of +45 and -45 degrees, where force and torque both have the part sin 45 degrees.
   for (const int side : {1, 2}) {
     auto latitude = corners.middleCols(side * edges, edges);
@@ -70,6 +74,13 @@ Eigen::Map<const Wrenches> contact_wrenches(std::span<const Contact> contacts,
   Eigen::Map<Wrenches> wrenches(first, 6, columns);
   Eigen::Index column = 0;
   for (const Contact& contact : contacts) {
+    if (contact.model == ContactModel::suction) {
+      auto of_cup = wrenches.middleCols(column, cup_corner_count(edges));
+      cup_corners(contact, frame, edges, workspace.corners[static_cast<std::size_t>(contact.model)],
+                  of_cup);
+      column += of_cup.cols();
+      continue;
+    }
     const ContactMap map = contact_map(contact, frame);
     const Eigen::Matrix3Xd& corners = workspace.corners[static_cast<std::size_t>(contact.model)];
     // normal + friction (tangents, torsion * torque) * corners. All tangential parts of a

@@ -15,8 +15,8 @@ namespace prehend {
 // pi j / edges) t + sin(...) n x t), with t the first tangent. A frictionless contact keeps all its
 // (equal) columns. A soft finger has pyramid_corners() of them on its ellipsoid: those of a point
 // contact, then as many at the latitudes of 45 degrees to either side, then the two poles (torque
-// only). Source: Miller and Allen, "GraspIt!", 2004, Building the Grasp Wrench Space, eq. (1).
-// Throws as check_contacts and check_edges.
+// only). A suction cup has cup_corners (suction_cup.h). Source: Miller and Allen, "GraspIt!", 2004,
+// Building the Grasp Wrench Space, eq. (1). Throws as check_contacts and check_edges.
 Wrenches contact_wrenches(std::span<const Contact> contacts, const WrenchFrame& frame,
                           int edges = 8);
 
@@ -27,7 +27,8 @@ void check_edges(int edges);
 int pyramid_corners(ContactModel model, int edges);
 
 // Their tangential parts for a unit normal force and unit friction, in columns of the same order:
-// [force along the first and second tangent, torque about the normal over torsion].
+// [force along the first and second tangent, torque about the normal over torsion]. Those of a
+// suction cup are those of a soft finger.
 Eigen::Matrix3Xd unit_corners(ContactModel model, int edges);
 
 }  // namespace prehend

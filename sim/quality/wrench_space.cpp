@@ -2,10 +2,13 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
+
+#include "sim/quality/suction_cup.h"
 
 // Support functions of the grasp wrench space (Ferrari and Canny 1992, section 3). The support
 // function of a convex hull of sets is the largest of theirs, that of a Minkowski sum of sets is
@@ -25,7 +28,11 @@ class QuadraticCone {
         friction_(contact.model == ContactModel::frictionless ? 0.0 : contact.friction),
         torsion_(contact.model == ContactModel::soft_finger ? frame.torque_scale * contact.torsion
                                                             : 0.0),
-        tangents_(contact_tangents(normal_)) {}
+        tangents_(contact_tangents(normal_)) {
+    if (contact.model != ContactModel::suction) return;
+    cup_ = contact;
+    frame_ = frame;
+  }
 
   // Maximises direction . wrench, which is linear in the force f and the torque t about the normal:
   //   direction . wrench = f . pull + t (turning . normal),   pull = head + turning x arm.
@@ -34,6 +41,7 @@ class QuadraticCone {
   // together from the tangents: where nothing but rounding is left of the tangential part, this is
   // still a force of the disc, which pull minus its part along the normal would not be.
   Wrench support(const Wrench& direction) const {
+    if (cup_) return cup_support(*cup_, frame_, direction);
     const Eigen::Vector3d turning = direction.tail<3>();
     const Eigen::Vector3d pull = direction.head<3>() + turning.cross(arm_);
     const double along_first = pull.dot(tangents_.first);
@@ -58,6 +66,8 @@ class QuadraticCone {
   double friction_;
   double torsion_;
   Tangents tangents_;
+  std::optional<Contact> cup_;  // a suction cup, and the frame of its wrenches
+  WrenchFrame frame_;
 };
 
 // The convex hull of several sets, with the origin or without. Its support point is the farthest of

@@ -169,6 +169,18 @@ struct ClosingStrategy {
   double effort = 1.0;  // until then, part of the largest efforts, above 0, at most 1
 };
 
+// A suction cup, relaxed. Its frame is the hand's base frame.
+struct SuctionCup {
+  int link = 0;                        // index of the link that is its body, on the base
+  Vector3 position = Vector3::Zero();  // centre of the lip [m]
+  Vector3 axis = Vector3::UnitZ();     // unit, out of the cup towards the object
+  double radius = 0.0;                 // of the lip, > 0 [m]
+  double lip_stiffness = 0.0;          // force to compress the whole lip along the axis, > 0 [N/m]
+  double travel = 0.0;                 // by which lip and bellows give way along the axis [m]
+  double pull = 0.0;                   // force of the vacuum on a sealed cup, > 0 [N]
+  double strain = 0.1;                 // largest elongation of the lip that still seals, > 0
+};
+
 // What makes a robot a hand. Without preshapes the rest may be known nevertheless, and is derived
 // before planning with the hand (sim/robot/hand/derive_hand.h).
 struct Hand {
@@ -181,6 +193,7 @@ struct Hand {
   Vector3 origin = Vector3::Zero();
   std::vector<Preshape> preshapes;
   std::vector<ClosingStrategy> strategies = {};  // to be tried where closing all at once fails
+  std::vector<SuctionCup> cups = {};  // a hand with cups holds by these alone; closing is any axis
 };
 
 // An arm, a hand, a mobile base, or several of them joined into one (platform.h).

@@ -63,6 +63,10 @@ void require_tree(const Robot& robot, const std::string& place) {
   }
   for (const Chain& chain : robot.chains) require_chain(robot, chain, place);
   const int links = static_cast<int>(robot.links.size());
+  for (const SuctionCup& cup : robot.hand ? robot.hand->cups : std::vector<SuctionCup>{}) {
+    if (0 <= cup.link && cup.link < links && robot.links[index(cup.link)].joint < 0) continue;
+    throw InputError({place, "hand", "a cup is on no link of the base"});
+  }
   for (const auto& [a, b] : robot.exempt_pairs) {
     if (0 <= a && a < b && b < links) continue;
     throw InputError({place, "exempt_pairs", "not two links, the lower one first"});
@@ -142,6 +146,14 @@ void require_numbers(const std::string& place, const RobotFrame& frame) {
 void require_numbers(const std::string& place, const Hand& hand) {
   const PartNumbers numbers(place, "hand");
   numbers.require("origin", kCoordinate, hand.origin);
+  for (const SuctionCup& cup : hand.cups) {
+    numbers.require("position of a cup", kCoordinate, cup.position);
+    numbers.require("radius of a cup", kLengthAbove0, cup.radius);
+    numbers.require("lip_stiffness of a cup", kGainAbove0, cup.lip_stiffness);
+    numbers.require("travel of a cup", kLengthAbove0, cup.travel);
+    numbers.require("pull of a cup", kEffortAbove0, cup.pull);
+    numbers.require("strain of a cup", kFractionAbove0, cup.strain);
+  }
   for (const Preshape& preshape : hand.preshapes) {
     const PartNumbers own(place, "preshape " + preshape.name);
     own.require("width", kDistance, preshape.min_width);

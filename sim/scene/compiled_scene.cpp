@@ -48,6 +48,22 @@ void check_object_is_free(const CompiledScene& scene) {
   }
 }
 
+// A lip covers a disc, and a disc has its diameter as width in some direction of each plane: also
+// of that of the two shortest edges of the box around the object, which is no wider than their
+// diagonal.
+void check_cups_fit(const Scene& scene) {
+  const Vector3 size = bounds(scene.object.mesh).size();
+  const double widest = std::sqrt(size.squaredNorm() - size.maxCoeff() * size.maxCoeff());
+  for (const SuctionCup& cup : scene.hand.hand->cups) {
+    if (2.0 * cup.radius <= widest) continue;
+    throw InputError({scene.hand.name, "cups",
+                      formatted("%.3g mm wide, more than the object %s (%.3g mm)%s: take a smaller "
+                                "cup",
+                                2000.0 * cup.radius, scene.object.name.c_str(), 1000.0 * widest,
+                                unit_hint(scene.object).c_str())});
+  }
+}
+
 // The object and the obstacles, in the object's frame.
 std::vector<PlacedBody> placed_bodies(const Scene& scene, const RunContext& context) {
   const auto placed = [&context](const std::string& name, const TriangleMesh& mesh,
@@ -88,12 +104,14 @@ CompiledScene compile(Scene scene, const RunContext& context) {
                                 unit_hint(scene.object).c_str()),
                       scene.object.name});
   }
+  check_cups_fit(scene);
   CompiledScene compiled{.scene = scene};
   compiled.links = compile_links(scene, scene.hand);
   compiled.bodies = placed_bodies(scene, context);
   compiled.near_obstacles = BodyTree(compiled.bodies);
   compiled.keep_out = SurfaceRegions(scene.keep_out);
   compiled.preferred = SurfaceRegions(scene.preferred);
+  compiled.porous = SurfaceRegions(scene.porous);
   compiled.self_pairs = collision_pairs(compiled.links, scene.hand);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     context.cancellation.check();

@@ -28,6 +28,7 @@ struct CompiledScene {
   WrenchFrame wrench_frame = {};
   SurfaceRegions keep_out = {};  // as scene.keep_out and scene.preferred
   SurfaceRegions preferred = {};
+  SurfaceRegions porous = {};
   std::optional<CompiledArm> arm = {};  // the platform that carries the hand, where there is one
 
   const PlacedBody& object() const { return bodies.front(); }

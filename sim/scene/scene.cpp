@@ -40,6 +40,7 @@ void forget_surface(Scene& scene) {
   scene.primitives.clear();
   scene.keep_out.clear();
   scene.preferred.clear();
+  scene.porous.clear();
   scene.object.completion.reset();
 }
 

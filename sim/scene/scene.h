@@ -116,6 +116,8 @@ struct Scene {
   // first.
   std::vector<SurfaceRegion> keep_out = {};
   std::vector<SurfaceRegion> preferred = {};
+  std::vector<SurfaceRegion> porous =
+      {};  // through which air leaks: suction cups do not seal there
   // What was assumed about the scene and its object, left out or repaired, for people: one line
   // each. Those of robots are with them.
   std::vector<std::string> notes = {};

@@ -139,7 +139,8 @@ bool are_of_parts(const std::vector<SurfaceRegion>& regions) {
 // Whether a region is a part of the mesh file, whose surface is needed then.
 bool needs_parts(const Scene& scene, const ObjectChoice& choice) {
   return are_of_parts(scene.keep_out) || are_of_parts(scene.preferred) ||
-         are_of_parts(choice.keep_out) || are_of_parts(choice.preferred);
+         are_of_parts(scene.porous) || are_of_parts(choice.keep_out) ||
+         are_of_parts(choice.preferred);
 }
 
 // Fills in the surfaces of the regions that stand in this list.
@@ -186,13 +187,15 @@ void read_object(const JsonField& field, const SceneSource& source, ShapeBudget&
                  Scene& scene) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "density", "center_of_mass", "parts", "pose", "primitives", "repair",
-                    "restitution", "keep_out", "preferred"});
+                    "restitution", "keep_out", "preferred", "porous"});
   if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
   if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
+  if (field.has("porous")) scene.porous = read_regions(field["porous"]);
   const bool repair = read_repair(field, source);
   ObjectMesh surface = read_object_mesh(field, repair, needs_parts(scene, source.choice), budget);
   if (field.has("keep_out")) find_parts(field["keep_out"], surface.parts, scene.keep_out);
   if (field.has("preferred")) find_parts(field["preferred"], surface.parts, scene.preferred);
+  if (field.has("porous")) find_parts(field["porous"], surface.parts, scene.porous);
   choose_regions(source.choice, surface.parts, field.file(), scene);
   scene.notes = std::move(surface.notes);
   const std::string name = field.text_or("name", kUnnamedObject);
@@ -370,12 +373,14 @@ std::size_t number_of(const JsonField& object, const std::string& asked, const S
 void read_seen_object(const JsonField& field, const SceneSource& source, SeenOnce& seen,
                       Scene& scene) {
   field.allow_only({"views", "unit", "number", "material", "mass", "density", "center_of_mass",
-                    "parts", "restitution", "keep_out", "preferred"});
+                    "parts", "restitution", "keep_out", "preferred", "porous"});
   const SeenThings& things = things_of(field, seen);
   if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
   if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
+  if (field.has("porous")) scene.porous = read_regions(field["porous"]);
   if (field.has("keep_out")) find_parts(field["keep_out"], {}, scene.keep_out);
   if (field.has("preferred")) find_parts(field["preferred"], {}, scene.preferred);
+  if (field.has("porous")) find_parts(field["porous"], {}, scene.porous);
   choose_regions(source.choice, {}, field.file(), scene);
   place_seen(things, number_of(field, source.choice.object, things),
              read_material(field, Material::plastic), whole_mass(field), scene);

@@ -71,6 +71,7 @@ Json object_json(const Scene& scene) {
   }
   if (!scene.keep_out.empty()) json["keep_out"] = regions_to_json(scene.keep_out);
   if (!scene.preferred.empty()) json["preferred"] = regions_to_json(scene.preferred);
+  if (!scene.porous.empty()) json["porous"] = regions_to_json(scene.porous);
   return json;
 }
 

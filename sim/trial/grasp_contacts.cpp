@@ -1,6 +1,7 @@
 #include "sim/trial/grasp_contacts.h"
 
 #include "sim/scene/compiled_scene.h"
+#include "sim/trial/cup_contacts.h"
 #include "sim/trial/grasp_contacts_workspace.h"
 #include "sim/trial/pad_contacts.h"
 #include "sim/trial/trial_options.h"
@@ -10,6 +11,10 @@ namespace prehend {
 void grasp_contacts(const CompiledScene& scene, const Pose& X_OH, const std::vector<double>& joints,
                     const TrialOptions& options, GraspContactsWorkspace& workspace,
                     std::vector<GraspContact>& contacts) {
+  if (!scene.scene.hand.hand->cups.empty()) {
+    contacts = cup_contacts(scene, X_OH, joints);
+    return;
+  }
   const ProximityMesh& object = scene.object().mesh;
   robot_poses(scene.scene.hand, joints, workspace.poses);
   contacts.clear();

@@ -12,8 +12,8 @@ struct TrialOptions;
 
 // All contacts between hand and object with the hand's base at X_OH and its joints at `joints`,
 // ordered by link: hard point contacts with friction, then, for compliant links and unless
-// options.contacts are hard, patches with torsional friction. Pads of finite elements (fem) have
-// the contacts of pad_contacts.h instead. Throws as make_pad.
+// options.contacts are hard, patches with torsional friction; with fem those of pad_contacts.h for
+// links with a pad. Of a hand with suction cups: cup_contacts. Throws as make_pad.
 std::vector<GraspContact> grasp_contacts(const CompiledScene& scene, const Pose& X_OH,
                                          const std::vector<double>& joints,
                                          const TrialOptions& options);

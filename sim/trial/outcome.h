@@ -25,6 +25,7 @@ enum class Outcome {
   no_path,        // no collision-free path of the arm from its start to the pre-grasp was found;
                   // set by the planner, never by a trial
   keep_out,       // the hand touches a part of the object that it must keep out of
+  no_seal,        // no suction cup of the hand seals on the object
 };
 
 // Whether the hand was stopped on its way to the object, before arm and fingers were asked.
@@ -34,10 +35,10 @@ constexpr bool is_blocked(Outcome outcome) {
 
 // The name in files and tables: the same word as the enumerator.
 constexpr auto enum_names(Outcome /*of*/) {
-  return std::to_array<std::string_view>({"stable", "not_force_closure", "no_contact",
-                                          "hand_blocked", "approach_blocked", "unreachable",
-                                          "arm_blocked", "pushed_away", "toppled", "squeezed_out",
-                                          "dropped", "not_simulated", "no_path", "keep_out"});
+  return std::to_array<std::string_view>(
+      {"stable", "not_force_closure", "no_contact", "hand_blocked", "approach_blocked",
+       "unreachable", "arm_blocked", "pushed_away", "toppled", "squeezed_out", "dropped",
+       "not_simulated", "no_path", "keep_out", "no_seal"});
 }
 
 // What the outcome means, as a clause for reports.
@@ -56,7 +57,8 @@ constexpr std::string_view outcome_meaning(Outcome outcome) {
       "the object falls out of the hand that has lifted it",
       "the simulation of the closing hand could not go on",
       "the arm finds no way to where the approach starts",
-      "the hand touches a part of the object that it must keep out of"};
+      "the hand touches a part of the object that it must keep out of",
+      "no suction cup of the hand seals on the object"};
   return kMeanings[static_cast<std::size_t>(outcome)];
 }
 

@@ -10,6 +10,7 @@
 #include "sim/base/index.h"
 #include "sim/base/range.h"
 #include "sim/motion/clutches.h"
+#include "sim/quality/cup_balance.h"
 #include "sim/quality/forces.h"
 #include "sim/quality/ranges.h"
 #include "sim/scene/compiled_scene.h"
@@ -148,12 +149,19 @@ class Weighed {
 
   // The least sum of normal forces; infinite where nothing balances the weight.
   double least_sum(const Vector3& down_O) const {
+    if (has_cup(contacts_)) return vacuum_spent(down_O, ForceMeasure::sum_of_normals).sum();
     const ContactForces forces = balancing_forces(contacts_, frame_, wrench(down_O), kSum);
     return balances(forces, kSum) ? forces.sum_of_normals : kInfinite;
   }
 
   LoadCase load_case(const Vector3& down_O) const {
     LoadCase load_case{down_O, kInfinite, kInfinite, 0.0};
+    if (has_cup(contacts_)) {
+      load_case.sum_of_normals = vacuum_spent(down_O, ForceMeasure::sum_of_normals).sum();
+      load_case.largest_normal = vacuum_spent(down_O, ForceMeasure::largest_normal).maxCoeff();
+      load_case.strength = strength(down_O);
+      return load_case;
+    }
     const ContactForces forces = balancing_forces(contacts_, frame_, wrench(down_O), kSum);
     if (!balances(forces, kSum)) return load_case;
     load_case.sum_of_normals = forces.sum_of_normals;
@@ -164,12 +172,14 @@ class Weighed {
 
   // LoadCase::strength.
   double strength(const Vector3& down_O) const {
+    if (has_cup(contacts_)) return times_sucked(down_O);
     const double most = std::min(kMostTimes, kLargestLoad / weight_);
     const double times = times_borne(contacts_, frame_, wrench(down_O), hand_, most);
     return times < most ? times : kInfinite;
   }
 
   bool is_borne(const Vector3& down_O) const {
+    if (has_cup(contacts_)) return times_sucked(down_O) >= 1.0;
     // A little more than the whole, so that rounding does not decide.
     return times_borne(contacts_, frame_, wrench(down_O), hand_, 1.01) >= 1.0;
   }
@@ -182,6 +192,27 @@ class Weighed {
     wrench.head<3>() = weight_ * down_O;
     wrench.tail<3>() = frame_.torque_scale * center_of_mass_O_.cross(Vector3(wrench.head<3>()));
     return wrench;
+  }
+
+  CupForces cup_forces_of(const Vector3& down_O, ForceMeasure measure) const {
+    return cup_forces(contacts_, frame_, wrench(down_O), measure, CupUnit::newtons);
+  }
+
+  // How many times the weight the vacuum of all cups holds: each has its own.
+  double times_sucked(const Vector3& down_O) const {
+    const CupForces forces = cup_forces_of(down_O, ForceMeasure::largest_normal);
+    return forces.outcome == ForceOutcome::balanced ? 1.0 / forces.measure : 0.0;
+  }
+
+  // The vacuum force of each cup that would do [N]; infinite where nothing balances the weight.
+  Eigen::VectorXd vacuum_spent(const Vector3& down_O, ForceMeasure measure) const {
+    const CupForces forces = cup_forces_of(down_O, measure);
+    Eigen::VectorXd spent = forces.spent;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      spent[static_cast<Eigen::Index>(i)] *= contacts_[i].vacuum;
+    }
+    if (forces.outcome != ForceOutcome::balanced) spent.setConstant(kInfinite);
+    return spent;
   }
 
   // Forces may be good although the solver could not prove how good.

@@ -19,6 +19,8 @@ struct LoadCase {
   double largest_normal = 0.0;  // of a contact; infinite as above [N]
   // How many times the weight the drives can hold (times_borne). 0: no forces balance the weight;
   // infinite: it loads no drive whose effort is known.
+  // With suction cups the normal forces are those of the vacuum that the cups need, and strength
+  // is what their vacuum holds (cup_balance.h).
   double strength = 0.0;
 };
 

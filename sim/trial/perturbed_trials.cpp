@@ -52,6 +52,7 @@ class DisturbedTrials {
   double strength() const { return weight_strength(scene_, trial_); }
 
   std::optional<FreeEnd> free() const {
+    if (!scene_.scene.hand.hand->cups.empty()) return std::nullopt;
     if (options_.formation.dynamic) return free_end(scene_, trial_);
     return free_end(scene_,
                     closed_freely(scene_, hand_model(scene_), motion_, trial_, options_, context_));

@@ -28,7 +28,7 @@ void score_contacts(const CompiledScene& scene, const TrialOptions& options,
   trial.preferred = false;
   grasp_contacts(scene, trial.X_OH, trial.joints, options, workspace.contacts, trial.contacts);
   if (trial.contacts.empty()) {
-    trial.outcome = Outcome::no_contact;
+    trial.outcome = scene.scene.hand.hand->cups.empty() ? Outcome::no_contact : Outcome::no_seal;
     return;
   }
   if (!scene.keep_out.empty() && touches(trial.contacts, scene.keep_out)) {

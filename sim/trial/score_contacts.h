@@ -24,9 +24,9 @@ struct ScoringWorkspace {
 };
 
 // Finds the contacts of the hand as the trial has it, and sets contacts, epsilon in the L1 wrench
-// space, outcome and `preferred`: no_contact, keep_out where a contact is in such a region,
-// not_force_closure or stable. A lower bound of epsilon above 0
-// proves force closure.
+// space, outcome and `preferred`: no_contact (with suction cups no_seal), keep_out where a contact
+// is in such a region, not_force_closure or stable. A lower bound of epsilon above 0 proves force
+// closure.
 void score_contacts(const CompiledScene& scene, const TrialOptions& options,
                     ScoringWorkspace& workspace, Trial& trial);
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "planner/plan/propose/hand_pose.h"
+#include "planner/plan/propose/suction_rules.h"
 #include "sim/base/index.h"
 
 namespace prehend {
@@ -98,9 +99,13 @@ ProposalSequence::ProposalSequence(const CompiledScene& scene,
     reach_.push_back(hand_reach(scene, preshape.dofs));
     largest_opening_ = std::max(largest_opening_, preshape.max_width);
   }
+  const std::vector<SuctionCup>& cups = scene.scene.hand.hand->cups;
+  std::vector<std::vector<GraspRule>> of_cups;
+  if (!cups.empty()) of_cups = suction_rules(scene, primitives);
   for (std::size_t p = 0; p < primitives.size(); ++p) {
     is_curve_.push_back(is_curve(primitives[p].shape));
-    add_ways(primitives[p], static_cast<int>(p));
+    add_ways(cups.empty() ? grasp_rules(primitives[p]) : std::move(of_cups[p]),
+             static_cast<int>(p));
   }
   for (std::size_t w = 0; w < ways_.size(); ++w) progress_of(ways_[w]).families.push_back(w);
   for (Progress& track : progress_) begin_level(track, 0);
@@ -121,15 +126,19 @@ bool ProposalSequence::mark_proposed(const ProposedGrasp& grasp) {
   return track.known.add(grasp.candidate.X_OH, way.preshape);
 }
 
-void ProposalSequence::add_ways(const Primitive& primitive, int number) {
-  const std::vector<Preshape>& preshapes = scene_->scene.hand.hand->preshapes;
-  for (GraspRule& rule : grasp_rules(primitive)) {
+void ProposalSequence::add_ways(std::vector<GraspRule> rules, int number) {
+  const Hand& hand = *scene_->scene.hand.hand;
+  const std::vector<Preshape>& preshapes = hand.preshapes;
+  // Cups move on until they touch, up to as far into the object as they give way.
+  double beyond = 0.0;
+  for (const SuctionCup& cup : hand.cups) beyond = std::max(beyond, cup.travel);
+  for (GraspRule& rule : rules) {
     smallest_width_ = std::min(smallest_width_, rule.width);
     if (!may_allow(options_.approach, *scene_, rule)) continue;
     const int at = static_cast<int>(rules_.size());
     for (std::size_t s = 0; s < preshapes.size(); ++s) {
       if (rule.width < preshapes[s].min_width || rule.width > preshapes[s].max_width) continue;
-      ways_.push_back({number, at, static_cast<int>(s), 0.0});
+      ways_.push_back({number, at, static_cast<int>(s), 0.0 - beyond});
       if (preshapes[s].depth > 0.0) {
         ways_.push_back({number, at, static_cast<int>(s), preshapes[s].depth});
       }
@@ -156,7 +165,8 @@ std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
   Progress& walk = progress(track);
   std::size_t left_out = 0;
   while (true) {
-    const bool leaves_out = options_.approach || !scene_->keep_out.empty();
+    const bool leaves_out = options_.approach || !scene_->keep_out.empty() ||
+                            !scene_->scene.hand.hand->cups.empty();
     if (leaves_out && left_out++ == kMostLeftOut) walk.families.clear();
     if (walk.families.empty()) return std::nullopt;
     if (walk.passed == walk.first_point.back()) {

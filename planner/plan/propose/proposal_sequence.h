@@ -27,6 +27,9 @@ struct CompiledScene;
 // jumps by the golden section, so that any beginning of it is spread over all ways. The same
 // arguments give the same sequence.
 //
+// For hands with suction cups the rules are suction_rules.h, and the only depth is one at which the
+// hand moves on until a lip touches.
+//
 // There are two such sequences, of the solids and of the curves (rims and bars) among the
 // primitives, so that a search can turn to the curves where the solids serve badly.
 enum class Track { solids, curves };
@@ -64,7 +67,7 @@ class ProposalSequence {
     double stand_off = 0.0;  // how far the hand's origin stops short of the target [m]
   };
 
-  void add_ways(const Primitive& primitive, int number);
+  void add_ways(std::vector<GraspRule> rules, int number);
   // The place in the sequence of one track.
   struct Progress {
     std::vector<std::size_t> families;  // numbers of its ways

@@ -29,6 +29,7 @@ class Outcome(str, enum.Enum):
     not_simulated = "not_simulated"
     no_path = "no_path"
     keep_out = "keep_out"
+    no_seal = "no_seal"
 
 class PlanStatus(str, enum.Enum):
     complete = "complete"
@@ -100,6 +101,7 @@ class ContactModel(str, enum.Enum):
     frictionless = "frictionless"
     point = "point"
     soft_finger = "soft_finger"
+    suction = "suction"
 
 class EpsilonStatus(str, enum.Enum):
     converged = "converged"
@@ -302,6 +304,8 @@ class _ContactSets:
         normals: _Floats,
         friction: _Floats,
         torsion: _Floats,
+        moment: _Floats,
+        vacuum: _Floats,
         models: List[int],
         offsets: List[int],
         origins: _Floats,

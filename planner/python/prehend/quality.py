@@ -192,6 +192,8 @@ def _per_contact(value: Any, name: str, sizes: List[int], batch: bool) -> FloatA
 def _models(model: Optional[str], torsion: FloatArray) -> List[int]:
     if model is None:
         return [2 if radius > 0.0 else 1 for radius in torsion]
+    if model == ContactModel.suction:
+        raise InputError("suction cups are contacts of a grasp", field="model", value=model)
     if model not in _MODELS:
         raise InputError(f"not one of {', '.join(_MODELS)}", field="model", value=model)
     return [_MODELS.index(ContactModel(model))] * len(torsion)
@@ -220,6 +222,8 @@ def _sets(
         sizes = [len(contacts) for contacts in given]
         mu = np.concatenate([contacts.friction for contacts in given])
         radius = np.concatenate([contacts.torsion for contacts in given])
+        moment = np.concatenate([contacts.moment for contacts in given])
+        vacuum = np.concatenate([contacts.vacuum for contacts in given])
         if model is None:
             numbers = [_MODELS.index(one) for contacts in given for one in contacts.models]
     else:
@@ -241,6 +245,7 @@ def _sets(
         sizes = [len(one) for one in points]
         mu = _per_contact(friction, "friction", sizes, batch)
         radius = _per_contact(0.0 if torsion is None else torsion, "torsion", sizes, batch)
+        moment = vacuum = np.zeros(len(radius))
     count = len(sizes)
     origins = as_floats(
         torque_origin, "torque_origin", (3,) if np.ndim(torque_origin) < 2 else (count, 3)
@@ -253,6 +258,8 @@ def _sets(
         np.concatenate(directions) if directions else np.zeros((0, 3)),
         mu,
         radius,
+        moment,
+        vacuum,
         numbers if numbers is not None else _models(model, radius),
         [0, *np.cumsum(sizes, dtype=int).tolist()],
         np.ascontiguousarray(np.broadcast_to(origins, (count, 3))),

@@ -72,7 +72,12 @@ class Contact(NamedTuple):
     friction: float
     """Coefficient."""
     torsion: float
-    """Soft fingers: largest torque about the normal over largest friction force [m]; else 0."""
+    """Soft fingers: largest torque about the normal over largest friction force; suction cups: radius
+    of the lip [m]; else 0."""
+    moment: float
+    """Suction cups: largest tilting torque over the force of the vacuum [m]; else 0."""
+    vacuum: float
+    """Suction cups: force of the vacuum [N]; else 0."""
     gap: float
     """Between link and object [m]."""
     model: ContactModel
@@ -93,6 +98,10 @@ class Contacts(Sequence[Contact]):
     """(M,): coefficients."""
     torsion: FloatArray
     """(M,) [m]."""
+    moment: FloatArray
+    """(M,) [m]."""
+    vacuum: FloatArray
+    """(M,) [N]."""
     gap: FloatArray
     """(M,) [m]."""
     models: List[ContactModel]
@@ -113,6 +122,8 @@ class Contacts(Sequence[Contact]):
             self.normals[i],
             float(self.friction[i]),
             float(self.torsion[i]),
+            float(self.moment[i]),
+            float(self.vacuum[i]),
             float(self.gap[i]),
             self.models[i],
             self.links[i],
@@ -140,6 +151,8 @@ class Contacts(Sequence[Contact]):
             rows("normals", (3,)),
             rows("friction", ()),
             rows("torsion", ()),
+            rows("moment", ()),
+            rows("vacuum", ()),
             rows("gap", ()),
             [model for part in parts for model in part.models],
             [link for part in parts for link in part.links],

@@ -12,6 +12,7 @@
 #include "planner/show/exports/moveit_scene.h"
 #include "planner/show/grasp_bodies.h"
 #include "planner/show/picture/glb_bytes.h"
+#include "sim/base/input_error.h"
 #include "sim/scene/compiled_arm.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/trial/approach_line.h"
@@ -95,6 +96,10 @@ Files gltf_files(const ExportInput& input) {
 }
 
 Files mjcf_files(const ExportInput& input) {
+  require(input.scene.scene.hand.hand->cups.empty(),
+          {.field = "--export",
+           .problem = "mjcf holds no suction cups, whose vacuum is not simulated",
+           .value = input.scene.scene.hand.name});
   Files files;
   const MjcfShapes shapes = input.grasps.empty() ? MjcfShapes{} : mjcf_shapes(input.scene);
   for (const ExportGrasp& grasp : input.grasps) {

@@ -16,7 +16,9 @@ function coneWrenches(contact) {
   const t1 = n.clone().cross(across).normalize();
   const t2 = n.clone().cross(t1);
   const arm = vectorOf(contact.p).sub(vectorOf(data.frame.origin)).divideScalar(radius);
-  const mu = contact.model === 'frictionless' ? 0 : contact.mu;
+  // A suction cup that is pressed on by as much as its vacuum does bears twice that.
+  const pressed = contact.model === 'suction' ? 2 : 1;
+  const mu = contact.model === 'frictionless' ? 0 : pressed * contact.mu;
   const forces = [];
   for (let k = 0; k < contactEdges; ++k) {
     const angle = 2 * Math.PI * k / contactEdges;

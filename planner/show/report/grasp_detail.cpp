@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "sim/base/input_error.h"
+#include "sim/quality/cup_balance.h"
 #include "sim/quality/set_hull.h"
 #include "sim/quality/wrench_hull.h"
 #include "sim/quality/wrench_space.h"
@@ -22,8 +23,9 @@ constexpr int kSamples = 100;
 // which qhull fails are approximated from inside by points on their surface.
 PointHull space_hull(std::span<const Contact> contacts, const WrenchFrame& frame,
                      const WrenchSpaceOptions& space) {
+  // Suction cups have too many columns.
   const bool is_hull_of_columns =
-      space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid;
+      space.norm == WrenchNorm::l1 && space.cone == FrictionCone::pyramid && !has_cup(contacts);
   if (is_hull_of_columns && space.edges <= kMostHullEdges) {
     try {
       return wrench_hull(contact_wrenches(contacts, frame, space.edges)).points;

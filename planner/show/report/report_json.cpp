@@ -103,7 +103,9 @@ Json contact_json(const ReportContact& contact) {
             {"n", rounded(point.normal)},
             {"mu", significant(point.friction)},
             {"model", name_of(point.model)}};
-  if (point.model == ContactModel::soft_finger) json["torsion"] = rounded(point.torsion);
+  const bool twists =
+      point.model == ContactModel::soft_finger || point.model == ContactModel::suction;
+  if (twists) json["torsion"] = rounded(point.torsion);
   if (!contact.link.empty()) json["link"] = contact.link;
   // Gaps are at most a tenth of a millimetre, so they need more decimals.
   if (contact.gap) json["gap"] = rounded(*contact.gap, 1e8);

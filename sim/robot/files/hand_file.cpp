@@ -65,6 +65,54 @@ ClosingStrategy read_strategy(const JsonField& field, const Robot& robot) {
   return strategy;
 }
 
+// The cup's body, a link of the robot's base.
+int read_cup_link(const JsonField& field, const Robot& robot) {
+  const std::string name = field.text();
+  for (std::size_t l = 0; l < robot.links.size(); ++l) {
+    if (robot.links[l].name != name) continue;
+    if (robot.links[l].joint >= 0) field.fail("moves: a cup is carried by a link of the base");
+    return static_cast<int>(l);
+  }
+  field.fail("no link of this name");
+}
+
+SuctionCup read_cup(const JsonField& field, const FileUnits& units, const Robot& robot,
+                    const Vector3& approach) {
+  // Cups that look farther aside do not come to the object along the approach.
+  constexpr double kFarthestAside = 0.5;  // cosine
+  field.allow_only(
+      {"link", "position", "axis", "radius", "lip_stiffness", "travel", "pull", "strain"});
+  SuctionCup cup;
+  cup.link = read_cup_link(field["link"], robot);
+  cup.position = field["position"].vector3(kCoordinate, units.length);
+  cup.axis = field.has("axis") ? field["axis"].direction() : approach;
+  if (cup.axis.dot(approach) < kFarthestAside) {
+    field["axis"].fail("must be within 60 degrees of the approach axis");
+  }
+  cup.radius = field["radius"].number(kLengthAbove0, units.length);
+  cup.lip_stiffness = field["lip_stiffness"].number(kGainAbove0);
+  cup.travel = field["travel"].number(kLengthAbove0, units.length);
+  cup.pull = field["pull"].number(kEffortAbove0);
+  cup.strain = field.number_or("strain", cup.strain, kFractionAbove0);
+  return cup;
+}
+
+// A hand that holds by suction. It has one posture, in which it approaches, and closes along no
+// axis: any will do.
+void read_cups(const JsonField& field, const FileUnits& units, const Robot& robot, Hand& hand) {
+  for (const char* other : {"closing", "preshapes", "strategies"}) {
+    if (field.has(other)) field[other].fail("not of a hand with cups, which does not close");
+  }
+  double widest = 0.0;
+  for (const JsonField& item : field["cups"].items()) {
+    hand.cups.push_back(read_cup(item, units, robot, hand.approach));
+    widest = std::max(widest, 2.0 * hand.cups.back().radius);
+  }
+  if (hand.cups.empty()) field["cups"].fail("needs at least one cup");
+  hand.closing = any_orthogonal(hand.approach);
+  hand.preshapes = {{.name = "suction", .dofs = initial_dofs(robot), .max_width = widest}};
+}
+
 // A list of what has names, no two of them the same.
 template <typename T>
 std::vector<T> read_named(const JsonField& list, auto read) {
@@ -90,11 +138,15 @@ double value_unit(const Robot& robot, std::size_t dof, const FileUnits& units) {
 }
 
 Hand read_hand(const JsonField& field, const FileUnits& units, const Robot& robot) {
-  field.allow_only({"approach", "closing", "origin", "preshapes", "strategies"});
+  field.allow_only({"approach", "closing", "origin", "preshapes", "strategies", "cups"});
   Hand hand;
   hand.approach = field["approach"].direction();
   hand.origin = field["origin"].vector3(kCoordinate, units.length);
   hand.closing = Vector3::Zero();
+  if (field.has("cups")) {
+    read_cups(field, units, robot, hand);
+    return hand;
+  }
   if (field.has("strategies")) {
     hand.strategies = read_named<ClosingStrategy>(
         field["strategies"], [&](const JsonField& item) { return read_strategy(item, robot); });

@@ -140,6 +140,17 @@ Json strategy_json(const Robot& robot, const ClosingStrategy& strategy) {
   return json;
 }
 
+Json cup_json(const Robot& robot, const SuctionCup& cup) {
+  return {{"link", robot.links[index(cup.link)].name},
+          {"position", vector_to_json(cup.position)},
+          {"axis", vector_to_json(cup.axis)},
+          {"radius", cup.radius},
+          {"lip_stiffness", cup.lip_stiffness},
+          {"travel", cup.travel},
+          {"pull", cup.pull},
+          {"strain", cup.strain}};
+}
+
 }  // namespace
 
 Json motion_json(const DegreeOfFreedom& dof) {
@@ -162,6 +173,11 @@ Json spring_json(const JointSpring& spring) {
 Json hand_json(const Robot& robot) {
   const Hand& hand = robot.hand.value();
   Json json{{"approach", vector_to_json(hand.approach)}};
+  if (!hand.cups.empty()) {
+    json["origin"] = vector_to_json(hand.origin);
+    for (const SuctionCup& cup : hand.cups) json["cups"].push_back(cup_json(robot, cup));
+    return json;
+  }
   if (!hand.closing.isZero()) json["closing"] = vector_to_json(hand.closing);
   json["origin"] = vector_to_json(hand.origin);
   for (const Preshape& preshape : hand.preshapes) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/base/index.h"
+#include "sim/base/input_error.h"
 #include "sim/base/json/wrapped_json.h"
 #include "sim/base/number_text.h"
 #include "sim/base/xml/xml_text.h"
@@ -314,6 +315,8 @@ std::vector<RobotTextFile> UrdfWriter::write() {
   xml_.open("robot", {{"name", platform_.name}});
   for (const MountedRobot& mounted : platform_.robots) {
     require_sound(mounted.robot);
+    require(!mounted.robot.hand || mounted.robot.hand->cups.empty(),
+            {.field = mounted.robot.name, .problem = "URDF has no suction cups: write a .json"});
     const std::string prefix = platform_.robots.size() > 1 ? mounted.name + "_" : "";
     robots_.push_back(urdf_form(mounted.robot, prefix));
     write_robot(robots_.back());

@@ -86,11 +86,11 @@ INSTANTIATE_TEST_SUITE_P(
                        R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
                     "model": "soft_finger"}]})",
                        "contacts[0]: a soft_finger needs torsion"},
-        WrittenMistake{
-            "Model",
-            R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
+        WrittenMistake{"Model",
+                       R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1,
                     "model": "sticky"}]})",
-            "contacts[0].model: must be one of frictionless, point, soft_finger (\"sticky\")"},
+                       "contacts[0].model: must be one of frictionless, point, soft_finger, "
+                       "suction (\"sticky\")"},
         WrittenMistake{"Jacobian",
                        R"({"contacts": [{"position": [0,0,0], "normal": [0,0,1], "friction": 1}],
                     "hand": {"torque_limits": [1], "jacobian": [[1], [2]]}})",

@@ -76,7 +76,8 @@ INSTANTIATE_TEST_SUITE_P(All, LibraryPlatform, testing::ValuesIn(library_platfor
 
 TEST(PlatformLibrary, HoldsThePlatformsOfTheManual) {
   EXPECT_EQ(library_platform_names(),
-            (std::vector<std::string>{"obelix", "panda", "puma560_barrett", "ur5e_2f85"}));
+            (std::vector<std::string>{"obelix", "panda", "puma560_barrett", "ur5e_2f85",
+                                      "ur5e_suction"}));
 }
 
 TEST(PlatformLibrary, PlatformsAreNoRobots) {
