@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include <Eigen/Core>
@@ -31,6 +32,9 @@ struct Contact {
   double friction = 0.0;  // Coulomb coefficient, >= 0; a frictionless contact ignores it
   ContactModel model = ContactModel::point;
   double torsion = 0.0;  // soft finger: largest torque over largest friction force, >= 0 [m]
+  // Standard deviation of the logarithm of the coefficient, >= 0, in place of what is asked of all
+  // contacts (NoiseOptions); measures without errors ignore it.
+  std::optional<double> friction_deviation = {};
 };
 
 }  // namespace prehend

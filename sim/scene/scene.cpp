@@ -41,6 +41,7 @@ void forget_surface(Scene& scene) {
   scene.keep_out.clear();
   scene.preferred.clear();
   scene.object.completion.reset();
+  scene.object.surfaces.clear();
 }
 
 }  // namespace prehend
