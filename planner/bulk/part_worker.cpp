@@ -9,6 +9,7 @@
 #include "planner/plan/object_primitives.h"
 #include "planner/plan/search_grasps.h"
 #include "sim/scene/named_mass.h"
+#include "sim/scene/object_friction.h"
 #include "sim/scene/object_mass.h"
 #include "sim/scene/object_mesh.h"
 #include "sim/shape/files/mesh_file.h"
@@ -32,10 +33,10 @@ GraspableBody grasped_object(const Batch& batch, const BatchPart& part, Triangle
   return object;
 }
 
-// The coefficient of the object's material with every other one, whether it sticks or slides.
+// The coefficient of the object with every material, whether it sticks or slides.
 void set_friction(Scene& scene, double friction) {
+  set_object_friction(scene, friction);
   for (const Material other : kAll<Material>) {
-    scene.friction.set(scene.object.material, other, friction);
     scene.kinetic_friction.set(scene.object.material, other, std::nullopt);
   }
 }

@@ -224,6 +224,7 @@ void choose_hand(Scene& scene, const std::string& hand) {
   scene.hand = asked_by("hand", hand, [&] { return with_hand(find_robot(hand)); });
   scene.hand_source = robot_source(hand);
   scene.carrier.reset();
+  scene.link_surfaces.clear();
 }
 
 }  // namespace prehend

@@ -18,6 +18,7 @@
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
 #include "sim/base/input_file.h"
+#include "sim/base/joined.h"
 #include "sim/base/json/json_field.h"
 #include "sim/base/output_file.h"
 #include "sim/robot/files/foreign_robot.h"
@@ -223,6 +224,23 @@ std::vector<InspectedRobot> inspected_robots(const Platform& platform) {
   return robots;
 }
 
+// "rubber, wet_glass": of the regions of a body or a link, in their order.
+std::string materials_of(const std::vector<MaterialRegion>& surfaces) {
+  std::vector<std::string> names;
+  for (const MaterialRegion& surface : surfaces) names.push_back(surface_name(surface.of));
+  return joined(names);
+}
+
+void print_surfaces(const Scene& scene) {
+  const auto print = [](const std::string& of, const std::vector<MaterialRegion>& surfaces) {
+    if (surfaces.empty()) return;
+    std::printf("parts of the surface of %s: %s\n", of.c_str(), materials_of(surfaces).c_str());
+  };
+  print(scene.object.name, scene.object.surfaces);
+  for (const StaticBody& body : scene.obstacles) print(body.name, body.surfaces);
+  for (const LinkSurfaces& link : scene.link_surfaces) print(link.link, link.surfaces);
+}
+
 void print_scene(const Scene& scene, const InspectCommand& command, Interrupts& interrupts) {
   std::printf("scene %s: object %s of %s, %.3f kg; hand %s; %zu obstacles\n", scene.name.c_str(),
               scene.object.name.c_str(), std::string(name_of(scene.object.material)).c_str(),
@@ -232,6 +250,7 @@ void print_scene(const Scene& scene, const InspectCommand& command, Interrupts& 
   }
   print_mesh(scene.object.mesh, scene.object.mass_basis, scene.object.X_WO);
   print_mass(scene.object);
+  print_surfaces(scene);
   for (const StaticBody& body : scene.obstacles) {
     std::printf("obstacle %s of %s\n", body.name.c_str(),
                 std::string(name_of(body.material)).c_str());

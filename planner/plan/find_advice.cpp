@@ -175,13 +175,24 @@ class Adviser {
     return true;
   }
 
+  // What the link of a contact is made of there.
+  std::string link_material(const Trial& trial, const GraspContact& contact) const {
+    std::vector<Pose> X_HL;
+    link_poses(scene_.scene.hand, trial.joints, X_HL);
+    const Pose X_OL = trial.X_OH * X_HL[index(contact.link)];
+    const CompiledLink& link = scene_.links[index(contact.link)];
+    return surface_name(link.surface.at(X_OL.inverse() * contact.point.position));
+  }
+
   void advise_friction(const std::vector<const Trial*>& trials) {
     // The contact with the least friction names the materials.
     const GraspContact* slippery = nullptr;
+    const Trial* of = nullptr;
     for (const Trial* trial : trials) {
       for (const GraspContact& contact : trial->contacts) {
         if (slippery == nullptr || contact.point.friction < slippery->point.friction) {
           slippery = &contact;
+          of = trial;
         }
       }
     }
@@ -194,8 +205,8 @@ class Adviser {
         return contacts;
       });
       if (held.held == 0) continue;
-      const std::string& material = scene_.scene.hand.links[index(slippery->link)].material;
-      const std::string object(name_of(scene_.scene.object.material));
+      const std::string material = link_material(*of, *slippery);
+      const std::string object = surface_name(scene_.object_surface.at(slippery->point.position));
       add(Hint::friction,
           formatted("friction: it is %.2g between %s (hand) and %s (object); with %.2g, ",
                     slippery->point.friction, material.c_str(), object.c_str(), friction) +
@@ -266,6 +277,7 @@ class Adviser {
     scene.carrier.reset();
     scene.hand = hand;
     scene.hand_source = hand.name;
+    scene.link_surfaces.clear();
   }
 
   void advise_tolerance() {

@@ -5,7 +5,9 @@
 #include <initializer_list>
 
 #include "planner/show/palette.h"
+#include "sim/base/index.h"
 #include "sim/scene/compiled_scene.h"
+#include "sim/shape/weld.h"
 
 namespace prehend {
 namespace {
@@ -44,6 +46,68 @@ std::vector<DrawnBody> hand_bodies(const CompiledScene& scene, const PosedGrasp&
     const Link& link = hand.links[l];
     const Color& color = link.material == "rubber" ? palette::kRubber : palette::kHard;
     bodies.push_back(link_body(link, X_WH * X_HL[l], color));
+  }
+  return bodies;
+}
+
+// Adds the part of a triangle that is in the region to `skin`: where not all corners are, the
+// triangle is halved, down to pieces of a size.
+void add_skin(const SurfaceMaterials& materials, int region, const Corners& corners, double size,
+              TriangleMesh& skin) {
+  int inside = 0;
+  for (const Vector3& corner : corners) inside += materials.region_at(corner) == region ? 1 : 0;
+  std::size_t longest = 0;
+  const auto side = [&](std::size_t i) { return (corners[(i + 1) % 3] - corners[i]).norm(); };
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (side(i) > side(longest)) longest = i;
+  }
+  if (inside == 3 || side(longest) <= size) {
+    if (inside < 2) return;
+    const int first = static_cast<int>(skin.vertices.size());
+    skin.vertices.insert(skin.vertices.end(), corners.begin(), corners.end());
+    skin.triangles.push_back({first, first + 1, first + 2});
+    return;
+  }
+  const Vector3& a = corners[longest];
+  const Vector3& b = corners[(longest + 1) % 3];
+  const Vector3& c = corners[(longest + 2) % 3];
+  const Vector3 half = 0.5 * (a + b);
+  add_skin(materials, region, {a, half, c}, size, skin);
+  add_skin(materials, region, {half, b, c}, size, skin);
+}
+
+// Moves the vertices outward, so that the surface below does not show through.
+void lift(TriangleMesh& skin, double height) {
+  std::vector<Vector3> outward(skin.vertices.size(), Vector3::Zero());
+  for (std::size_t t = 0; t < skin.triangles.size(); ++t) {
+    for (const int v : skin.triangles[t]) outward[index(v)] += doubled_area_vector(skin, t);
+  }
+  for (std::size_t v = 0; v < outward.size(); ++v) {
+    if (outward[v].norm() > 0.0) skin.vertices[v] += height * outward[v].normalized();
+  }
+}
+
+// The object's parts of other materials. A stripe across a triangle shows where it is wider than a
+// piece, a 40th of the object's radius.
+std::vector<DrawnBody> surface_bodies(const CompiledScene& scene, const Pose& X_WC) {
+  constexpr double kPiece = 0.025;
+  constexpr double kHeight = 0.002;
+  constexpr double kSame = 1e-6;
+  const SurfaceMaterials& materials = scene.object_surface;
+  const TriangleMesh& mesh = scene.scene.object.mesh;
+  const double radius = object_radius(scene);
+  std::vector<DrawnBody> bodies;
+  for (int i = 0; i < materials.regions(); ++i) {
+    TriangleMesh pieces;
+    for (int t = 0; t < std::ssize(mesh.triangles); ++t) {
+      add_skin(materials, i, corners_of(mesh, t), kPiece * radius, pieces);
+    }
+    if (pieces.empty()) continue;
+    TriangleMesh skin = weld(pieces, kSame * radius).mesh;
+    lift(skin, kHeight * radius);
+    const SurfaceMaterial& of = materials.of(i);
+    bodies.push_back({std::move(skin), X_WC, palette::of_surface(of.material, !of.name.empty()),
+                      surface_name(of)});
   }
   return bodies;
 }
@@ -92,7 +156,9 @@ std::vector<DrawnBody> weakest_bodies(const CompiledScene& scene, const Pose& X_
 
 std::vector<DrawnBody> GraspBodies::grasp() const {
   std::vector<DrawnBody> bodies = {object};
-  for (const DrawnBody& body : joined({&hand, &contacts, &weakest})) bodies.push_back(body);
+  for (const DrawnBody& body : joined({&surfaces, &hand, &contacts, &weakest})) {
+    bodies.push_back(body);
+  }
   return bodies;
 }
 
@@ -116,6 +182,7 @@ GraspBodies grasp_bodies(const CompiledScene& scene, const PosedGrasp& grasp, in
   GraspBodies bodies;
   const Pose X_WC = object.X_WO * grasp.X_OC;
   bodies.object = {SharedMesh::borrowed(object.mesh), X_WC, palette::kObject, object.name};
+  bodies.surfaces = surface_bodies(scene, X_WC);
   bodies.hand = hand_bodies(scene, grasp);
   for (const GraspContact& contact : grasp.contacts) {
     bodies.contacts.push_back(contact_body(scene, X_WC, contact.point, cone_sides));

@@ -15,13 +15,15 @@ struct CompiledScene;
 // not copies of them: the scene must outlive the bodies.
 struct GraspBodies {
   DrawnBody object;                  // partly transparent
+  std::vector<DrawnBody> surfaces;   // its parts of other materials, as skins on it
   std::vector<DrawnBody> hand;       // its links, solid, in the hand's order
   std::vector<DrawnBody> contacts;   // a friction cone each, as wide as the friction
   std::vector<DrawnBody> weakest;    // arrows: force thick, torque thin; none for a zero wrench
   std::vector<DrawnBody> obstacles;  // partly transparent, in the scene's order
   std::vector<DrawnBody> arm;        // links that are not the hand's, solid; none without a posture
 
-  // Object, hand, contacts and the weakest wrench, in this order: what a picture is about.
+  // Object and its surfaces, hand, contacts and the weakest wrench, in this order: what a picture
+  // is about.
   std::vector<DrawnBody> grasp() const;
 
   // Obstacles and the arm.

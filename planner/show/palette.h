@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "planner/show/picture/color.h"
+#include "sim/base/material.h"
 #include "sim/trial/outcome.h"
 
 namespace prehend::palette {
@@ -23,6 +24,24 @@ inline constexpr Color kHard{0.45, 0.53, 0.63, 1.0};    // links of a hand that 
 inline constexpr Color kRubber{0.27, 0.31, 0.37, 1.0};  // links that do
 inline constexpr Color kArm{0.87, 0.70, 0.36, 1.0};
 inline constexpr Color kObstacle{0.72, 0.72, 0.72, 0.25};
+
+// Parts of the object's surface of another material; one with a name of its own is `own`.
+constexpr Color of_surface(Material material, bool own) {
+  if (own) return {0.10, 0.45, 0.80, 0.45};
+  switch (material) {
+    case Material::glass:
+      return {0.55, 0.78, 0.85, 0.45};
+    case Material::metal:
+      return {0.45, 0.53, 0.63, 0.45};
+    case Material::plastic:
+      return {0.80, 0.66, 0.30, 0.45};
+    case Material::wood:
+      return {0.55, 0.36, 0.20, 0.45};
+    case Material::rubber:
+      return {0.27, 0.31, 0.37, 0.45};
+  }
+  return kObject;  // not reached: all materials stand above
+}
 
 // Marks of a grasp.
 inline constexpr Color kPrimitive{0.16, 0.55, 0.55, 0.30};

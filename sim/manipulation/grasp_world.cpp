@@ -21,6 +21,15 @@ void set_mass(const GraspableBody& object, const ProcedureObject& asked, Inertia
   inertial.mass = mass;
 }
 
+// Of its links and their regions.
+std::vector<Material> materials_of(const RobotModel& robot) {
+  std::vector<Material> materials = robot.materials;
+  for (const SurfaceMaterials& surface : robot.surfaces) {
+    for (int i = 0; i < surface.regions(); ++i) materials.push_back(surface.of(i).material);
+  }
+  return materials;
+}
+
 }  // namespace
 
 GraspPosture posture_of(const Trial& trial) {
@@ -46,7 +55,8 @@ void follow_test_procedure(const CompiledScene& scene, const RobotModel& robot,
   set_mass(scene.scene.object, procedure.object, world.bodies[index(kObjectBody)].inertial);
   world.laws.torsion = procedure.torsion;
   if (!procedure.friction) return;
-  for (const Material material : robot.materials) {
+  for (const Material material : materials_of(robot)) {
+    world.bodies[index(kObjectBody)].surface.set_friction(material, *procedure.friction);
     world.laws.friction.set(material, scene.scene.object.material, *procedure.friction);
     if (world.laws.kinetic) {
       world.laws.kinetic->set(material, scene.scene.object.material, *procedure.friction);

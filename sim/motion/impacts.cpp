@@ -73,7 +73,7 @@ class IslandImpact {
     if (restitution == 0.0 || closing <= options_.slowest_bounce || closing <= room) return;
     ContactCondition condition;
     condition.friction = friction_of(world_.laws, held, a, b);
-    const double arm = arm_of(world_.laws, a, b, condition.friction);
+    const double arm = arm_of(world_.laws, held, a, b, condition.friction);
     condition.rows = arm > 0.0 ? 4 : 3;
     condition.offset[0] = -restitution * closing;
     for (const auto& [solid, sign] : {std::pair{&a, 1.0}, std::pair{&b, -1.0}}) {

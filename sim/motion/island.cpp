@@ -200,7 +200,7 @@ class IslandStep {
       const PlacedContact at = placed(held, a, b);
       ContactCondition condition;
       condition.friction = friction_of(world_.laws, held, a, b);
-      const double arm = arm_of(world_.laws, a, b, condition.friction);
+      const double arm = arm_of(world_.laws, held, a, b, condition.friction);
       condition.rows = arm > 0.0 ? 4 : 3;
       condition.offset[0] = approach_of(a, b, at);
       condition.correction[0] = opening_of(at, pair.crosses);

@@ -14,6 +14,15 @@ constexpr double kPadRadius = 0.03;
 // it, until rounding leaves nothing of either.
 constexpr double kMostFriction = 20.0;
 
+bool is_uniform(const Solid& a, const Solid& b) {
+  return a.surface == nullptr && b.surface == nullptr;
+}
+
+// What the solid is made of at a point of its surface, in its frame.
+SurfaceMaterial surface_at(const Solid& solid, const Vector3& p_S) {
+  return solid.surface != nullptr ? solid.surface->at(p_S) : SurfaceMaterial{solid.material};
+}
+
 }  // namespace
 
 double soft_arm(double depth) {
@@ -37,13 +46,19 @@ PlacedContact placed(const HeldContact& contact, const Solid& a, const Solid& b)
 double friction_of(const ContactLaws& laws, const HeldContact& contact, const Solid& a,
                    const Solid& b) {
   const FrictionTable& table = contact.slides && laws.kinetic ? *laws.kinetic : laws.friction;
-  return std::min(table.between(a.material, b.material), kMostFriction);
+  const double friction = is_uniform(a, b) ? table.between(a.material, b.material)
+                                           : friction_between(table, surface_at(a, contact.p_A),
+                                                              surface_at(b, contact.p_B));
+  return std::min(friction, kMostFriction);
 }
 
-double arm_of(const ContactLaws& laws, const Solid& a, const Solid& b, double friction) {
+double arm_of(const ContactLaws& laws, const HeldContact& contact, const Solid& a, const Solid& b,
+              double friction) {
   const bool of_robot = a.id.robot >= 0 || b.id.robot >= 0;
   if (of_robot && laws.torsion) return friction > 0.0 ? *laws.torsion / friction : 0.0;
-  return soft_arm(laws.compliant_depths.between(a.material, b.material));
+  if (is_uniform(a, b)) return soft_arm(laws.compliant_depths.between(a.material, b.material));
+  return soft_arm(
+      depth_between(laws.compliant_depths, surface_at(a, contact.p_A), surface_at(b, contact.p_B)));
 }
 
 }  // namespace prehend

@@ -27,6 +27,7 @@ double friction_of(const ContactLaws& laws, const HeldContact& contact, const So
 double soft_arm(double depth);
 
 // The lever arm with which friction resists spin at a contact [m]; 0: it does not.
-double arm_of(const ContactLaws& laws, const Solid& a, const Solid& b, double friction);
+double arm_of(const ContactLaws& laws, const HeldContact& contact, const Solid& a, const Solid& b,
+              double friction);
 
 }  // namespace prehend

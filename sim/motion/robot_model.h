@@ -10,6 +10,7 @@
 #include "sim/base/material.h"
 #include "sim/motion/clutches.h"
 #include "sim/scene/collision_body.h"
+#include "sim/scene/surface_material.h"
 
 namespace prehend {
 
@@ -27,6 +28,7 @@ struct RobotModel {
   std::shared_ptr<const RobotDynamics> dynamics;     // not null
   std::vector<CollisionBody> shapes = {};            // of each link
   std::vector<Material> materials = {};              // of each link
+  std::vector<SurfaceMaterials> surfaces = {};       // of each link; empty: as `materials`
   std::vector<std::pair<int, int>> self_pairs = {};  // links that may collide
   std::vector<Clutch> clutches = {};
   Eigen::MatrixXd joints_of = {};      // joints x coordinates

@@ -17,6 +17,7 @@ WorldBody world_body(const Body& body, const Pose& X_WB) {
                  .material = body.material};
   made.motion.X_WB = X_WB;
   made.restitution = body.restitution;
+  made.surface = SurfaceMaterials(body.material, body.surfaces, made.shape.mesh);
   return made;
 }
 

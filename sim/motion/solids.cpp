@@ -8,10 +8,15 @@
 namespace prehend {
 namespace {
 
+const SurfaceMaterials* surface_of(const SurfaceMaterials& surface) {
+  return surface.uniform() ? nullptr : &surface;
+}
+
 Solid solid_of(const WorldBody& body, int i) {
   Solid solid{.id = {-1, i},
               .shape = &body.shape,
               .material = body.material,
+              .surface = surface_of(body.surface),
               .restitution = body.restitution,
               .X_WS = body.motion.X_WB};
   if (body.is_fixed) return solid;
@@ -29,6 +34,9 @@ Solid solid_of(const WorldRobot& robot, const RobotState& state, int r, int link
   Solid solid{.id = {r, link},
               .shape = &robot.model->shapes[index(link)],
               .material = robot.model->materials[index(link)]};
+  if (!robot.model->surfaces.empty()) {
+    solid.surface = surface_of(robot.model->surfaces[index(link)]);
+  }
   solid.moves = true;
   if (joint < 0) {
     solid.X_WS = robot.X_WB;

@@ -14,6 +14,7 @@ struct Solid {
   SolidId id = {};
   const CollisionBody* shape = nullptr;
   Material material = Material::plastic;
+  const SurfaceMaterials* surface = nullptr;  // where it is not of the material all over
   double restitution = 0.0;
   int mover = -1;  // what moves it, in Movers: -1: nothing does
   Pose X_WS = Pose::Identity();

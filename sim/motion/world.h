@@ -14,6 +14,7 @@
 #include "sim/motion/rigid_motion.h"
 #include "sim/motion/robot_model.h"
 #include "sim/scene/friction_table.h"
+#include "sim/scene/surface_material.h"
 
 namespace prehend {
 
@@ -30,6 +31,7 @@ struct WorldBody {
   Vector3 torque_W = Vector3::Zero();  // about the centre of mass [N m]
   double rest_time = 0.0;              // for how long it has not moved noticeably [s]
   bool asleep = false;                 // it rests, and is not moved until something touches it
+  SurfaceMaterials surface = {};       // where it is not of the material all over
 };
 
 struct Drive {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include <Eigen/Core>
@@ -37,6 +38,9 @@ struct Contact {
                          // over the vacuum's force, >= 0 [m]
   double vacuum = 0.0;   // suction: force with which the vacuum presses the lip onto the object,
                          // >= 0 [N]
+  // Standard deviation of the logarithm of the coefficient, >= 0, in place of what is asked of all
+  // contacts (NoiseOptions); measures without errors ignore it.
+  std::optional<double> friction_deviation = {};
 };
 
 }  // namespace prehend

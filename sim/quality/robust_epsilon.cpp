@@ -54,7 +54,8 @@ std::vector<Contact> disturbed(std::span<const Contact> contacts, const WrenchFr
             .cwiseMin(kFarthest);
     contact.normal =
         normal_rotation(random, noise.normal_angle) * turn * contact.normal.normalized();
-    const double rougher = contact.friction * std::exp(noise.friction * random.normal());
+    const double deviation = contact.friction_deviation.value_or(noise.friction);
+    const double rougher = contact.friction * std::exp(deviation * random.normal());
     contact.friction = std::min(rougher, kLargestFriction);
   }
   return moved;

@@ -38,7 +38,8 @@ void for_each_setting(Options& options, const Visit& visit) {
         "Of the object as a whole, about each axis through the torque origin.");
   visit("contact_position", contact_position, kRatio, "r", "Of each contact by itself.");
   visit("normal_angle", normal_angle, kAngle, "rad", "Of the normal of each contact.");
-  visit("friction", friction, kRatio, "", "Of the logarithm of each friction coefficient.");
+  visit("friction", friction, kRatio, "",
+        "Of the logarithm of each friction coefficient that has none of its own.");
   visit("samples", samples, kSampleCount, "", "Samples of these errors.");
   visit.unlisted("seed", seed, kAtLeast0, "", "Of the samples.");
 }

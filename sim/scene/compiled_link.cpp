@@ -98,12 +98,15 @@ CompiledLink compile_link(const Scene& scene, const Robot& robot, const Link& li
   const double depth = scene.compliant_depths.between(material, scene.object.material);
   std::vector<int> joints = joints_to(robot, link.joint);
   std::vector<double> reach = reaches(robot, joints, link.mesh);
-  return {make_collision_body(link.name, link.mesh, true),
-          friction,
-          depth,
-          std::move(joints),
-          std::move(reach),
-          nullptr};
+  CompiledLink compiled{make_collision_body(link.name, link.mesh, true), friction, depth,
+                        std::move(joints), std::move(reach)};
+  compiled.friction_deviation = scene.friction_deviations.between(material, scene.object.material);
+  const auto own = std::find_if(scene.link_surfaces.begin(), scene.link_surfaces.end(),
+                                [&](const LinkSurfaces& of) { return of.link == link.name; });
+  const std::vector<MaterialRegion> none;
+  compiled.surface = SurfaceMaterials(
+      material, own == scene.link_surfaces.end() ? none : own->surfaces, compiled.mesh);
+  return compiled;
 }
 
 std::vector<CompiledLink> compile_links(const Scene& scene, const Robot& robot) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,14 +17,19 @@ namespace prehend {
 // A link with its contact properties against the object and a bound on its motion: when its joints
 // move by d_k, no point of it moves farther than the sum of reach[k] * |d_k|.
 struct CompiledLink : CollisionBody {
-  double friction = 0.0;         // coefficient of friction against the object
-  double compliant_depth = 0.0;  // indentation of its surface by the object, 0: hard [m]
+  // Against the object, where neither has regions of other materials (`surface`,
+  // CompiledScene::object_surface): coefficient of friction, and indentation of its surface by the
+  // object, 0: hard [m].
+  double friction = 0.0;
+  double compliant_depth = 0.0;
   // Joints between the robot's base and the link, base to tip (none for a link of the base), and
   // for each the farthest that a point of the link moves per unit of the joint's motion: for a
   // revolute joint the largest distance of any point from the axis [m], for a prismatic one 1.
   std::vector<int> joints = {};
   std::vector<double> reach = {};
   std::shared_ptr<const PadCache> pad = {};  // none: the link has no pad
+  SurfaceMaterials surface = {};
+  std::optional<double> friction_deviation = {};  // of `friction`
 };
 
 // A pair of links checked for self-collision.

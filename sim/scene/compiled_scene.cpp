@@ -112,6 +112,8 @@ CompiledScene compile(Scene scene, const RunContext& context) {
   compiled.keep_out = SurfaceRegions(scene.keep_out);
   compiled.preferred = SurfaceRegions(scene.preferred);
   compiled.porous = SurfaceRegions(scene.porous);
+  compiled.object_surface =
+      SurfaceMaterials(scene.object.material, scene.object.surfaces, compiled.object().mesh);
   compiled.self_pairs = collision_pairs(compiled.links, scene.hand);
   for (const Preshape& preshape : scene.hand.hand->preshapes) {
     context.cancellation.check();

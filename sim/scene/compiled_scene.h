@@ -29,9 +29,14 @@ struct CompiledScene {
   SurfaceRegions keep_out = {};  // as scene.keep_out and scene.preferred
   SurfaceRegions preferred = {};
   SurfaceRegions porous = {};
+  SurfaceMaterials object_surface = {};
   std::optional<CompiledArm> arm = {};  // the platform that carries the hand, where there is one
 
   const PlacedBody& object() const { return bodies.front(); }
+  // Whether friction and compliance are the same wherever a link touches the object.
+  bool is_uniform(const CompiledLink& link) const {
+    return object_surface.uniform() && link.surface.uniform();
+  }
   std::span<const PlacedBody> obstacles() const { return std::span(bodies).subspan(1); }
   bool has_obstacles() const { return bodies.size() > 1; }
   const PlacedBody& body(BodyId id) const { return bodies[index(id)]; }

@@ -77,6 +77,20 @@ FrictionTable sliding_friction(const FrictionTable& statics, const KineticFricti
   return table;
 }
 
+std::optional<double> FrictionDeviations::between(Material a, Material b) const {
+  return values_[place_of(a)][place_of(b)];
+}
+
+void FrictionDeviations::set(Material a, Material b, std::optional<double> deviation) {
+  constexpr double kLargest = 10.0;
+  require(!deviation || (*deviation >= 0.0 && *deviation <= kLargest),
+          {.field = "deviation",
+           .problem = "must be from 0 to 10",
+           .value = std::to_string(deviation.value_or(0.0))});
+  values_[place_of(a)][place_of(b)] = deviation;
+  values_[place_of(b)][place_of(a)] = deviation;
+}
+
 double CompliantDepths::of(Material material) const { return values_[place_of(material)]; }
 
 void CompliantDepths::set(Material material, double depth) {

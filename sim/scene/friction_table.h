@@ -44,6 +44,18 @@ class KineticFriction {
 // The friction of surfaces that slide: the kinetic coefficients, else the static ones.
 FrictionTable sliding_friction(const FrictionTable& statics, const KineticFriction& kinetic);
 
+// How uncertain the friction of a pair is: the standard deviation of the logarithm of its
+// coefficient. Pairs without one have that of the options that ask for errors.
+class FrictionDeviations {
+ public:
+  std::optional<double> between(Material a, Material b) const;
+  // Throws InputError unless the deviation is from 0 to 10. Without a number the pair has none.
+  void set(Material a, Material b, std::optional<double> deviation);
+
+ private:
+  std::array<std::array<std::optional<double>, 5>, 5> values_;
+};
+
 // How far the surface of a material gives way where a finger presses, 0 for hard materials, which
 // touch at points. Rubber: 1 mm, the Hertzian indentation of a pad of 2 MPa that is pressed with 20
 // N against a surface of radius 30 mm (Johnson, "Contact Mechanics", 1985, eq. 4.23).

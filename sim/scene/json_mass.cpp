@@ -16,11 +16,6 @@ std::optional<double> read_number(const JsonField& field, const char* key) {
   return field[key].number();
 }
 
-BeyondPlane read_beyond(const JsonField& field) {
-  field.allow_only({"point", "normal"});
-  return {field["point"].vector3(kCoordinate), field["normal"].direction()};
-}
-
 MassPart read_part(const JsonField& field) {
   field.allow_only({"name", "component", "inside", "beyond", "at", "density", "mass"});
   MassPart part{
@@ -55,11 +50,7 @@ struct RegionFields {
   Json operator()(const InsideShape& inside) const {
     return {{"inside", primitive_to_json(inside.shape)}};
   }
-  Json operator()(const BeyondPlane& beyond) const {
-    return {
-        {"beyond",
-         {{"point", vector_to_json(beyond.point_O)}, {"normal", vector_to_json(beyond.normal_O)}}}};
-  }
+  Json operator()(const BeyondPlane& beyond) const { return {{"beyond", beyond_to_json(beyond)}}; }
   Json operator()(const AtPoint& at) const { return {{"at", vector_to_json(at.p_O)}}; }
 };
 

@@ -178,4 +178,13 @@ nlohmann::ordered_json primitive_to_json(const Primitive& primitive) {
   return json;
 }
 
+BeyondPlane read_beyond(const JsonField& field) {
+  field.allow_only({"point", "normal"});
+  return {field["point"].vector3(kCoordinate), field["normal"].direction()};
+}
+
+nlohmann::ordered_json beyond_to_json(const BeyondPlane& plane) {
+  return {{"point", vector_to_json(plane.point_O)}, {"normal", vector_to_json(plane.normal_O)}};
+}
+
 }  // namespace prehend

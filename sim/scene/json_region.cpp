@@ -3,15 +3,16 @@
 #include "sim/scene/json_primitive.h"
 
 namespace prehend {
-namespace {
 
-SurfaceRegion read_region(const JsonField& field) {
-  field.allow_only({"part", "inside"});
-  if (field.has("part") == field.has("inside")) field.fail("needs one of part, inside");
+SurfaceRegion read_region_fields(const JsonField& field) {
+  const int given = int{field.has("part")} + int{field.has("inside")} + int{field.has("beyond")};
+  if (given != 1) field.fail("needs one of part, inside, beyond");
   SurfaceRegion region;
   if (field.has("part")) {
     region.part = field["part"].text();
     if (region.part.empty()) field["part"].fail("must not be empty");
+  } else if (field.has("beyond")) {
+    region.beyond = read_beyond(field["beyond"]);
   } else {
     region.inside = read_primitive(field["inside"]);
     if (is_curve(region.inside.shape)) {
@@ -21,23 +22,24 @@ SurfaceRegion read_region(const JsonField& field) {
   return region;
 }
 
-}  // namespace
-
 std::vector<SurfaceRegion> read_regions(const JsonField& list) {
   std::vector<SurfaceRegion> regions;
-  for (const JsonField& field : list.items()) regions.push_back(read_region(field));
+  for (const JsonField& field : list.items()) {
+    field.allow_only({"part", "inside", "beyond"});
+    regions.push_back(read_region_fields(field));
+  }
   return regions;
+}
+
+nlohmann::ordered_json region_to_json(const SurfaceRegion& region) {
+  if (!region.part.empty()) return {{"part", region.part}};
+  if (region.beyond) return {{"beyond", beyond_to_json(*region.beyond)}};
+  return {{"inside", primitive_to_json(region.inside)}};
 }
 
 nlohmann::ordered_json regions_to_json(const std::vector<SurfaceRegion>& regions) {
   auto list = nlohmann::ordered_json::array();
-  for (const SurfaceRegion& region : regions) {
-    if (region.part.empty()) {
-      list.push_back({{"inside", primitive_to_json(region.inside)}});
-    } else {
-      list.push_back({{"part", region.part}});
-    }
-  }
+  for (const SurfaceRegion& region : regions) list.push_back(region_to_json(region));
   return list;
 }
 

@@ -8,9 +8,16 @@
 
 namespace prehend {
 
-// A list of {"part": NAME} and {"inside": {shape}} (docs/reference/scene-file.md); the surfaces of
-// parts are not known yet. Throws InputError that names the field.
+// One of {"part": NAME}, {"inside": {shape}} and {"beyond": {plane}} (docs/reference/scene-file.md)
+// among other fields, which the caller allows; the surface of a part is not known yet. Throws
+// InputError that names the field.
+SurfaceRegion read_region_fields(const JsonField& field);
+
+// A list of these without other fields.
 std::vector<SurfaceRegion> read_regions(const JsonField& list);
+
+// The fields that read_region_fields reads.
+nlohmann::ordered_json region_to_json(const SurfaceRegion& region);
 
 // The list that read_regions reads.
 nlohmann::ordered_json regions_to_json(const std::vector<SurfaceRegion>& regions);

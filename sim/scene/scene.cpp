@@ -42,6 +42,7 @@ void forget_surface(Scene& scene) {
   scene.preferred.clear();
   scene.porous.clear();
   scene.object.completion.reset();
+  scene.object.surfaces.clear();
 }
 
 }  // namespace prehend

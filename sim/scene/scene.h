@@ -8,6 +8,7 @@
 
 #include "sim/robot/platform.h"
 #include "sim/scene/friction_table.h"
+#include "sim/scene/surface_material.h"
 #include "sim/scene/surface_region.h"
 #include "sim/shape/mass_parts.h"
 #include "sim/shape/mass_properties.h"
@@ -55,6 +56,7 @@ struct StaticBody {
   Material material = Material::wood;
   ShapeSource source = {};
   double restitution = 0.0;  // 0 to 1: of the velocity of an impact; of a pair, the larger counts
+  std::vector<MaterialRegion> surfaces = {};  // of another material, body frame; the last counts
 };
 
 // How the mass of an object is spread.
@@ -89,6 +91,14 @@ struct GraspableBody {
   ShapeSource source = {};
   double restitution = 0.0;  // as of a StaticBody
   std::optional<Completion> completion = {};
+  std::vector<MaterialRegion> surfaces = {};  // as of a StaticBody
+};
+
+// Parts of a link of the hand that are not of the link's material, its frame; none is a part of a
+// mesh file.
+struct LinkSurfaces {
+  std::string link;
+  std::vector<MaterialRegion> surfaces;
 };
 
 // The platform that carries the hand to the object: an arm, perhaps on a mobile base.
@@ -111,6 +121,8 @@ struct Scene {
   FrictionTable friction;  // static
   KineticFriction kinetic_friction = {};
   CompliantDepths compliant_depths;
+  FrictionDeviations friction_deviations = {};
+  std::vector<LinkSurfaces> link_surfaces = {};  // of the hand
   std::vector<Primitive> primitives;  // of the object, frame O; empty: found from the mesh
   // Of the object: a grasp that touches the one is none, one that touches only the other comes
   // first.
@@ -126,8 +138,8 @@ struct Scene {
 // The mass of an object whose scene states none [kg]: that of a household object.
 inline constexpr double kDefaultObjectMass = 0.3;
 
-// Clears what is said of the surface of the object, which is to be another one: primitives, regions
-// and what was seen of it.
+// Clears what is said of the surface of the object, which is to be another one: primitives,
+// regions, materials of parts and what was seen of it.
 void forget_surface(Scene& scene);
 
 // Of an object from a mesh file that is not as large as things that hands hold (10 mm to 1 m), the

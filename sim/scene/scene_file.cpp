@@ -11,6 +11,7 @@
 #include "sim/base/json/json_field.h"
 #include "sim/base/json/json_pose.h"
 #include "sim/base/json/yaml_file.h"
+#include "sim/base/nearest_name.h"
 #include "sim/base/range.h"
 #include "sim/base/xml/xml_file.h"
 #include "sim/robot/files/platform_file.h"
@@ -21,6 +22,7 @@
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/json_region.h"
+#include "sim/scene/json_surface.h"
 #include "sim/scene/make_scene.h"
 #include "sim/scene/moveit_scene.h"
 #include "sim/scene/named_mass.h"
@@ -57,10 +59,16 @@ double read_restitution(const JsonField& body) {
   return body.number_or("restitution", 0.0, kFraction);
 }
 
-TriangleMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit) {
-  TriangleMesh mesh = load_mesh(file, {.metres_per_unit = metres_per_unit}).mesh;
-  orient_outward(mesh);
-  return mesh;
+// A surface, and the parts of its file where they are asked for.
+struct BodyMesh {
+  TriangleMesh mesh;
+  std::vector<MeshPart> parts = {};
+};
+
+BodyMesh mesh_from_file(const std::filesystem::path& file, double metres_per_unit, bool parts) {
+  LoadedMesh loaded = load_mesh(file, {.metres_per_unit = metres_per_unit, .part_surfaces = parts});
+  orient_outward(loaded.mesh);
+  return {std::move(loaded.mesh), std::move(loaded.parts)};
 }
 
 constexpr int kDefaultTriangles = 5000;
@@ -77,16 +85,16 @@ double read_unit(const JsonField& body) {
 }
 
 // Exactly one of "mesh" (a file beside the scene), "generate" (a name) and "geometry" (shapes).
-TriangleMesh read_body_mesh(const JsonField& body, ShapeBudget& budget) {
+BodyMesh read_body_mesh(const JsonField& body, ShapeBudget& budget, bool parts = false) {
   const int given = int{body.has("mesh")} + int{body.has("generate")} + int{body.has("geometry")};
   if (given != 1) body.fail("needs exactly one of mesh, generate, geometry");
   if (body.has("mesh")) {
     const std::filesystem::path file = body.file().parent_path() / body["mesh"].text();
-    return mesh_from_file(file, read_unit(body));
+    return mesh_from_file(file, read_unit(body), parts);
   }
-  if (body.has("geometry")) return read_geometry(body["geometry"], FileUnits{}, {}, budget);
+  if (body.has("geometry")) return {read_geometry(body["geometry"], FileUnits{}, {}, budget)};
   try {
-    return generate_object(body["generate"].text(), read_triangles(body));
+    return {generate_object(body["generate"].text(), read_triangles(body))};
   } catch (const InputError& error) {
     body[error.field() == "triangles" ? "triangles" : "generate"].fail_about(error);
   }
@@ -124,7 +132,7 @@ bool read_repair(const JsonField& field, const SceneSource& source) {
 ObjectMesh read_object_mesh(const JsonField& field, bool repair, bool part_surfaces,
                             ShapeBudget& budget) {
   if (!field.has("mesh") || field.has("generate") || field.has("geometry")) {
-    return {.mesh = read_body_mesh(field, budget), .unit = "m"};
+    return {.mesh = read_body_mesh(field, budget).mesh, .unit = "m"};
   }
   (void)read_unit(field);
   const std::filesystem::path file = field.file().parent_path() / field["mesh"].text();
@@ -134,6 +142,17 @@ ObjectMesh read_object_mesh(const JsonField& field, bool repair, bool part_surfa
 bool are_of_parts(const std::vector<SurfaceRegion>& regions) {
   return std::any_of(regions.begin(), regions.end(),
                      [](const SurfaceRegion& region) { return !region.part.empty(); });
+}
+
+bool are_of_parts(const std::vector<MaterialRegion>& surfaces) {
+  return std::any_of(surfaces.begin(), surfaces.end(),
+                     [](const MaterialRegion& surface) { return !surface.where.part.empty(); });
+}
+
+// The regions in "surfaces" of a body or a link.
+std::vector<MaterialRegion> read_body_surfaces(const JsonField& body, const NamedMaterials& named) {
+  if (!body.has("surfaces")) return {};
+  return read_surfaces(body["surfaces"], named);
 }
 
 // Whether a region is a part of the mesh file, whose surface is needed then.
@@ -183,16 +202,18 @@ bool says_where_mass_is(const JsonField& field) {
 }
 
 // The object with its regions, and notes about it.
-void read_object(const JsonField& field, const SceneSource& source, ShapeBudget& budget,
-                 Scene& scene) {
+void read_object(const JsonField& field, const SceneSource& source, const NamedMaterials& named,
+                 ShapeBudget& budget, Scene& scene) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "mass",
                     "density", "center_of_mass", "parts", "pose", "primitives", "repair",
-                    "restitution", "keep_out", "preferred", "porous"});
+                    "restitution", "keep_out", "preferred", "porous", "surfaces"});
   if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
   if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
   if (field.has("porous")) scene.porous = read_regions(field["porous"]);
+  std::vector<MaterialRegion> surfaces = read_body_surfaces(field, named);
   const bool repair = read_repair(field, source);
-  ObjectMesh surface = read_object_mesh(field, repair, needs_parts(scene, source.choice), budget);
+  const bool parts = needs_parts(scene, source.choice) || are_of_parts(surfaces);
+  ObjectMesh surface = read_object_mesh(field, repair, parts, budget);
   if (field.has("keep_out")) find_parts(field["keep_out"], surface.parts, scene.keep_out);
   if (field.has("preferred")) find_parts(field["preferred"], surface.parts, scene.preferred);
   if (field.has("porous")) find_parts(field["porous"], surface.parts, scene.porous);
@@ -211,6 +232,8 @@ void read_object(const JsonField& field, const SceneSource& source, ShapeBudget&
   }
   if (field.has("pose")) body.X_WO = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
+  if (field.has("surfaces")) find_surfaces(field["surfaces"], surface.parts, body.mesh, surfaces);
+  body.surfaces = std::move(surfaces);
   body.source = read_source(field);
   if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = repair;
   if (!field.has("primitives")) return;
@@ -219,16 +242,20 @@ void read_object(const JsonField& field, const SceneSource& source, ShapeBudget&
   }
 }
 
-StaticBody read_obstacle(const JsonField& field, ShapeBudget& budget) {
+StaticBody read_obstacle(const JsonField& field, const NamedMaterials& named, ShapeBudget& budget) {
   field.allow_only({"name", "mesh", "unit", "generate", "triangles", "geometry", "material", "pose",
-                    "restitution"});
+                    "restitution", "surfaces"});
+  std::vector<MaterialRegion> surfaces = read_body_surfaces(field, named);
+  BodyMesh read = read_body_mesh(field, budget, are_of_parts(surfaces));
+  if (field.has("surfaces")) find_surfaces(field["surfaces"], read.parts, read.mesh, surfaces);
   StaticBody body{field["name"].text(),
-                  read_body_mesh(field, budget),
+                  std::move(read.mesh),
                   Pose::Identity(),
                   read_material(field, Material::wood),
                   {}};
   if (field.has("pose")) body.X_WB = read_pose(field["pose"]);
   body.restitution = read_restitution(field);
+  body.surfaces = std::move(surfaces);
   body.source = read_source(field);
   return body;
 }
@@ -236,7 +263,7 @@ StaticBody read_obstacle(const JsonField& field, ShapeBudget& budget) {
 // What an entry says of a pair replaces what earlier ones did.
 void read_friction(const JsonField& list, Scene& scene) {
   for (const JsonField& field : list.items()) {
-    field.allow_only({"between", "static", "kinetic"});
+    field.allow_only({"between", "static", "kinetic", "deviation"});
     const std::vector<JsonField> pair = field["between"].items();
     if (pair.size() != 2) field["between"].fail("must name two materials");
     const auto material = [](const JsonField& name) {
@@ -245,7 +272,13 @@ void read_friction(const JsonField& list, Scene& scene) {
     const Material a = material(pair[0]);
     const Material b = material(pair[1]);
     scene.kinetic_friction.set(a, b, std::nullopt);
-    if (!field.has("kinetic") || field.has("static")) {
+    scene.friction_deviations.set(a, b, std::nullopt);
+    if (field.has("deviation")) {
+      const JsonField deviation = field["deviation"];
+      with_field_errors(deviation,
+                        [&] { scene.friction_deviations.set(a, b, deviation.number()); });
+    }
+    if (field.has("static") || !(field.has("kinetic") || field.has("deviation"))) {
       const JsonField friction = field["static"];
       with_field_errors(friction, [&] { scene.friction.set(a, b, friction.number()); });
     }
@@ -370,10 +403,10 @@ std::size_t number_of(const JsonField& object, const std::string& asked, const S
 }
 
 // The thing as the object, and the others as obstacles.
-void read_seen_object(const JsonField& field, const SceneSource& source, SeenOnce& seen,
-                      Scene& scene) {
+void read_seen_object(const JsonField& field, const SceneSource& source,
+                      const NamedMaterials& named, SeenOnce& seen, Scene& scene) {
   field.allow_only({"views", "unit", "number", "material", "mass", "density", "center_of_mass",
-                    "parts", "restitution", "keep_out", "preferred", "porous"});
+                    "parts", "restitution", "keep_out", "preferred", "porous", "surfaces"});
   const SeenThings& things = things_of(field, seen);
   if (field.has("keep_out")) scene.keep_out = read_regions(field["keep_out"]);
   if (field.has("preferred")) scene.preferred = read_regions(field["preferred"]);
@@ -386,6 +419,9 @@ void read_seen_object(const JsonField& field, const SceneSource& source, SeenOnc
              read_material(field, Material::plastic), whole_mass(field), scene);
   read_mass(field, scene.object);
   scene.object.restitution = read_restitution(field);
+  scene.object.surfaces = read_body_surfaces(field, named);
+  if (!field.has("surfaces")) return;
+  find_surfaces(field["surfaces"], {}, scene.object.mesh, scene.object.surfaces);
 }
 
 std::vector<std::string> names_of_objects(const JsonField& root) {
@@ -406,6 +442,7 @@ std::vector<std::string> names_of_objects(const JsonField& root) {
 StaticBody in_the_way(const GraspableBody& object) {
   StaticBody body{object.name, object.mesh, object.X_WO, object.material, object.source};
   body.restitution = object.restitution;
+  body.surfaces = object.surfaces;
   // The files of obstacles are never repaired.
   if (auto* file = std::get_if<MeshFileSource>(&body.source)) file->repair = true;
   return body;
@@ -422,11 +459,11 @@ void require_object(const ObjectChoice& choice, const std::vector<std::string>& 
 }
 
 // The chosen object, and all others as obstacles.
-void read_objects(const JsonField& root, const SceneSource& source, ShapeBudget& budget,
-                  SeenOnce& seen, Scene& scene) {
+void read_objects(const JsonField& root, const SceneSource& source, const NamedMaterials& named,
+                  ShapeBudget& budget, SeenOnce& seen, Scene& scene) {
   if (is_seen(root)) {
     if (root.has("objects")) root["object"].fail("not beside \"objects\"");
-    read_seen_object(root["object"], source, seen, scene);
+    read_seen_object(root["object"], source, named, seen, scene);
     note_size(scene);
     note_uniform_mass(scene);
     return;
@@ -437,29 +474,53 @@ void read_objects(const JsonField& root, const SceneSource& source, ShapeBudget&
   const auto chosen = asked.empty() ? names.begin() : std::find(names.begin(), names.end(), asked);
   const auto at = static_cast<std::size_t>(chosen - names.begin());
   const bool several = root.has("objects");
-  read_object(several ? root["objects"].items()[at] : root["object"], source, budget, scene);
+  read_object(several ? root["objects"].items()[at] : root["object"], source, named, budget, scene);
   note_size(scene);
   note_uniform_mass(scene);
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (i == at) continue;
     SceneSource as_it_is{.hand = "", .repair = source.repair};
     Scene other;
-    read_object(root["objects"].items()[i], as_it_is, budget, other);
+    read_object(root["objects"].items()[i], as_it_is, named, budget, other);
     scene.obstacles.push_back(in_the_way(other.object));
   }
 }
 
+// Regions of links, which are those of the hand that the scene names, not of another in its place.
+void read_link_surfaces(const JsonField& links, bool other_hand, const NamedMaterials& named,
+                        Scene& scene) {
+  for (const std::string& name : links.keys()) {
+    const JsonField field = links[name];
+    LinkSurfaces link{name, read_surfaces(field, named)};
+    if (are_of_parts(link.surfaces)) field.fail("a link has no parts with names; state a shape");
+    if (other_hand) continue;
+    std::vector<std::string> known;
+    for (const Link& of_hand : scene.hand.links) {
+      known.push_back(of_hand.name);
+      if (of_hand.name == name) find_surfaces(field, {}, of_hand.mesh, link.surfaces);
+    }
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      field.fail("the hand has no such link; " + did_you_mean(name, known) + "it has " +
+                 joined(known));
+    }
+    scene.link_surfaces.push_back(std::move(link));
+  }
+  if (other_hand) scene.notes.push_back("link_surfaces are of another hand: not used");
+}
+
 Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& seen) {
-  root.allow_only(
-      {"name", "object", "objects", "hand", "robot", "obstacles", "friction", "compliant_depths"});
+  root.allow_only({"name", "object", "objects", "hand", "robot", "obstacles", "friction",
+                   "compliant_depths", "materials", "link_surfaces"});
   if (root.has("hand") && root.has("robot")) {
     root["hand"].fail("not beside \"robot\", whose platform has a hand");
   }
   Scene scene;
   scene.name = root.text_or("name", root.file().stem().string());
   ShapeBudget budget;
+  const NamedMaterials named =
+      root.has("materials") ? read_materials(root["materials"]) : NamedMaterials();
   if (source.needs_object || root.has("object") || root.has("objects")) {
-    read_objects(root, source, budget, seen, scene);
+    read_objects(root, source, named, budget, seen, scene);
   } else {
     scene.object = nothing_to_grasp();
   }
@@ -479,7 +540,7 @@ Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& see
   }
   if (root.has("obstacles")) {
     for (const JsonField& field : root["obstacles"].items()) {
-      scene.obstacles.push_back(read_obstacle(field, budget));
+      scene.obstacles.push_back(read_obstacle(field, named, budget));
     }
   }
   raise_sunk_object(scene);
@@ -487,6 +548,9 @@ Scene read_scene(const JsonField& root, const SceneSource& source, SeenOnce& see
   if (root.has("friction")) read_friction(root["friction"], scene);
   if (root.has("compliant_depths"))
     read_compliant_depths(root["compliant_depths"], scene.compliant_depths);
+  if (root.has("link_surfaces")) {
+    read_link_surfaces(root["link_surfaces"], !source.hand.empty(), named, scene);
+  }
   return scene;
 }
 

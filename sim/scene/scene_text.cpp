@@ -7,6 +7,7 @@
 #include "sim/scene/json_mass.h"
 #include "sim/scene/json_primitive.h"
 #include "sim/scene/json_region.h"
+#include "sim/scene/json_surface.h"
 
 // A body is written by its source where it has one (a mesh file, the name of a generated object,
 // the shapes of a scene file), so that the text is short and reads back as the same body. Only
@@ -60,6 +61,7 @@ Json body_json(const Body& body, const Pose& X_WB) {
   json["material"] = name_of(body.material);
   json["pose"] = pose_to_json(X_WB);
   if (body.restitution > 0.0) json["restitution"] = body.restitution;
+  if (!body.surfaces.empty()) json["surfaces"] = surfaces_to_json(body.surfaces);
   return json;
 }
 
@@ -112,10 +114,14 @@ Json friction_json(const Scene& scene) {
     for (std::size_t b = a; b < kAll<Material>.size(); ++b) {
       const double friction = scene.friction.between(kAll<Material>[a], kAll<Material>[b]);
       const auto kinetic = scene.kinetic_friction.between(kAll<Material>[a], kAll<Material>[b]);
-      if (friction == standard.between(kAll<Material>[a], kAll<Material>[b]) && !kinetic) continue;
+      const auto deviation =
+          scene.friction_deviations.between(kAll<Material>[a], kAll<Material>[b]);
+      const bool is_standard = friction == standard.between(kAll<Material>[a], kAll<Material>[b]);
+      if (is_standard && !kinetic && !deviation) continue;
       json.push_back({{"between", {name_of(kAll<Material>[a]), name_of(kAll<Material>[b])}},
                       {"static", friction}});
       if (kinetic) json.back()["kinetic"] = *kinetic;
+      if (deviation) json.back()["deviation"] = *deviation;
     }
   }
   return json;
@@ -152,6 +158,12 @@ std::string scene_text(const Scene& scene) {
   }
   if (const Json depths = compliant_json(scene.compliant_depths); !depths.empty()) {
     json["compliant_depths"] = depths;
+  }
+  for (const LinkSurfaces& link : scene.link_surfaces) {
+    json["link_surfaces"][link.link] = surfaces_to_json(link.surfaces);
+  }
+  if (const Json materials = materials_to_json(scene); !materials.empty()) {
+    json["materials"] = materials;
   }
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

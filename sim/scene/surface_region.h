@@ -1,9 +1,11 @@
 // Parts of an object's surface that fingers must not touch, or had better touch.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/shape/mass_parts.h"
 #include "sim/shape/primitive.h"
 #include "sim/shape/proximity_mesh.h"
 #include "sim/shape/triangle_mesh.h"
@@ -12,12 +14,14 @@ namespace prehend {
 
 struct MeshPart;  // sim/shape/files/mesh_file.h
 
-// What of the surface lies in a solid, or is one part of the mesh file.
+// What of the surface lies in a solid or beyond a plane, or is one part of the mesh file.
 struct SurfaceRegion {
-  // The name in the file of a group, object or material of that part; empty: `inside` says where.
+  // The name in the file of a group, object or material of that part; empty: `inside` or `beyond`
+  // says where.
   std::string part = {};
-  Primitive inside = {};      // a solid, frame O
-  TriangleMesh surface = {};  // of the part, frame O; known once the object is loaded
+  Primitive inside = {};                   // a solid, frame O
+  TriangleMesh surface = {};               // of the part, frame O; known once the object is loaded
+  std::optional<BeyondPlane> beyond = {};  // in place of `inside`
 };
 
 // What may be said of a scene's object beside what its file says.
@@ -27,8 +31,11 @@ struct ObjectChoice {
   std::vector<SurfaceRegion> preferred = {};
 };
 
-// The triangles of the parts of this name: their whole name, or its beginning or end as words.
-// Throws InputError that lists the names where there is none.
+// Whether the part has this name: its whole name, or its beginning or end as words.
+bool is_part_called(const MeshPart& part, const std::string& name);
+
+// The triangles of the parts of this name. Throws InputError that lists the names where there is
+// none.
 TriangleMesh part_surface(const std::string& name, const std::vector<MeshPart>& parts);
 
 // Regions made ready to be asked for points. Copies share the search trees.
@@ -41,12 +48,13 @@ class SurfaceRegions {
   // The surfaces of parts must be known.
   explicit SurfaceRegions(const std::vector<SurfaceRegion>& regions);
 
-  bool empty() const { return shapes_.empty() && parts_.empty(); }
+  bool empty() const { return shapes_.empty() && planes_.empty() && parts_.empty(); }
   // Whether the point is in one of them, or no farther from a part than `margin` [m].
   bool contain(const Vector3& p_O, double margin = kMargin) const;
 
  private:
   std::vector<Primitive> shapes_;
+  std::vector<BeyondPlane> planes_;
   std::vector<ProximityMesh> parts_;
 };
 

@@ -11,6 +11,13 @@
 
 namespace prehend {
 
+// A contact by the materials that touch there: numbers of regions (SurfaceMaterials::region_at).
+struct TouchingRegions {
+  int of_object = -1;
+  int of_link = -1;
+  bool operator==(const TouchingRegions&) const = default;
+};
+
 // Buffers of grasp_contacts, to allocate less; one for each thread.
 struct GraspContactsWorkspace {
   RobotPoses poses;
@@ -20,6 +27,9 @@ struct GraspContactsWorkspace {
   std::vector<SoftPatch> patches;  // of one link
   PadWorkspace pad;
   PadPatch pad_patch;  // of one link
+  // Where surfaces have regions of several materials.
+  std::vector<SurfaceContact> all_touching;  // of one link
+  std::vector<TouchingRegions> materials;    // of each of these
 };
 
 // As grasp_contacts of grasp_contacts.h; `contacts` is replaced.

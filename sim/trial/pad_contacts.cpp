@@ -103,11 +103,15 @@ std::optional<PadPressing> pad_pressing(const Robot& hand, const CompiledLink& l
 }
 
 void add_pad_contacts(const CompiledScene& scene, const Pose& X_OH, std::size_t l,
-                      const PadContactOptions& options, GraspContactsWorkspace& workspace,
-                      std::vector<GraspContact>& contacts) {
+                      const std::vector<SurfaceContact>& touching, const PadContactOptions& options,
+                      GraspContactsWorkspace& workspace, std::vector<GraspContact>& contacts) {
+  const auto append = [&](const Contact& point) {
+    contacts.push_back({link_id(l), point, 0.0});
+    contacts.back().point.friction_deviation = scene.links[l].friction_deviation;
+  };
   const CompiledLink& link = scene.links[l];
   const auto pressing =
-      pad_pressing(scene.scene.hand, link, X_OH, workspace.poses, workspace.touching, options.load);
+      pad_pressing(scene.scene.hand, link, X_OH, workspace.poses, touching, options.load);
   if (!pressing) return;
   const std::shared_ptr<const Pad> made = link.pad->get(options.elements);
   const std::vector<PressedPoint>& points = workspace.pad_patch.points;
@@ -118,17 +122,13 @@ void add_pad_contacts(const CompiledScene& scene, const Pose& X_OH, std::size_t 
   if (options.patch == PadPatchModel::nodes) {
     for (const std::size_t i : standing_for(points, surface)) {
       const double area = made->areas[index(workspace.pad_patch.nodes[i])];
-      contacts.push_back({link_id(l),
-                          {points[i].position, points[i].normal, link.friction,
-                           ContactModel::soft_finger, torsion_of_disc(area)},
-                          0.0});
+      append({points[i].position, points[i].normal, link.friction, ContactModel::soft_finger,
+              torsion_of_disc(area)});
     }
     return;
   }
-  contacts.push_back({link_id(l),
-                      {nearest_to_resultant(points, surface).position, surface.normal,
-                       link.friction, ContactModel::soft_finger, surface.fitted_torsion},
-                      0.0});
+  append({nearest_to_resultant(points, surface).position, surface.normal, link.friction,
+          ContactModel::soft_finger, surface.fitted_torsion});
 }
 
 }  // namespace prehend

@@ -31,11 +31,11 @@ std::optional<PadPressing> pad_pressing(const Robot& hand, const CompiledLink& l
                                         const std::vector<SurfaceContact>& touching,
                                         double otherwise);
 
-// Presses the pad of link `l` of the hand at X_OH, where it touches (`workspace`: poses and
-// contacts of that link), and appends what stands for its patch; nothing where the pad bears
-// nothing, as where the link touches beside it.
+// Presses the pad of link `l` of the hand at X_OH, which touches at these points (`workspace`:
+// poses of the hand), and appends what stands for its patch; nothing where the pad bears nothing,
+// as where the link touches beside it.
 void add_pad_contacts(const CompiledScene& scene, const Pose& X_OH, std::size_t l,
-                      const PadContactOptions& options, GraspContactsWorkspace& workspace,
-                      std::vector<GraspContact>& contacts);
+                      const std::vector<SurfaceContact>& touching, const PadContactOptions& options,
+                      GraspContactsWorkspace& workspace, std::vector<GraspContact>& contacts);
 
 }  // namespace prehend

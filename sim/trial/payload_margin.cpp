@@ -137,15 +137,12 @@ Vector3 given_down(const CompiledScene& scene) {
 // The contacts of one grasp and the weight on them.
 class Weighed {
  public:
-  Weighed(const CompiledScene& scene, const Trial& trial, double friction = 1.0,
-          const Vector3& center_of_mass_O = Vector3::Zero())
+  Weighed(const CompiledScene& scene, const Trial& trial, const Perturbation& perturbation = {})
       : frame_(scene.wrench_frame),
         weight_(scene.scene.object.mass * kStandardGravity),
-        center_of_mass_O_(center_of_mass_O),
-        contacts_(contacts_of(trial.contacts)),
-        hand_(hand_torques(scene, trial)) {
-    for (Contact& contact : contacts_) contact.friction *= friction;
-  }
+        center_of_mass_O_(perturbation.center_of_mass_O),
+        contacts_(with_friction_of(perturbation, contacts_of(trial.contacts))),
+        hand_(hand_torques(scene, trial)) {}
 
   // The least sum of normal forces; infinite where nothing balances the weight.
   double least_sum(const Vector3& down_O) const {
@@ -292,9 +289,8 @@ double weight_strength(const CompiledScene& scene, const Trial& trial) {
   return Weighed(scene, trial).strength(given_down(scene));
 }
 
-bool can_lift(const CompiledScene& scene, const Trial& trial, double friction,
-              const Vector3& center_of_mass_O) {
-  return Weighed(scene, trial, friction, center_of_mass_O).is_borne(given_down(scene));
+bool can_lift(const CompiledScene& scene, const Trial& trial, const Perturbation& perturbation) {
+  return Weighed(scene, trial, perturbation).is_borne(given_down(scene));
 }
 
 }  // namespace prehend

@@ -4,6 +4,7 @@
 
 #include "sim/base/pose.h"
 #include "sim/base/run_context.h"
+#include "sim/trial/uncertainty.h"
 
 namespace prehend {
 
@@ -48,9 +49,9 @@ PayloadMargin payload_margin(const CompiledScene& scene, const Trial& trial,
 // How many times the weight the drives hold as the object lies (LoadCase::strength).
 double weight_strength(const CompiledScene& scene, const Trial& trial);
 
-// Whether the drives hold the weight as the object lies, with all friction coefficients times a
-// factor and the centre of mass shifted [m].
-bool can_lift(const CompiledScene& scene, const Trial& trial, double friction = 1.0,
-              const Vector3& center_of_mass_O = Vector3::Zero());
+// Whether the drives hold the weight as the object lies, with friction and the centre of mass
+// disturbed.
+bool can_lift(const CompiledScene& scene, const Trial& trial,
+              const Perturbation& perturbation = {});
 
 }  // namespace prehend

@@ -36,15 +36,14 @@ class DisturbedTrials {
   bool holds(const Perturbation& perturbation) {
     motion_ = replayed_approach(candidate_, first_, perturbation.X_OC);
     run_hand_trial(scene_, motion_, options_, workspace_, trial_, context_);
-    return !trial_.contacts.empty() &&
-           can_lift(scene_, trial_, perturbation.friction, perturbation.center_of_mass_O);
+    return !trial_.contacts.empty() && can_lift(scene_, trial_, perturbation);
   }
 
   // With friction as disturbed.
-  double epsilon(double friction) const {
+  double epsilon(const Perturbation& perturbation) const {
     if (trial_.contacts.empty()) return 0.0;
-    std::vector<Contact> contacts = contacts_of(trial_.contacts);
-    for (Contact& contact : contacts) contact.friction *= friction;
+    const std::vector<Contact> contacts =
+        with_friction_of(perturbation, contacts_of(trial_.contacts));
     return grasp_epsilon(contacts, scene_.wrench_frame, {.edges = options_.cone_edges}).lower;
   }
 
@@ -132,7 +131,7 @@ void add_samples(const CompiledScene& scene, const Candidate& candidate, const T
       stands_for = false;
     }
     ++robustness.outcomes[trials.outcome()];
-    robustness.epsilons.push_back(trials.epsilon(perturbation.friction));
+    robustness.epsilons.push_back(trials.epsilon(perturbation));
   }
   std::vector<double> epsilons = robustness.epsilons;
   robustness.samples = static_cast<int>(epsilons.size());

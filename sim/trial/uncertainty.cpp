@@ -75,6 +75,16 @@ Matrix3 center_shift(const CompiledScene& scene, double part_of_radius) {
 
 }  // namespace
 
+std::vector<Contact> with_friction_of(const Perturbation& perturbation,
+                                      std::vector<Contact> contacts) {
+  for (Contact& contact : contacts) {
+    contact.friction *= contact.friction_deviation
+                            ? std::exp(*contact.friction_deviation * perturbation.friction_error)
+                            : perturbation.friction;
+  }
+  return contacts;
+}
+
 std::vector<Perturbation> perturbations(const CompiledScene& scene,
                                         const UncertaintyOptions& options, std::uint64_t seed) {
   require_settings(options);
@@ -93,6 +103,7 @@ std::vector<Perturbation> perturbations(const CompiledScene& scene,
     Perturbation perturbation;
     perturbation.X_OC = pose_from(turn, center_O - turn * center_O + moved_O);
     perturbation.friction = std::exp(options.friction * n[3]);
+    perturbation.friction_error = n[3];
     perturbation.center_of_mass_O = shift * Vector3(n[7], n[8], n[9]);
     all.push_back(perturbation);
   }

@@ -7,6 +7,7 @@
 
 #include "sim/base/pose.h"
 #include "sim/base/settings.h"
+#include "sim/quality/contact.h"
 
 namespace prehend {
 
@@ -42,7 +43,8 @@ void for_each_setting(Options& options, const Visit& visit) {
         "Of the object, about each axis through its centre of mass.");
   visit("hand", hand, kDistance, "m", "Of the hand, along each axis.");
   visit("hand_angle", hand_angle, kAngle, "rad", "Of the hand, about each axis.");
-  visit("friction", friction, kRatio, "", "Of the logarithm of each friction coefficient.");
+  visit("friction", friction, kRatio, "",
+        "Of the logarithm of each friction coefficient that has none of its own.");
   visit("center_of_mass", center_of_mass, kRatio, "",
         "Of the centre of mass, along each axis, as a part of the object's largest distance from "
         "it; a quarter where the centre is stated, three times along a long object of uniform "
@@ -60,9 +62,16 @@ struct Perturbation {
   // The object is seen at O and is at C, in the frame O: the hand, which goes where it would for an
   // object at O, is at X_OC.inverse() * X_OH relative to it.
   Pose X_OC = Pose::Identity();
-  double friction = 1.0;                       // factor of all coefficients
+  double friction = 1.0;  // factor of all coefficients
+  // The error of which that factor is made, as a part of the standard deviation: coefficients with
+  // a deviation of their own (Contact::friction_deviation) follow from it.
+  double friction_error = 0.0;
   Vector3 center_of_mass_O = Vector3::Zero();  // shift of it [m]
 };
+
+// The contacts with disturbed coefficients.
+std::vector<Contact> with_friction_of(const Perturbation& perturbation,
+                                      std::vector<Contact> contacts);
 
 // options.samples disturbances of the scene's object. They are quasi-random: spread more evenly
 // than random ones, so that fewer are enough. The first n of them do not depend on how many are

@@ -21,6 +21,7 @@ WorldBody object_body(const CompiledScene& scene) {
   body.inertial = {object.mass, object.center_of_mass, object.inertia};
   body.motion.X_WB = object.X_WO;
   body.restitution = object.restitution;
+  body.surface = scene.object_surface;
   return body;
 }
 
@@ -32,11 +33,23 @@ std::vector<double> part_of(const Eigen::VectorXd& values, int first, int count)
 }  // namespace
 
 std::shared_ptr<const RobotModel> hand_model(const CompiledScene& scene) {
-  return std::make_shared<const RobotModel>(make_robot_model(scene.scene.hand));
+  RobotModel model = make_robot_model(scene.scene.hand);
+  if (!scene.scene.link_surfaces.empty()) {
+    for (const CompiledLink& link : scene.links) model.surfaces.push_back(link.surface);
+  }
+  return std::make_shared<const RobotModel>(std::move(model));
 }
 
 std::shared_ptr<const RobotModel> platform_model(const CompiledScene& scene) {
-  return std::make_shared<const RobotModel>(make_robot_model(scene.arm->robot()));
+  RobotModel model = make_robot_model(scene.arm->robot());
+  if (!scene.scene.link_surfaces.empty()) {
+    // The hand's links come as they are in the hand.
+    model.surfaces.resize(model.robot.links.size());
+    for (std::size_t l = 0, of_hand = 0; l < model.surfaces.size(); ++l) {
+      if (scene.arm->is_hand_link(link_id(l))) model.surfaces[l] = scene.links[of_hand++].surface;
+    }
+  }
+  return std::make_shared<const RobotModel>(std::move(model));
 }
 
 World make_scene_world(const CompiledScene& scene, bool obstacles) {
@@ -58,6 +71,7 @@ World make_scene_world(const CompiledScene& scene, const std::vector<BodyId>& ob
     fixed.is_fixed = true;
     fixed.motion.X_WB = obstacle.X_WB;
     fixed.restitution = obstacle.restitution;
+    fixed.surface = SurfaceMaterials(obstacle.material, obstacle.surfaces, fixed.shape.mesh);
     world.bodies.push_back(std::move(fixed));
   }
   return world;

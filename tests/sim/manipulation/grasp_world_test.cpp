@@ -1,5 +1,7 @@
 #include "sim/manipulation/grasp_world.h"
 
+#include <string>
+
 #include <gtest/gtest.h>
 
 #include "sim/scene/compiled_scene.h"
@@ -80,6 +82,39 @@ TEST(GraspWorld, TheFrictionOfAProtocolHoldsForWhatSlidesAsWell) {
   const World world = world_of_grasp(scene, procedure);
   ASSERT_TRUE(world.laws.kinetic);
   EXPECT_EQ(world.laws.kinetic->between(pad, Material::plastic), 0.8);
+}
+
+TEST(GraspWorld, PartsOfSurfacesAreThoseOfTheScene) {
+  Scene scene = cube_on_table();
+  SurfaceRegion upper;
+  upper.beyond = BeyondPlane{Vector3::Zero(), Vector3::UnitZ()};
+  scene.object.surfaces = {{upper, {Material::glass}}};
+  scene.obstacles[0].surfaces = {{upper, {Material::metal}}};
+  const std::string link = scene.hand.links.back().name;
+  scene.link_surfaces = {{link, {{upper, {Material::rubber}}}}};
+  TestProcedure procedure;
+  procedure.on_support = true;
+  const World world = world_of_grasp(scene, procedure);
+  const Vector3 top(0.0, 0.0, 0.02);
+  const SurfaceMaterials& object = world.bodies[kObjectBody].surface;
+  EXPECT_EQ(object.at(top).material, Material::glass);
+  EXPECT_EQ(object.at(-top).material, Material::plastic);
+  EXPECT_EQ(world.bodies[1].surface.at({0.0, 0.0, 0.01}).material, Material::metal);
+  const RobotModel& model = *world.robots[0].model;
+  ASSERT_EQ(model.surfaces.size(), model.robot.links.size());
+  for (std::size_t l = 0; l < model.surfaces.size(); ++l) {
+    EXPECT_EQ(model.surfaces[l].uniform(), model.robot.links[l].name != link);
+  }
+  // A protocol's friction is between the hand and all of the object.
+  procedure.friction = 0.8;
+  const World rough = world_of_grasp(scene, procedure);
+  for (const Vector3& p : {top, Vector3(-top)}) {
+    for (const Material of_hand : model.materials) {
+      EXPECT_EQ(
+          friction_between(rough.laws.friction, rough.bodies[kObjectBody].surface.at(p), {of_hand}),
+          0.8);
+    }
+  }
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "sim/motion/scene_bodies.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "sim/base/input_error.h"
@@ -44,6 +47,44 @@ TEST(SceneWorld, WhatSlidesHasTheKineticFrictionOfTheScene) {
     const double rate = 9.81 * (std::sin(slope) - 0.2 * std::cos(slope));
     // The first step does not know yet that it slides.
     EXPECT_NEAR(reached, speed > 0.0 ? speed + rate * seconds : 0.0, 0.01) << speed;
+  }
+}
+
+// On a board whose one half is slippery, a cube stays on the other half and slides there, by
+// g (sin a - mu cos a); so does a cube whose underside is slippery.
+TEST(SceneWorld, APartOfASurfaceHasItsOwnFriction) {
+  const double slope = 0.3;
+  const Vector3 down(std::cos(slope), 0.0, -std::sin(slope));
+  SurfaceMaterial wet{Material::wood, "wet"};
+  wet.friction[Material::plastic] = 0.1;
+  SurfaceRegion half;
+  half.beyond = BeyondPlane{Vector3::Zero(), Vector3::UnitY()};
+  SurfaceRegion under;
+  under.beyond = BeyondPlane{{0.0, 0.0, -0.01}, -Vector3::UnitZ()};
+  SurfaceMaterial slick{Material::plastic, "slick"};
+  slick.friction[Material::wood] = 0.1;
+  for (const bool of_board : {true, false}) {
+    for (const bool slides : {false, true}) {
+      Scene scene = tilted_scene(slope);
+      if (of_board) {
+        scene.obstacles[0].surfaces = {{half, wet}};
+        scene.object.X_WO = translation({0.0, slides ? 0.2 : -0.2, 0.0}) * scene.object.X_WO;
+      } else {
+        // Turned over, another side of it lies on the board.
+        scene.object.surfaces = {{under, slick}};
+        if (!slides) scene.object.X_WO.rotate(Eigen::AngleAxisd(std::numbers::pi, Vector3::UnitX()));
+      }
+      World world;
+      add_bodies(scene, world);
+      const double seconds = 0.3;
+      for (double time = 0.0; time < seconds - 1e-9;) {
+        const StepResult result = step_world(world, {.step = 1e-3});
+        ASSERT_EQ(result.outcome, StepOutcome::moved);
+        time += result.time;
+      }
+      const double rate = 9.81 * (std::sin(slope) - 0.1 * std::cos(slope));
+      EXPECT_NEAR(world.bodies[0].motion.linear.dot(down), slides ? rate * seconds : 0.0, 0.01);
+    }
   }
 }
 

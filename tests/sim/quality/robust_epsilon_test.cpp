@@ -50,6 +50,20 @@ TEST(RobustEpsilon, NoiseSpreadsAndFrictionScales) {
   EXPECT_LT(more.percentile_5, some.percentile_5);
 }
 
+TEST(RobustEpsilon, AContactsOwnDeviationReplacesThatOfAll) {
+  Contacts contacts = octahedron_grasp(0.4);
+  NoiseOptions noise = no_noise();
+  noise.friction = 0.3;
+  const RobustEpsilon of_all = robust_epsilon(contacts, {}, {}, noise);
+  for (Contact& contact : contacts) contact.friction_deviation = 0.3;
+  noise.friction = 0.0;
+  EXPECT_EQ(robust_epsilon(contacts, {}, {}, noise).mean, of_all.mean);
+  noise.friction = 0.3;
+  for (Contact& contact : contacts) contact.friction_deviation = 0.0;
+  const RobustEpsilon known = robust_epsilon(contacts, {}, {}, noise);
+  EXPECT_NEAR(known.mean, grasp_epsilon(contacts, {}).lower, 1e-9);
+}
+
 TEST(RobustEpsilon, SameSeedSameBytesAndSizeDoesNotMatter) {
   const Contacts contacts = cube_grasp(0.4);
   NoiseOptions noise;

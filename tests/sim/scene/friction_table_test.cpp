@@ -58,6 +58,18 @@ TEST(FrictionTable, RefusesWhatIsNoFriction) {
   EXPECT_EQ(refusal(0.0), "");
 }
 
+TEST(FrictionDeviations, AreOfThePairInBothOrders) {
+  FrictionDeviations deviations;
+  EXPECT_EQ(deviations.between(Material::wood, Material::glass), std::nullopt);
+  deviations.set(Material::wood, Material::glass, 0.3);
+  EXPECT_EQ(deviations.between(Material::glass, Material::wood), 0.3);
+  deviations.set(Material::glass, Material::wood, std::nullopt);
+  EXPECT_EQ(deviations.between(Material::wood, Material::glass), std::nullopt);
+  for (const double bad : {-0.1, 11.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_THROW(deviations.set(Material::wood, Material::glass, bad), InputError);
+  }
+}
+
 TEST(Material, NamesGoBothWays) {
   for (const Material material : kAll<Material>) {
     EXPECT_EQ(material_named(name_of(material)), material);

@@ -67,7 +67,8 @@ TEST(SurfaceRegion, APartIsCalledByItsWholeNameItsMaterialOrItsOwn) {
   EXPECT_EQ(part_surface("steel", parts).triangles.size(), 24U);
   EXPECT_STREQ(
       test::refusal_of([&] { (void)part_surface("eft", parts); }).what(),
-      "no part of the mesh file is called that; it has steel left, steel right_half (eft)");
+      "no part of the mesh file is called that; did you mean left? it has steel left, steel "
+      "right_half (eft)");
   EXPECT_TRUE(load_mesh(file).parts.front().surface.empty());
 }
 
@@ -123,7 +124,7 @@ TEST(SurfaceRegion, MistakesNameTheField) {
             "object.keep_out[0].part: no part of the mesh file is called that; it has steel left, "
             "steel right_half (up)");
   EXPECT_EQ(refusal_of_scene(stick_scene(R"(, "preferred": [{}])")),
-            "object.preferred[0]: needs one of part, inside ({})");
+            "object.preferred[0]: needs one of part, inside, beyond ({})");
   EXPECT_EQ(refusal_of_scene(stick_scene(R"(, "preferred": [{"inside": {"shape": "bar", "points":
       [[0, 0, 0], [0, 0, 1]], "width": 0.1, "closed": false}}])")),
             "object.preferred[0].inside.shape: must be box, sphere, cylinder or cone (\"bar\")");

@@ -261,6 +261,16 @@ TEST(TryDisturbed, ErrorsOfFrictionDropWhatIsHeldBarely) {
   options.samples = 64;
   options.friction = 0.25;
   EXPECT_NEAR(robustness_of(compiled, tried, options).held, 32, 8);
+  // A deviation of the pair takes the place of the one of the options.
+  for (const double deviation : {0.0, 0.25}) {
+    Scene known = compiled.scene;
+    known.friction_deviations.set(Material::rubber, Material::plastic, deviation);
+    const CompiledScene of_pair = compile(std::move(known));
+    tried.trial = run_trial(of_pair, tried.candidate);
+    options.friction = deviation == 0.0 ? 0.25 : 0.0;
+    EXPECT_NEAR(robustness_of(of_pair, tried, options).held, deviation == 0.0 ? 64 : 32,
+                deviation == 0.0 ? 0 : 8);
+  }
 }
 
 }  // namespace
