@@ -55,6 +55,7 @@ inline void expect_same_dof(const DegreeOfFreedom& a, const DegreeOfFreedom& b) 
 }
 
 inline void expect_same_link(const Link& a, const Link& b) {
+  EXPECT_TRUE(a.pad == b.pad) << a.name;
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.material, b.material) << a.name;
   EXPECT_EQ(a.joint, b.joint) << a.name;
