@@ -14,7 +14,9 @@
 
 #include "sim/robot/files/robot_file.h"
 #include "sim/scene/make_scene.h"
+#include "sim/shape/basic_shapes.h"
 #include "sim/shape/files/mesh_file.h"
+#include "sim/soft/press_pad.h"
 #include "sim/trial/run_trial.h"
 #include "tests/support/published_grasps.h"
 
@@ -124,6 +126,47 @@ void print_torsion(const std::vector<TriedByModel>& all) {
   }
 }
 
+// Both pads of the Franka hand pressed with 70 N each on a plate, which all of their nodes touch,
+// and on the edge of a bar.
+void print_press() {
+  Scene scene;
+  scene.object = make_graspable("cube", make_box({0.05, 0.05, 0.05}), Material::plastic);
+  scene.hand = find_robot("franka_hand");
+  const CompiledScene compiled = compile(std::move(scene));
+  const auto link =
+      std::ranges::find_if(compiled.links, [](const CompiledLink& l) { return l.pad != nullptr; });
+  const double start = processor_seconds();
+  const auto pad = link->pad->get({});
+  std::printf("\nA pad of %zu nodes is prepared in %.2f s, once.\n\n", pad->nodes_L.size(),
+              processor_seconds() - start);
+  Vector3 center_L = Vector3::Zero();
+  for (const Vector3& p : pad->nodes_L) {
+    center_L += p / static_cast<double>(pad->nodes_L.size());
+  }
+  Pose X_OL(Eigen::Quaterniond::FromTwoVectors(pad->outward_L, Vector3::UnitZ()));
+  X_OL.translation() = Vector3(0.0, 0.0, -0.02) - X_OL.linear() * center_L;
+  std::printf("| two pads with 70 N each | nodes that bear | ms, median of 101 |\n|---|--:|--:|\n");
+  const std::array<std::pair<std::string_view, TriangleMesh>, 2> objects{
+      {{"on a plate", make_box({0.1, 0.1, 0.0399})},
+       {"on a bar of 10 mm", transformed(make_box({0.01, 0.1, 0.0399}),
+                                         Pose(Eigen::AngleAxisd(0.3, Vector3::UnitZ())))}}};
+  for (const auto& [name, mesh] : objects) {
+    const ProximityMesh object(mesh);
+    PadWorkspace workspace;
+    PadPatch patch;
+    std::vector<double> seconds;
+    for (int i = 0; i < 101; ++i) {
+      const double before = processor_seconds();
+      for (int side = 0; side < 2; ++side) {
+        press_pad(object, *pad, X_OL, Vector3::UnitZ(), 70.0, workspace, patch);
+      }
+      seconds.push_back(processor_seconds() - before);
+    }
+    std::printf("| %s | %zu | %.2f |\n", std::string(name).c_str(), patch.points.size(),
+                1e3 * quantile(seconds, 0.5));
+  }
+}
+
 std::vector<TriedByModel> try_all(const std::filesystem::path& shared, std::size_t most) {
   constexpr std::string_view kPrefix = "dexycb_franka_";
   std::vector<std::filesystem::path> files;
@@ -171,6 +214,7 @@ int main(int count, char** arguments) {
     prehend::print_held(all);
     prehend::print_epsilon(all);
     prehend::print_torsion(all);
+    prehend::print_press();
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;
