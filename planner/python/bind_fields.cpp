@@ -56,12 +56,13 @@ void bind_fields(py::module_& core) {
                  preferred, seconds);
   PREHEND_FIELDS(LoadCase, down_O, sum_of_normals, largest_normal, strength);
   PREHEND_FIELDS(PayloadMargin, given, worst);
+  PREHEND_FIELDS(HeldByPads, patches, stiffness, softest);
   PREHEND_FIELDS(FreeEnd, kept, epsilon, strength, moved);
   PREHEND_FIELDS(Robustness, samples, held, epsilon_mean, epsilon_low, epsilons, outcomes, strength,
                  free, position_margin, weakest_O, weakest_end);
   PREHEND_FIELDS(Refinement, parent, gain, trials);
   PREHEND_FIELDS(ScoredGrasp, trial, candidate, volume, primitive, rule, path, sections, tried,
-                 epsilon_nearby, holding, robustness, refinement, free, shake, shapes, lift);
+                 epsilon_nearby, holding, pads, robustness, refinement, free, shake, shapes, lift);
   PREHEND_FIELDS(HeldShapes, likely, thin, thick, certainty);
   PREHEND_FIELDS(Tried, candidate, X_OH, approach_O, outcome, collision_of);
   PREHEND_FIELDS(CollisionCount, outcome, link, by, count);

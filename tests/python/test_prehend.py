@@ -669,6 +669,20 @@ class Errors(unittest.TestCase):
             "no arm", prehend.plan, prehend.load_scene("mug"), few_options(paths=prehend.options.GraspPathOptions())
         )
 
+    def test_pads_of_finite_elements(self):
+        options = few_options()
+        options.trial.contacts = "fem"
+        self.refused("barrett: contacts: fem needs", prehend.plan, prehend.load_scene("mug"), options)
+        scene = prehend.make_scene(box_mesh(0.03, 0.05, 0.1), hand="franka_hand")
+        pads = prehend.plan(scene, options).grasps[0].pads
+        self.assertGreater(pads.softest, 0.0)
+        self.assertEqual([patch.link for patch in pads.patches], ["left_pad", "right_pad"])
+        for patch in pads.patches:
+            self.assertGreater(patch.load, 0.0)
+            self.assertGreater(patch.nodes, 0)
+            self.assertAlmostEqual(np.linalg.norm(patch.normal), 1.0)
+        self.assertIsNone(prehend.plan(scene, few_options()).grasps[0].pads)
+
     def test_options_are_values(self):
         options = few_options()
         twin = copy.deepcopy(options)

@@ -128,6 +128,7 @@ ONLY_IN_CPP = {
     "Robustness": {"epsilons": "their mean and a low percentile are there"},
     "Refinement": {"parent": "an index into tried"},
     "Tried": {"collision_of": "blockers count them"},
+    "HeldByPads": {"stiffness": "its softest motion is there"},
     "PlanResult": {"trial_seconds": "timings_json() has them"},
     "ProposedGrasp": {
         name: "state of the sequence of proposals"

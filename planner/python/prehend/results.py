@@ -33,11 +33,13 @@ __all__ = [
     "FreeClosing",
     "FreeEnd",
     "Grasp",
+    "HeldByPads",
     "HeldShapes",
     "Hint",
     "LiftEnd",
     "LoadCase",
     "Outcome",
+    "PadPatch",
     "PayloadMargin",
     "PlanCount",
     "PlanResult",
@@ -356,6 +358,44 @@ class FreeClosing:
         return _made(FreeClosing, fields)
 
 
+@dataclass(frozen=True, eq=False)
+class PadPatch:
+    """Where a pad of finite elements bears on the object, in the object's frame O."""
+
+    link: str
+    nodes: int
+    """How many of the pad bear."""
+    approach: float
+    """Of the pad's base from where the pad first touches [m]."""
+    load: float
+    """Along `normal` [N]."""
+    center: FloatArray = field(repr=False)
+    """(3,): of pressure [m]."""
+    normal: FloatArray = field(repr=False)
+    """(3,): unit, into the object."""
+    torsion: float
+    """Largest torque about the normal over friction and load [m]."""
+    fitted_torsion: float
+    """Of the ellipsoid nearest to the limit surface [m]."""
+    fit_error: float
+    """Farthest that the limit surface lies from it, as a part of it."""
+
+
+@dataclass(frozen=True, eq=False)
+class HeldByPads:
+    """What the pads of a grasp do together."""
+
+    softest: float
+    """Stiffness of the softest motion of the object while everything sticks [N/m]."""
+    patches: List[PadPatch]
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "HeldByPads":
+        return HeldByPads(
+            fields["softest"], [_made(PadPatch, patch) for patch in fields["patches"]]
+        )
+
+
 @dataclass(frozen=True)
 class HeldShapes:
     """On which shapes an object that was seen in part may have a grasp holds."""
@@ -382,6 +422,8 @@ class Grasp(Trial):
     or the contact threshold changed by 10 %; None where the volume was not computed."""
     holding: Optional[PayloadMargin] = field(repr=False)
     """What its weight takes; None without contacts and where the volume was not computed."""
+    pads: Optional[HeldByPads] = field(repr=False)
+    """Of contacts by finite elements; None of others and where the volume was not computed."""
     robustness: Optional[Robustness] = field(repr=False)
     """How it fares with errors of the pose; None where that was not asked for."""
     free: Optional[FreeClosing] = field(repr=False)
@@ -406,6 +448,9 @@ class Grasp(Trial):
             fields["holding"] = PayloadMargin(
                 LoadCase(**holding["given"]), LoadCase(**holding["worst"])
             )
+        pads = fields["pads"]
+        if pads is not None:
+            fields["pads"] = HeldByPads._of(pads)
         robustness = fields["robustness"]
         if robustness is not None:
             fields["robustness"] = Robustness._of(robustness)
