@@ -27,9 +27,9 @@ template <SettingsOf<PadOptions> Options, typename Visit>
 void for_each_setting(Options& options, const Visit& visit) {
   auto& [spacing, most_nodes, layers, steepest] = options;
   visit("spacing", spacing, kLengthAbove0, "m",
-        "Between the nodes of a pad's surface; larger where there would be too many.");
+        "Between nodes of a pad's surface, unless these are too many.");
   visit("most_nodes", most_nodes, Range{.lower = 4.0, .upper = 5000.0}, "",
-        "Most nodes of a pad's surface. Memory and time to prepare a pad grow with their square.");
+        "Of a pad's surface. Memory grows with the square.");
   visit("layers", layers, Range{.lower = 1.0, .upper = 20.0}, "",
         "Of elements over the thickness.");
   visit("steepest", steepest, Range{.upper = 1.2}, "rad",

@@ -46,8 +46,7 @@ void for_each_setting(Options& options, const Visit& visit) {
   auto& [patch, load, elements] = options;
   visit("patch", patch,
         "What stands for the patch of a pad: points at its rim, or one soft finger.");
-  visit("load", load, kEffortAbove0, "N",
-        "With which a pad presses where no joint that moves it states an effort.");
+  visit("load", load, kEffortAbove0, "N", "With which a pad presses where joints state no effort.");
   visit("elements", elements, "How pads are divided.");
 }
 

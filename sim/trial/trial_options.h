@@ -93,9 +93,9 @@ void for_each_setting(Options& options, const Visit& visit) {
         "How often it does, in trials of given grasps. A search backs off only where it finds "
         "nothing (`patience`).");
   visit("contacts", contacts,
-        "Contacts of links that give way. hard: points with friction, as of all others. soft: in "
-        "addition a patch that resists torque about the normal, as of an elastic foundation. fem: "
-        "pads of finite elements, where the robot file has some.");
+        "Of links that give way. hard: points with friction; soft: also patches that resist "
+        "torque, of "
+        "an elastic foundation; fem: pads of finite elements.");
   visit("pads", pads, "Pads of finite elements.");
   visit("settle", settle, "How an object settles between two fingers.");
   visit("cone_edges", cone_edges, kConeEdges, "",
