@@ -29,9 +29,8 @@ struct ContactSets {
 // offsets[g] up to offsets[g + 1].
 ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Doubles& friction,
                       const Doubles& torsion, const Doubles& moment, const Doubles& vacuum,
-                      const std::vector<int>& models,
-                      const std::vector<std::size_t>& offsets, const Doubles& origins,
-                      const Doubles& scales) {
+                      const std::vector<int>& models, const std::vector<std::size_t>& offsets,
+                      const Doubles& origins, const Doubles& scales) {
   const std::vector<Vector3> p = vectors_of(positions);
   const std::vector<Vector3> n = vectors_of(normals);
   const std::vector<double> mu = numbers_of(friction);
@@ -42,9 +41,9 @@ ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Do
   const std::vector<double> scale = numbers_of(scales);
   const std::size_t m = p.size();
   const std::size_t grasps = origin.size();
-  if (n.size() != m || mu.size() != m || r.size() != m || tilt.size() != m ||
-      pull.size() != m || models.size() != m ||
-      scale.size() != grasps || offsets.size() != grasps + 1 || offsets.back() != m) {
+  if (n.size() != m || mu.size() != m || r.size() != m || tilt.size() != m || pull.size() != m ||
+      models.size() != m || scale.size() != grasps || offsets.size() != grasps + 1 ||
+      offsets.back() != m) {
     throw std::invalid_argument("arrays of different lengths");
   }
   ContactSets sets;
@@ -52,8 +51,8 @@ ContactSets make_sets(const Doubles& positions, const Doubles& normals, const Do
     sets.frames.push_back({origin[g], scale[g]});
     std::vector<Contact>& contacts = sets.contacts.emplace_back();
     for (std::size_t i = offsets[g]; i < offsets.at(g + 1); ++i) {
-      contacts.push_back({p.at(i), n[i], mu[i], static_cast<ContactModel>(models[i]), r[i],
-                          tilt[i], pull[i]});
+      contacts.push_back(
+          {p.at(i), n[i], mu[i], static_cast<ContactModel>(models[i]), r[i], tilt[i], pull[i]});
     }
   }
   return sets;

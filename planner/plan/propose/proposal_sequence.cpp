@@ -165,8 +165,8 @@ std::optional<ProposedGrasp> ProposalSequence::next(Track track) {
   Progress& walk = progress(track);
   std::size_t left_out = 0;
   while (true) {
-    const bool leaves_out = options_.approach || !scene_->keep_out.empty() ||
-                            !scene_->scene.hand.hand->cups.empty();
+    const bool leaves_out =
+        options_.approach || !scene_->keep_out.empty() || !scene_->scene.hand.hand->cups.empty();
     if (leaves_out && left_out++ == kMostLeftOut) walk.families.clear();
     if (walk.families.empty()) return std::nullopt;
     if (walk.passed == walk.first_point.back()) {

@@ -273,9 +273,8 @@ void RobotReader::derive_limits(const JsonField& field, int dof) {
 
 void RobotReader::read_chain_links(const JsonField& chain_field, const Chain& chain) {
   for (const JsonField& field : chain_field["links"].items()) {
-    field.allow_only(
-        {"name", "joint", "material", "geometry", "mass", "density", "center_of_mass", "inertia",
-         "pad"});
+    field.allow_only({"name", "joint", "material", "geometry", "mass", "density", "center_of_mass",
+                      "inertia", "pad"});
     const JsonField name = field["joint"];
     const auto found = joint_index_.find(name.text());
     if (found == joint_index_.end() || found->second < chain.first_joint ||

@@ -72,7 +72,8 @@ TEST(SceneWorld, APartOfASurfaceHasItsOwnFriction) {
       } else {
         // Turned over, another side of it lies on the board.
         scene.object.surfaces = {{under, slick}};
-        if (!slides) scene.object.X_WO.rotate(Eigen::AngleAxisd(std::numbers::pi, Vector3::UnitX()));
+        if (!slides)
+          scene.object.X_WO.rotate(Eigen::AngleAxisd(std::numbers::pi, Vector3::UnitX()));
       }
       World world;
       add_bodies(scene, world);
