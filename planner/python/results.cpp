@@ -126,6 +126,15 @@ py::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive>& pri
   grasp_fields(writer, grasp, scene, primitives);
   py::dict fields = std::move(writer).fields();
   reshape(fields);
+  if (grasp.pads) {
+    py::list patches;
+    for (const PadPatchReport& patch : grasp.pads->patches) {
+      DictionaryWriter of_patch;
+      pad_patch_fields(of_patch, patch, link_names(scene));
+      patches.append(std::move(of_patch).fields());
+    }
+    fields["pads"]["patches"] = patches;
+  }
   fields["epsilon"] = trial.epsilon.lower;
   fields["epsilon_upper"] = trial.epsilon.upper;
   fields["epsilon_status"] = in_python(trial.epsilon.status);

@@ -191,20 +191,23 @@ void robustness_fields(auto& fields, auto& robustness) {
   });
 }
 
+void pad_patch_fields(auto& fields, auto& patch, const ValueNames<LinkId>& links) {
+  fields.named("link", patch.link, links);
+  fields("nodes", patch.nodes);
+  fields("approach", patch.approach);
+  fields("load", patch.surface.load);
+  fields("center", patch.surface.center);
+  fields("normal", patch.surface.normal);
+  fields("torsion", patch.surface.torsion);
+  fields("fitted_torsion", patch.surface.fitted_torsion);
+  fields("fit_error", patch.surface.error);
+}
+
 // The pads of a grasp: what each bears, and how stiffly they hold the object together.
 void pads_fields(auto& fields, auto& pads, const ValueNames<LinkId>& links) {
   fields("softest", pads.softest);
-  fields.objects("patches", pads.patches, [&](auto& inner, auto& patch) {
-    inner.named("link", patch.link, links);
-    inner("nodes", patch.nodes);
-    inner("approach", patch.approach);
-    inner("load", patch.surface.load);
-    inner("center", patch.surface.center);
-    inner("normal", patch.surface.normal);
-    inner("torsion", patch.surface.torsion);
-    inner("fitted_torsion", patch.surface.fitted_torsion);
-    inner("fit_error", patch.surface.error);
-  });
+  fields.objects("patches", pads.patches,
+                 [&](auto& inner, auto& patch) { pad_patch_fields(inner, patch, links); });
 }
 
 // What was measured of the grasp. Weight and robustness are not read: they are computed again.

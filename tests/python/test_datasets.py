@@ -60,7 +60,7 @@ OURS = {
     "prehend/version": ("|O", ()),
     "prehend/settings": ("|O", ()),
     "prehend/outcome": ("|i1", (3,)),
-    "prehend/outcome_names": ("|O", (14,)),
+    "prehend/outcome_names": ("|O", (15,)),
     "prehend/epsilon_lower": ("<f8", (3,)),
     "prehend/epsilon_upper": ("<f8", (3,)),
     "prehend/aim": ("<f8", (3, 4, 4)),
