@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <Eigen/Cholesky>
@@ -14,6 +15,8 @@ namespace {
 constexpr double kRounding = 1e-10;
 // Block pivots without progress before single ones take over.
 constexpr int kPatience = 10;
+// Pivots in all, for each node: a bound in case rounding makes them go round in circles.
+constexpr std::size_t kMostPivots = 20;
 
 // The compliance among the nodes in contact, factored, and those nodes.
 struct Touching {
@@ -71,6 +74,24 @@ NodeForces without_rounding(NodeForces forces) {
   return forces;
 }
 
+// Counts pivots in blocks: whether the number of violations has fallen in the last kPatience ones.
+class BlockPivots {
+ public:
+  bool goes_on(int violations) {
+    if (violations < fewest_) {
+      fewest_ = violations;
+      patience_ = kPatience;
+    } else {
+      --patience_;
+    }
+    return patience_ > 0;
+  }
+
+ private:
+  int fewest_ = std::numeric_limits<int>::max();
+  int patience_ = kPatience;
+};
+
 // The nodes that touch in an elastic foundation of about the same stiffness, at the approach.
 std::vector<bool> within(const PressProblem& problem, double approach) {
   std::vector<bool> in_contact(static_cast<std::size_t>(problem.gap.size()));
@@ -105,8 +126,9 @@ double foundation_approach(const PressProblem& problem, double load) {
 
 NodeForces press_by(const PressProblem& problem, double approach) {
   std::vector<bool> in_contact = within(problem, approach);
-  int fewest = static_cast<int>(in_contact.size()) + 1;
-  int patience = kPatience;
+  BlockPivots progress;
+  bool in_blocks = true;
+  std::size_t left = kMostPivots * in_contact.size();
   while (true) {
     const Touching touching(problem, in_contact);
     const Eigen::VectorXd wanted = approach * problem.weight - problem.gap;
@@ -116,17 +138,13 @@ NodeForces press_by(const PressProblem& problem, double approach) {
     const NodeForces forces = forces_of(problem, touching, force, approach);
     std::vector<bool> pivoted = in_contact;
     const Violations violations = find_violations(forces, problem, &pivoted);
-    if (violations.count == 0) return without_rounding(forces);
-    if (violations.count < fewest) {
-      fewest = violations.count;
-      patience = kPatience;
-    } else {
-      --patience;
-    }
-    if (patience > 0) {
+    if (violations.count == 0 || left-- == 0) return without_rounding(forces);
+    in_blocks = in_blocks && progress.goes_on(violations.count);
+    if (in_blocks) {
       in_contact = std::move(pivoted);
     } else {
-      // Murty's rule: always the last one. It ends for every positive definite matrix.
+      // Murty's rule: always the last one. It ends for every positive definite matrix, up to
+      // rounding, for which the pivots are counted.
       const auto last = static_cast<std::size_t>(violations.last);
       in_contact[last] = !in_contact[last];
     }
@@ -138,9 +156,8 @@ namespace {
 // Pivots in blocks with the approach as one more unknown; none where they go round in circles.
 std::optional<NodeForces> pivot_with(const PressProblem& problem, double load) {
   std::vector<bool> in_contact = within(problem, foundation_approach(problem, load));
-  int fewest = static_cast<int>(in_contact.size()) + 1;
-  int patience = kPatience;
-  while (patience > 0) {
+  BlockPivots progress;
+  while (true) {
     const Touching touching(problem, in_contact);
     if (touching.nodes.empty()) return std::nullopt;
     // p = A^-1 (d w - g) with w . p = load gives the approach d.
@@ -152,14 +169,8 @@ std::optional<NodeForces> pivot_with(const PressProblem& problem, double load) {
         forces_of(problem, touching, approach * per_approach - by_gap, approach);
     const Violations violations = find_violations(forces, problem, &in_contact);
     if (violations.count == 0) return without_rounding(forces);
-    if (violations.count < fewest) {
-      fewest = violations.count;
-      patience = kPatience;
-    } else {
-      --patience;
-    }
+    if (!progress.goes_on(violations.count)) return std::nullopt;
   }
-  return std::nullopt;
 }
 
 // The load grows with the approach, so that bisection always finds it.
