@@ -69,7 +69,8 @@ TEST(SuctionHand, IsWrittenAndReadAgain) {
 
 // The area of the lip times the pressure difference that its README names.
 TEST(SuctionHand, OfTheLibraryPullsWhatItsAreaDoes) {
-  for (const SuctionCup& cup : find_robot("suction_array_4").hand->cups) {
+  const Robot robot = find_robot("suction_array_4");
+  for (const SuctionCup& cup : robot.hand->cups) {
     EXPECT_NEAR(cup.pull, 3.14159265 * cup.radius * cup.radius * 60e3, 0.5);
   }
 }
