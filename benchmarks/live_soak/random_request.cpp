@@ -54,6 +54,8 @@ std::vector<std::string> texts_for(std::string_view command, std::string_view fi
   if (field == "accuracy") return {"draft"};
   if (field == "format") return {"json", "csv", "obj", "moveit"};
   if (field == "unit") return {"m", "mm", "cm", "in"};
+  if (field == "norm") return {"l1", "linf"};
+  if (field == "fixed") return {"fx,fy,fz", "tx,ty,tz", "fx,fy,tz", "fx,fx,fy", "fx"};
   if (field == "file") return {"a.json", "b.json"};
   if (field == "mesh") return {"a.json", "none.obj"};
   if (field == "mesh_text")
@@ -102,6 +104,7 @@ int integer(Random& random, std::string_view field) {
   }
   if (field == "triangles") return random.integer(4, 600);
   if (field == "trials") return random.integer(1, 25);
+  if (field == "edges") return random.integer(2, 16);
   return random.integer(0, 4);
 }
 
