@@ -63,6 +63,9 @@ void bind_fields(py::module_& core) {
   PREHEND_FIELDS(Refinement, parent, gain, trials);
   PREHEND_FIELDS(ScoredGrasp, trial, candidate, volume, primitive, rule, path, sections, tried,
                  epsilon_nearby, holding, pads, robustness, refinement, free, shake, shapes, lift);
+  PREHEND_FIELDS(PhaseReport, kind, seconds, moved, turned, sank, rose, touching);
+  PREHEND_FIELDS(FirstSlip, link, time);
+  PREHEND_FIELDS(ShakeTestReport, name, outcome, failed_at, phases, first_slip, largest_pull);
   PREHEND_FIELDS(HeldShapes, likely, thin, thick, certainty);
   PREHEND_FIELDS(Tried, candidate, X_OH, approach_O, outcome, collision_of);
   PREHEND_FIELDS(CollisionCount, outcome, link, by, count);

@@ -4,11 +4,13 @@
 
 #include "planner/plan/path/arm_path.h"
 #include "planner/plan/plan_any.h"
+#include "planner/plan/shake_grasps.h"
 #include "planner/python/arrays.h"
 #include "planner/python/background.h"
 #include "planner/python/results.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/manipulation/test_procedure_file.h"
 #include "sim/scene/compiled_scene.h"
 #include "sim/scene/reach/reach.h"
 #include "sim/trial/run_trial.h"
@@ -99,6 +101,25 @@ PlanHandle evaluate_in_python(const CompiledHandle& scene, const py::list& list,
   recorded.sections = options.sections;
   return {scene.scene, std::make_shared<const PlanResult>(std::move(result)),
           record_of(scene.origin, recorded)};
+}
+
+// Of these grasps of a plan.
+PlanHandle with_grasps(const PlanHandle& plan, const std::vector<std::size_t>& kept) {
+  PlanResult result = *plan.result;
+  result.grasps.clear();
+  for (const std::size_t i : kept) result.grasps.push_back(plan.result->grasps.at(i));
+  return {plan.scene, std::make_shared<const PlanResult>(std::move(result)), plan.record};
+}
+
+PlanHandle shake_in_python(const PlanHandle& plan, const std::string& procedure, bool rank,
+                           const CallOptions& call) {
+  const TestProcedure tests = read_test_procedure(find_test_procedure(procedure));
+  PlanResult result = *plan.result;
+  run_in_background(call, [&](const RunContext& context) {
+    shake_grasps(*plan.scene, tests, context, result);
+    if (rank) rank_by_shake(result);
+  });
+  return {plan.scene, std::make_shared<const PlanResult>(std::move(result)), plan.record};
 }
 
 py::dict run_trial_in_python(const CompiledHandle& scene, const py::dict& fields,
@@ -216,6 +237,9 @@ void bind_plan(py::module_& core) {
   core.def("plan", &plan_in_python);
   core.def("plan_any", &plan_any_in_python);
   core.def("evaluate", &evaluate_in_python);
+  core.def("with_grasps", &with_grasps);
+  core.def("shake_grasps", &shake_in_python);
+  core.def("library_test_procedures", &library_test_procedure_names);
   core.def("run_trial", &run_trial_in_python);
   core.def("decompose", &decompose_in_python);
   core.def("propose_grasps", &propose_in_python);

@@ -33,13 +33,14 @@ py::object in_python(const T& value) {
 
 // The name in prehend/results.py of a field that has another one in files.
 inline std::string name_in_python(std::string_view name) {
-  constexpr std::array<std::array<std::string_view, 2>, 6> kOther = {{
+  constexpr std::array<std::array<std::string_view, 2>, 7> kOther = {{
       {"X_object_hand", "X_OH"},
       {"X_world_hand", "X_WH"},
       {"X_object_moved", "X_OC"},
       {"weight", "holding"},
       {"squeeze", "sum_of_normals"},
       {"direction", "approach"},
+      {"protocol", "procedure"},
   }};
   for (const auto& [in_files, other] : kOther) {
     if (name == in_files) return std::string(other);

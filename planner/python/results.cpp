@@ -10,6 +10,7 @@
 #include "planner/results/grasp_fields.h"
 #include "sim/base/index.h"
 #include "sim/base/input_error.h"
+#include "sim/scene/seen_surface.h"
 #include "sim/trial/success.h"
 
 namespace prehend::python {
@@ -32,6 +33,7 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
   std::vector<double> gap;
   std::vector<std::string> models;
   std::vector<std::string> links;
+  std::vector<std::optional<bool>> seen;
   for (const GraspContact& contact : contacts) {
     positions.emplace_back(contact.point.position);
     normals.emplace_back(contact.point.normal);
@@ -42,6 +44,7 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
     gap.push_back(contact.gap);
     models.push_back(text(name_of(contact.point.model)));
     links.push_back(scene.links[index(contact.link)].name);
+    seen.push_back(is_seen_at(scene, contact.point.position));
   }
   py::dict fields;
   fields["positions"] = to_array(positions);
@@ -53,6 +56,7 @@ py::dict contacts_dict(const CompiledScene& scene, const std::vector<GraspContac
   fields["gap"] = to_array(gap);
   fields["models"] = models;
   fields["links"] = links;
+  fields["seen"] = py::cast(seen);
   return fields;
 }
 
@@ -116,6 +120,24 @@ void reshape(py::dict& fields) {
   fields.attr("update")(approach);
 }
 
+py::list shake_tests(const ShakeReport& report) {
+  py::list tests;
+  for (const ShakeTestReport& test : report.tests) {
+    DictionaryWriter of_test;
+    shake_test_fields(of_test, test);
+    py::dict fields = std::move(of_test).fields();
+    py::list phases;
+    for (const PhaseReport& phase : test.phases) {
+      DictionaryWriter of_phase;
+      phase_fields(of_phase, phase);
+      phases.append(std::move(of_phase).fields());
+    }
+    fields["phases"] = phases;
+    tests.append(fields);
+  }
+  return tests;
+}
+
 }  // namespace
 
 py::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive>& primitives) {
@@ -135,6 +157,7 @@ py::dict trial_dict(const TrialHandle& handle, const std::vector<Primitive>& pri
     }
     fields["pads"]["patches"] = patches;
   }
+  if (grasp.shake) fields["shake"]["tests"] = shake_tests(*grasp.shake);
   fields["epsilon"] = trial.epsilon.lower;
   fields["epsilon_upper"] = trial.epsilon.upper;
   fields["epsilon_status"] = in_python(trial.epsilon.status);

@@ -57,6 +57,20 @@ class Examples(unittest.TestCase):
         self.assertIn("alone: True", text)
         self.assertIn("balanced", text)
 
+    def test_short_scripts(self):
+        mesh = str(SOURCE / "docs" / "tutorial" / "bottle.obj")
+        text, _ = self.example("friction_of_meshes.py", mesh)
+        values = [float(number) for number in re.findall(r"epsilon ([\d.]+)", text)]
+        self.assertEqual(len(values), 4)
+        self.assertEqual(values, sorted(values))
+        text, files = self.example("filter_shake_export.py")
+        self.assertRegex(text, r"survived \d of \d")
+        self.assertLessEqual({"out/grasps.json", "out/grasps.csv", "out/grasp_1.xml"}, set(files))
+        text, _ = self.example("quality_of_many.py")
+        self.assertRegex(text, r"^[1-9]\d* of 10000 hold")
+        for name in ("friction_of_meshes.py", "filter_shake_export.py", "quality_of_many.py"):
+            self.assertLessEqual(len((EXAMPLES / name).read_text().splitlines()), 15)
+
     def test_own_controller(self):
         text, _ = self.example("own_controller.py")
         errors = [float(number) for number in re.findall(r"([\d.]+) rad", text)]

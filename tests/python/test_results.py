@@ -51,6 +51,62 @@ def few(trials=40, **fields):
     return prehend.PlanOptions(search=options.SearchOptions(trials=trials, **fields))
 
 
+class Native(unittest.TestCase):
+    """What a Python user would try first."""
+
+    def test_a_name_a_file_or_a_mesh_is_planned_for(self):
+        mesh = SOURCE / "docs" / "tutorial" / "bottle.obj"
+        of_file = prehend.plan(mesh, few(), hand="franka_hand", top=2, seed=3)
+        self.assertEqual(of_file.scene.hand.name, "franka_hand")
+        self.assertEqual(len(of_file), 2)
+        of_mesh = prehend.plan(prehend.load_mesh(mesh, unit="mm"), few(), hand="franka_hand")
+        self.assertGreater(len(of_mesh), 0)
+        by_name = prehend.plan("mug", few(), top=1)
+        again = prehend.evaluate("mug", by_name.poses, preshape=by_name[0].preshape)
+        self.assertEqual(again[0].outcome, "stable")
+
+    def test_options_stay_as_they_are(self):
+        chosen = few()
+        prehend.plan("mug", chosen, top=1, seed=5)
+        self.assertEqual((chosen.rank.top, chosen.seed), (10, 1))
+
+    def test_a_scene_keeps_its_hand(self):
+        with self.assertRaisesRegex(prehend.InputError, "hand: must not be given beside a Scene"):
+            prehend.plan(prehend.load_scene("mug"), few(), hand="dlr")
+
+    def test_grasps_that_are_kept(self):
+        result = prehend.plan("mug", few(200))
+        least = sorted(result.epsilon)[len(result) // 2]
+        kept = result.where(lambda grasp: grasp.epsilon >= least)
+        self.assertEqual(list(kept.epsilon), [e for e in result.epsilon if e >= least])
+        written = json.loads(files.grasps_json(kept))
+        self.assertEqual(len(written["grasps"]), len(kept))
+        self.assertEqual(len(result.where(lambda grasp: False)), 0)
+
+    def test_grasps_are_shaken(self):
+        result = prehend.plan("mug", few(100), hand="franka_hand", top=3)
+        shaken = planning.shake_grasps(result, "acronym", rank=True)
+        self.assertIsNone(result[0].shake)
+        written = json.loads(files.grasps_json(shaken))["grasps"]
+        for grasp, other in zip(shaken, written):
+            self.assertEqual(grasp.shake.procedure, "acronym")
+            self.assertEqual(grasp.shake.survived, other["shake"]["survived"])
+            self.assertEqual(
+                [(test.name, test.outcome) for test in grasp.shake.tests],
+                [(test["name"], test["outcome"]) for test in other["shake"]["tests"]],
+            )
+            self.assertEqual(grasp.shake.tests[0].phases[0].kind,
+                             other["shake"]["tests"][0]["phases"][0]["kind"])
+        survived = [grasp.shake.survived for grasp in shaken]
+        self.assertEqual(survived, sorted(survived, reverse=True))
+        self.assertIn("acronym", planning.library_test_procedures())
+        with self.assertRaisesRegex(prehend.InputError, "nowhere"):
+            planning.shake_grasps(result, "nowhere")
+
+    def test_contacts_of_a_known_object_are_not_said_to_be_seen(self):
+        self.assertEqual(set(prehend.plan("mug", few(), top=1).contacts[0].seen), {None})
+
+
 class Notebook(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -122,7 +122,6 @@ ONLY_IN_CPP = {
         "trial": "its fields are the grasp's",
         "sections": "they are for the report",
         "tried": "the place in tried follows from the pose",
-        "shake": "grasps are not shaken in Python",
         "lift": "it is that of the path",
     },
     "Robustness": {"epsilons": "their mean and a low percentile are there"},

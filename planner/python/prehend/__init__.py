@@ -2,7 +2,7 @@
 
     import prehend
 
-    result = prehend.plan(prehend.load_scene("mug"))
+    result = prehend.plan("mug", hand="franka_hand", top=3)
     for grasp in result:
         print(grasp.epsilon, grasp.X_OH)
 

@@ -44,6 +44,7 @@ __all__ = [
     "TreeModel",
     "decompose",
     "evaluate",
+    "library_test_procedures",
     "load_model",
     "plan",
     "plan_any",
@@ -52,6 +53,7 @@ __all__ = [
     "plan_options",
     "propose_grasps",
     "run_trial",
+    "shake_grasps",
 ]
 
 show_in(
@@ -68,7 +70,9 @@ show_in(
     TreeModel,
 )
 
-AnyScene = Union[Scene, "_core.CompiledScene"]
+#: A Scene, one that is compiled already, or what load_scene() or make_scene() make one of: a name of
+#: the library, a file, a mesh.
+AnyScene = Union[Scene, "_core.CompiledScene", PathLike, MeshLike]
 
 
 def load_model(file: PathLike) -> TreeModel:
@@ -97,6 +101,8 @@ def plan(
     scene: AnyScene,
     options: Optional["_core.PlanOptions"] = None,
     *,
+    hand: PathLike = "",
+    top: Optional[int] = None,
     threads: int = 0,
     progress: Optional[ProgressCallback] = None,
     seed: Optional[int] = None,
@@ -109,8 +115,12 @@ def plan(
     Other Python threads run meanwhile.
 
     Args:
-        scene: a Scene, or one that is compiled already.
+        scene: a Scene, one that is compiled already, or a name, a file or a mesh:
+            plan("mug.obj", hand="franka_hand").
         options: what the result depends on; None: PlanOptions().
+        hand: in place of the scene's: a name of the library or a robot file; "": the scene's, and
+            the barrett hand for a mesh.
+        top: how many grasps to return, in place of PlanOptions.rank.top.
         threads: to use; 0: as many as there are processors.
         progress: called with a Progress now and then, in the thread that called. An exception that
             it raises ends the plan and is raised here.
@@ -126,15 +136,16 @@ def plan(
         object that is too large for the hand has the sizes.
 
     Raises:
-        InputError: paths are wanted of a scene without an arm.
+        InputError: paths are wanted of a scene without an arm; as load_scene() and make_scene().
     """
     if seed is not None and seed < 0:
         raise InputError("must be at least 0", field="seed", value=str(seed))
-    compiled = as_compiled(scene)
-    chosen = _core.PlanOptions() if options is None else options
+    compiled = as_compiled(scene, hand)
+    chosen = copy.deepcopy(_core.PlanOptions() if options is None else options)
     if seed is not None:
-        chosen = copy.copy(chosen)
         chosen.seed = seed
+    if top is not None:
+        chosen.rank.top = top
     core = _core.plan(
         compiled,
         chosen,
@@ -187,6 +198,7 @@ def evaluate(
     scene: AnyScene,
     grasps: Union[ArrayLike, Sequence[Candidate]],
     *,
+    hand: PathLike = "",
     preshape: Union[None, str, Sequence[str]] = None,
     dofs: Optional[ArrayLike] = None,
     options: Optional["_core.EvaluateOptions"] = None,
@@ -198,8 +210,9 @@ def evaluate(
     """Tries grasps where they are. Nothing is ranked or left out: result i is grasp i.
 
     Args:
-        scene: a Scene, or one that is compiled already.
+        scene: as of plan().
         grasps: (N, 4, 4), poses of the hand's base in the object's frame, X_OH; or Candidates.
+        hand: as of plan().
         preshape: with poses, the name of the opening to start from, one for all or N of them.
             None: the hand's only one.
         dofs: in place of a preshape, (D,) or (N, D): degrees of freedom to start from [rad or m].
@@ -209,7 +222,7 @@ def evaluate(
     Raises:
         InputError: for poses that are not rigid, unknown names, values outside the hand's limits.
     """
-    compiled = as_compiled(scene)
+    compiled = as_compiled(scene, hand)
     core = _core.evaluate(
         compiled,
         as_candidates(compiled.hand, grasps, preshape, dofs),
@@ -217,6 +230,43 @@ def evaluate(
         call_options(threads, progress, cancellation, budget),
     )
     return PlanResult(core, compiled)
+
+
+def shake_grasps(
+    result: PlanResult,
+    procedure: PathLike = "acronym",
+    *,
+    rank: bool = False,
+    threads: int = 0,
+    progress: Optional[ProgressCallback] = None,
+    cancellation: Optional["_core.Cancellation"] = None,
+    budget: Optional[float] = None,
+) -> PlanResult:
+    """Closes the hand of each grasp in time, lifts the object and shakes it: Grasp.shake.
+
+    Args:
+        result: of plan() or evaluate(). It stays as it is.
+        procedure: the tests, a name of library_test_procedures() or a file
+            (docs/reference/test-procedure-file.md).
+        rank: whether grasps that survive more tests come first.
+        threads, progress, cancellation, budget: as of plan(). Grasps for which no time was left have
+            no ShakeReport, and the status says so.
+
+    Raises:
+        InputError: for an unknown procedure, and for a hand or an object that cannot be moved.
+    """
+    core = _core.shake_grasps(
+        result._core,
+        os.fsdecode(procedure),
+        rank,
+        call_options(threads, progress, cancellation, budget),
+    )
+    return PlanResult(core, result.scene)
+
+
+def library_test_procedures() -> List[str]:
+    """Names of the test procedures that come with prehend."""
+    return _core.library_test_procedures()
 
 
 def run_trial(

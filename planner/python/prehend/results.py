@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields as fields_of
 from functools import cached_property
-from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple, Type, TypeVar
 
 import numpy as np
 
@@ -30,6 +30,7 @@ __all__ = [
     "ContactModel",
     "Contacts",
     "EpsilonStatus",
+    "FirstSlip",
     "FreeClosing",
     "FreeEnd",
     "Grasp",
@@ -41,12 +42,15 @@ __all__ = [
     "Outcome",
     "PadPatch",
     "PayloadMargin",
+    "PhaseReport",
     "PlanCount",
     "PlanResult",
     "PlanStatus",
     "Refinement",
     "Robustness",
     "RuleCount",
+    "ShakeReport",
+    "ShakeTestReport",
     "Stage",
     "StageCount",
     "Trial",
@@ -86,6 +90,8 @@ class Contact(NamedTuple):
     """What it can exert."""
     link: str
     """Name of the link."""
+    seen: Optional[bool]
+    """Of an object that was seen in part: whether a camera saw the surface there; None of others."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,6 +116,8 @@ class Contacts(Sequence[Contact]):
     """M contact models."""
     links: List[str]
     """M names of links."""
+    seen: List[Optional[bool]]
+    """M times: whether a camera saw the surface there; None of an object whose surface is known."""
     grasps: IntArray
     """(M,): the number of the grasp that each contact belongs to."""
 
@@ -129,6 +137,7 @@ class Contacts(Sequence[Contact]):
             float(self.gap[i]),
             self.models[i],
             self.links[i],
+            self.seen[i],
         )
 
     def __iter__(self) -> Iterator[Contact]:
@@ -158,6 +167,7 @@ class Contacts(Sequence[Contact]):
             rows("gap", ()),
             [model for part in parts for model in part.models],
             [link for part in parts for link in part.links],
+            [seen for part in parts for seen in part.seen],
             np.repeat(np.arange(len(parts), dtype=np.intc), [len(part) for part in parts]),
         )
 
@@ -396,6 +406,77 @@ class HeldByPads:
         )
 
 
+class PhaseReport(NamedTuple):
+    """What happened during a phase of a test. The object moves relative to the hand."""
+
+    kind: str
+    """Such as "lift" or "shake" (docs/reference/test-procedure-file.md)."""
+    seconds: float
+    """That it took [s]."""
+    moved: float
+    """Farthest [m]."""
+    turned: float
+    """Farthest [rad]."""
+    sank: float
+    """Lowest in the world below where it began [m]."""
+    rose: float
+    """At the end, above where it began [m]."""
+    touching: int
+    """Links that touch the object at the end."""
+
+
+class FirstSlip(NamedTuple):
+    """The contact that was the first to slide."""
+
+    link: str
+    time: float
+    """Since the test began [s]."""
+
+
+class ShakeTestReport(NamedTuple):
+    """How one test ended."""
+
+    name: str
+    """Of the test; "prepare" before all tests."""
+    outcome: str
+    """ "survived", or why not, such as "dropped"."""
+    failed_at: Optional[float]
+    """Since the test began [s]; None where it survived."""
+    first_slip: Optional[FirstSlip]
+    largest_pull: Optional[float]
+    """What its growing pulls reached before it failed [m/s^2]; None without such a phase."""
+    phases: List[PhaseReport]
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "ShakeTestReport":
+        slip = fields["first_slip"]
+        fields["first_slip"] = None if slip is None else FirstSlip(**slip)
+        fields["phases"] = [PhaseReport(**phase) for phase in fields["phases"]]
+        return ShakeTestReport(**fields)
+
+
+@dataclass(frozen=True)
+class ShakeReport:
+    """What became of a grasp that was closed, lifted and shaken."""
+
+    procedure: str
+    """Name of the test procedure."""
+    survived: int
+    """How many tests it survived, without the preparation."""
+    of: int
+    """How many there are."""
+    holds: bool
+    """All, after a preparation that did not fail."""
+    largest_pull: Optional[float]
+    """The largest disturbance survived, in the weakest test [m/s^2]; None without such a test."""
+    tests: List[ShakeTestReport] = field(repr=False)
+
+    @staticmethod
+    def _of(fields: Dict[str, Any]) -> "ShakeReport":
+        fields["tests"] = [ShakeTestReport._of(test) for test in fields["tests"]]
+        return _made(ShakeReport, fields)
+
+
 @dataclass(frozen=True)
 class HeldShapes:
     """On which shapes an object that was seen in part may have a grasp holds."""
@@ -428,6 +509,8 @@ class Grasp(Trial):
     """How it fares with errors of the pose; None where that was not asked for."""
     free: Optional[FreeClosing] = field(repr=False)
     """How it ends on an object that is free to move; None where that was not asked for."""
+    shake: Optional[ShakeReport] = field(repr=False)
+    """What planning.shake_grasps() showed; None where it was not shaken."""
     shapes: Optional[HeldShapes]
     """Of an object that was seen in part; None of others, and where time ran out."""
     primitive: Optional[int]
@@ -457,6 +540,9 @@ class Grasp(Trial):
         free = fields["free"]
         if free is not None:
             fields["free"] = FreeClosing._of(free)
+        shake = fields["shake"]
+        if shake is not None:
+            fields["shake"] = ShakeReport._of(shake)
         shapes = fields["shapes"]
         if shapes is not None:
             fields["shapes"] = _made(HeldShapes, shapes)
@@ -581,6 +667,11 @@ class PlanResult:
     def __repr__(self) -> str:
         best = f", best epsilon {self.grasps[0].epsilon:.4f}" if self.grasps else ""
         return f"<prehend.PlanResult, {self.status}: {len(self)} grasps of {sum(self.outcomes.values())} tried{best}>"
+
+    def where(self, keep: Callable[[Grasp], object]) -> "PlanResult":
+        """A result that has only the grasps for which `keep` is true, in the same order."""
+        kept = [i for i, grasp in enumerate(self.grasps) if keep(grasp)]
+        return PlanResult(_core.with_grasps(self._core, kept), self.scene)
 
     def _repr_html_(self) -> str:
         return _notebook.plan_html(self)

@@ -447,9 +447,20 @@ def compile_scene(scene: Scene) -> "_core.CompiledScene":
     return _core.compile_scene(scene._core)
 
 
-def as_compiled(scene: Union[Scene, "_core.CompiledScene"]) -> "_core.CompiledScene":
-    """A scene as it is if it is compiled, else compiled."""
-    return compile_scene(scene) if isinstance(scene, Scene) else scene
+def as_compiled(scene: Any, hand: PathLike = "") -> "_core.CompiledScene":
+    """A scene as it is if it is compiled, else compiled; of a name, a file or a mesh that of
+    load_scene() or make_scene(). Raises InputError for a hand beside a scene that has its own."""
+    if isinstance(scene, (Scene, _core.CompiledScene)):
+        if hand:
+            raise InputError(
+                "must not be given beside a Scene: load it with this hand",
+                field="hand",
+                value=os.fsdecode(hand),
+            )
+        return compile_scene(scene) if isinstance(scene, Scene) else scene
+    if isinstance(scene, (str, os.PathLike)):
+        return compile_scene(load_scene(scene, hand=hand))
+    return compile_scene(make_scene(scene, hand=hand or "barrett"))
 
 
 def library_scene_names() -> List[str]:
