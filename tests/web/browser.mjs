@@ -3,6 +3,7 @@
 // limit. ctest ends a test that waits in vain.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {pathToFileURL} from 'node:url';
 import {chromium} from 'playwright-core';
@@ -34,6 +35,15 @@ export function watch(page) {
     if (message.type() === 'error') complaints.push(message.text());
   });
   return {requests, complaints};
+}
+
+// What keeps people from using a page who do not see well, or have no mouse, by the rules of
+// axe-core: the rule and the elements.
+export async function barriers(page) {
+  const file = new URL('./node_modules/axe-core/axe.min.js', import.meta.url);
+  await page.evaluate(readFileSync(file, 'utf8'));
+  const {violations} = await page.evaluate(() => window.axe.run());
+  return violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html).join(' ')}`);
 }
 
 // A report that is open in a page of its own; complaints are what should not happen. With `stepped`

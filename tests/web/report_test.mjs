@@ -4,7 +4,7 @@ import {writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 
-import {launch, OpenReport} from './browser.mjs';
+import {barriers, launch, OpenReport} from './browser.mjs';
 import {changedScene, folder, jsonOf, nastyName, run} from './program.mjs';
 
 // A change of posture or grasp changes at least so many pixels of the scene.
@@ -260,6 +260,18 @@ test('small pictures are drawn when they come into sight', async () => {
   assert.ok(colors > 50, `${colors} colours`);
   await expectShown(report, 1);
   await report.close();
+});
+
+test('nobody is kept out who does not see well or has no mouse', async () => {
+  const shaken = run('plan', 'mug', '--trials', '40', '--top', '2', '--shake', 'acronym');
+  for (const out of [planned, shaken]) {
+    const report = await OpenReport.open(browser, out);
+    for (const colorScheme of ['light', 'dark']) {
+      await report.page.emulateMedia({colorScheme});
+      assert.deepEqual(await barriers(report.page), []);
+    }
+    await report.close();
+  }
 });
 
 test('a phone has room for it', async () => {

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
+import {barriers} from './browser.mjs';
 import {inStudio} from './in_studio.mjs';
 
 // Where the object's corners are on the stage, -1 to 1 from edge to edge, and how much of it they
@@ -57,6 +58,24 @@ test('another scene is looked at as a whole, and nothing of the earlier one stay
     await page.page.locator('#library').selectOption('wine_glass_on_its_side');
     await page.settle();
     await expectFitted(page);
+  });
+});
+
+test('nobody is kept out who does not see well or has no mouse', async () => {
+  await inStudio(['mug'], async (page) => {
+    const inBothColors = async () => {
+      for (const colorScheme of ['light', 'dark']) {
+        await page.page.emulateMedia({colorScheme});
+        assert.deepEqual(await barriers(page.page), []);
+      }
+    };
+    await inBothColors();
+    await page.click('#auto-grasp');
+    await inBothColors();
+    await page.page.locator('#library').selectOption('panda_on_table');
+    await page.until(() => window.studio.live.state.scene === 'panda_on_table');
+    await page.settle();
+    await inBothColors();
   });
 });
 

@@ -6,13 +6,24 @@ function element(tag, attributes, ...children) {
     if (name.startsWith('on')) {
       made.addEventListener(name.slice(2), value);
     } else if (name === 'color') {
-      made.style.background = value;
+      paint(made, value);
     } else {
       made.setAttribute(name, value);
     }
   }
   made.append(...children.filter((child) => child !== null && child !== undefined));
   return made;
+}
+
+// The background #rrggbb, and on it black or white text: of both the one with more contrast, which
+// is at least 4.5 to 1 (WCAG 2.1, relative luminance).
+function paint(made, color) {
+  const [r, g, b] = [1, 3, 5].map((at) => {
+    const part = parseInt(color.slice(at, at + 2), 16) / 255;
+    return part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  });
+  made.style.background = color;
+  made.style.color = 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? '#000' : '#fff';
 }
 
 function byId(id) {

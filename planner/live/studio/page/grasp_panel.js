@@ -186,7 +186,7 @@ class GraspPanel {
     const {outcome, epsilon, volume, limit} = quality;
     const blocked = collisions.length > 0;
     byId('outcome').textContent = blocked ? 'overlaps' : outcome.replaceAll('_', ' ');
-    byId('outcome').style.background = blocked ? blockedColor : data.palette.outcomes[outcome];
+    paint(byId('outcome'), blocked ? blockedColor : data.palette.outcomes[outcome]);
     const holds = outcome === 'stable';
     const upper =
         epsilon.upper > epsilon.lower * (1 + 1e-6) ? ` to ${numberText(epsilon.upper, 4)}` : '';
