@@ -47,7 +47,7 @@ std::string problem_of(const tinyxml2::XMLDocument& document) {
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "an attribute is not written as name=\"value\"";
     default:
-      return "not well-formed XML";
+      return "must be well-formed XML";
   }
 }
 

@@ -7,7 +7,7 @@
 namespace prehend {
 namespace {
 
-constexpr int kMostElements = 200000;
+constexpr int kMostElements = 50000;
 constexpr int kDeepest = 100;
 
 }  // namespace
@@ -22,7 +22,7 @@ void XmlMaker::open(const XmlElement& like) { open(like, like.name()); }
 
 void XmlMaker::open(const XmlElement& like, const std::string& tag) {
   if (++count_ > kMostElements) {
-    like.fail("the file grows to more than " + std::to_string(kMostElements) + " elements");
+    like.fail("the file must not grow to more than " + std::to_string(kMostElements) + " elements");
   }
   if (++depth_ > kDeepest) like.fail("elements are nested too deeply");
   tinyxml2::XMLElement* made = file_.document_->NewElement(tag.c_str());

@@ -19,7 +19,7 @@ class XmlMaker {
   ~XmlMaker();
 
   // An element around those that follow, until close(), with the place of `like` and its tag, or
-  // another one, and without its attributes. Throws InputError where that makes more than 200,000
+  // another one, and without its attributes. Throws InputError where that makes more than 50,000
   // elements, or 100 inside each other.
   void open(const XmlElement& like);
   void open(const XmlElement& like, const std::string& tag);

@@ -53,19 +53,6 @@ bool SelfCollision::meet(const std::vector<int>& a, const std::vector<int>& b,
   return false;
 }
 
-double SelfCollision::distance(const std::vector<int>& a, const std::vector<int>& b,
-                               const std::vector<double>& dofs) const {
-  const std::vector<Pose> X_BL = poses_at(dofs);
-  double least = std::numeric_limits<double>::infinity();
-  for (const int first : a) {
-    for (const int second : b) {
-      const Pose X_AB = X_BL[index(first)].inverse() * X_BL[index(second)];
-      least = std::min(least, find_gap(meshes_[index(first)], meshes_[index(second)], X_AB).upper);
-    }
-  }
-  return least;
-}
-
 void SelfCollision::leave_out(const std::pair<int, int>& pair) { std::erase(pairs_, pair); }
 
 }  // namespace prehend

@@ -22,9 +22,6 @@ class SelfCollision {
   // Whether one of the links `a` touches one of the links `b`; exempt pairs count as well.
   bool meet(const std::vector<int>& a, const std::vector<int>& b,
             const std::vector<double>& dofs) const;
-  // The smallest distance between links of `a` and links of `b` [m].
-  double distance(const std::vector<int>& a, const std::vector<int>& b,
-                  const std::vector<double>& dofs) const;
 
   // No longer asks about this pair.
   void leave_out(const std::pair<int, int>& pair);
