@@ -100,7 +100,7 @@ void find_surfaces(const JsonField& list, const std::vector<MeshPart>& parts,
       const JsonField named = fields[i]["part"];
       with_field_errors(named, [&] { where.surface = part_of_mesh(where.part, parts, mesh); });
     }
-    if (!has_surface_of(where, mesh)) fields[i].fail("nothing of the surface is there");
+    if (!has_surface_of(where, mesh)) fields[i].fail("must meet the surface");
   }
 }
 

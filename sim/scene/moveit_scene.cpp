@@ -103,7 +103,7 @@ TriangleMesh read_message_mesh(const JsonField& field) {
     Triangle t{};
     for (std::size_t k = 0; k < 3; ++k) {
       t[k] = indices[k].integer();
-      if (t[k] < 0 || t[k] >= count) indices[k].fail("no such vertex");
+      if (t[k] < 0 || t[k] >= count) indices[k].fail("must be the number of a vertex");
     }
     mesh.triangles.push_back(t);
   }

@@ -321,9 +321,9 @@ void narrow_limits(const JsonField& limits, Platform& platform) {
     const JsonField field = limits[name];
     DegreeOfFreedom& dof = *find_dof(field, name, platform).dof;
     const std::vector<double> range = field.numbers(2);
-    if (range[0] > range[1]) field.fail("limits the wrong way round");
+    if (range[0] > range[1]) field.fail("the lower limit must be at most the upper one");
     if (range[0] < dof.lower || range[1] > dof.upper) {
-      field.fail("wider than the robot's own limits " + std::to_string(dof.lower) + " to " +
+      field.fail("must be within the robot's own limits " + std::to_string(dof.lower) + " to " +
                  std::to_string(dof.upper));
     }
     dof.lower = range[0];
@@ -431,7 +431,7 @@ std::vector<std::string> names_of_objects(const JsonField& root) {
   for (const JsonField& field : root["objects"].items()) {
     names.push_back(field["name"].text());
     if (std::count(names.begin(), names.end(), names.back()) > 1) {
-      field["name"].fail("another object has this name");
+      field["name"].fail("must be a name that no other object has");
     }
   }
   if (names.empty()) root["objects"].fail("must have at least one object");

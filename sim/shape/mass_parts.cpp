@@ -55,7 +55,7 @@ void check_values(const StatedMass& stated) {
 Moments point_moments(const MassSolid& solid, const Vector3& p_O, const std::string& field) {
   const Vector3 p = solid.to_unit(p_O);
   if (!(p.norm() <= 1.0)) {
-    refuse(field + ".at", "farther from the middle of the object than its diagonal",
+    refuse(field + ".at", "must be at most the object's diagonal from its middle",
            formatted("[%.6g, %.6g, %.6g]", p_O.x(), p_O.y(), p_O.z()));
   }
   return {1.0, p, p * p.transpose()};
@@ -85,7 +85,7 @@ std::vector<WeighedPart> weigh_parts(const MassSolid& solid, const StatedMass& s
       if (!weighed[j].has_volume) continue;
       const double common = parted.common_volume(stated.parts[j], part, part_field(i));
       if (common > kTouching * solid.moments.zeroth) {
-        refuse(part_field(i), "overlaps " + part_field(j),
+        refuse(part_field(i), "must not overlap " + part_field(j),
                formatted("by %.3g %% of the object", 100.0 * common / solid.moments.zeroth));
       }
     }
@@ -141,7 +141,8 @@ void need_spread(const Moments& mass) {
   // Rounding of points on a line leaves less.
   constexpr double kThinnest = 1e-12;
   const Vector3 spread = Eigen::SelfAdjointEigenSolver<Matrix3>(mass.spread()).eigenvalues();
-  if (!(spread[1] > kThinnest)) refuse("parts", "the mass is all in one point or along a line");
+  if (!(spread[1] > kThinnest))
+    refuse("parts", "the mass must not be all in one point or along a line");
 }
 
 }  // namespace

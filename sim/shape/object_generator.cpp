@@ -200,7 +200,7 @@ TriangleMesh generate_object(std::string_view name, int triangles) {
     std::string known;
     for (const NamedObject& object : kObjects) known.append(" ").append(object.name);
     throw InputError({.field = "object",
-                      .problem = "no generator of that name, known:" + known,
+                      .problem = "must be a known generator:" + known,
                       .value = std::string(name)});
   }
   return with_count(found->make, triangles);

@@ -31,7 +31,7 @@ Moments PartedSolid::moments(const MassPart& part, const std::string& field) con
   }
   const Moments inside = moments_inside(solid_.surface, region(part, field));
   if (inside.zeroth > kNoVolume * solid_.moments.zeroth) return inside;
-  const std::string problem = "meets nothing of the object";
+  const std::string problem = "must meet the object";
   if (const auto* shape = std::get_if<InsideShape>(&part.where)) {
     refuse(field + ".inside", problem,
            std::string(shape_name(shape->shape.shape)) + " about " +

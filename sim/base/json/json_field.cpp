@@ -64,7 +64,7 @@ class RepeatedKeys {
     if (event == Json::parse_event_t::key) {
       const std::string key = parsed.get<std::string>();
       if (!keys_.back().insert(key).second) {
-        throw InputError({file_.string(), key, "field given twice in one object"});
+        throw InputError({file_.string(), key, "must be given once in an object"});
       }
     }
     return true;
@@ -82,8 +82,9 @@ std::string in_si(const std::string& words, double unit) {
 
 Json parse(const std::filesystem::path& file, const std::string& text) {
   if (json_depth(text) > kDeepestJson) {
-    throw InputError({.file = file.string(),
-                      .problem = "nested deeper than " + std::to_string(kDeepestJson) + " levels"});
+    throw InputError(
+        {.file = file.string(),
+         .problem = "must be nested in at most " + std::to_string(kDeepestJson) + " levels"});
   }
   RepeatedKeys check(file);
   try {
@@ -93,9 +94,11 @@ Json parse(const std::filesystem::path& file, const std::string& text) {
   } catch (const Json::parse_error& error) {
     // `byte` counts from one and points at the last character read.
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-    throw InputError({file.string(), line_of(text, byte), without_prefix(error.what())});
+    throw InputError(
+        {file.string(), line_of(text, byte), "must be JSON: " + without_prefix(error.what())});
   } catch (const Json::exception& error) {
-    throw InputError({.file = file.string(), .problem = without_prefix(error.what())});
+    throw InputError(
+        {.file = file.string(), .problem = "must be JSON: " + without_prefix(error.what())});
   }
 }
 
@@ -147,7 +150,7 @@ JsonField JsonField::operator[](std::string_view key) const {
   const std::string full = name_.empty() ? std::string(key) : name_ + "." + std::string(key);
   const auto found = value_->find(key);
   if (found == value_->end()) {
-    throw InputError({file_->string(), full, "missing field"});
+    throw InputError({file_->string(), full, "must be given"});
   }
   return JsonField(*found, *file_, full);
 }

@@ -42,8 +42,9 @@ class YamlReader {
   YamlReader(const std::filesystem::path& file, std::size_t bytes) : file_(file), left_(bytes) {}
 
   Json value(const YAML::Node& node, int depth) {
-    if (depth > kDeepestJson) fail(node, "nested deeper than " + std::to_string(kDeepestJson));
-    if (left_-- == 0) fail(node, "refers to its own parts too often");
+    if (depth > kDeepestJson)
+      fail(node, "must be nested in at most " + std::to_string(kDeepestJson) + " levels");
+    if (left_-- == 0) fail(node, "must not refer to its own parts so often");
     if (node.IsScalar()) return scalar(node);
     if (node.IsSequence()) {
       Json list = Json::array();
@@ -55,7 +56,7 @@ class YamlReader {
     for (const auto& field : node) {
       const YAML::Node& key = field.first;
       if (!key.IsScalar()) fail(key, "the name of a field must be a word");
-      if (object.contains(key.Scalar())) fail(key, "field given twice: " + key.Scalar());
+      if (object.contains(key.Scalar())) fail(key, "must be given once: " + key.Scalar());
       object[key.Scalar()] = value(field.second, depth + 1);
     }
     return object;
@@ -82,8 +83,8 @@ JsonFile parse_yaml(const std::filesystem::path& file, const std::string& text) 
     // Bytes that are no UTF-8 are replaced: JSON cannot hold them.
     return {file, value.dump(-1, ' ', false, Json::error_handler_t::replace)};
   } catch (const YAML::Exception& error) {
-    throw InputError(
-        {file.string(), "line " + std::to_string(error.mark.line + 1), on_one_line(error.msg)});
+    throw InputError({file.string(), "line " + std::to_string(error.mark.line + 1),
+                      "must be YAML: " + on_one_line(error.msg)});
   }
 }
 

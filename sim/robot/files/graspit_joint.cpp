@@ -40,7 +40,7 @@ JointType read_joint_type(const XmlElement& element) {
 GraspitExpression read_expression(const XmlElement& element, int dofs) {
   const auto expression = graspit_expression(element.content());
   if (!expression) {
-    element.fail("neither a number nor dN*ratio+constant", element.content());
+    element.fail("must be a number or dN*ratio+constant", element.content());
   }
   if (expression->dof && *expression->dof >= dofs) {
     element.fail("the robot has degrees of freedom d0 to d" + std::to_string(dofs - 1) + " only",

@@ -30,7 +30,8 @@ Pose pose_in(const XmlElement& element) {
 std::size_t skip_breakaway(const XmlElement& element, const std::vector<double>& values,
                            std::size_t at, std::ptrdiff_t joints, bool& stopped) {
   for (std::ptrdiff_t joint = 0; joint < joints; ++joint) {
-    if (at >= values.size()) element.fail("too few values", element.content());
+    if (at >= values.size())
+      element.fail("too few values: each degree of freedom needs its own", element.content());
     if (values[at] != 0.0 && values[at] != 1.0) {
       element.fail("a joint of a breakaway degree of freedom needs 0, or 1 and a value",
                    element.content());
@@ -63,7 +64,8 @@ std::vector<double> read_dof_values(const XmlElement& element, const XmlFile& ro
   std::size_t at = 0;
   bool stopped = false;
   for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
-    if (at >= values.size()) element.fail("too few values", element.content());
+    if (at >= values.size())
+      element.fail("too few values: each degree of freedom needs its own", element.content());
     std::vector<const Joint*> driven;
     for (const Joint& joint : robot.joints) {
       if (joint.dof == static_cast<int>(d)) driven.push_back(&joint);
@@ -105,7 +107,7 @@ GraspitWorldRobot read_world_robot(const XmlElement& element, std::vector<std::s
 int read_index(const XmlElement& element, std::size_t count, const std::string& what) {
   const double value = element.content_number();
   if (!(value >= 0.0 && value < static_cast<double>(count) && value == std::floor(value))) {
-    element.fail("there is no such " + what, element.content());
+    element.fail("must be the number of a " + what + " that is there", element.content());
   }
   return static_cast<int>(value);
 }
@@ -139,7 +141,8 @@ void read_connection(const XmlElement& element, std::vector<GraspitWorldRobot>& 
   const int child = read_index(element["childRobot"], robots.size(), "robot");
   GraspitWorldRobot& own = robots[index(child)];
   if (own.parent >= 0) element.fail("the robot is connected already", own.name);
-  if (carries(robots, child, parent)) element.fail("robots carry each other in a circle", own.name);
+  if (carries(robots, child, parent))
+    element.fail("robots must not carry each other in a circle", own.name);
   own.parent = parent;
   own.chain =
       read_index(element["parentChain"], robots[index(parent)].robot.chains.size(), "chain");

@@ -63,7 +63,7 @@ Joint read_joint(const JsonField& field, const FileUnits& units) {
   }
   const JsonField limits = field["limits"];
   const std::vector<double> range = limits.numbers(2, kCoordinate, unit_of(joint.type, units));
-  if (range[0] > range[1]) limits.fail("limits the wrong way round");
+  if (range[0] > range[1]) limits.fail("the lower limit must be at most the upper one");
   joint.lower = range[0];
   joint.upper = range[1];
   if (field.has("effort")) joint.max_effort = field["effort"].number(kEffortAbove0);

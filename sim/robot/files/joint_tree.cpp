@@ -37,7 +37,9 @@ Mimic followed(const JointTree& tree, int at) {
   Mimic total{.joint = at};
   for (std::size_t step = 0; tree.joints[index(total.joint)].mimic; ++step) {
     const Mimic& next = *tree.joints[index(total.joint)].mimic;
-    if (step > tree.joints.size()) fail_at(tree, own.place, "mimics itself", own.name);
+    if (step > tree.joints.size())
+      fail_at(tree, own.place, "mimics itself: it must follow a joint that does not follow it",
+              own.name);
     total.offset += total.ratio * next.offset;
     total.ratio *= next.ratio;
     total.joint = next.joint;
@@ -114,7 +116,9 @@ int root_of(const JointTree& tree) {
     root = static_cast<int>(l);
   }
   const auto in_circle = [&](std::size_t l) {
-    fail_at(tree, tree.links[l].place, "its joints form a circle", tree.links[l].name);
+    fail_at(tree, tree.links[l].place,
+            "its joints form a circle: each link must hang on one joint, but for one",
+            tree.links[l].name);
   };
   if (root < 0) in_circle(0);
   const std::vector<bool> reached = reached_from(tree, root);

@@ -94,7 +94,7 @@ TriangleMesh MjcfGeometry::read_written(const XmlElement& asset) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const double v = corners[i];
     if (!(v >= 0.0 && v < static_cast<double>(vertices.size()))) {
-      asset.fail("attribute face names a vertex that is not there", std::to_string(v));
+      asset.fail("attribute face must name vertices that are there", std::to_string(v));
     }
     if (i % 3 == 0) triangles.emplace_back();
     triangles.back()[i % 3] = static_cast<int>(v);
@@ -162,7 +162,7 @@ TriangleMesh MjcfGeometry::read_geom(const XmlElement& geom, const std::string& 
   });
   spent_ += mesh.triangles.size();
   if (spent_ > kMostShapeTriangles) {
-    geom.fail("the shapes of the file have more than " + std::to_string(kMostShapeTriangles) +
+    geom.fail("the shapes of the file must have at most " + std::to_string(kMostShapeTriangles) +
               " triangles");
   }
   return transformed(mesh, X);

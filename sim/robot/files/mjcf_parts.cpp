@@ -42,7 +42,8 @@ class MjcfIncluder {
     const std::filesystem::path name = element.text("file");
     std::filesystem::path path = file_.path().parent_path() / name;
     if (!is_file(path)) path = element.file().parent_path() / name;
-    if (!is_file(path)) element.fail("no such file", name.string());
+    if (!is_file(path))
+      element.fail("no such file: it must be there, relative to this one", name.string());
     if (files_.size() == kMostIncluded) {
       element.fail("more than 200 files are included: does one include itself?");
     }

@@ -102,7 +102,9 @@ Path resolved_uri(const std::string& uri, const Path& from, const PackageFolders
   const Path file = path.is_absolute() ? path : from.parent_path() / path;
   const std::string decoded = percent_decoded(uri);
   if (!is_file(file) && decoded != uri) return resolved_uri(decoded, from, packages);
-  if (!is_file(file)) throw InputError({.problem = "no such file", .value = uri});
+  if (!is_file(file))
+    throw InputError(
+        {.problem = "no such file: it must be there, relative to this one", .value = uri});
   return file;
 }
 

@@ -22,7 +22,7 @@ int find_parent(const JsonField& field, const Platform& platform) {
   for (std::size_t r = 0; r < platform.robots.size(); ++r) {
     if (platform.robots[r].name == field.text()) return static_cast<int>(r);
   }
-  field.fail("no robot of this name stands before it");
+  field.fail("must be the name of a robot that stands before it");
 }
 
 int find_chain(const JsonField& field, const Robot& robot) {

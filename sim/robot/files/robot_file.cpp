@@ -93,7 +93,7 @@ Robot RobotReader::read() {
     if (robot_.joints[j].dof != kUndriven) continue;
     throw InputError({.file = root_.file().string(),
                       .field = joint_field_[j] + ".name",
-                      .problem = "no degree of freedom drives this joint",
+                      .problem = "must be driven by a degree of freedom",
                       .value = robot_.joints[j].name});
   }
   for (std::size_t c = 0; c < chains.size(); ++c) read_chain_links(chains[c], robot_.chains[c]);
@@ -186,7 +186,8 @@ void RobotReader::read_chain(const JsonField& field) {
 
 int RobotReader::read_parent(const JsonField& field) const {
   const auto found = joint_index_.find(field.text());
-  if (found == joint_index_.end()) field.fail("no joint of this name in a chain before this one");
+  if (found == joint_index_.end())
+    field.fail("must be the name of a joint in a chain before this one");
   return found->second;
 }
 

@@ -269,7 +269,7 @@ void ShapeBudget::spend(const JsonField& field, std::size_t triangles) {
   constexpr std::size_t kMost = 50'000;
   spent_ += triangles;
   if (spent_ > kMost) {
-    field.fail("the shapes of the file have more than " + std::to_string(kMost) + " triangles");
+    field.fail("the shapes of the file must have at most " + std::to_string(kMost) + " triangles");
   }
 }
 

@@ -119,7 +119,8 @@ class SdfModel {
 
   Pose pose_in_model(const XmlElement& element, std::size_t depth) const {
     if (depth > std::min(frames_.size(), kMostRelative)) {
-      element.fail("frames are relative to each other in a circle, or more than 200 in a row");
+      element.fail(
+          "frames must not be relative to each other in a circle, or more than 200 in a row");
     }
     std::string base = kModelFrame;
     if (element.name() == "joint") base = linked(element, "child");

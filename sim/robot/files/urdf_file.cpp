@@ -181,7 +181,8 @@ void UrdfReader::read_limits(const XmlElement& element, bool continuous, TreeJoi
     joint.lower = limit_or(*limit, "lower", far);
     joint.upper = limit_or(*limit, "upper", far);
     if (endless(*limit)) endless_.push_back(joint.name);
-    if (joint.lower > joint.upper) limit->fail("limits the wrong way round", joint.name);
+    if (joint.lower > joint.upper)
+      limit->fail("the lower limit must be at most the upper one", joint.name);
   }
   if (!limit) return;
   joint.max_effort = known_or_zero(*limit, "effort");

@@ -51,7 +51,7 @@ TriangleMesh UrdfGeometry::read(const XmlElement& link) {
       const TriangleMesh shape = read_shape(element["geometry"]);
       append(mesh, transformed(shape, urdf_origin(element)));
       if (spent_ > kMostShapeTriangles) {
-        element.fail("the shapes of the file have more than " +
+        element.fail("the shapes of the file must have at most " +
                      std::to_string(kMostShapeTriangles) + " triangles");
       }
     }

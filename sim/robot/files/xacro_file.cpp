@@ -58,7 +58,7 @@ class Deeper {
   explicit Deeper(XacroRun& run) : run_(run) {
     if (++run_.depth > kDeepestUse) {
       --run_.depth;
-      throw InputError("macros, blocks or properties use each other deeper than 60");
+      throw InputError("macros, blocks and properties must use each other at most 60 deep");
     }
   }
   Deeper(const Deeper&) = delete;
@@ -129,7 +129,8 @@ class XacroScope : public XacroWords {
   XacroValue own_value(const std::string& name) {
     XacroProperty& found = properties_.at(name);
     if (found.value) return *found.value;
-    if (found.is_computed) throw InputError({.problem = "the property uses itself", .value = name});
+    if (found.is_computed)
+      throw InputError({.problem = "the property must not use itself", .value = name});
     const Deeper deeper(run_);
     found.is_computed = true;
     XacroValue value = xacro_value(found.text, *this);

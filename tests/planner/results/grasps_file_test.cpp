@@ -310,7 +310,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"BlockerOutcome", "/blockers/0/outcome", R"("stuck")",
                 "blockers[0].outcome: must be one of stable"},
         Mistake{"NoFriction", "/grasps/0/contacts", R"([{"link": "palm"}])",
-                "grasps[0].contacts[0].position: missing field"}),
+                "grasps[0].contacts[0].position: must be given"}),
     [](const auto& mistake) { return std::string(mistake.param.name); });
 
 }  // namespace

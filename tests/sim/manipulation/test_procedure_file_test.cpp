@@ -57,7 +57,7 @@ TEST(ProtocolFile, WhatIsWrongIsNamed) {
             "p.json: tests[0].phases[0].kind: must be one of settle, approach, close, hold, lift, "
             "circle, swing, turn, open (\"jump\")");
   EXPECT_EQ(refusal(with_phase(R"({"kind": "swing", "duration": 1, "amplitude": 1})")),
-            "p.json: tests[0].phases[0].frequency: missing field");
+            "p.json: tests[0].phases[0].frequency: must be given");
   EXPECT_EQ(refusal(R"({"name": "p", "step": 10, "tests": []})"),
             "p.json: step: must be at least 1e-5 and at most 0.1 (10)");
   EXPECT_EQ(refusal(R"({"name": "p", "step": 1e-12, "tests": []})"),

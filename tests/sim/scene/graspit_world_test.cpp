@@ -161,12 +161,13 @@ struct RefusedWorld {
 
 TEST(GraspitWorld, RefusesWithFileAndLine) {
   const std::vector<RefusedWorld> all = {
-      {"+100 +0.5", "+100", "line 12, <dofValues>: too few values"},
+      {"+100 +0.5", "+100",
+       "line 12, <dofValues>: too few values: each degree of freedom needs its own"},
       {"+100 +0.5", "+100 +0.5 1", "too many values"},
       {"+100 +0.5", "+100 x", "must be a number"},
       {"+0.2 +0 +1 +0.1 +0.3", "+0.2 +7 +1 +0.1 +0.3", "needs 0, or 1 and a value"},
-      {"<parentRobot>0", "<parentRobot>2", "there is no such robot (2)"},
-      {"<parentChain>0", "<parentChain>1", "there is no such chain (1)"},
+      {"<parentRobot>0", "<parentRobot>2", "must be the number of a robot that is there (2)"},
+      {"<parentChain>0", "<parentChain>1", "must be the number of a chain that is there (1)"},
       {"<parentRobot>0", "<parentRobot>1", "in a circle"},
       {"<world>", "<universe>", "line "},
       {"(0 0 0 +1)", "(0 0 0 0)", "not a unit quaternion"},

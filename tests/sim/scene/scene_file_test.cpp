@@ -108,7 +108,7 @@ TEST(SceneFile, ThousandsOfBoxesAreReadAndNotThousandsOfSpheres) {
   EXPECT_EQ(scene.obstacles.size(), 5000U);
   const InputError refusal = test::refusal_of(
       [&] { (void)load_scene(write(scene_of(R"({"shape": "sphere", "radius": 0.1})", 5000))); });
-  EXPECT_NE(refusal.problem().find("more than 50000 triangles"), std::string::npos)
+  EXPECT_NE(refusal.problem().find("at most 50000 triangles"), std::string::npos)
       << refusal.what();
 }
 
@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"RegionBeside", R"({"object": {"generate": "mug", "density": 1000, "parts": [
             {"inside": {"shape": "sphere", "radius": 0.01, "pose": {"position": [1, 0, 0]}},
              "density": 5}]}})",
-                 "object.parts[0].inside: meets nothing of the object"},
+                 "object.parts[0].inside: must meet the object"},
         BadScene{"NoSuchComponent", R"({"object": {"generate": "mug", "density": 1000, "parts": [
             {"component": 3, "density": 5}]}})",
                  "object.parts[0].component: the mesh has only one, 0 (3)"},
@@ -238,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "friction[0].kinetic: must be at most the static coefficient of the pair (0.3)"},
         BadScene{"NoCoefficient", R"({"object": {"generate": "mug"},
             "friction": [{"between": ["wood", "wood"]}]})",
-                 "friction[0].static: missing field"},
+                 "friction[0].static: must be given"},
         BadScene{"BouncesHigher", R"({"object": {"generate": "mug", "restitution": 1.5}})",
                  "object.restitution: must be at least 0 and at most 1 (1.5)"},
         BadScene{"NegativeRestitution", R"({"object": {"generate": "mug"}, "obstacles": [

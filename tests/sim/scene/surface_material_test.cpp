@@ -258,11 +258,11 @@ TEST(SurfaceMaterials, MistakesNameTheField) {
             "object.surfaces[0].part: no part of the mesh file is called that; did you mean floor? "
             "it has rubber_coat floor, steel walls (flor)");
   EXPECT_EQ(refused(R"("inside": {"shape": "sphere", "radius": 0.01}, "material": "rubber")"),
-            "object.surfaces[0]: nothing of the surface is there ({\"inside\":{\"radius\":0.01,"
+            "object.surfaces[0]: must meet the surface ({\"inside\":{\"radius\":0.01,"
             "\"shape\":\"sphere\"},\"material\":\"rubbe...)");
   EXPECT_EQ(refused(R"("material": "rubber")"),
             "object.surfaces[0]: needs one of part, inside, beyond ({\"material\":\"rubber\"})");
-  EXPECT_EQ(refused(R"("part": "floor")"), "object.surfaces[0].material: missing field");
+  EXPECT_EQ(refused(R"("part": "floor")"), "object.surfaces[0].material: must be given");
   EXPECT_EQ(refused(R"("part": "floor", "material": "wet")",
                     R"(, "materials": {"wet": {"like": "glass", "friction": -1}})"),
             "materials.wet.friction: must be from 0 to 1e6 (-1.000000)");

@@ -167,9 +167,9 @@ TEST(SceneObjects, NamesAreNeededAndDiffer) {
     return refusal_of_scene(file);
   };
   const std::string box = R"("geometry": [{"shape": "box", "size": [0.05, 0.05, 0.05]}])";
-  EXPECT_EQ(refused(R"({"objects": [{)" + box + "}]}"), "objects[0].name: missing field");
+  EXPECT_EQ(refused(R"({"objects": [{)" + box + "}]}"), "objects[0].name: must be given");
   EXPECT_EQ(refused(R"({"objects": [{"name": "a", )" + box + R"(}, {"name": "a", )" + box + "}]}"),
-            "objects[1].name: another object has this name (\"a\")");
+            "objects[1].name: must be a name that no other object has (\"a\")");
   EXPECT_EQ(refused(R"({"objects": []})"), "objects: must have at least one object ([])");
   EXPECT_EQ(refused(R"({"objects": [{"name": "a", )" + box + R"(}], "object": {)" + box + "}}")
                 .find("object: not beside \"objects\""),

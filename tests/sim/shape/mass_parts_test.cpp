@@ -281,19 +281,19 @@ TEST(MassParts, RefuseWhatCannotBe) {
   EXPECT_EQ(of({inside(corner, -1.0)}), "parts[0].density: must be at least 0 (-1)");
   EXPECT_EQ(of({inside(corner, 2e6)}), "parts[0].density: must be at most 1e6 kg/m^3 (2e+06)");
   EXPECT_EQ(of({inside(corner, 10.0), inside(box_at({0.1, 0.1, 0.1}, {0.3, 0, 0}), 1.0)}),
-            "parts[1].inside: meets nothing of the object (box about [0.3, 0, 0])");
+            "parts[1].inside: must meet the object (box about [0.3, 0, 0])");
   EXPECT_EQ(of({inside(box_at({0.1, 0.1, 0.1}, {0.1, 0, 0}), 1.0)}),
-            "parts[0].inside: meets nothing of the object (box about [0.1, 0, 0])");
+            "parts[0].inside: must meet the object (box about [0.1, 0, 0])");
   EXPECT_EQ(of({beyond({0.2, 0, 0}, Vector3::UnitX(), 1.0)}),
-            "parts[0].beyond: meets nothing of the object (from [0.2, 0, 0] towards [1, 0, 0])");
+            "parts[0].beyond: must meet the object (from [0.2, 0, 0] towards [1, 0, 0])");
   EXPECT_EQ(of({component(1, 1.0)}), "parts[0].component: the mesh has only one, 0 (1)");
   EXPECT_EQ(of({point({0, 0, 0}, -1.0)}), "parts[0].mass: must be positive (-1)");
   EXPECT_EQ(of({point({0, 0, 0.2}, 1.0)}),
-            "parts[0].at: farther from the middle of the object than its diagonal ([0, 0, 0.2])");
+            "parts[0].at: must be at most the object's diagonal from its middle ([0, 0, 0.2])");
   EXPECT_EQ(of({inside(corner, 10.0), beyond({0, 0, 0}, Vector3::UnitX(), 1.0)}),
-            "parts[1]: overlaps parts[0] (by 12.5 % of the object)");
+            "parts[1]: must not overlap parts[0] (by 12.5 % of the object)");
   EXPECT_EQ(of({component(0, 10.0), inside(corner, 10.0)}),
-            "parts[1]: overlaps parts[0] (by 12.5 % of the object)");
+            "parts[1]: must not overlap parts[0] (by 12.5 % of the object)");
   EXPECT_EQ(of({{.where = InsideShape{corner}, .density = 1.0, .mass = 1.0}}),
             "parts[0]: needs exactly one of density, mass");
   EXPECT_EQ(of({{.where = AtPoint{}, .density = 1.0}}), "parts[0]: a part at a point needs mass");
@@ -305,7 +305,7 @@ TEST(MassParts, RefuseWhatCannotBe) {
   EXPECT_EQ(complaint({.mass = 0.5, .parts = {point({0, 0, 0}, 0.7)}}, cube),
             "mass: must be more than what the parts weigh, 0.7 kg (0.5)");
   EXPECT_EQ(complaint({.density = 0.0, .parts = {point({0, 0, 0}, 0.7)}}, cube),
-            "parts: the mass is all in one point or along a line");
+            "parts: the mass must not be all in one point or along a line");
   EXPECT_EQ(complaint({.density = 0.0, .parts = {}}, cube),
             "density: nothing of the object weighs anything");
   const TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};

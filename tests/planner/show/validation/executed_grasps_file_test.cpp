@@ -111,7 +111,7 @@ TEST_P(RefusedTruth, NamesFileFieldAndValue) {
 INSTANTIATE_TEST_SUITE_P(
     Corpus, RefusedTruth,
     testing::Values(
-        ExecutedGraspsMistake{"NoFormat", "/format", "", "format: missing"},
+        ExecutedGraspsMistake{"NoFormat", "/format", "", "format: must be given"},
         ExecutedGraspsMistake{"OtherFormat", "/format", R"("prehend truth 2")", "prehend truth 2"},
         ExecutedGraspsMistake{"UnknownField", "/objets", "[]", "objets"},
         ExecutedGraspsMistake{"NoObjects", "/objects", "", "objects"},

@@ -41,7 +41,7 @@ TEST(JsonFile, RefusesDeepNesting) {
     const auto file = written_json("deep.json", text);
     const InputError error = test::refusal_of([&] { JsonFile{file}; });
     EXPECT_EQ(error.file(), file.string());
-    EXPECT_EQ(error.problem(), "nested deeper than 200 levels");
+    EXPECT_EQ(error.problem(), "must be nested in at most 200 levels");
   }
   const std::string shallow = repeated("[", 200) + repeated("]", 200);
   EXPECT_NO_THROW(JsonFile{written_json("shallow.json", shallow)});

@@ -127,12 +127,12 @@ TEST(GraspitRobot, RefusesWithFileAndLine) {
   const std::filesystem::path root = test::graspit_folder();
   const std::vector<RefusedRobot> all = {
       {"d0*-1+90", "d0*-1+90x",
-       "line 10, <theta>: neither a number nor dN*ratio+constant (d0*-1+90x)"},
+       "line 10, <theta>: must be a number or dN*ratio+constant (d0*-1+90x)"},
       {"d0*-1+90", "d7", "line 10, <theta>: the robot has degrees of freedom d0 to d1 only (d7)"},
       {"d0*-1+90", "d0*0", "ratio must be at least 1e-9"},
       {"d0*-1+90", "90", "no degree of freedom drives it"},
       {"<d>0</d>", "<d>d1</d>", "must be a number"},
-      {"<d>0</d>", "<d>nan</d>", "neither a number"},
+      {"<d>0</d>", "<d>nan</d>", "must be a number"},
       {"<d>0</d>", "", "<d> is missing"},
       {"type=\"Revolute\"", "type=\"Screw\"", "unknown type of joint"},
       {"\"Universal\"", "\"Ball\"", "need more joints"},

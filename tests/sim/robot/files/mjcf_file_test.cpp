@@ -328,7 +328,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMjcf{"NoBody", mjcf("<worldbody/>"),
                 "line 1, <mujoco>: there is no body in <worldbody>"},
         BadMjcf{"Includes", mjcf("<include file=\"a.xml\"/>"),
-                "line 2, <include>: no such file (a.xml)"},
+                "line 2, <include>: no such file: it must be there, relative to this one (a.xml)"},
         BadMjcf{"Composite", on_palm("<composite type=\"grid\"/>"),
                 "line 2, <composite>: cannot be read; save the model as one file "
                 "(mj_saveLastXML)"},

@@ -308,10 +308,12 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadTree{"UnknownRobot", "/robots/1/robot", R"("tentacle")",
                 "robots[1].robot: neither a file nor one of allegro, "},
-        BadTree{"OnALaterOne", "/robots/1/on/robot", R"("right")",
-                R"(robots[1].on.robot: no robot of this name stands before it ("right"))"},
-        BadTree{"OnItself", "/robots/1/on/robot", R"("left")",
-                R"(robots[1].on.robot: no robot of this name stands before it ("left"))"},
+        BadTree{
+            "OnALaterOne", "/robots/1/on/robot", R"("right")",
+            R"(robots[1].on.robot: must be the name of a robot that stands before it ("right"))"},
+        BadTree{
+            "OnItself", "/robots/1/on/robot", R"("left")",
+            R"(robots[1].on.robot: must be the name of a robot that stands before it ("left"))"},
         BadTree{"UnknownChain", "/robots/2/on/chain", R"("leg")",
                 R"(robots[2].on.chain: no chain of this name in small ("leg"))"},
         BadTree{"NameTwice", "/robots/2/name", R"("left")",
@@ -322,15 +324,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "robots[1].colour: unknown field, known here are name, robot, on, mount"},
         BadTree{"UnknownFieldOfOn", "/robots/1/on/joint", "3", "robots[1].on.joint: unknown field"},
         BadTree{"UnknownTopField", "/chain", "3", "chain: unknown field"},
-        BadTree{"NoName", "/name", "REMOVE", "name: missing field"},
-        BadTree{"NoRobot", "/robots/0/robot", "REMOVE", "robots[0].robot: missing field"},
-        BadTree{"NoChain", "/robots/1/on/chain", "REMOVE", "robots[1].on.chain: missing field"},
+        BadTree{"NoName", "/name", "REMOVE", "name: must be given"},
+        BadTree{"NoRobot", "/robots/0/robot", "REMOVE", "robots[0].robot: must be given"},
+        BadTree{"NoChain", "/robots/1/on/chain", "REMOVE", "robots[1].on.chain: must be given"},
         BadTree{"NoRobots", "/robots", "[]", "robots: a platform needs at least one robot ([])"},
         BadTree{"RobotsIsNoList", "/robots", "3", "robots: must be a list (3)"},
         BadTree{"UnknownUnit", "/units/length", R"("furlong")", "units.length: "},
         BadTree{"EmptyMount", "/robots/2/mount/geometry", "[]", "robots[2].mount.geometry: "},
         BadTree{"MountOfNothing", "/robots/2/mount/material", "REMOVE",
-                "robots[2].mount.material: missing field"}),
+                "robots[2].mount.material: must be given"}),
     [](const auto& bad) { return std::string(bad.param.label); });
 
 }  // namespace

@@ -24,7 +24,7 @@ struct BadField {
 
 std::vector<BadField> bad_fields() {
   return {
-      {"MissingName", "/name", "REMOVE", "name: missing field"},
+      {"MissingName", "/name", "REMOVE", "name: must be given"},
       {"EmptyName", "/name", R"("")", R"(name: must be a text that is not empty (""))"},
       {"UnknownTopField", "/colour", R"("red")",
        "colour: unknown field, known here are name, units, geometries, base, links, chains, dofs, "
@@ -42,12 +42,12 @@ std::vector<BadField> bad_fields() {
       {"TextForNumber", "/chains/0/joints/0/a", R"("300")",
        R"(chains[0].joints[0].a: must be a number ("300"))"},
       {"MissingDenavitHartenberg", "/chains/0/joints/0/alpha", "REMOVE",
-       "chains[0].joints[0].alpha: missing field"},
+       "chains[0].joints[0].alpha: must be given"},
       {"UnknownJointType", "/chains/0/joints/0/type", R"("helical")",
        "chains[0].joints[0].type: unknown joint type, known are revolute and prismatic "
        R"(("helical"))"},
       {"LimitsWrongWayRound", "/chains/0/joints/1/limits", "[60, -30]",
-       "chains[0].joints[1].limits: limits the wrong way round ([60,-30])"},
+       "chains[0].joints[1].limits: the lower limit must be at most the upper one ([60,-30])"},
       {"OneLimit", "/chains/0/joints/1/limits", "[60]",
        "chains[0].joints[1].limits: must be a list of 2 numbers ([60])"},
       {"SameJointName", "/chains/1/joints/0/name", R"("elbow")",
@@ -57,7 +57,7 @@ std::vector<BadField> bad_fields() {
       {"NoJoints", "/chains/1/joints", "[]",
        "chains[1].joints: a chain needs at least one joint ([])"},
       {"JointThatNothingDrives", "/dofs/0/drives", R"([{"joint": "shoulder"}])",
-       "chains[0].joints[1].name: no degree of freedom drives this joint (elbow)"},
+       "chains[0].joints[1].name: must be driven by a degree of freedom (elbow)"},
       {"DofThatDrivesNothing", "/dofs/1/drives", "[]",
        "dofs[1].drives: a degree of freedom must drive at least one joint ([])"},
       {"DrivesUnknownJoint", "/dofs/1/drives/0/joint", R"("slyde")",
@@ -90,7 +90,7 @@ std::vector<BadField> bad_fields() {
       {"NegativeSpring", "/chains/0/joints/1/spring", R"({"stiffness": -2})",
        "chains[0].joints[1].spring.stiffness: must be at least 0 and at most 1e15 (-2)"},
       {"SpringWithoutStiffness", "/chains/0/joints/1/spring", R"({"rest": 2})",
-       "chains[0].joints[1].spring.stiffness: missing field"},
+       "chains[0].joints[1].spring.stiffness: must be given"},
       {"UnknownSpringField", "/chains/0/joints/1/spring", R"({"stiffness": 2, "length": 1})",
        "chains[0].joints[1].spring.length: unknown field, known here are stiffness, rest (1)"},
       {"LinkWithoutGeometry", "/base/geometry", "[]",
@@ -210,7 +210,7 @@ TEST(BadRobotFile, EmptyFile) {
 
 TEST(BadRobotFile, FieldGivenTwice) {
   EXPECT_EQ(complaint_about(write_robot_text(R"({"name": "x", "base": {"a": 1, "a": 2}})")),
-            "a: field given twice in one object");
+            "a: must be given once in an object");
 }
 
 TEST(BadRobotFile, NumberTooLargeForADouble) {

@@ -161,18 +161,19 @@ TEST_P(BadTreeField, IsNamed) {
 INSTANTIATE_TEST_SUITE_P(
     RobotTreeFile, BadTreeField,
     testing::Values(
-        BadEntry{"UnknownParent", "/chains/1/parent", R"("knee")",
-                 R"(chains[1].parent: no joint of this name in a chain before this one ("knee"))"},
+        BadEntry{
+            "UnknownParent", "/chains/1/parent", R"("knee")",
+            R"(chains[1].parent: must be the name of a joint in a chain before this one ("knee"))"},
         BadEntry{"ParentOfALaterChain", "/chains/0/parent", R"("slide")",
-                 "chains[0].parent: no joint of this name in a chain before this one"},
+                 "chains[0].parent: must be the name of a joint in a chain before this one"},
         BadEntry{"OwnJointAsParent", "/chains/1/parent", R"("slide")",
-                 "chains[1].parent: no joint of this name in a chain before this one"},
+                 "chains[1].parent: must be the name of a joint in a chain before this one"},
         BadEntry{"BothWays", "/chains/0/joints/0/axis", "[0, 0, 1]",
                  "chains[0].joints[0].theta: a joint has theta, d, a and alpha, or an origin and "
                  "an axis, not both (0)"},
         BadEntry{"OriginWithoutAxis", "/chains/0/joints/0",
                  R"({"name": "shoulder", "type": "revolute", "origin": [], "limits": [0, 1]})",
-                 "chains[0].joints[0].axis: missing field"},
+                 "chains[0].joints[0].axis: must be given"},
         BadEntry{"ZeroAxis", "/chains/0/joints/0",
                  R"({"name": "shoulder", "type": "revolute", "axis": [0,0,0], "limits": [0, 1]})",
                  "chains[0].joints[0].axis: must not be the zero vector ([0,0,0])"},

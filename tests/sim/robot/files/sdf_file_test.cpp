@@ -113,7 +113,8 @@ TEST(SdfFile, MistakesAreNamed) {
       {"<frame name=\"a\"><pose relative_to=\"b\"/></frame><frame name=\"b\"><pose "
        "relative_to=\"a\"/></frame><link name=\"l\"><pose relative_to=\"a\">0 0 0 0 0 "
        "0</pose></link>",
-       "line 2, <frame>: frames are relative to each other in a circle, or more than 200 in a row"},
+       "line 2, <frame>: frames must not be relative to each other in a circle, or more than 200 "
+       "in a row"},
       {"<link name=\"a\"/><joint name=\"j\" "
        "type=\"fixed\"><parent>a</parent><child>c</child></joint>",
        "line 2, <child>: no link of this name (c)"},

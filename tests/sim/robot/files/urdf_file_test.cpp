@@ -416,11 +416,13 @@ INSTANTIATE_TEST_SUITE_P(
                      urdf_joint("ja", "revolute", "a", "b", kLimit) +
                      urdf_joint("jb", "revolute", "b", "a", kLimit) +
                      urdf_joint("jc", "revolute", "base", "tip", kLimit)),
-                "line 3, <link>: its joints form a circle (a)"},
+                "line 3, <link>: its joints form a circle: each link must hang on one joint, but "
+                "for one (a)"},
         BadUrdf{"AllACircle",
                 two(urdf_joint("ja", "revolute", "base", "tip", kLimit) +
                     urdf_joint("jb", "revolute", "tip", "base", kLimit)),
-                "line 2, <link>: its joints form a circle (base)"},
+                "line 2, <link>: its joints form a circle: each link must hang on one joint, but "
+                "for one (base)"},
         BadUrdf{"Floating", two(urdf_joint("j", "floating", "base", "tip")),
                 "line 4, <joint>: joints of type floating cannot be planned with; write them as "
                 "revolute and prismatic joints (j)"},
@@ -432,7 +434,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadUrdf{
             "SwappedLimits",
             two(urdf_joint("j", "revolute", "base", "tip", "<limit lower=\"1\" upper=\"-1\"/>")),
-            "line 4, <limit>: limits the wrong way round (j)"},
+            "line 4, <limit>: the lower limit must be at most the upper one (j)"},
         BadUrdf{
             "Nan",
             two(urdf_joint("j", "revolute", "base", "tip", "<limit lower=\"nan\" upper=\"1\"/>")),
@@ -441,25 +443,27 @@ INSTANTIATE_TEST_SUITE_P(
                 two(urdf_joint("j", "revolute", "base", "tip",
                                std::string("<axis xyz=\"0 0 0\"/>") + kLimit)),
                 "line 4, <axis>: must not be 0 (0 0 0)"},
-        BadUrdf{"MimicsItself",
-                two(urdf_joint("j", "revolute", "base", "tip",
-                               std::string(kLimit) + "<mimic joint=\"j\"/>")),
-                "line 4, <joint>: mimics itself (j)"},
+        BadUrdf{
+            "MimicsItself",
+            two(urdf_joint("j", "revolute", "base", "tip",
+                           std::string(kLimit) + "<mimic joint=\"j\"/>")),
+            "line 4, <joint>: mimics itself: it must follow a joint that does not follow it (j)"},
         BadUrdf{"MimicsNobody",
                 two(urdf_joint("j", "revolute", "base", "tip",
                                std::string(kLimit) + "<mimic joint=\"k\"/>")),
                 "line 4, <mimic>: no joint of this name (k)"},
-        BadUrdf{"MimicCircle",
-                urdf(box_link("base") + box_link("a") + box_link("b") +
-                     urdf_joint("ja", "revolute", "base", "a",
-                                std::string(kLimit) + "<mimic joint=\"jb\" multiplier=\"3\"/>") +
-                     urdf_joint("jb", "revolute", "base", "b",
-                                std::string(kLimit) + "<mimic joint=\"ja\"/>")),
-                "line 5, <joint>: mimics itself (ja)"},
+        BadUrdf{
+            "MimicCircle",
+            urdf(box_link("base") + box_link("a") + box_link("b") +
+                 urdf_joint("ja", "revolute", "base", "a",
+                            std::string(kLimit) + "<mimic joint=\"jb\" multiplier=\"3\"/>") +
+                 urdf_joint("jb", "revolute", "base", "b",
+                            std::string(kLimit) + "<mimic joint=\"ja\"/>")),
+            "line 5, <joint>: mimics itself: it must follow a joint that does not follow it (ja)"},
         BadUrdf{"MissingMesh",
                 urdf("<link name=\"base\"><collision><geometry>\n<mesh filename=\"no.stl\"/>"
                      "</geometry></collision></link>"),
-                "line 3, <mesh>: no such file (no.stl)"},
+                "line 3, <mesh>: no such file: it must be there, relative to this one (no.stl)"},
         BadUrdf{"UnknownShape",
                 urdf("<link name=\"base\"><collision><geometry>\n<cone radius=\"1\"/>"
                      "</geometry></collision></link>"),

@@ -137,7 +137,7 @@ TEST_F(ViewsFile, WrongCamerasAreRefused) {
       "in.json: camera.focal: unknown field, known here are fx, fy, cx, cy, width, height, pose, "
       "unit (37)");
   EXPECT_EQ(why(with("0.0001", "0.1")).find("in.json: unit: distances look like millimetres"), 0U);
-  EXPECT_EQ(why(R"({"depth": "a.png"})"), "in.json: camera: missing field");
+  EXPECT_EQ(why(R"({"depth": "a.png"})"), "in.json: camera: must be given");
   EXPECT_EQ(why(R"({"depth": "a.png", "cloud": "a.pcd"})"),
             "in.json: needs either a depth image or a cloud "
             "({\"cloud\":\"a.pcd\",\"depth\":\"a.png\"})");
