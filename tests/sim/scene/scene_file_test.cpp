@@ -108,8 +108,7 @@ TEST(SceneFile, ThousandsOfBoxesAreReadAndNotThousandsOfSpheres) {
   EXPECT_EQ(scene.obstacles.size(), 5000U);
   const InputError refusal = test::refusal_of(
       [&] { (void)load_scene(write(scene_of(R"({"shape": "sphere", "radius": 0.1})", 5000))); });
-  EXPECT_NE(refusal.problem().find("at most 50000 triangles"), std::string::npos)
-      << refusal.what();
+  EXPECT_NE(refusal.problem().find("at most 50000 triangles"), std::string::npos) << refusal.what();
 }
 
 TEST(SceneFile, PartsSayWhereTheMassIs) {
