@@ -16,7 +16,8 @@ namespace prehend {
 namespace {
 
 constexpr std::size_t kMostIncluded = 200;
-constexpr int kMostCopies = 10000;  // of one <replicate>
+constexpr int kMostCopies = 10000;        // of one <replicate>
+constexpr int kMostCopiesInAll = 100000;  // which may be nested, also around nothing
 
 // Copies a file with the content of included files in its place. Their names are relative to the
 // file that includes all others, or else to the one that names them.
@@ -135,6 +136,10 @@ class MjcfUnframer {
     const std::size_t digits = std::to_string(static_cast<int>(count) - 1).size();
     around.is_moved = true;
     for (int k = 0; k < static_cast<int>(count); ++k) {
+      if (++copies_ > kMostCopiesInAll) {
+        element.fail("the file must not make more than " + std::to_string(kMostCopiesInAll) +
+                     " copies");
+      }
       const std::string number = std::to_string(k);
       around.suffix = before;
       around.suffix.append(digits - number.size(), '0').append(number);
@@ -185,6 +190,7 @@ class MjcfUnframer {
   XmlElement root_;
   MjcfDefaults defaults_;
   XmlMaker maker_;
+  int copies_ = 0;
 };
 
 bool has_inside(const XmlElement& element, std::string_view tag) {
