@@ -7,6 +7,7 @@
 namespace prehend {
 namespace {
 
+// A few lines that repeat each other could fill the memory otherwise.
 constexpr int kMostElements = 50000;
 constexpr int kDeepest = 100;
 
