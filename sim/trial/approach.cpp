@@ -1,11 +1,15 @@
 #include "sim/trial/approach.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/base/index.h"
 
 namespace prehend {
 namespace {
+
+// Directions are unit vectors up to this [m/m].
+constexpr double kRoundingOfDirection = 1e-9;
 
 // Lists the pairs that may meet on the way: each link with the object, and with the obstacles that
 // reach into the region which the ball around the link sweeps.
@@ -20,6 +24,7 @@ void list_pairs(const CompiledScene& scene, const ApproachMotion& motion,
     pair.tracker.start(scene.body(body).mesh, scene.links[l].mesh);
     pair.asked_at = 0.0;
     pair.safe_until = 0.0;
+    pair.gap_then = 0.0;
   };
   for (std::size_t l = 0; l < scene.links.size(); ++l) {
     const ProximityMesh& mesh = scene.links[l].mesh;
@@ -70,6 +75,18 @@ ApproachEnd end_at(const ApproachPair& pair, const Gap& gap) {
   const bool at_start = pair.tracker.queries() == 1;
   if (at_start && !(gap.lower > 0.0)) return ApproachEnd::starts_in_collision;
   return pair.body.is_object() ? ApproachEnd::touched_object : ApproachEnd::touched_obstacle;
+}
+
+// How far the hand may go on along `direction`, in the body's frame. Convex parts that are apart
+// along a direction stay so as long as the hand does not move against it by their distance.
+double safe_way(const ApproachPair& pair, const Gap& gap, const Vector3& direction_T,
+                const TrialOptions& options) {
+  double along = pair.tracker.parts_apart().empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  for (const PartsApart& parts : pair.tracker.parts_apart()) {
+    const double nearing = -parts.direction.dot(direction_T) + kRoundingOfDirection;
+    if (nearing > 0.0) along = std::min(along, (parts.distance - options.contact_gap) / nearing);
+  }
+  return std::max(safe_step(gap, options), along);
 }
 
 }  // namespace
@@ -126,6 +143,7 @@ void approach(const CompiledScene& scene, const std::vector<double>& joints,
     const double left = motion.distance - travel + options.contact.threshold;
     const Gap gap = next.tracker.query(X_TL, travel - next.asked_at, left);
     next.asked_at = travel;
+    next.gap_then = gap.lower;
     // A pair that slides along a narrow gap would take very many short steps: after too many
     // queries it counts as a contact.
     if (gap.upper <= options.closed_gap() || next.tracker.queries() > kMaxGapQueries) {
@@ -133,19 +151,22 @@ void approach(const CompiledScene& scene, const std::vector<double>& joints,
       result.touch = {next.link, next.body};
       result.travel = travel;
       next.safe_until = travel;
+      next.gap_then = 0.0;
       if (const ApproachPair* other = crosses_at_start(scene, motion, X_HL, all)) {
         result.end = ApproachEnd::starts_in_collision;
         result.touch = {other->link, other->body};
       }
       break;
     }
-    next.safe_until = travel + safe_step(gap, options);
+    const Matrix3 R_TO = scene.pose_in(next.body, Pose::Identity()).linear();
+    next.safe_until = travel + safe_way(next, gap, R_TO * motion.approach_O, options);
   }
-  // What is left of each proof bounds the gap at the end from below, which saves the closing hand
-  // its first queries.
+  // What is left of each gap bounds it at the end from below, which saves the closing hand its first
+  // queries.
   for (const ApproachPair& pair : all) {
     if (pair.body.is_object()) {
-      result.object_clearance[index(pair.link)] = std::max(0.0, pair.safe_until - result.travel);
+      result.object_clearance[index(pair.link)] =
+          std::max(0.0, pair.gap_then - (result.travel - pair.asked_at));
     }
   }
 }

@@ -46,6 +46,7 @@ struct ApproachPair {
   GapTracker tracker;
   double asked_at = 0.0;    // travel at the last gap query
   double safe_until = 0.0;  // proven free of contact up to this travel
+  double gap_then = 0.0;    // lower bound of the gap at that query, 0 where they touch [m]
 };
 
 // Buffers of approach, to allocate less; one for each thread.

@@ -104,17 +104,33 @@ class Closing {
            (other != nullptr ? motion_.speed(scene_.links[index(*other)], t) : 0.0);
   }
 
-  // The link's pose in the frame of what it is paired with, at time t.
-  Pose relative_pose(const ClosingPair& pairing, double t) {
-    motion_.joints_at(t, joints_);
-    const auto pose_of = [&](LinkId link) {
-      return link_pose(scene_.scene.hand, scene_.links[index(link)].joints, joints_);
-    };
-    const Pose X_HL = pose_of(pairing.link);
-    if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
-      return pose_of(*other).inverse() * X_HL;
+  Pose link_in_hand(LinkId link) const {
+    return link_pose(scene_.scene.hand, scene_.links[index(link)].joints, joints_);
+  }
+
+  // The hand's pose in the frame of what a link is paired with, with the joints at joints_.
+  Pose hand_in(const std::variant<LinkId, BodyId>& other) const {
+    if (const LinkId* link = std::get_if<LinkId>(&other)) return link_in_hand(*link).inverse();
+    return scene_.pose_in(std::get<BodyId>(other), start_.X_OH);
+  }
+
+  // For how long from time t on the gap that a query found stays above contact_gap. Convex parts
+  // are apart along a direction, and what moves across it leaves them so: fingers side by side are
+  // asked for once.
+  double safe_time(const ClosingPair& pairing, const Gap& gap, const Matrix3& R_PH, double speed_now,
+                   double t) const {
+    const double any_way = safe_step(gap, options_) / speed_now;
+    const LinkId* other = std::get_if<LinkId>(&pairing.other);
+    double along = pairing.tracker.parts_apart().empty() ? 0.0 : kNever;
+    for (const PartsApart& parts : pairing.tracker.parts_apart()) {
+      const Vector3 direction_H = R_PH.transpose() * parts.direction;
+      const double speed =
+          motion_.speed_along(scene_.links[index(pairing.link)], -direction_H, t) +
+          (other != nullptr ? motion_.speed_along(scene_.links[index(*other)], direction_H, t)
+                            : 0.0);
+      along = std::min(along, (parts.distance - options_.contact_gap) / speed);
     }
-    return scene_.pose_in(std::get<BodyId>(pairing.other), start_.X_OH * X_HL);
+    return std::max(any_way, along);
   }
 
   // Queries the gap where the last proof ends. A contact stops the joints of both links; otherwise
@@ -132,7 +148,9 @@ class Closing {
     // As in approach(): a gap beyond the motion that is left need not be known exactly, and the
     // threshold keeps a gap at the end of the motion distinguishable from a contact.
     const double left = speed_now * (motion_.end() - t) + options_.contact.threshold;
-    const Gap gap = pairing.tracker.query(relative_pose(pairing, t), moved, left);
+    motion_.joints_at(t, joints_);
+    const Pose X_PH = hand_in(pairing.other);
+    const Gap gap = pairing.tracker.query(X_PH * link_in_hand(pairing.link), moved, left);
     pairing.asked_at = t;
     pairing.speed_when_asked = speed_now;
     if (gap.upper <= options_.closed_gap() || pairing.tracker.queries() > kMaxGapQueries) {
@@ -143,7 +161,7 @@ class Closing {
       pairing.safe_until = kNever;
       return;
     }
-    pairing.safe_until = t + safe_step(gap, options_) / speed_now;
+    pairing.safe_until = t + safe_time(pairing, gap, X_PH.linear(), speed_now, t);
   }
 
   const CompiledScene& scene_;

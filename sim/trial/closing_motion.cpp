@@ -12,6 +12,9 @@ int first_joint_of_finger(const Robot& hand, int joint) {
   return joint;
 }
 
+// Axes that are parallel up to this sine turn each other by next to nothing.
+constexpr double kParallel = 1e-9;
+
 }  // namespace
 
 void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
@@ -33,12 +36,50 @@ void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
     velocity_[j] = hand.joints[j].ratio * v;
     until_[j] = std::max(0.0, ((v > 0.0 ? dof.upper : dof.lower) - from) / v);
   }
+  find_axes();
+}
+
+// The axes of a finger whose joints are all parallel keep their directions while it closes.
+void ClosingMotion::find_axes() {
+  joint_poses(*hand_, start_, X_HJ_);
+  axis_H_.resize(start_.size());
+  keeps_axis_.assign(start_.size(), true);
+  for (std::size_t j = 0; j < start_.size(); ++j) {
+    const Joint& joint = hand_->joints[j];
+    axis_H_[j] = joint.X_PJ.linear() * joint.axis;
+    if (joint.parent >= 0) axis_H_[j] = X_HJ_[index(joint.parent)].linear() * axis_H_[j];
+    for (int before = joint.parent; before >= 0; before = hand_->joints[index(before)].parent) {
+      const std::size_t b = index(before);
+      if (hand_->joints[b].type != JointType::revolute || velocity_[b] == 0.0) continue;
+      if (axis_H_[j].cross(axis_H_[b]).norm() > kParallel) keeps_axis_[j] = false;
+    }
+  }
 }
 
 double ClosingMotion::speed(const CompiledLink& link, double t) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < link.joints.size(); ++k) {
     if (moves(link.joints[k], t)) sum += std::abs(velocity_[index(link.joints[k])]) * link.reach[k];
+  }
+  return sum;
+}
+
+// A turn about an axis carries a point along a direction no farther than the part of the direction
+// across the axis lets it.
+double ClosingMotion::speed_along(const CompiledLink& link, const Vector3& direction_H,
+                                  double t) const {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < link.joints.size(); ++k) {
+    if (!moves(link.joints[k], t)) continue;
+    const std::size_t j = index(link.joints[k]);
+    const double speed = std::abs(velocity_[j]) * link.reach[k];
+    if (!keeps_axis_[j]) {
+      sum += speed;
+    } else if (hand_->joints[j].type == JointType::revolute) {
+      sum += speed * std::min(1.0, axis_H_[j].cross(direction_H).norm() + 2.0 * kParallel);
+    } else {
+      sum += std::max(0.0, velocity_[j] * axis_H_[j].dot(direction_H)) + speed * kParallel;
+    }
   }
   return sum;
 }

@@ -25,6 +25,10 @@ class ClosingMotion {
   // over the moving joints before it of |velocity| * (farthest point from the joint's axis).
   double speed(const CompiledLink& link, double t) const;
 
+  // Bound on how fast any point of the link moves along the unit `direction_H` (frame of the hand's
+  // base) from time t on [m/s], which turns about joints with axes along it do not count towards.
+  double speed_along(const CompiledLink& link, const Vector3& direction_H, double t) const;
+
   // Bound on how far any point of the link can move at all [m]. A self-centering finger may pass
   // its limit by as much as the other one was stopped short of it, which is at most its whole way.
   double farthest(const CompiledLink& link) const;
@@ -49,12 +53,16 @@ class ClosingMotion {
 
  private:
   void stop(int joint, double t);
+  void find_axes();
 
   const Robot* hand_ = nullptr;
   std::vector<double> start_;
   std::vector<double> velocity_;
   std::vector<double> until_;
   std::vector<bool> by_contact_;
+  std::vector<Pose> X_HJ_;        // at the start
+  std::vector<Vector3> axis_H_;   // of each joint, at the start
+  std::vector<bool> keeps_axis_;  // whether the joint's axis keeps that direction
 };
 
 }  // namespace prehend

@@ -27,7 +27,8 @@ void GapTracker::start(const ProximityMesh& a, const ProximityMesh& b, int most_
   b_ = &b;
   most_pairs_ = most_pairs;
   list_below_ = kNear;
-  directions_.assign(a.parts().size() * b.parts().size(), Vector3::Zero());
+  parts_.assign(a.parts().size() * b.parts().size(), {});
+  apart_ = false;
   parts_meet_ = false;
   near_.pairs.clear();
   near_.beyond = 0.0;
@@ -37,6 +38,7 @@ void GapTracker::start(const ProximityMesh& a, const ProximityMesh& b, int most_
 
 Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
   ++queries_;
+  apart_ = false;
   if (near_.beyond > 0.0) {
     const Gap gap = gap_of_pairs(*a_, *b_, X_AB, moved, near_);
     if (gap.lower <= near_.beyond) {
@@ -53,10 +55,12 @@ Gap GapTracker::query(const Pose& X_AB, double moved, double motion_left) {
 
 double GapTracker::part_separation(const Pose& X_AB) {
   double least = std::numeric_limits<double>::infinity();
-  auto direction = directions_.begin();
+  auto parts = parts_.begin();
   for (const ConvexPoints& part_a : a_->parts()) {
     for (const ConvexPoints& part_b : b_->parts()) {
-      least = std::min(least, separation(part_a, part_b, X_AB, *direction++));
+      parts->distance = separation(part_a, part_b, X_AB, parts->direction);
+      least = std::min(least, parts->distance);
+      ++parts;
     }
   }
   return least;
@@ -71,6 +75,7 @@ Gap GapTracker::query_trees(const Pose& X_AB, double motion_left) {
     // lie somewhere inside the parts, so that nothing is known of the upper bound.
     const double apart = part_separation(X_AB);
     if (apart > std::min(kNear, motion_left)) {
+      apart_ = true;
       return {apart, std::numeric_limits<double>::infinity(), {}};
     }
     parts_meet_ = apart <= 0.0;

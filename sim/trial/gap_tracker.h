@@ -1,6 +1,7 @@
 // Repeated queries of the gap between two moving bodies, which reuse what earlier queries found.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "sim/shape/proximity.h"
@@ -23,6 +24,15 @@ inline constexpr int kMaxGapQueries = 400;
 inline double safe_step(const Gap& gap, const TrialOptions& options) {
   return gap.lower > options.closed_gap() ? gap.lower - options.contact_gap : 0.25 * gap.lower;
 }
+
+// Two convex parts, one of each body, and how far apart they are along one direction.
+struct PartsApart {
+  // From the part of A to that of B, unit, in A's frame. Of any length, and the start of the next
+  // search, where the last query did not come to the parts.
+  Vector3 direction = Vector3::Zero();
+  // All of B's part is so much farther along `direction` than all of A's part [m].
+  double distance = 0.0;
+};
 
 // Answers a query at one of three costs, by the size of the gap. Large gaps: the distance between
 // the convex parts that enclose the two surfaces. Medium gaps: an approximate search of the
@@ -48,6 +58,13 @@ class GapTracker {
   // found out: its lower bound is at least `motion_left`.
   Gap query(const Pose& X_AB, double moved, double motion_left);
 
+  // Where the last query was answered by convex parts that enclose the surfaces: all pairs of them,
+  // which stay apart as long as the bodies do not move by `distance` along any `direction`. Empty
+  // where it was answered otherwise.
+  std::span<const PartsApart> parts_apart() const {
+    return apart_ ? std::span<const PartsApart>(parts_) : std::span<const PartsApart>();
+  }
+
   int queries() const { return queries_; }
 
  private:
@@ -63,9 +80,8 @@ class GapTracker {
   const ProximityMesh* b_ = nullptr;
   int most_pairs_ = kMostListedPairs;
   double list_below_ = 0.0;  // gaps above this are not worth a list of near pairs [m]
-  // Per pair of convex parts, the direction that separated them last: a good start for the next
-  // query.
-  std::vector<Vector3> directions_;
+  std::vector<PartsApart> parts_;  // per pair of convex parts
+  bool apart_ = false;             // the last query was answered by them
   bool parts_meet_ = false;  // convex parts have overlapped: their distance is no use any more
   NearPairs near_;           // beyond is 0 where there is no list
   TrianglePair last_pair_;   // the closest pair found last, where the next search begins
