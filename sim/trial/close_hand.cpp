@@ -29,6 +29,8 @@ class Closing {
         motion_(workspace.motion),
         pairings_(workspace.pairs),
         joints_(workspace.joints),
+        link_(workspace.link),
+        other_(workspace.other),
         near_(workspace.near) {
     motion_.start(scene.scene.hand, start.dofs, start.joints);
     add_pairings();
@@ -104,33 +106,37 @@ class Closing {
            (other != nullptr ? motion_.speed(scene_.links[index(*other)], t) : 0.0);
   }
 
-  Pose link_in_hand(LinkId link) const {
-    return link_pose(scene_.scene.hand, scene_.links[index(link)].joints, joints_);
-  }
-
-  // The hand's pose in the frame of what a link is paired with, with the joints at joints_.
+  // The hand's pose in the frame of what a link is paired with; that of a link is other_.
   Pose hand_in(const std::variant<LinkId, BodyId>& other) const {
-    if (const LinkId* link = std::get_if<LinkId>(&other)) return link_in_hand(*link).inverse();
+    if (std::holds_alternative<LinkId>(other)) return other_.X_HL.inverse();
     return scene_.pose_in(std::get<BodyId>(other), start_.X_OH);
   }
 
-  // For how long from time t on the gap that a query found stays above contact_gap. Convex parts
-  // are apart along a direction, and what moves across it leaves them so: fingers side by side are
-  // asked for once.
+  // Places the links of the pair at time t.
+  void place(const ClosingPair& pairing, double t) {
+    motion_.place(scene_.links[index(pairing.link)], t, link_);
+    if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
+      motion_.place(scene_.links[index(*other)], t, other_);
+    }
+  }
+
+  // For how long from time t on, for which the links are placed, the gap that a query found stays
+  // above contact_gap. Convex parts that are apart along a direction stay so until motions along
+  // it have used their distance up: fingers side by side are asked for once.
   double safe_time(const ClosingPair& pairing, const Gap& gap, const Matrix3& R_PH, double speed_now,
                    double t) const {
-    const double any_way = safe_step(gap, options_) / speed_now;
-    const LinkId* other = std::get_if<LinkId>(&pairing.other);
     double along = pairing.tracker.parts_apart().empty() ? 0.0 : kNever;
     for (const PartsApart& parts : pairing.tracker.parts_apart()) {
       const Vector3 direction_H = R_PH.transpose() * parts.direction;
-      const double speed =
-          motion_.speed_along(scene_.links[index(pairing.link)], -direction_H, t) +
-          (other != nullptr ? motion_.speed_along(scene_.links[index(*other)], direction_H, t)
-                            : 0.0);
-      along = std::min(along, (parts.distance - options_.contact_gap) / speed);
+      TravelBound bound = motion_.travel_along(scene_.links[index(pairing.link)], *parts.part_of_b,
+                                               link_, -direction_H, t);
+      if (const LinkId* other = std::get_if<LinkId>(&pairing.other)) {
+        bound += motion_.travel_along(scene_.links[index(*other)], *parts.part_of_a, other_,
+                                      direction_H, t);
+      }
+      along = std::min(along, bound.time_for(parts.distance - options_.contact_gap));
     }
-    return std::max(any_way, along);
+    return std::max(safe_step(gap, options_) / speed_now, along);
   }
 
   // Queries the gap where the last proof ends. A contact stops the joints of both links; otherwise
@@ -148,9 +154,9 @@ class Closing {
     // As in approach(): a gap beyond the motion that is left need not be known exactly, and the
     // threshold keeps a gap at the end of the motion distinguishable from a contact.
     const double left = speed_now * (motion_.end() - t) + options_.contact.threshold;
-    motion_.joints_at(t, joints_);
+    place(pairing, t);
     const Pose X_PH = hand_in(pairing.other);
-    const Gap gap = pairing.tracker.query(X_PH * link_in_hand(pairing.link), moved, left);
+    const Gap gap = pairing.tracker.query(X_PH * link_.X_HL, moved, left);
     pairing.asked_at = t;
     pairing.speed_when_asked = speed_now;
     if (gap.upper <= options_.closed_gap() || pairing.tracker.queries() > kMaxGapQueries) {
@@ -171,6 +177,8 @@ class Closing {
   ClosingMotion& motion_;
   ReusedList<ClosingPair>& pairings_;
   std::vector<double>& joints_;
+  ClosingLink& link_;
+  ClosingLink& other_;
   NearBodies& near_;
 };
 

@@ -56,6 +56,8 @@ struct ClosingWorkspace {
   ClosingMotion motion;
   ReusedList<ClosingPair> pairs;
   std::vector<double> joints;
+  ClosingLink link;   // of the pair that is asked for
+  ClosingLink other;  // what it is paired with, where that is a link
   NearBodies near;
 };
 

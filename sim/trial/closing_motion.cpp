@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "sim/shape/separation.h"
 
 namespace prehend {
 namespace {
@@ -15,7 +18,33 @@ int first_joint_of_finger(const Robot& hand, int joint) {
 // Axes that are parallel up to this sine turn each other by next to nothing.
 constexpr double kParallel = 1e-9;
 
+// The largest value >= 0 of lever . (p - c) over the points p of a part of a link, where c is on the
+// axis of joint k of those before it.
+double moment_of(const ConvexPoints& part, const ClosingLink& placed, std::size_t k,
+                 const Vector3& lever) {
+  const double length = lever.norm();
+  if (length == 0.0) return 0.0;
+  const Vector3 direction_H = lever / length;
+  const Vector3& farthest = part.farthest(placed.X_HL.linear().transpose() * direction_H);
+  const double along = direction_H.dot(placed.X_HL * farthest - placed.on_axis_H[k]);
+  return std::max(0.0, length * (along + part.margin() + part.search_error()));
+}
+
 }  // namespace
+
+TravelBound& TravelBound::operator+=(const TravelBound& other) {
+  steady += other.steady;
+  now += other.now;
+  growth += other.growth;
+  return *this;
+}
+
+double TravelBound::time_for(double distance) const {
+  const double growing = now + std::sqrt(now * now + 2.0 * growth * distance);
+  const double never = std::numeric_limits<double>::infinity();
+  return std::max(steady > 0.0 ? distance / steady : never,
+                  growing > 0.0 ? 2.0 * distance / growing : never);
+}
 
 void ClosingMotion::start(const Robot& hand, const std::vector<double>& dofs,
                           const std::vector<double>& joints) {
@@ -64,24 +93,51 @@ double ClosingMotion::speed(const CompiledLink& link, double t) const {
   return sum;
 }
 
-// A turn about an axis carries a point along a direction no farther than the part of the direction
-// across the axis lets it.
-double ClosingMotion::speed_along(const CompiledLink& link, const Vector3& direction_H,
-                                  double t) const {
-  double sum = 0.0;
+void ClosingMotion::place(const CompiledLink& link, double t, ClosingLink& placed) const {
+  placed.X_HL = Pose::Identity();
+  placed.on_axis_H.clear();
+  for (const int j : link.joints) {
+    const Joint& joint = hand_->joints[index(j)];
+    placed.X_HL = placed.X_HL * joint.X_PJ;
+    placed.on_axis_H.emplace_back(placed.X_HL.translation());
+    placed.X_HL = placed.X_HL * across(joint, value_at(index(j), t));
+  }
+}
+
+// A turn by the angle v t about the axis a carries a point p along e by v t (a x (p - c)) . e at
+// first, c being on the axis. It is less than that by no more than what the turn itself, and
+// the joints behind it, change of p - c: to second order. Only the part of e across the axis counts,
+// as long as the axis keeps its direction.
+TravelBound ClosingMotion::travel_along(const CompiledLink& link, const ConvexPoints& part,
+                                        const ClosingLink& placed, const Vector3& direction_H,
+                                        double t) const {
+  TravelBound bound;
+  double turning = 0.0;  // of the joints so far: the sum of |v| times the part of e across the axis
+  bool is_steady = true;
   for (std::size_t k = 0; k < link.joints.size(); ++k) {
     if (!moves(link.joints[k], t)) continue;
     const std::size_t j = index(link.joints[k]);
-    const double speed = std::abs(velocity_[j]) * link.reach[k];
+    const double v = velocity_[j];
+    const double speed = std::abs(v) * link.reach[k];
+    bound.growth += 2.0 * turning * speed;
     if (!keeps_axis_[j]) {
-      sum += speed;
-    } else if (hand_->joints[j].type == JointType::revolute) {
-      sum += speed * std::min(1.0, axis_H_[j].cross(direction_H).norm() + 2.0 * kParallel);
+      is_steady = false;
+      bound.steady += speed;
+    } else if (hand_->joints[j].type == JointType::prismatic) {
+      const double along = std::max(0.0, v * axis_H_[j].dot(direction_H)) + speed * kParallel;
+      bound.steady += along;
+      bound.now += along;
     } else {
-      sum += std::max(0.0, velocity_[j] * axis_H_[j].dot(direction_H)) + speed * kParallel;
+      const Vector3 lever = (v > 0.0 ? direction_H : Vector3(-direction_H)).cross(axis_H_[j]);
+      const double across = std::min(1.0, lever.norm() + 2.0 * kParallel);
+      bound.steady += speed * across;
+      bound.now += std::min(speed * across, std::abs(v) * moment_of(part, placed, k, lever));
+      bound.growth += std::abs(v) * speed * across;
+      turning += std::abs(v) * across;
     }
   }
-  return sum;
+  if (!is_steady) return {bound.steady, bound.steady, 0.0};
+  return bound;
 }
 
 double ClosingMotion::farthest(const CompiledLink& link) const {
@@ -124,7 +180,7 @@ double ClosingMotion::end() const {
 void ClosingMotion::joints_at(double t, std::vector<double>& joints) const {
   joints.resize(start_.size());
   for (std::size_t j = 0; j < start_.size(); ++j) {
-    joints[j] = start_[j] + velocity_[j] * std::min(t, until_[j]);
+    joints[j] = value_at(j, t);
   }
 }
 

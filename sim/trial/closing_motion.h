@@ -1,6 +1,7 @@
 // The motion of the joints of a hand that closes.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "sim/base/index.h"
@@ -8,6 +9,26 @@
 #include "sim/scene/compiled_link.h"
 
 namespace prehend {
+
+class ConvexPoints;  // sim/shape/separation.h
+
+// How far points move along one direction within the next `t` seconds: at most by steady * t, and
+// at most by now * t + growth * t^2 / 2 [m].
+struct TravelBound {
+  double steady = 0.0;  // m/s
+  double now = 0.0;     // m/s
+  double growth = 0.0;  // m/s^2
+
+  TravelBound& operator+=(const TravelBound& other);
+  // The time within which they move by less than `distance`, > 0 [s].
+  double time_for(double distance) const;
+};
+
+// Where a link is while the hand closes, in the frame of the hand's base.
+struct ClosingLink {
+  Pose X_HL = Pose::Identity();
+  std::vector<Vector3> on_axis_H;  // for each of CompiledLink::joints, a point of its axis
+};
 
 // Joint motion over the closing time t [s]: joint j is at start + velocity * min(t, until), where
 // `until` is the time at which it reaches its limit or was stopped by contact.
@@ -25,9 +46,10 @@ class ClosingMotion {
   // over the moving joints before it of |velocity| * (farthest point from the joint's axis).
   double speed(const CompiledLink& link, double t) const;
 
-  // Bound on how fast any point of the link moves along the unit `direction_H` (frame of the hand's
-  // base) from time t on [m/s], which turns about joints with axes along it do not count towards.
-  double speed_along(const CompiledLink& link, const Vector3& direction_H, double t) const;
+  // Bound on the motion of `part` of the link along the unit `direction_H` (frame of the hand's
+  // base) from time t on, at which the link is `placed`.
+  TravelBound travel_along(const CompiledLink& link, const ConvexPoints& part,
+                           const ClosingLink& placed, const Vector3& direction_H, double t) const;
 
   // Bound on how far any point of the link can move at all [m]. A self-centering finger may pass
   // its limit by as much as the other one was stopped short of it, which is at most its whole way.
@@ -40,6 +62,9 @@ class ClosingMotion {
 
   // When the last joint comes to rest.
   double end() const;
+
+  // The link at time t; `placed` keeps its memory.
+  void place(const CompiledLink& link, double t, ClosingLink& placed) const;
 
   // Joint values at time t; after end() those at rest, for any t up to infinity.
   void joints_at(double t, std::vector<double>& joints) const;
@@ -54,6 +79,9 @@ class ClosingMotion {
  private:
   void stop(int joint, double t);
   void find_axes();
+  double value_at(std::size_t joint, double t) const {
+    return start_[joint] + velocity_[joint] * std::min(t, until_[joint]);
+  }
 
   const Robot* hand_ = nullptr;
   std::vector<double> start_;

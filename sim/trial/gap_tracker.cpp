@@ -58,6 +58,8 @@ double GapTracker::part_separation(const Pose& X_AB) {
   auto parts = parts_.begin();
   for (const ConvexPoints& part_a : a_->parts()) {
     for (const ConvexPoints& part_b : b_->parts()) {
+      parts->part_of_a = &part_a;
+      parts->part_of_b = &part_b;
       parts->distance = separation(part_a, part_b, X_AB, parts->direction);
       least = std::min(least, parts->distance);
       ++parts;

@@ -9,6 +9,8 @@
 
 namespace prehend {
 
+class ConvexPoints;  // sim/shape/separation.h
+
 // A longer list of near triangle pairs is not kept; the next one is tried when the gap is half as
 // large. Searches of the bounding-volume trees cost more than this many pairs, of which most are
 // only looked at.
@@ -27,6 +29,8 @@ inline double safe_step(const Gap& gap, const TrialOptions& options) {
 
 // Two convex parts, one of each body, and how far apart they are along one direction.
 struct PartsApart {
+  const ConvexPoints* part_of_b = nullptr;  // in B's frame
+  const ConvexPoints* part_of_a = nullptr;
   // From the part of A to that of B, unit, in A's frame. Of any length, and the start of the next
   // search, where the last query did not come to the parts.
   Vector3 direction = Vector3::Zero();

@@ -16,7 +16,7 @@ namespace {
 constexpr int kMostPoints = 200;
 
 // Samples of perturbed contacts for robust epsilon. A report shows two digits of the result.
-constexpr int kSamples = 100;
+constexpr int kSamples = 50;
 
 // Polytope of the wrench space. With the L1 norm and pyramids the space is the convex hull of the
 // wrenches of the pyramids' edges, which is exact; other spaces, those of many edges, and those on
